@@ -32,4 +32,16 @@ public @interface Builtin {
    * {@code CallSite.argumentNodes()}.
    */
   boolean lazy() default false;
+
+  /** How few arguments a lazy builtin may have. */
+  int min() default 0;
+
+  /** How many arguments a lazy builtin may have; -1 for any number. */
+  int max() default -1;
+
+  /**
+   * Whether it is called when the slot of that name, which another builtin declares, is assigned;
+   * it has one argument then, the value.
+   */
+  boolean setter() default false;
 }

@@ -49,21 +49,28 @@ final class Declaration {
       List<String> names,
       String doc,
       boolean lazy,
+      int lazyMin,
+      int lazyMax,
+      boolean setter,
       boolean frame,
       boolean site,
       Parameter self,
       List<Parameter> arguments,
       Result result) {
     int min() {
+      if (lazy) {
+        return lazyMin;
+      }
       return (int)
           arguments.stream().filter(p -> !p.optional() && p.kind() != Kind.REST).count();
     }
 
     /** The most arguments; -1 when there may be any number. */
     int max() {
-      return lazy || arguments.stream().anyMatch(p -> p.kind() == Kind.REST)
-          ? -1
-          : arguments.size();
+      if (lazy) {
+        return lazyMax;
+      }
+      return arguments.stream().anyMatch(p -> p.kind() == Kind.REST) ? -1 : arguments.size();
     }
 
     /** The arguments as the documentation shows them: {@code (from, to?)}. */

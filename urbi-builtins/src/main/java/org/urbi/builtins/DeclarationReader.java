@@ -28,7 +28,7 @@ final class DeclarationReader {
 
   private final ProcessingEnvironment environment;
 
-  /** Where each slot is declared, by {@code type.slot}; shared by all classes. */
+  /** Where each slot is declared, by {@code type.slot}, and each type; shared by all classes. */
   private final Map<String, Element> declared;
 
   DeclarationReader(ProcessingEnvironment environment, Map<String, Element> declared) {
@@ -57,7 +57,7 @@ final class DeclarationReader {
     }
     if (main != null) {
       checkDoc(type, main.doc());
-      checkUnique(type, name, "the type " + name);
+      checkUnique(type, "type " + name, "the type " + name);
     }
     Declaration declaration =
         new Declaration(
@@ -112,7 +112,8 @@ final class DeclarationReader {
             ? List.of(method.getSimpleName().toString())
             : List.of(builtin.value());
     for (String name : names) {
-      checkUnique(method, type.type + "\n" + name, "the slot " + type.type + "." + name);
+      String slot = type.type + "." + name;
+      checkUnique(method, slot + (builtin.setter() ? "=" : ""), "the slot " + slot);
     }
     List<? extends VariableElement> parameters = method.getParameters();
     int next = 0;
@@ -133,12 +134,18 @@ final class DeclarationReader {
     if (builtin.lazy() && !parameters.subList(next + 1, parameters.size()).isEmpty()) {
       error(method, "a lazy builtin finds its arguments in the call site");
     }
+    if (builtin.setter() && arguments.size() != 1) {
+      error(method, "a setter has one argument");
+    }
     type.methods.add(
         new Declaration.Method(
             method.getSimpleName().toString(),
             names,
             builtin.doc(),
             builtin.lazy(),
+            builtin.min(),
+            builtin.max(),
+            builtin.setter(),
             frame,
             site,
             self,

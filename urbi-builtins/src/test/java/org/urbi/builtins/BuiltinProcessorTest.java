@@ -224,6 +224,9 @@ class BuiltinProcessorTest {
         "the kind of this result is not known: java.lang.Thread",
         "@Builtin(doc = \"x.\") static Thread f(UrbiObject self) { return null; }");
     refused(
+        "a setter has one argument",
+        "@Builtin(doc = \"x.\", setter = true) static void f(UrbiObject self) {}");
+    refused(
         "a lazy builtin finds its arguments in the call site",
         "@Builtin(doc = \"x.\", lazy = true) static void f(UrbiObject self, int i) {}");
   }

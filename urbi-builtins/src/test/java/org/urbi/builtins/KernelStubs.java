@@ -83,7 +83,8 @@ final class KernelStubs {
         import org.urbi.kernel.object.*;
         public abstract class BuiltinTable {
           public record Entry(
-              String name, int min, int max, boolean lazy, String formals, String doc) {
+              String name, int min, int max, boolean lazy, boolean setter, String formals,
+              String doc) {
             @Override public String toString() {
               return name + formals + " " + min + ".." + (max == Integer.MAX_VALUE ? "" : max);
             }

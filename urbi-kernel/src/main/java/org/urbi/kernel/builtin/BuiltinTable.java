@@ -14,10 +14,17 @@ public abstract class BuiltinTable {
    * One builtin, as declared.
    *
    * @param max {@link Integer#MAX_VALUE} when there may be any number of arguments
+   * @param setter whether it is called when the slot of that name is assigned
    * @param formals the arguments as the documentation shows them; empty when there are none
    */
   public record Entry(
-      String name, int min, int max, boolean lazy, String formals, String doc) {}
+      String name,
+      int min,
+      int max,
+      boolean lazy,
+      boolean setter,
+      String formals,
+      String doc) {}
 
   private final String type;
   private final String doc;
@@ -78,6 +85,14 @@ public abstract class BuiltinTable {
 
   public final boolean isLazy(int index) {
     return entries[index].lazy;
+  }
+
+  /**
+   * Whether it is not the value of a slot, but what is called when the slot of that name, which
+   * another builtin is the value of, is assigned ({@code SlotData.setter}).
+   */
+  public final boolean isSetter(int index) {
+    return entries[index].setter;
   }
 
   /** The arguments as the documentation shows them: {@code (from, to?)}; empty without any. */
