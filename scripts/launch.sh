@@ -30,5 +30,8 @@ fi
 class_path "$root/$dist"
 cache=
 [ -f "$root/$dist/$main.aot" ] && cache=-XX:AOTCache=$root/$dist/$main.aot
+typing=false
+[ -t 0 ] && typing=true
 # shellcheck disable=SC2086
-exec "$java" $jvm_flags ${cache:+"$cache"} ${URBI_JAVA_OPTS:-} -Durbi.root="${URBI_ROOT:-$root}" -cp "$cp" "$main" "$@"
+exec "$java" $jvm_flags ${cache:+"$cache"} ${URBI_JAVA_OPTS:-} -Durbi.root="${URBI_ROOT:-$root}" \
+  -Durbi.stdin.terminal=$typing -cp "$cp" "$main" "$@"
