@@ -18,15 +18,36 @@ final class Interrupts {
   private final BooleanSupplier inSession;
   private final Runnable killForeground;
   private final Runnable shutdown;
-  private final Executor later =
-      CompletableFuture.delayedExecutor(SECOND_WITHIN_MILLISECONDS, TimeUnit.MILLISECONDS);
+  private final Runnable halt;
+  private final Executor later;
   private boolean shuttingDown;
   private int recent;
 
   Interrupts(BooleanSupplier inSession, Runnable killForeground, Runnable shutdown) {
+    this(
+        inSession,
+        killForeground,
+        shutdown,
+        () -> Runtime.getRuntime().halt(KILLED_BY_INTERRUPT),
+        CompletableFuture.delayedExecutor(SECOND_WITHIN_MILLISECONDS, TimeUnit.MILLISECONDS));
+  }
+
+  /**
+   * Everything that a test wants to see.
+   *
+   * @param later runs what it is given once the time for a second interrupt is over
+   */
+  Interrupts(
+      BooleanSupplier inSession,
+      Runnable killForeground,
+      Runnable shutdown,
+      Runnable halt,
+      Executor later) {
     this.inSession = inSession;
     this.killForeground = killForeground;
     this.shutdown = shutdown;
+    this.halt = halt;
+    this.later = later;
   }
 
   /** Listens to the signal of the interrupt key, and to the one that asks a process to end. */
@@ -40,7 +61,7 @@ final class Interrupts {
     Runnable reaction;
     synchronized (this) {
       if (shuttingDown) {
-        reaction = () -> Runtime.getRuntime().halt(KILLED_BY_INTERRUPT);
+        reaction = halt;
       } else if (recent > 0 || !inSession.getAsBoolean()) {
         shuttingDown = true;
         reaction = shutdown;

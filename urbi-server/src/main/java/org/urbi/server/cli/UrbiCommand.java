@@ -65,7 +65,7 @@ public final class UrbiCommand {
     program
         .flag("Read a session from the terminal; the default without input.", "-i", "--interactive")
         .each("MODULE", "Load the UObject MODULE.", modules::add, "-m", "--module")
-        .arguments("[FILE [ARGUMENT...]]", "A script, and what it sees as System.arguments.")
+        .arguments("[FILE [ARGUMENT]...]", "A script, and what it sees as System.arguments.")
         .stopAtArgument();
     return program.run(args, out, err, this::start);
   }

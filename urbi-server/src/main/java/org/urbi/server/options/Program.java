@@ -86,6 +86,7 @@ public final class Program {
             .type(List.class)
             .auxiliaryTypes(String.class)
             .paramLabel(label)
+            .hideParamSyntax(true)
             .description(description)
             .build());
     return this;
