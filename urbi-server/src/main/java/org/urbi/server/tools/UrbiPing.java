@@ -65,8 +65,8 @@ public final class UrbiPing {
     int interval = number(arguments, "--interval", rest, 1, USUAL_INTERVAL);
     int count = number(arguments, "--count", rest, 2, 0);
     Thread summary = new Thread(() -> out.println(delays));
-    Runtime.getRuntime().addShutdownHook(summary);
     try (Socket socket = target.connect()) {
+      Runtime.getRuntime().addShutdownHook(summary);
       socket.setSoTimeout(PATIENCE_MILLISECONDS);
       out.println("Pinging " + target.host() + ":" + target.port());
       exchange(socket, interval, count);
