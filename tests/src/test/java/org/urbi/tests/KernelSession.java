@@ -140,7 +140,7 @@ final class KernelSession implements AutoCloseable {
     }
 
     /** Completes when the kernel has closed the connection. */
-    CompletableFuture<Void> closed() {
+    CompletableFuture<Void> whenClosed() {
       return closed;
     }
 

@@ -139,7 +139,7 @@ class RobustnessTest {
         Console console = session.connect();
         console.send(start);
         console.end();
-        console.closed().get(60, TimeUnit.SECONDS);
+        console.whenClosed().get(60, TimeUnit.SECONDS);
       }
       Console next = session.connect();
       next.send("1+1;\n");

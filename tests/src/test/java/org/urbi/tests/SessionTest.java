@@ -21,10 +21,10 @@ class SessionTest {
       Console first = session.connect();
       Console second = session.connect();
       first.send("quit;\n");
-      first.closed().get(30, TimeUnit.SECONDS);
+      first.whenClosed().get(30, TimeUnit.SECONDS);
       second.send("20+3;\n");
       second.receives("] 23\n").get(30, TimeUnit.SECONDS);
-      assertFalse(second.closed().isDone());
+      assertFalse(second.whenClosed().isDone());
     }
   }
 
@@ -46,7 +46,7 @@ class SessionTest {
       Console console = session.connect();
       console.send("sleep(5s);\necho(\"after all\");\n");
       console.end();
-      console.closed().get(30, TimeUnit.SECONDS);
+      console.whenClosed().get(30, TimeUnit.SECONDS);
       assertTrue(console.output().contains("[00005000] *** after all"), console.output());
     }
   }
