@@ -1,0 +1,193 @@
+package org.urbi.kernel.error;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.urbi.kernel.object.UrbiFloat;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
+import org.urbi.kernel.object.Values;
+import org.urbi.kernel.object.World;
+
+/**
+ * Every error that the language itself reports, with the text of the manual ("Exception"). Each is
+ * an object cloned from the prototype of its type, so that programs can tell them apart.
+ */
+public final class Errors {
+  private final World world;
+  private final Values values;
+  private final Map<String, UrbiObject> prototypes = new LinkedHashMap<>();
+
+  /** Shows a value as the console would; set by the library. */
+  public interface Shown {
+    String show(UrbiObject value);
+  }
+
+  private Shown shown = value -> "?";
+
+  public Errors(World world) {
+    this.world = world;
+    this.values = world.values();
+  }
+
+  /** How values are shown in messages. */
+  public void setShown(Shown how) {
+    shown = how;
+  }
+
+  /** Declares the prototype of a type of exceptions, such as "Arity". */
+  public void declare(String type, UrbiObject prototype) {
+    prototypes.put(type, prototype);
+  }
+
+  /** The prototype of a type of exceptions. */
+  public UrbiObject prototype(String type) {
+    return prototypes.get(type);
+  }
+
+  /** An exception of that type, with that message. */
+  public Builder of(String type, String message) {
+    UrbiObject prototype = prototypes.get(type);
+    UrbiObject exception = prototype == null ? values.object.cloned() : prototype.cloned();
+    return new Builder(exception).with("message", values.string(message));
+  }
+
+  /** An exception being filled. */
+  public final class Builder {
+    private final UrbiObject exception;
+
+    private Builder(UrbiObject exception) {
+      this.exception = exception;
+    }
+
+    public Builder with(String slot, UrbiObject value) {
+      exception.addSlot(world.symbol(slot), value);
+      return this;
+    }
+
+    public Builder with(String slot, String value) {
+      return with(slot, values.string(value));
+    }
+
+    public Builder with(String slot, double value) {
+      return with(slot, values.number(value));
+    }
+
+    public UrbiObject object() {
+      return exception;
+    }
+
+    public UrbiException build() {
+      return new UrbiException(exception);
+    }
+  }
+
+  /** {@code lookup failed: name}. */
+  public UrbiException lookup(UrbiObject target, String name) {
+    return of("Lookup", "lookup failed: " + name)
+        .with("object", target)
+        .with("name", name)
+        .build();
+  }
+
+  /** {@code unexpected void}. */
+  public UrbiException unexpectedVoid() {
+    return of("UnexpectedVoid", "unexpected void").build();
+  }
+
+  /** {@code cannot modify const slot}. */
+  public UrbiException constness() {
+    return of("Constness", "cannot modify const slot").build();
+  }
+
+  /** {@code slot redefinition: name}. */
+  public UrbiException redefinition(String name) {
+    return of("Redefinition", "slot redefinition: " + name).with("name", name).build();
+  }
+
+  /** {@code pattern did not match}. */
+  public UrbiException matchFailure() {
+    return of("MatchFailure", "pattern did not match").build();
+  }
+
+  /** {@code routine: message}. */
+  public UrbiException primitive(String routine, String message) {
+    return of("Primitive", routine + ": " + message).with("routine", routine).build();
+  }
+
+  /** {@code property lookup failed: slot->property}. */
+  public UrbiException property(UrbiObject target, String slot, String property) {
+    return of("Lookup", "property lookup failed: " + slot + "->" + property)
+        .with("object", target)
+        .with("name", slot + "->" + property)
+        .build();
+  }
+
+  public UrbiException scheduling(String message) {
+    return of("Scheduling", message).build();
+  }
+
+  /**
+   * {@code routine: expected 2 arguments, given 1}, {@code expected at least …}, {@code expected
+   * between … and …}.
+   *
+   * @param max {@link Integer#MAX_VALUE} when there may be any number
+   */
+  public UrbiException arity(String routine, int given, int min, int max) {
+    return of("Arity", arityMessage(routine, given, min, max))
+        .with("routine", routine)
+        .with("effective", given)
+        .with("minimum", min)
+        .with("maximum", max == Integer.MAX_VALUE ? values.voidObject : values.number(max))
+        .build();
+  }
+
+  /** The text of an arity error. */
+  public static String arityMessage(String routine, int given, int min, int max) {
+    String expected;
+    if (max == min) {
+      expected = min + (min < 2 ? " argument" : " arguments");
+    } else if (max == Integer.MAX_VALUE) {
+      expected = "at least " + min + (min < 2 ? " argument" : " arguments");
+    } else {
+      expected = "between " + min + " and " + max + " arguments";
+    }
+    return routine + ": expected " + expected + ", given " + given;
+  }
+
+  /** {@code routine: argument 1: unexpected "x", expected a Float}; 0 is the target. */
+  public UrbiException argumentType(
+      String routine, int index, UrbiObject effective, UrbiObject expected, String expectedName) {
+    UrbiObject cause =
+        of("Type", "unexpected " + shown.show(effective) + ", expected " + article(expectedName))
+            .with("effective", effective)
+            .with("expected", expected)
+            .object();
+    String text = causeMessage(cause);
+    return of("Argument", routine + ": " + place(index) + ": " + text)
+        .with("routine", routine)
+        .with("index", index)
+        .with("exception", cause)
+        .build();
+  }
+
+  private String causeMessage(UrbiObject cause) {
+    UrbiObject message = cause.lookup(world.symbol("message"));
+    return message instanceof UrbiString s ? s.value() : "";
+  }
+
+  private static String place(int index) {
+    return index == 0 ? "target" : "argument " + index;
+  }
+
+  private static String article(String name) {
+    return ("AEIOUaeiou".indexOf(name.charAt(0)) >= 0 ? "an " : "a ") + name;
+  }
+
+  /** {@code routine: message} about a number. */
+  public UrbiException badNumber(String type, String routine, String message, UrbiFloat effective) {
+    return of(type, routine + ": " + message)
+        .with("routine", routine)
+        .with("effective", effective)
+        .build();
+  }
+}

@@ -1,0 +1,49 @@
+package org.urbi.kernel.error;
+
+import java.util.List;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Span;
+
+/**
+ * The one exception that crosses the kernel: a thrown urbiscript value, where it was thrown, and
+ * the urbiscript calls that led there (manual, "Exceptions").
+ */
+public final class UrbiException extends RuntimeException {
+  /** A call on the way to the error: the name called, and where. */
+  public record Call(String name, Span span) {}
+
+  private final transient UrbiObject value;
+  private transient Span span;
+  private transient List<Call> backtrace;
+
+  public UrbiException(UrbiObject value) {
+    super(null, null, false, false);
+    this.value = value;
+  }
+
+  /** What was thrown. */
+  public UrbiObject value() {
+    return value;
+  }
+
+  /** Whether it is known where it was thrown. */
+  public boolean isLocated() {
+    return backtrace != null;
+  }
+
+  /** Says where it was thrown; the innermost call comes first. */
+  public void locate(Span where, List<Call> calls) {
+    span = where;
+    backtrace = calls;
+  }
+
+  /** Where it was thrown, or null. */
+  public Span span() {
+    return span;
+  }
+
+  /** The calls, innermost first. */
+  public List<Call> backtrace() {
+    return backtrace == null ? List.of() : backtrace;
+  }
+}

@@ -1,0 +1,81 @@
+package org.urbi.kernel.job;
+
+import java.util.concurrent.locks.LockSupport;
+
+/**
+ * A job on a virtual thread of the JDK's own scheduler: loop and job pass a baton, and whoever does
+ * not have it is parked. For programs that embed the kernel without opening {@code java.lang}.
+ */
+final class BatonThread implements JobThread {
+  private final Factory factory;
+  private final Job job;
+  private Thread thread;
+  private volatile boolean jobHasBaton;
+
+  private BatonThread(Factory factory, Job job) {
+    this.factory = factory;
+    this.job = job;
+  }
+
+  @Override
+  public void resume() {
+    jobHasBaton = true;
+    if (thread == null) {
+      thread = Thread.ofVirtual().unstarted(this::run);
+      thread.start();
+    } else {
+      LockSupport.unpark(thread);
+    }
+    while (jobHasBaton) {
+      LockSupport.park(this);
+    }
+  }
+
+  private void run() {
+    try {
+      job.run();
+    } finally {
+      giveBack();
+    }
+  }
+
+  private void giveBack() {
+    jobHasBaton = false;
+    LockSupport.unpark(factory.loop);
+  }
+
+  @Override
+  public void suspend() {
+    giveBack();
+    while (!jobHasBaton) {
+      LockSupport.park(this);
+    }
+  }
+
+  /** Makes the threads of one kernel. */
+  static final class Factory implements JobThread.Factory {
+    /** The stack of a virtual thread of the JDK is limited by that of its carrier. */
+    private static final int MAXIMUM_DEPTH = 1_000;
+
+    private volatile Thread loop;
+
+    @Override
+    public JobThread create(Job job) {
+      return new BatonThread(this, job);
+    }
+
+    @Override
+    public Thread startLoop(Runnable body) {
+      // Virtual as well: a platform thread would take six times as long to hand over.
+      Thread thread = Thread.ofVirtual().name("urbi-kernel").unstarted(body);
+      loop = thread;
+      thread.start();
+      return thread;
+    }
+
+    @Override
+    public int maximumDepth() {
+      return MAXIMUM_DEPTH;
+    }
+  }
+}

@@ -1,0 +1,345 @@
+package org.urbi.kernel.job;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.urbi.kernel.object.UrbiObject;
+
+/**
+ * A light thread of urbiscript (manual, "Job"). Its stack is that of a virtual thread which the
+ * tick loop runs; so a switch is an ordinary call that returns later, from anywhere in the
+ * interpreter.
+ */
+public final class Job implements Runnable {
+  /** What a job does. */
+  @FunctionalInterface
+  public interface Body {
+    /** Runs in the job; whatever it throws ends the job. */
+    void run(Job job);
+  }
+
+  /** Where a job is in its life. */
+  public enum State {
+    RUNNABLE("running"),
+    RUNNING("running"),
+    WAITING("waiting"),
+    SLEEPING("sleeping"),
+    ENDED("terminated");
+
+    private final String text;
+
+    State(String text) {
+      this.text = text;
+    }
+
+    /** As the manual names it. */
+    public String text() {
+      return text;
+    }
+  }
+
+  private final Scheduler scheduler;
+  private final Body body;
+  private final String name;
+  private final UrbiObject lobby;
+  private final JobGroup group;
+  private final JobThread thread;
+  private TagScope scope;
+  private State state = State.RUNNABLE;
+  private Unwinding injected;
+  private Timers.Timer timer;
+  private int frozenDepth;
+  private boolean heldByFreeze;
+  private long frozenSince;
+  private long sleepLeft;
+  private long timeShift;
+  private List<Runnable> endListeners;
+
+  /** The urbiscript object that shows this job; made by the library when asked for. */
+  public UrbiObject object;
+
+  Job(
+      Scheduler scheduler,
+      Body body,
+      String name,
+      UrbiObject lobby,
+      TagScope scope,
+      JobGroup group,
+      long timeShift) {
+    this.scheduler = scheduler;
+    this.body = body;
+    this.name = name;
+    this.lobby = lobby;
+    this.scope = scope;
+    this.group = group;
+    this.timeShift = timeShift;
+    this.thread = scheduler.newThread(this);
+    this.frozenDepth = scope.frozenDepth();
+    this.frozenSince = scheduler.now();
+    scope.add(this);
+  }
+
+  // ------------------------------------------------------------------ what it is
+
+  public Scheduler scheduler() {
+    return scheduler;
+  }
+
+  public String name() {
+    return name;
+  }
+
+  /** The lobby for which it runs, to which its output goes. */
+  public UrbiObject lobby() {
+    return lobby;
+  }
+
+  public State state() {
+    return state;
+  }
+
+  public boolean isFrozen() {
+    return frozenDepth > 0;
+  }
+
+  /** The innermost tagged code it is in. */
+  public TagScope scope() {
+    return scope;
+  }
+
+  /** How many nanoseconds it has been frozen in all. */
+  public long timeShift() {
+    return timeShift;
+  }
+
+  // ------------------------------------------------------------------ life, on its own thread
+
+  /** The body of the virtual thread. */
+  @Override
+  public void run() {
+    Throwable failure = null;
+    try {
+      state = State.RUNNING;
+      checkInjected();
+      body.run(this);
+    } catch (TagStop stop) {
+      // The code was stopped: a quiet end.
+    } catch (Throwable t) {
+      failure = t;
+    }
+    end(failure);
+  }
+
+  private void end(Throwable failure) {
+    state = State.ENDED;
+    injected = null;
+    scope.remove(this);
+    scheduler.ended(this);
+    if (group != null) {
+      group.childEnded(this, failure);
+    } else if (failure != null) {
+      scheduler.uncaught(this, failure);
+    }
+    if (endListeners != null) {
+      endListeners.forEach(Runnable::run);
+    }
+  }
+
+  /** Runs something when the job has ended; at once when it has already. */
+  public void onEnd(Runnable listener) {
+    if (state == State.ENDED) {
+      listener.run();
+    } else {
+      if (endListeners == null) {
+        endListeners = new ArrayList<>(2);
+      }
+      endListeners.add(listener);
+    }
+  }
+
+  /** The separator {@code ;}: lets the others run, if there are any. */
+  public void yield() {
+    if (scheduler.hasOthers()) {
+      yieldNow();
+    } else {
+      checkInjected();
+    }
+  }
+
+  /** Lets everybody else who can run do so. */
+  public void yieldNow() {
+    scheduler.enqueue(this);
+    switchOut();
+  }
+
+  /** Waits until that time of the scheduler, in nanoseconds. */
+  public void sleepUntil(long deadline) {
+    state = State.SLEEPING;
+    timer = scheduler.timers().add(deadline, this::timeIsUp);
+    switchOut();
+  }
+
+  private void timeIsUp() {
+    timer = null;
+    makeRunnable();
+  }
+
+  /** Waits until somebody calls {@link #wake}. */
+  public void waitForWake() {
+    state = State.WAITING;
+    switchOut();
+  }
+
+  private void switchOut() {
+    thread.suspend();
+    state = State.RUNNING;
+    checkInjected();
+  }
+
+  /** Throws what others want this job to be left with, if anything. */
+  public void checkInjected() {
+    if (injected != null) {
+      Unwinding unwinding = injected;
+      injected = null;
+      throw unwinding;
+    }
+  }
+
+  // ------------------------------------------------------------------ under tags
+
+  /**
+   * Enters code under a tag. When the tag is frozen, waits until it no longer is.
+   *
+   * @return the scope to give to {@link #leave}
+   */
+  public TagScope enter(TagState tag) {
+    TagScope entered = new TagScope(tag, scope, this);
+    moveTo(entered);
+    return entered;
+  }
+
+  /** Leaves tagged code, however it ended. */
+  public void leave(TagScope left) {
+    moveTo(left.parent());
+    left.close();
+    if (injected instanceof TagStop stop && stop.scope() == left) {
+      injected = null;
+    }
+  }
+
+  private void moveTo(TagScope other) {
+    other.add(this);
+    scope.remove(this);
+    scope = other;
+    int depth = other.frozenDepth();
+    if (depth > 0 && frozenDepth == 0) {
+      frozenSince = scheduler.now();
+    }
+    frozenDepth = depth;
+  }
+
+  /** Suspends this job if it has just been frozen, by itself or by the code it entered. */
+  public void holdIfFrozen() {
+    if (frozenDepth > 0) {
+      yieldNow();
+    }
+  }
+
+  void freeze() {
+    if (frozenDepth++ == 0) {
+      frozenSince = scheduler.now();
+      if (timer != null) {
+        sleepLeft = timer.deadline() - frozenSince;
+        timer.cancel();
+        timer = null;
+      }
+    }
+  }
+
+  void unfreeze() {
+    if (--frozenDepth == 0) {
+      timeShift += scheduler.now() - frozenSince;
+      if (state == State.SLEEPING) {
+        timer = scheduler.timers().add(scheduler.now() + sleepLeft, this::timeIsUp);
+      } else if (heldByFreeze) {
+        heldByFreeze = false;
+        scheduler.enqueue(this);
+      }
+    }
+  }
+
+  // ------------------------------------------------------------------ from the outside
+
+  /** Ends its wait. */
+  public void wake() {
+    if (state == State.WAITING) {
+      makeRunnable();
+    }
+  }
+
+  /** The JDK has something for the thread of this job. */
+  void wakeFromOutside() {
+    scheduler.enqueue(this);
+  }
+
+  private void makeRunnable() {
+    state = State.RUNNABLE;
+    scheduler.enqueue(this);
+  }
+
+  /**
+   * Has the job left by a throwable, as soon as its turn comes; when it is the running one, at its
+   * next {@link #checkInjected}. Of two stops the outer one wins.
+   */
+  void inject(Unwinding unwinding) {
+    if (state == State.ENDED) {
+      return;
+    }
+    if (injected == null || isOuter(unwinding)) {
+      injected = unwinding;
+    }
+    if (timer != null) {
+      timer.cancel();
+      timer = null;
+    }
+    if (state == State.SLEEPING || state == State.WAITING) {
+      makeRunnable();
+    } else if (heldByFreeze) {
+      heldByFreeze = false;
+      scheduler.enqueue(this);
+    }
+  }
+
+  private boolean isOuter(Unwinding unwinding) {
+    if (!(unwinding instanceof TagStop stop)) {
+      return false;
+    }
+    if (stop.scope() == null || !(injected instanceof TagStop known)) {
+      return true;
+    }
+    return known.scope() != null && stop.scope().depth() < known.scope().depth();
+  }
+
+  /** Forgets a report of that group, which nobody waits for any more. */
+  void forget(JobGroup left) {
+    if (injected instanceof ChildFailure failure && failure.group() == left) {
+      injected = null;
+    }
+  }
+
+  /** Ends the job, wherever it is. */
+  public void terminate() {
+    inject(new TagStop(null, null));
+  }
+
+  /** The turn of the job; called by the tick loop alone. */
+  void resume() {
+    if (state == State.ENDED) {
+      return;
+    }
+    if (frozenDepth > 0 && injected == null) {
+      heldByFreeze = true;
+      return;
+    }
+    thread.resume();
+  }
+}

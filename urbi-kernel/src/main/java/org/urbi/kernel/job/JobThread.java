@@ -1,0 +1,28 @@
+package org.urbi.kernel.job;
+
+/**
+ * What carries the stack of a job. The tick loop calls {@link #resume}, the job calls {@link
+ * #suspend}; exactly one of the two sides runs at a time.
+ */
+interface JobThread {
+  /** Runs the job until it suspends or ends. */
+  void resume();
+
+  /**
+   * Gives control back to the tick loop until it resumes this job.
+   *
+   * @throws IllegalStateException when a native frame on the stack makes that impossible
+   */
+  void suspend();
+
+  /** Makes the threads of one kernel. */
+  interface Factory {
+    JobThread create(Job job);
+
+    /** Starts the thread on which the tick loop runs. */
+    Thread startLoop(Runnable loop);
+
+    /** How many nested calls the stack of a job is sure to hold. */
+    int maximumDepth();
+  }
+}

@@ -1,0 +1,254 @@
+package org.urbi.kernel.job;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.BiConsumer;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.time.Clock;
+
+/**
+ * The tick loop. A tick reads the clock, takes the inbox, fires the timers that are due, and runs
+ * every runnable job once, in the order in which they became runnable. It runs on the kernel
+ * thread, the only one to touch urbiscript objects.
+ */
+public final class Scheduler {
+  /** Nobody else can run, but news may have come: how many {@code ;} pass before a look. */
+  private static final int SPINS_PER_TICK = 100;
+
+  /** A simulated time moves on when so many ticks in a row found something to run… */
+  private static final int BUSY_TICKS = 1000;
+
+  /** …by that much, or a job that never waits would keep the others asleep for ever. */
+  private static final long BUSY_STEP = 1_000_000;
+
+  private final Clock clock;
+  private final Inbox inbox = new Inbox();
+  private final Timers timers = new Timers();
+  private final JobThread.Factory threads;
+  private final ArrayDeque<Job> runnable = new ArrayDeque<>();
+  private final Set<Job> jobs = new LinkedHashSet<>();
+  private final TagScope rootScope = new TagScope();
+  private final List<Runnable> endOfTick = new ArrayList<>();
+  private final BiConsumer<Job, Throwable> uncaught;
+  private int spins;
+  private int busyTicks;
+  private long now;
+  private long cycle;
+  private int timeHolders;
+  private Job running;
+  private boolean stopped;
+  private long sequence;
+
+  /**
+   * @param uncaught told what a job, which nobody waits for, was left by
+   */
+  public Scheduler(Clock clock, JobThreads threads, BiConsumer<Job, Throwable> uncaught) {
+    this.clock = clock;
+    this.threads = threads.factory(inbox::post);
+    this.uncaught = uncaught;
+  }
+
+  // ------------------------------------------------------------------ what it has
+
+  /** The time of this tick, in nanoseconds since the kernel was started. */
+  public long now() {
+    return now;
+  }
+
+  public Clock clock() {
+    return clock;
+  }
+
+  /** The number of ticks so far. */
+  public long cycle() {
+    return cycle;
+  }
+
+  public Inbox inbox() {
+    return inbox;
+  }
+
+  public Timers timers() {
+    return timers;
+  }
+
+  /** The scope of code under no tag. */
+  public TagScope rootScope() {
+    return rootScope;
+  }
+
+  /** The job whose turn it is; null between turns. */
+  public Job running() {
+    return running;
+  }
+
+  /** All the jobs that have not ended, oldest first. */
+  public List<Job> jobs() {
+    return new ArrayList<>(jobs);
+  }
+
+  /** How many nested calls a job can hold. */
+  public int maximumDepth() {
+    return threads.maximumDepth();
+  }
+
+  JobThread newThread(Job job) {
+    return threads.create(job);
+  }
+
+  // ------------------------------------------------------------------ jobs
+
+  /** Starts a job of a group, under the tags of its parent. */
+  Job start(Job parent, JobGroup group, Job.Body body) {
+    return start(
+        new Job(
+            this,
+            body,
+            nextName("shell"),
+            parent.lobby(),
+            parent.scope(),
+            group,
+            parent.timeShift()));
+  }
+
+  /** Starts a job which nobody waits for. */
+  public Job startDetached(UrbiObject lobby, TagScope scope, String prefix, Job.Body body) {
+    long shift = running == null ? 0 : running.timeShift();
+    return start(new Job(this, body, nextName(prefix), lobby, scope, null, shift));
+  }
+
+  private Job start(Job job) {
+    jobs.add(job);
+    runnable.add(job);
+    return job;
+  }
+
+  private String nextName(String prefix) {
+    return prefix + "_" + ++sequence;
+  }
+
+  void enqueue(Job job) {
+    runnable.add(job);
+  }
+
+  void ended(Job job) {
+    jobs.remove(job);
+  }
+
+  void uncaught(Job job, Throwable failure) {
+    uncaught.accept(job, failure);
+  }
+
+  /** Whether a job that can go on had better let others run. */
+  boolean hasOthers() {
+    if (!runnable.isEmpty() || inbox.isFilled()) {
+      spins = 0;
+      return true;
+    }
+    if (++spins >= SPINS_PER_TICK) {
+      spins = 0;
+      return true;
+    }
+    return false;
+  }
+
+  // ------------------------------------------------------------------ the loop
+
+  /** Starts the kernel thread. */
+  public Thread startLoop() {
+    return threads.startLoop(this::loop);
+  }
+
+  /** Ends the loop after this tick; on the kernel thread. */
+  public void stop() {
+    stopped = true;
+  }
+
+  /** Does something at the end of this tick; on the kernel thread. */
+  public void atEndOfTick(Runnable action) {
+    endOfTick.add(action);
+  }
+
+  /** Simulated time stands still while somebody holds it: more input is to come for this moment. */
+  public void holdTime() {
+    timeHolders++;
+  }
+
+  public void releaseTime() {
+    timeHolders--;
+  }
+
+  private void loop() {
+    while (!stopped) {
+      tick();
+    }
+    for (Job job : jobs()) {
+      job.terminate();
+    }
+    while (!runnable.isEmpty()) {
+      runOnce();
+    }
+    runEndOfTick();
+  }
+
+  private void tick() {
+    cycle++;
+    now = Math.max(now, clock.now());
+    takeInbox();
+    timers.fire(now);
+    if (runnable.isEmpty()) {
+      runEndOfTick();
+      busyTicks = 0;
+      if (!stopped && endOfTick.isEmpty()) {
+        idle();
+      }
+      return;
+    }
+    runOnce();
+    runEndOfTick();
+    if (!clock.isReal() && ++busyTicks >= BUSY_TICKS) {
+      busyTicks = 0;
+      clock.advanceTo(now + BUSY_STEP);
+    }
+  }
+
+  private void takeInbox() {
+    if (inbox.isFilled()) {
+      Runnable message;
+      while ((message = inbox.poll()) != null) {
+        message.run();
+      }
+    }
+  }
+
+  private void runOnce() {
+    for (int left = runnable.size(); left > 0; left--) {
+      Job job = runnable.poll();
+      running = job;
+      job.resume();
+    }
+    running = null;
+  }
+
+  private void runEndOfTick() {
+    while (!endOfTick.isEmpty()) {
+      List<Runnable> actions = List.copyOf(endOfTick);
+      endOfTick.clear();
+      actions.forEach(Runnable::run);
+    }
+  }
+
+  private void idle() {
+    long next = timers.next();
+    if (clock.isReal()) {
+      inbox.await(next == Long.MAX_VALUE ? Long.MAX_VALUE : next - clock.now());
+    } else if (next == Long.MAX_VALUE || timeHolders > 0) {
+      inbox.await(Long.MAX_VALUE);
+    } else if (!inbox.isFilled()) {
+      clock.advanceTo(next);
+    }
+  }
+}

@@ -1,0 +1,163 @@
+package org.urbi.kernel.job;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * One execution of code under one tag. Scopes form a tree: code under a tag runs other tagged code,
+ * and starts jobs which inherit the innermost scope of their parent. Whatever is done to a tag is
+ * done to the subtrees of its scopes.
+ */
+public final class TagScope {
+  /** What waits under a scope without a job of its own: a handler of events. */
+  public interface Attachment {
+    /** The tag was stopped. */
+    void stopped();
+  }
+
+  private final TagState tag;
+  private final TagScope parent;
+  private final Job owner;
+  private final int depth;
+  private final Set<TagScope> inner = new LinkedHashSet<>();
+  private final Set<Job> jobs = new LinkedHashSet<>();
+  private final Set<Attachment> attachments = new LinkedHashSet<>();
+  private boolean closed;
+
+  /** The root of the tree of a kernel: under no tag at all. */
+  TagScope() {
+    this(null, null, null);
+  }
+
+  /**
+   * @param owner the job which entered the tagged code, and is under the scope only as long; null
+   *     when all the jobs of the scope begin and end under it
+   */
+  TagScope(TagState tag, TagScope parent, Job owner) {
+    this.tag = tag;
+    this.parent = parent;
+    this.owner = owner;
+    this.depth = parent == null ? 0 : parent.depth + 1;
+    if (parent != null) {
+      parent.inner.add(this);
+    }
+    if (tag != null) {
+      tag.scopes.add(this);
+    }
+  }
+
+  public TagState tag() {
+    return tag;
+  }
+
+  public TagScope parent() {
+    return parent;
+  }
+
+  Job owner() {
+    return owner;
+  }
+
+  int depth() {
+    return depth;
+  }
+
+  void add(Job job) {
+    jobs.add(job);
+  }
+
+  void remove(Job job) {
+    jobs.remove(job);
+    detachIfOver();
+  }
+
+  /** Something waits under this scope without a job; it hears when the scope is stopped. */
+  public void add(Attachment attachment) {
+    attachments.add(attachment);
+  }
+
+  public void remove(Attachment attachment) {
+    attachments.remove(attachment);
+    detachIfOver();
+  }
+
+  /** The tagged code has been left; the scope lasts as long as what was started under it. */
+  void close() {
+    closed = true;
+    detachIfOver();
+  }
+
+  private void detachIfOver() {
+    if (closed && jobs.isEmpty() && inner.isEmpty() && attachments.isEmpty()) {
+      parent.inner.remove(this);
+      tag.scopes.remove(this);
+      parent.detachIfOver();
+    }
+  }
+
+  /** Whether a tag around suspends the code here. */
+  public boolean isFrozen() {
+    return frozenDepth() > 0;
+  }
+
+  /** How many of this scope and the ones around it are under a frozen tag. */
+  int frozenDepth() {
+    int frozen = 0;
+    for (TagScope scope = this; scope != null; scope = scope.parent) {
+      if (scope.tag != null && scope.tag.isFrozen()) {
+        frozen++;
+      }
+    }
+    return frozen;
+  }
+
+  /** The blocked scope nearest to the root, or null. */
+  TagScope blockedScope() {
+    TagScope found = null;
+    for (TagScope scope = this; scope != null; scope = scope.parent) {
+      if (scope.tag != null && scope.tag.isBlocked()) {
+        found = scope;
+      }
+    }
+    return found;
+  }
+
+  /** Every job under this scope, in the order in which they came. */
+  List<Job> allJobs() {
+    List<Job> all = new ArrayList<>();
+    collect(all);
+    return all;
+  }
+
+  /** Everything that waits under this scope without a job. */
+  List<Attachment> allAttachments() {
+    List<Attachment> all = new ArrayList<>();
+    collectAttachments(all);
+    return all;
+  }
+
+  private void collectAttachments(List<Attachment> all) {
+    all.addAll(attachments);
+    for (TagScope scope : inner) {
+      scope.collectAttachments(all);
+    }
+  }
+
+  private void collect(List<Job> all) {
+    all.addAll(jobs);
+    for (TagScope scope : inner) {
+      scope.collect(all);
+    }
+  }
+
+  /** The tags around, innermost first. */
+  public List<TagState> tags() {
+    List<TagState> tags = new ArrayList<>();
+    for (TagScope scope = this; scope.tag != null; scope = scope.parent) {
+      tags.add(scope.tag);
+    }
+    return tags;
+  }
+}

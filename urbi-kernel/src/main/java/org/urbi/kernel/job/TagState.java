@@ -1,0 +1,95 @@
+package org.urbi.kernel.job;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.urbi.kernel.object.UrbiObject;
+
+/**
+ * What a tag does to the code it labels (manual, "Tag"): stop, block, freeze. The urbiscript object
+ * stands on this one.
+ */
+public final class TagState {
+  final Set<TagScope> scopes = new LinkedHashSet<>();
+  private final TagState parent;
+  private boolean frozen;
+  private boolean blocked;
+  private UrbiObject blockedValue;
+
+  /**
+   * @param parent the tag whose code all the code under this one is, too; or null
+   */
+  public TagState(TagState parent) {
+    this.parent = parent;
+  }
+
+  public TagState parent() {
+    return parent;
+  }
+
+  public boolean isFrozen() {
+    return frozen;
+  }
+
+  public boolean isBlocked() {
+    return blocked;
+  }
+
+  /** What blocked code returns. */
+  public UrbiObject blockedValue() {
+    return blockedValue;
+  }
+
+  /** Ends all the code that is running under this tag, which returns the value. */
+  public void stop(UrbiObject value) {
+    for (TagScope scope : new ArrayList<>(scopes)) {
+      for (TagScope.Attachment attachment : scope.allAttachments()) {
+        attachment.stopped();
+      }
+      for (Job job : scope.allJobs()) {
+        job.inject(new TagStop(scope, value));
+      }
+    }
+  }
+
+  /** Stops, and lets no code under this tag begin. */
+  public void block(UrbiObject value) {
+    blocked = true;
+    blockedValue = value;
+    stop(value);
+  }
+
+  public void unblock() {
+    blocked = false;
+    blockedValue = null;
+  }
+
+  /** Suspends the code under this tag, and the code that enters it, with its sense of time. */
+  public void freeze() {
+    if (!frozen) {
+      frozen = true;
+      for (Job job : jobs()) {
+        job.freeze();
+      }
+    }
+  }
+
+  public void unfreeze() {
+    if (frozen) {
+      List<Job> jobs = jobs();
+      frozen = false;
+      for (Job job : jobs) {
+        job.unfreeze();
+      }
+    }
+  }
+
+  private List<Job> jobs() {
+    List<Job> jobs = new ArrayList<>();
+    for (TagScope scope : scopes) {
+      jobs.addAll(scope.allJobs());
+    }
+    return jobs;
+  }
+}

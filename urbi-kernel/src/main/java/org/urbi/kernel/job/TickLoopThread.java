@@ -1,0 +1,133 @@
+package org.urbi.kernel.job;
+
+import java.lang.invoke.MethodHandle;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.MethodType;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+
+/**
+ * A job on a virtual thread whose scheduler is the tick loop. The thread hands its continuation to
+ * this object, as its executor; the loop runs that continuation on its own platform thread when the
+ * turn of the job has come.
+ */
+final class TickLoopThread implements JobThread, Executor {
+  private static final MethodHandle NEW_BUILDER = findBuilder();
+
+  private final Factory factory;
+  private final Job job;
+  private final Thread thread;
+  private Runnable continuation;
+  private boolean started;
+  private boolean resumed;
+
+  private TickLoopThread(Factory factory, Job job) {
+    this.factory = factory;
+    this.job = job;
+    try {
+      Thread.Builder.OfVirtual builder =
+          (Thread.Builder.OfVirtual) NEW_BUILDER.invokeExact((Executor) this);
+      thread = builder.unstarted(job);
+    } catch (RuntimeException | Error e) {
+      throw e;
+    } catch (Throwable e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  /**
+   * The JDK has no public way to choose the scheduler of a virtual thread; its builder has, and is
+   * reached when {@code --add-opens java.base/java.lang=ALL-UNNAMED} opens the package.
+   */
+  private static MethodHandle findBuilder() {
+    try {
+      Class<?> builder = Class.forName("java.lang.ThreadBuilders$VirtualThreadBuilder");
+      var constructor = builder.getDeclaredConstructor(Executor.class);
+      constructor.setAccessible(true);
+      return MethodHandles.lookup()
+          .unreflectConstructor(constructor)
+          .asType(MethodType.methodType(Thread.Builder.OfVirtual.class, Executor.class));
+    } catch (ReflectiveOperationException | RuntimeException e) {
+      return null;
+    }
+  }
+
+  static boolean isAvailable() {
+    return NEW_BUILDER != null;
+  }
+
+  @Override
+  public void execute(Runnable task) {
+    if (Thread.currentThread() == factory.loop) {
+      continuation = task;
+    } else {
+      // A timed park, a future or I/O inside a library call ended: that is news for the inbox.
+      factory.inbox.accept(
+          () -> {
+            continuation = task;
+            job.wakeFromOutside();
+          });
+    }
+  }
+
+  @Override
+  public void resume() {
+    resumed = true;
+    if (!started) {
+      started = true;
+      thread.start();
+    }
+    Runnable next = continuation;
+    continuation = null;
+    if (next != null) {
+      next.run();
+    }
+  }
+
+  @Override
+  public void suspend() {
+    resumed = false;
+    // Hands the continuation to execute(), and returns when the loop has run it again.
+    Thread.yield();
+    if (!resumed) {
+      throw new IllegalStateException("a job cannot wait inside a native call");
+    }
+  }
+
+  /** Makes the threads of one kernel. */
+  static final class Factory implements JobThread.Factory {
+    /** Deep recursion costs stack of this thread; the system gives it page by page. */
+    private static final long STACK_BYTES = 512L << 20;
+
+    private static final int MAXIMUM_DEPTH = 200_000;
+
+    private final Consumer<Runnable> inbox;
+    private volatile Thread loop;
+
+    Factory(Consumer<Runnable> inbox) {
+      if (NEW_BUILDER == null) {
+        throw new IllegalStateException(
+            "java.lang is closed: run java with --add-opens java.base/java.lang=ALL-UNNAMED");
+      }
+      this.inbox = inbox;
+    }
+
+    @Override
+    public JobThread create(Job job) {
+      return new TickLoopThread(this, job);
+    }
+
+    @Override
+    public Thread startLoop(Runnable body) {
+      Thread thread = new Thread(null, body, "urbi-kernel", STACK_BYTES);
+      loop = thread;
+      thread.start();
+      return thread;
+    }
+
+    @Override
+    public int maximumDepth() {
+      return MAXIMUM_DEPTH;
+    }
+  }
+}

@@ -1,0 +1,25 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiObject;
+
+/** What can be called: functions written in urbiscript, and primitives written in Java. */
+public abstract class Code extends UrbiObject {
+  protected Code(Shape shape) {
+    super(shape);
+  }
+
+  /** Whether it wants its arguments unevaluated, in a call message. */
+  public abstract boolean isLazy();
+
+  /**
+   * Calls it.
+   *
+   * @param caller the activation from which it is called
+   * @param site the place, for backtraces and for {@code call}
+   * @param self the target
+   * @param arguments already evaluated; a lazy function finds them in its call message
+   */
+  public abstract UrbiObject call(
+      Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments);
+}

@@ -1,0 +1,114 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.ast.Ast;
+
+/** A function written in urbiscript (manual, "Code"), with the variables that it captured. */
+public final class Function extends Code {
+  /** What all the closures over one function text share. */
+  public static final class Body {
+    final Ast.Function source;
+    final FrameLayout layout;
+    final Formals formals;
+
+    /** Where the parameters that are cells stand, by parameter; -1 for plain ones. */
+    final int[] parameterCells;
+
+    Node code;
+
+    public Body(
+        Ast.Function source, FrameLayout layout, Formals formals, int[] parameterCells) {
+      this.source = source;
+      this.layout = layout;
+      this.formals = formals;
+      this.parameterCells = parameterCells;
+    }
+
+    /** Sets the code; once, when it has been compiled. */
+    public void setCode(Node compiled) {
+      code = compiled;
+    }
+  }
+
+  private final Body body;
+  private final Cell[] captured;
+
+  /** The target of closures; null in functions, whose target is that of the call. */
+  private final UrbiObject boundSelf;
+
+  public Function(Shape shape, Body body, Cell[] captured, UrbiObject boundSelf) {
+    super(shape);
+    this.body = body;
+    this.captured = captured;
+    this.boundSelf = boundSelf;
+  }
+
+  /** The text, for printing. */
+  public Ast.Function source() {
+    return body.source;
+  }
+
+  FrameLayout layout() {
+    return body.layout;
+  }
+
+  Cell[] captured() {
+    return captured;
+  }
+
+  Formals formals() {
+    return body.formals;
+  }
+
+  @Override
+  public boolean isLazy() {
+    return body.formals == null;
+  }
+
+  @Override
+  public UrbiObject call(Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
+    UrbiObject[] locals;
+    if (body.formals == null) {
+      // The arguments that come from Java are kept for the call message, behind the variables.
+      int size = body.layout.locals();
+      locals = new UrbiObject[size + arguments.length];
+      System.arraycopy(arguments, 0, locals, size, arguments.length);
+    } else {
+      locals = body.formals.bind(caller, site, this, arguments);
+    }
+    return run(caller, site, self, locals);
+  }
+
+  /** Runs with the variables made ready: the parameters first, then room for the others. */
+  UrbiObject run(Frame caller, CallSite site, UrbiObject self, UrbiObject[] locals) {
+    Frame frame = caller.call(site, boundSelf == null ? self : boundSelf, this, locals);
+    if (frame.depth > caller.interpreter.maximumDepth()) {
+      throw caller.interpreter.errors().scheduling("stack exhausted");
+    }
+    int[] cells = body.parameterCells;
+    if (cells != null) {
+      for (int i = 0; i < cells.length; i++) {
+        if (cells[i] >= 0) {
+          frame.cells[cells[i]] = new Cell(locals[i]);
+        }
+      }
+    }
+    if (body.formals != null && body.formals.hasDefaults()) {
+      body.formals.bindDefaults(frame);
+    }
+    try {
+      return body.code.execute(frame);
+    } catch (Leave.Return leave) {
+      if (leave.frame() != frame.locals) {
+        throw leave;
+      }
+      return leave.value();
+    }
+  }
+
+  @Override
+  public UrbiObject cloned() {
+    return new Function(cloneShape(), body, captured, boundSelf);
+  }
+}

@@ -1,0 +1,58 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.builtin.BuiltinTable;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiObject;
+
+/** A function of the library, written in Java (manual, "Primitive"). */
+public final class Primitive extends Code {
+  private final BuiltinTable table;
+  private final int index;
+  private final int min;
+  private final int max;
+
+  public Primitive(Shape shape, BuiltinTable table, int index) {
+    super(shape);
+    this.table = table;
+    this.index = index;
+    this.min = table.minArguments(index);
+    this.max = table.maxArguments(index);
+  }
+
+  /** The name under which the library declares it. */
+  public String name() {
+    return table.name(index);
+  }
+
+  /** What it does, in a sentence. */
+  public String doc() {
+    return table.doc(index);
+  }
+
+  public int minArguments() {
+    return min;
+  }
+
+  public int maxArguments() {
+    return max;
+  }
+
+  @Override
+  public boolean isLazy() {
+    return table.isLazy(index);
+  }
+
+  @Override
+  public UrbiObject call(Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
+    int given = arguments.length;
+    if (given < min || given > max) {
+      throw caller.interpreter().errors().arity(site.calledName(), given, min, max);
+    }
+    return table.call(index, caller, site, self, arguments);
+  }
+
+  @Override
+  public UrbiObject cloned() {
+    return new Primitive(cloneShape(), table, index);
+  }
+}

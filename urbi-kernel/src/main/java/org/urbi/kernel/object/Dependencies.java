@@ -1,0 +1,56 @@
+package org.urbi.kernel.object;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * The watchers of one thing that can change (a slot, the set of slots of an object, the content of
+ * a container, a local variable): the conditions which read it when they were last evaluated.
+ */
+public final class Dependencies {
+  /** A condition that wants to be evaluated again. */
+  public interface Watcher {
+    /** Something that the condition read has changed. */
+    void invalidated();
+  }
+
+  /** Collects what is read while a condition is evaluated. */
+  public interface Tracker {
+    /** The condition depends on this. */
+    void read(Dependencies source);
+  }
+
+  private final Set<Watcher> watchers = new LinkedHashSet<>();
+
+  /** The watcher hears of the next changes, until it is removed. */
+  public void add(Watcher watcher) {
+    watchers.add(watcher);
+  }
+
+  public void remove(Watcher watcher) {
+    watchers.remove(watcher);
+  }
+
+  public boolean isEmpty() {
+    return watchers.isEmpty();
+  }
+
+  /** Tells every watcher, in the order in which they came. */
+  public void changed() {
+    switch (watchers.size()) {
+      case 0 -> {}
+      case 1 -> watchers.iterator().next().invalidated();
+      default -> {
+        // Watchers come and go while they are told.
+        List<Watcher> told = new ArrayList<>(watchers);
+        for (Watcher watcher : told) {
+          if (watchers.contains(watcher)) {
+            watcher.invalidated();
+          }
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,38 @@
+package org.urbi.kernel.object;
+
+import java.util.TreeMap;
+
+/**
+ * What a slot has besides its value (manual, "Properties"): plain slots have none of this and do
+ * not pay for it.
+ */
+public final class SlotData {
+  /** Properties by name, {@code constant} included, in the order in which they are listed. */
+  public final TreeMap<String, UrbiObject> properties = new TreeMap<>();
+
+  /** May the slot be assigned? */
+  public boolean constant;
+
+  /** Emitted at each assignment: the {@code changed} property, made when first asked for. */
+  public UrbiObject changed;
+
+  /** A function called for the value instead of the slot, or null. */
+  public UrbiObject getter;
+
+  /** A function called with the value that is assigned, or null. */
+  public UrbiObject setter;
+
+  /** Conditions that read this slot; null while there are none. */
+  public Dependencies dependents;
+
+  byte flags() {
+    byte flags = 0;
+    if (constant || changed != null || setter != null || dependents != null || getter != null) {
+      flags |= Shape.WRITE_SPECIAL;
+    }
+    if (getter != null) {
+      flags |= Shape.READ_SPECIAL;
+    }
+    return flags;
+  }
+}

@@ -1,0 +1,37 @@
+package org.urbi.kernel.object;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+
+/** A list (manual, "List"). */
+public final class UrbiList extends UrbiObject {
+  private final ArrayList<UrbiObject> elements;
+
+  public UrbiList(Shape shape, Collection<? extends UrbiObject> elements) {
+    super(shape);
+    this.elements = new ArrayList<>(elements);
+  }
+
+  /** Takes the elements as they are, without a copy. */
+  public UrbiList(Shape shape, ArrayList<UrbiObject> elements) {
+    super(shape);
+    this.elements = elements;
+  }
+
+  /** The elements, to be read. */
+  public List<UrbiObject> elements() {
+    noteContentRead();
+    return elements;
+  }
+
+  /** The elements, to be modified; call {@link #noteContentChange} when it is done. */
+  public ArrayList<UrbiObject> modify() {
+    return elements;
+  }
+
+  @Override
+  public UrbiObject cloned() {
+    return new UrbiList(cloneShape(), (Collection<UrbiObject>) elements);
+  }
+}

@@ -1,0 +1,335 @@
+package org.urbi.kernel.object;
+
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * An urbiscript object: slots, and prototypes to inherit slots from (manual, "Objects" and
+ * "Object").
+ *
+ * <p>Lookup is depth first, through the prototypes in their order; the last one added comes first.
+ * Only the kernel thread touches objects.
+ */
+public class UrbiObject {
+  private static final UrbiObject[] NO_SLOTS = {};
+
+  Shape shape;
+  UrbiObject[] slots = NO_SLOTS;
+  private Extra extra;
+
+  /** What few objects need. */
+  private static final class Extra {
+    long uid;
+    Shape cloneShape;
+    boolean inherited;
+    Map<Symbol, SlotData> slotData;
+    Dependencies structure;
+    Dependencies content;
+  }
+
+  /** An object of that shape, whose slots are all unset: use a shape without slots. */
+  public UrbiObject(Shape shape) {
+    this.shape = shape;
+  }
+
+  // ------------------------------------------------------------------ identity
+
+  public final Shape shape() {
+    return shape;
+  }
+
+  public final World world() {
+    return shape.world;
+  }
+
+  /** The identifier, unique in this kernel. */
+  public final long uid() {
+    Extra x = extra();
+    if (x.uid == 0) {
+      x.uid = shape.world.nextUid();
+    }
+    return x.uid;
+  }
+
+  private Extra extra() {
+    Extra x = extra;
+    if (x == null) {
+      x = new Extra();
+      extra = x;
+    }
+    return x;
+  }
+
+  /**
+   * A new object whose only prototype is this one. Objects that hold a value of Java (numbers,
+   * lists…) redefine it: their clones hold a copy of the value.
+   */
+  public UrbiObject cloned() {
+    return new UrbiObject(cloneShape());
+  }
+
+  /** The shape of a fresh clone of this object. */
+  public final Shape cloneShape() {
+    Extra x = extra();
+    if (x.cloneShape == null) {
+      x.cloneShape = Shape.root(shape.world, new UrbiObject[] {this});
+      x.inherited = true;
+    }
+    return x.cloneShape;
+  }
+
+  // ------------------------------------------------------------------ slots
+
+  /** The value of the slot at an index that {@link Shape#indexOf} gave. */
+  public final UrbiObject slotAt(int index) {
+    return slots[index];
+  }
+
+  /** Sets the slot at an index which is not {@linkplain Shape#writeSpecial special}. */
+  public final void setSlotAt(int index, UrbiObject value) {
+    slots[index] = value;
+  }
+
+  public final boolean hasLocalSlot(Symbol name) {
+    noteStructureRead();
+    return shape.indexOf(name) >= 0;
+  }
+
+  /** The value of the object's own slot, or null. */
+  public final UrbiObject localSlot(Symbol name) {
+    int i = shape.indexOf(name);
+    return i < 0 ? null : slots[i];
+  }
+
+  /** The names of the object's own slots, in the order of their creation. */
+  public final Symbol[] localSlotNames() {
+    noteStructureRead();
+    return shape.names;
+  }
+
+  /** The object where the lookup of a name ends: this one, a prototype, or null. */
+  public final UrbiObject locate(Symbol name) {
+    UrbiObject at = this;
+    // The usual case, one prototype each, needs no set of visited objects.
+    for (int steps = 0; steps < 64; steps++) {
+      if (at.shape.indexOf(name) >= 0) {
+        return at;
+      }
+      UrbiObject[] protos = at.shape.protos;
+      if (protos.length == 0) {
+        return null;
+      }
+      if (protos.length > 1) {
+        break;
+      }
+      at = protos[0];
+    }
+    return locate(at, name, new HashSet<>());
+  }
+
+  private static UrbiObject locate(UrbiObject from, Symbol name, Set<UrbiObject> visited) {
+    if (!visited.add(from)) {
+      return null;
+    }
+    if (from.shape.indexOf(name) >= 0) {
+      return from;
+    }
+    for (UrbiObject proto : from.shape.protos) {
+      UrbiObject found = locate(proto, name, visited);
+      if (found != null) {
+        return found;
+      }
+    }
+    return null;
+  }
+
+  /** The value that the lookup of a name finds, or null; getters are not called. */
+  public final UrbiObject lookup(Symbol name) {
+    UrbiObject holder = locate(name);
+    return holder == null ? null : holder.localSlot(name);
+  }
+
+  /** Adds a slot that is not there yet. */
+  public final void addSlot(Symbol name, UrbiObject value) {
+    int size = shape.size();
+    if (size >= slots.length) {
+      slots = Arrays.copyOf(slots, size < 4 ? 4 : size * 2);
+    }
+    slots[size] = value;
+    shape = shape.with(name);
+    if (extra != null) {
+      if (extra.inherited) {
+        name.epoch++;
+      }
+      noteStructureChange();
+    }
+  }
+
+  /** Removes the object's own slot; false when it has none of that name. */
+  public final boolean removeSlot(Symbol name) {
+    int i = shape.indexOf(name);
+    if (i < 0) {
+      return false;
+    }
+    int last = shape.size() - 1;
+    UrbiObject[] fewer = new UrbiObject[Math.max(last, 4)];
+    System.arraycopy(slots, 0, fewer, 0, i);
+    System.arraycopy(slots, i + 1, fewer, i, last - i);
+    SlotData data = slotData(name);
+    slots = fewer;
+    shape = shape.without(i);
+    if (data != null) {
+      extra.slotData.remove(name);
+      if (data.dependents != null) {
+        data.dependents.changed();
+      }
+    }
+    if (extra != null) {
+      if (extra.inherited) {
+        name.epoch++;
+      }
+      noteStructureChange();
+    }
+    return true;
+  }
+
+  // ------------------------------------------------------------------ properties
+
+  /** The data of the object's own slot, or null when it is plain. */
+  public final SlotData slotData(Symbol name) {
+    return extra == null || extra.slotData == null ? null : extra.slotData.get(name);
+  }
+
+  /** The data of the object's own slot, made when missing; call {@link #slotDataChanged} after. */
+  public final SlotData ensureSlotData(Symbol name) {
+    Extra x = extra();
+    if (x.slotData == null) {
+      x.slotData = new LinkedHashMap<>();
+    }
+    return x.slotData.computeIfAbsent(name, n -> new SlotData());
+  }
+
+  /** To be called when the data of a slot were made or changed. */
+  public final void slotDataChanged(Symbol name) {
+    int i = shape.indexOf(name);
+    SlotData data = slotData(name);
+    byte flags = data == null ? 0 : data.flags();
+    if (i >= 0 && shape.flags[i] != flags) {
+      shape = shape.withFlags(i, flags);
+      if (extra.inherited) {
+        name.epoch++;
+      }
+    }
+  }
+
+  // ------------------------------------------------------------------ prototypes
+
+  /** The prototypes, first looked up first; not to be modified. */
+  public final UrbiObject[] protos() {
+    noteStructureRead();
+    return shape.protos;
+  }
+
+  public final void setProtos(UrbiObject... protos) {
+    for (UrbiObject proto : protos) {
+      proto.extra().inherited = true;
+    }
+    shape = shape.withProtos(protos.clone());
+    if (extra != null) {
+      if (extra.inherited) {
+        shape.world.invalidateLookups();
+      }
+      noteStructureChange();
+    }
+  }
+
+  /** Puts a prototype in front, unless it is there already. */
+  public final void addProto(UrbiObject proto) {
+    UrbiObject[] old = shape.protos;
+    for (UrbiObject known : old) {
+      if (known == proto) {
+        return;
+      }
+    }
+    UrbiObject[] more = new UrbiObject[old.length + 1];
+    more[0] = proto;
+    System.arraycopy(old, 0, more, 1, old.length);
+    setProtos(more);
+  }
+
+  public final void removeProto(UrbiObject proto) {
+    setProtos(
+        Arrays.stream(shape.protos).filter(p -> p != proto).toArray(UrbiObject[]::new));
+  }
+
+  /** Whether that object is this one or among its ancestors. */
+  public final boolean isA(UrbiObject ancestor) {
+    return this == ancestor || isA(this, ancestor, new HashSet<>());
+  }
+
+  private static boolean isA(UrbiObject from, UrbiObject ancestor, Set<UrbiObject> visited) {
+    if (from == ancestor) {
+      return true;
+    }
+    if (visited.add(from)) {
+      for (UrbiObject proto : from.shape.protos) {
+        if (isA(proto, ancestor, visited)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  // ------------------------------------------------------------------ dependency tracking
+
+  /** The condition being evaluated, if any, depends on the value of the object's own slot. */
+  public final void noteSlotRead(Symbol name) {
+    if (shape.world.tracker != null) {
+      SlotData data = ensureSlotData(name);
+      if (data.dependents == null) {
+        data.dependents = new Dependencies();
+        slotDataChanged(name);
+      }
+      shape.world.tracker.read(data.dependents);
+    }
+  }
+
+  /** The condition being evaluated, if any, depends on which slots and prototypes there are. */
+  public final void noteStructureRead() {
+    if (shape.world.tracker != null) {
+      Extra x = extra();
+      if (x.structure == null) {
+        x.structure = new Dependencies();
+      }
+      shape.world.tracker.read(x.structure);
+    }
+  }
+
+  private void noteStructureChange() {
+    if (extra.structure != null) {
+      extra.structure.changed();
+    }
+  }
+
+  /** The condition being evaluated, if any, depends on the content of this container. */
+  public final void noteContentRead() {
+    if (shape.world.tracker != null) {
+      Extra x = extra();
+      if (x.content == null) {
+        x.content = new Dependencies();
+      }
+      shape.world.tracker.read(x.content);
+    }
+  }
+
+  /** The content of this container has changed. */
+  public final void noteContentChange() {
+    if (extra != null && extra.content != null) {
+      extra.content.changed();
+    }
+  }
+}

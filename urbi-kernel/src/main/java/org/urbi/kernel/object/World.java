@@ -1,0 +1,50 @@
+package org.urbi.kernel.object;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/**
+ * What all the objects of one kernel share: the names, and the state of their lookups. Two kernels
+ * in one process have nothing in common.
+ */
+public final class World {
+  private final Map<String, Symbol> symbols = new LinkedHashMap<>();
+  private final Shape orphanShape = Shape.root(this, Shape.NO_PROTOS);
+  private final Values values = new Values(this);
+  private long lastUid = 0x7f00_0000L;
+
+  /** Who wants to know which slots are read, while a condition is evaluated; usually null. */
+  public Dependencies.Tracker tracker;
+
+  /** The one symbol of that name. */
+  public Symbol symbol(String name) {
+    Symbol symbol = symbols.get(name);
+    if (symbol == null) {
+      symbol = new Symbol(name);
+      symbols.put(name, symbol);
+    }
+    return symbol;
+  }
+
+  /** The constants and the makers of values. */
+  public Values values() {
+    return values;
+  }
+
+  /** The shape of objects without prototypes. */
+  public Shape orphanShape() {
+    return orphanShape;
+  }
+
+  /** Forgets every remembered lookup: somebody's prototypes changed. */
+  void invalidateLookups() {
+    for (Symbol symbol : symbols.values()) {
+      symbol.epoch++;
+    }
+  }
+
+  /** Identifiers in the order in which they are asked for, so that runs repeat to the byte. */
+  long nextUid() {
+    return lastUid += 0x10;
+  }
+}
