@@ -23,8 +23,7 @@ final class Answers {
    * numbers in the names of jobs and anonymous tags go; time stamps and locations go unless they
    * are asked for; lines without a time stamp continue the one before.
    */
-  static List<String> comparable(
-      List<String> lines, boolean withTimes, boolean withLocations) {
+  static List<String> comparable(List<String> lines, boolean withTimes, boolean withLocations) {
     Map<String, String> addresses = new HashMap<>();
     List<String> result = new ArrayList<>();
     for (String line : lines) {

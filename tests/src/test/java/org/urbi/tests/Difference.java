@@ -2,7 +2,9 @@ package org.urbi.tests;
 
 import java.util.List;
 
-/** Two lists of lines in one text: common lines, missing ones ({@code -}), extra ones ({@code +}). */
+/**
+ * Two lists of lines in one text: common lines, missing ones ({@code -}), extra ones ({@code +}).
+ */
 final class Difference {
   private Difference() {}
 
@@ -13,9 +15,7 @@ final class Difference {
     int i = 0;
     int j = 0;
     while (i < expected.size() || j < actual.size()) {
-      if (i < expected.size()
-          && j < actual.size()
-          && expected.get(i).equals(actual.get(j))) {
+      if (i < expected.size() && j < actual.size() && expected.get(i).equals(actual.get(j))) {
         line(text, ' ', expected.get(i));
         i++;
         j++;

@@ -26,8 +26,7 @@ import java.util.regex.Pattern;
  * @param exactTimes whether time stamps are compared
  * @param exactLocations whether the locations of errors are compared
  */
-record Transcript(
-    String input, List<String> expected, boolean exactTimes, boolean exactLocations) {
+record Transcript(String input, List<String> expected, boolean exactTimes, boolean exactLocations) {
 
   /** How the files end. */
   static final String SUFFIX = ".u-session";

@@ -55,7 +55,9 @@ class TranscriptFormatTest {
   void locationsOfCallersAreLocationsToo() {
     assertEquals(
         List.of("[00000000:error] !!!    called from: f", "[00000000:error] !!! 1.5: odd"),
-        plain("[00000007:error] !!!    called from: 2.1-3.4: f", "[00000007:error] !!! 4.1: 1.5: odd"));
+        plain(
+            "[00000007:error] !!!    called from: 2.1-3.4: f",
+            "[00000007:error] !!! 4.1: 1.5: odd"));
   }
 
   @Test
@@ -71,8 +73,7 @@ class TranscriptFormatTest {
 
   @Test
   void linesWithoutTimeStampContinueTheOneBefore() {
-    assertEquals(
-        plain("[00000000] *** a", "[:]  b"), plain("[00000000] *** a", "  b"));
+    assertEquals(plain("[00000000] *** a", "[:]  b"), plain("[00000000] *** a", "  b"));
   }
 
   @Test

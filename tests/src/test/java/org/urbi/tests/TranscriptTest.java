@@ -79,13 +79,11 @@ class TranscriptTest {
   }
 
   private static DynamicNode folder(Map.Entry<String, List<Path>> folder) {
-    return dynamicContainer(
-        folder.getKey(), folder.getValue().stream().map(TranscriptTest::test));
+    return dynamicContainer(folder.getKey(), folder.getValue().stream().map(TranscriptTest::test));
   }
 
   private static DynamicTest test(Path file) {
-    return dynamicTest(
-        Transcripts.sentence(file), file.toUri(), () -> hold(Transcript.read(file)));
+    return dynamicTest(Transcripts.sentence(file), file.toUri(), () -> hold(Transcript.read(file)));
   }
 
   private static void hold(Transcript transcript) {
