@@ -7,6 +7,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.IntFunction;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.urbi.tests.KernelSession.BackEnd;
@@ -16,6 +17,7 @@ import org.urbi.tests.KernelSession.Console;
  * Feeds consoles with nonsense, and with programs cut or damaged at random; whatever one console
  * was fed, the next one still answers. Seeds are fixed and counts bounded.
  */
+@Timeout(value = 15, unit = TimeUnit.MINUTES, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class ConsoleFuzzTest {
   private static final int PROGRAMS = Integer.getInteger("urbi.fuzz.programs", 120);
   private static final int PROGRAMS_PER_KERNEL = 20;

@@ -116,7 +116,7 @@ final class KernelSession implements AutoCloseable {
     private final ConcurrentLinkedQueue<Expectation> expectations = new ConcurrentLinkedQueue<>();
     private final StringBuilder output = new StringBuilder();
     private volatile Connection connection;
-    private String whenStarted;
+    private volatile String whenStarted;
 
     private record Expectation(String text, CompletableFuture<Void> met) {}
 
