@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
 import static org.junit.jupiter.api.DynamicContainer.dynamicContainer;
 import static org.junit.jupiter.api.DynamicTest.dynamicTest;
 
@@ -99,8 +100,9 @@ class TranscriptTest {
                 () -> mode + ": no end after " + LIMIT);
         List<String> expected = transcript.expectedLines();
         List<String> answered = transcript.answeredLines(output);
-        assertTrue(
-            expected.equals(answered), () -> mode + "\n" + Difference.of(expected, answered));
+        if (!expected.equals(answered)) {
+          fail(mode + "\n" + Difference.of(expected, answered));
+        }
       }
     }
   }
