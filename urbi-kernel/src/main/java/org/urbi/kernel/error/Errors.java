@@ -149,7 +149,8 @@ public final class Errors {
     } else if (max == Integer.MAX_VALUE) {
       expected = "at least " + min + (min < 2 ? " argument" : " arguments");
     } else {
-      expected = "between " + min + " and " + max + " arguments";
+      expected =
+          "between " + min + " and " + max + (max < 2 ? " argument" : " arguments");
     }
     return routine + ": expected " + expected + ", given " + given;
   }
@@ -162,8 +163,31 @@ public final class Errors {
             .with("effective", effective)
             .with("expected", expected)
             .object();
-    String text = causeMessage(cause);
-    return of("Argument", routine + ": " + place(index) + ": " + text)
+    return argument(routine, index, cause);
+  }
+
+  /**
+   * {@code routine: argument 1: expected integer, got 0.5}; about the target, {@code routine:
+   * expected integer, got 0.5}.
+   *
+   * @param type such as "BadInteger"
+   * @param message what precedes the number
+   */
+  public UrbiException argumentNumber(
+      String type, String routine, int index, String message, UrbiObject effective) {
+    String text = message + shown.show(effective);
+    if (index == 0) {
+      return of(type, routine + ": " + text)
+          .with("routine", routine)
+          .with("effective", effective)
+          .build();
+    }
+    return argument(
+        routine, index, of(type, text).with("effective", effective).object());
+  }
+
+  private UrbiException argument(String routine, int index, UrbiObject cause) {
+    return of("Argument", routine + ": " + place(index) + ": " + causeMessage(cause))
         .with("routine", routine)
         .with("index", index)
         .with("exception", cause)

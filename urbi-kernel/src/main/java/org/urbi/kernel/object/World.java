@@ -11,6 +11,7 @@ public final class World {
   private final Map<String, Symbol> symbols = new LinkedHashMap<>();
   private final Shape orphanShape = Shape.root(this, Shape.NO_PROTOS);
   private final Values values = new Values(this);
+  private final Map<String, UrbiObject> prototypes = new LinkedHashMap<>();
   private long lastUid = 0x7f00_0000L;
 
   /** Who wants to know which slots are read, while a condition is evaluated; usually null. */
@@ -29,6 +30,16 @@ public final class World {
   /** The constants and the makers of values. */
   public Values values() {
     return values;
+  }
+
+  /** Declares the prototype of a type of the library, such as "Date" or "Exception.Arity". */
+  public void declarePrototype(String type, UrbiObject prototype) {
+    prototypes.put(type, prototype);
+  }
+
+  /** The prototype of a type of the library, whatever programs call it now; null if unknown. */
+  public UrbiObject prototype(String type) {
+    return prototypes.get(type);
   }
 
   /** The shape of objects without prototypes. */
