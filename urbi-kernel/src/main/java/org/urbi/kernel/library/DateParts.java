@@ -36,6 +36,9 @@ final class DateParts {
         throw invalid(caller, "Day of month is not valid for year");
       }
       self.setDateTime(changed);
+    } catch (DateTimeException e) {
+      throw invalid(caller, "Day of month is not valid for year");
+    }
   }
 
   private static UrbiException invalid(Frame caller, String message) {
