@@ -12,21 +12,9 @@ import org.urbi.kernel.object.UrbiObject;
  */
 public final class TagState {
   final Set<TagScope> scopes = new LinkedHashSet<>();
-  private final TagState parent;
   private boolean frozen;
   private boolean blocked;
   private UrbiObject blockedValue;
-
-  /**
-   * @param parent the tag whose code all the code under this one is, too; or null
-   */
-  public TagState(TagState parent) {
-    this.parent = parent;
-  }
-
-  public TagState parent() {
-    return parent;
-  }
 
   public boolean isFrozen() {
     return frozen;
@@ -49,6 +37,15 @@ public final class TagState {
       }
       for (Job job : scope.allJobs()) {
         job.inject(new TagStop(scope, value));
+      }
+    }
+  }
+
+  /** Ends what waits under this tag without a job; the code that is running goes on. */
+  public void dismiss() {
+    for (TagScope scope : new ArrayList<>(scopes)) {
+      for (TagScope.Attachment attachment : scope.allAttachments()) {
+        attachment.stopped();
       }
     }
   }

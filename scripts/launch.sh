@@ -1,0 +1,37 @@
+# Sourced by ./urbi and its sister tools, which set `root` and `main`: starts Java on the distribution
+# in .build, and builds that first where there is none or where another commit was checked out.
+# Nothing is run but shell built-ins: starting a tool costs its JVM and no more.
+
+dist= java= built_from=
+[ -f "$root/.build/current" ] && . "$root/.build/current"
+
+# The commit that the work tree stands on; in a linked work tree .git is a file that says where.
+git=$root/.git
+[ -f "$git" ] && read -r _ git <"$git"
+commit=$built_from
+if [ -f "$git/HEAD" ]; then
+  read -r commit <"$git/HEAD"
+  case $commit in
+    "ref: "*)
+      ref=${commit#ref: }
+      commit=$built_from
+      for refs in "$git" "$git/../.."; do
+        [ -f "$refs/$ref" ] && read -r commit <"$refs/$ref" && break
+      done ;;
+  esac
+fi
+
+if [ ! -x "$java" ] || [ ! -d "$root/$dist/lib" ] || [ "$commit" != "$built_from" ]; then
+  "$root/build" --if-needed || exit 1
+  . "$root/.build/current"
+fi
+
+. "$root/scripts/flags.sh"
+class_path "$root/$dist"
+cache=
+[ -f "$root/$dist/$main.aot" ] && cache=-XX:AOTCache=$root/$dist/$main.aot
+typing=false
+[ -t 0 ] && typing=true
+# shellcheck disable=SC2086
+exec "$java" $jvm_flags ${cache:+"$cache"} ${URBI_JAVA_OPTS:-} -Durbi.root="${URBI_ROOT:-$root}" \
+  -Durbi.stdin.terminal=$typing -cp "$cp" "$main" "$@"

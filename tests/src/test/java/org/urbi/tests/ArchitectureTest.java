@@ -1,0 +1,160 @@
+package org.urbi.tests;
+
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
+import static com.tngtech.archunit.lang.conditions.ArchPredicates.are;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.AccessTarget.CodeUnitCallTarget;
+import com.tngtech.archunit.core.domain.JavaCall;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.importer.ImportOption.DoNotIncludeTests;
+import com.tngtech.archunit.junit.AnalyzeClasses;
+import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.lang.ArchRule;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * Who may know whom. The modules' arrows are Maven's business as well; here they are said by
+ * package, together with what no module file can say: where the clock is read, who draws random
+ * numbers, and which room talks to which library.
+ */
+@AnalyzeClasses(packages = "org.urbi", importOptions = DoNotIncludeTests.class)
+class ArchitectureTest {
+  private static final DescribedPredicate<JavaClass> OURS = resideInAPackage("org.urbi..");
+
+  private static ArchRule knowsOnly(String room, String... others) {
+    return classes()
+        .that()
+        .resideInAPackage(room)
+        .should()
+        .onlyDependOnClassesThat(
+            DescribedPredicate.not(OURS).or(resideInAPackage(room)).or(resideInAnyPackage(others)));
+  }
+
+  @ArchTest static final ArchRule languageKnowsNobody = knowsOnly("org.urbi.lang..");
+
+  @ArchTest static final ArchRule builtinsKnowNobody = knowsOnly("org.urbi.builtins..");
+
+  @ArchTest
+  static final ArchRule kernelKnowsLanguageAndBuiltins =
+      knowsOnly("org.urbi.kernel..", "org.urbi.lang..", "org.urbi.builtins..");
+
+  private static ArchRule onlyIn(String room, String library) {
+    return noClasses()
+        .that()
+        .resideInAPackage("org.urbi..")
+        .and()
+        .resideOutsideOfPackage(room)
+        .should()
+        .dependOnClassesThat()
+        .resideInAPackage(library);
+  }
+
+  @ArchTest static final ArchRule antlrIsTheLanguages = onlyIn("org.urbi.lang..", "org.antlr..");
+
+  @ArchTest
+  static final ArchRule nettyIsTheNetworks = onlyIn("org.urbi.server.net..", "io.netty..");
+
+  @ArchTest
+  static final ArchRule jlineIsTheConsoles = onlyIn("org.urbi.server.console..", "org.jline..");
+
+  @ArchTest
+  static final ArchRule picocliIsTheOptions = onlyIn("org.urbi.server.options..", "picocli..");
+
+  /** Class and the names of its methods that read the time of the machine. */
+  private static final Map<String, Set<String>> CLOCKS =
+      Map.of(
+          "java.lang.System", Set.of("nanoTime", "currentTimeMillis"),
+          "java.time.Instant", Set.of("now"),
+          "java.time.LocalDate", Set.of("now"),
+          "java.time.LocalDateTime", Set.of("now"),
+          "java.time.ZonedDateTime", Set.of("now"),
+          "java.time.OffsetDateTime", Set.of("now"),
+          "java.time.Clock", Set.of("systemUTC", "systemDefaultZone", "system"),
+          "java.time.InstantSource", Set.of("system"),
+          "java.util.Date", Set.of("<init>"));
+
+  private static final Map<String, Set<String>> DICE =
+      Map.of(
+          "java.lang.Math", Set.of("random"),
+          "java.util.Random", Set.of("<init>"),
+          "java.util.SplittableRandom", Set.of("<init>"),
+          "java.security.SecureRandom", Set.of("<init>"),
+          "java.util.concurrent.ThreadLocalRandom", Set.of("current"),
+          "java.util.random.RandomGenerator", Set.of("getDefault", "of"),
+          "java.util.UUID", Set.of("randomUUID"));
+
+  @ArchTest
+  static final ArchRule onlyTheTimeRoomReadsTheClock =
+      noClasses()
+          .that()
+          .resideInAPackage("org.urbi..")
+          .and()
+          .resideOutsideOfPackages("org.urbi.kernel.time..", "org.urbi.bench..")
+          .should()
+          .callCodeUnitWhere(are(callsOf("a clock", CLOCKS)));
+
+  @ArchTest
+  static final ArchRule onlyTheRandomRoomDrawsNumbers =
+      noClasses()
+          .that()
+          .resideInAPackage("org.urbi..")
+          .and()
+          .resideOutsideOfPackages("org.urbi.kernel.random..", "org.urbi.bench..")
+          .should()
+          .callCodeUnitWhere(are(callsOf("a source of random numbers", DICE)));
+
+  /** Calls that take whatever character set the machine happens to have. */
+  private static final Map<String, List<List<String>>> DEFAULT_CHARSETS =
+      Map.of(
+          "java.lang.String.<init>", List.of(List.of("[B"), List.of("[B", "int", "int")),
+          "java.lang.String.getBytes", List.of(List.of()),
+          "java.io.InputStreamReader.<init>", List.of(List.of("java.io.InputStream")),
+          "java.io.OutputStreamWriter.<init>", List.of(List.of("java.io.OutputStream")),
+          "java.io.FileReader.<init>",
+              List.of(List.of("java.lang.String"), List.of("java.io.File")),
+          "java.io.FileWriter.<init>",
+              List.of(List.of("java.lang.String"), List.of("java.io.File")),
+          "java.nio.charset.Charset.defaultCharset", List.of(List.of()));
+
+  @ArchTest
+  static final ArchRule theMachinesCharacterSetDoesNotMatter =
+      noClasses()
+          .that()
+          .resideInAPackage("org.urbi..")
+          .should()
+          .callCodeUnitWhere(
+              new DescribedPredicate<JavaCall<?>>("uses the default character set") {
+                @Override
+                public boolean test(JavaCall<?> call) {
+                  CodeUnitCallTarget target = call.getTarget();
+                  String name = target.getOwner().getName() + "." + target.getName();
+                  List<String> parameters =
+                      target.getRawParameterTypes().stream().map(JavaClass::getName).toList();
+                  return DEFAULT_CHARSETS.getOrDefault(name, List.of()).contains(parameters);
+                }
+              });
+
+  @ArchTest
+  static final ArchRule noCyclesAmongTheRoomsOfTheServer =
+      slices().matching("org.urbi.server.(*)..").should().beFreeOfCycles();
+
+  private static DescribedPredicate<JavaCall<?>> callsOf(
+      String what, Map<String, Set<String>> forbidden) {
+    return new DescribedPredicate<>("calls of " + what) {
+      @Override
+      public boolean test(JavaCall<?> call) {
+        CodeUnitCallTarget target = call.getTarget();
+        return forbidden
+            .getOrDefault(target.getOwner().getName(), Set.of())
+            .contains(target.getName());
+      }
+    };
+  }
+}

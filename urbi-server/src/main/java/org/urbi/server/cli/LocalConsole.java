@@ -1,0 +1,96 @@
+package org.urbi.server.cli;
+
+import java.io.FileDescriptor;
+import java.io.FileInputStream;
+import java.io.PrintStream;
+import java.util.function.Function;
+import org.urbi.kernel.Client;
+import org.urbi.kernel.Connection;
+import org.urbi.kernel.Kernel;
+import org.urbi.server.console.Console;
+import org.urbi.server.console.PipeInput;
+import org.urbi.server.console.Screen;
+import org.urbi.server.console.StandardOutput;
+import org.urbi.server.console.TerminalSession;
+
+/**
+ * The lobby of the program itself: it is sent what the options say, then what the terminal or the
+ * standard input says, and decides when the run is over.
+ */
+final class LocalConsole implements AutoCloseable {
+  private final Settings settings;
+  private final Kernel kernel;
+  private final Function<Client, Connection> lobbies;
+  private final Screen screen;
+  private final TerminalSession terminal;
+  private final Console console;
+  private Connection connection;
+
+  LocalConsole(
+      Settings settings, Kernel kernel, Function<Client, Connection> lobbies, PrintStream out) {
+    this.settings = settings;
+    this.kernel = kernel;
+    this.lobbies = lobbies;
+    boolean session = settings.input() == Settings.Input.SESSION;
+    terminal = session && Terminal.isBoth() ? new TerminalSession() : null;
+    screen = terminal != null ? terminal.screen() : new StandardOutput(out);
+    console = new Console(screen::add, this::lobbyClosed);
+  }
+
+  /** Opens the lobby, sends what there is to send, and reads on in a thread of its own. */
+  void start() {
+    Interrupts interrupts =
+        new Interrupts(
+            () -> settings.input() == Settings.Input.SESSION && console.isOpen(),
+            () -> connection.interrupt(),
+            () -> kernel.requestShutdown(0));
+    interrupts.install();
+    if (settings.text().isEmpty() && settings.input() == Settings.Input.NONE) {
+      return;
+    }
+    connection = lobbies.apply(console);
+    connection.send(settings.text());
+    switch (settings.input()) {
+      case NONE -> inputEnded();
+      case STREAM -> read(this::readStream);
+      case SESSION -> read(terminal == null ? this::readStream : () -> converse(interrupts));
+    }
+  }
+
+  private static void read(Runnable reader) {
+    Thread.ofPlatform().daemon().name("urbi-input").start(reader);
+  }
+
+  private void readStream() {
+    new PipeInput(new FileInputStream(FileDescriptor.in), console, connection).run();
+    inputEnded();
+  }
+
+  private void converse(Interrupts interrupts) {
+    terminal.run(console, connection, interrupts::interrupted);
+    if (console.isOpen()) {
+      kernel.requestShutdown(0);
+    }
+  }
+
+  /** Nothing more will come: without another way in, the run is over once the jobs are. */
+  private void inputEnded() {
+    if (!settings.keepsServing()) {
+      connection.end();
+    }
+  }
+
+  private void lobbyClosed() {
+    if (!settings.keepsServing()) {
+      kernel.requestShutdown(0);
+    }
+  }
+
+  @Override
+  public void close() {
+    screen.close();
+    if (terminal != null) {
+      terminal.close();
+    }
+  }
+}

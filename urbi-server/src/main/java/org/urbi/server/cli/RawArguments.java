@@ -1,0 +1,38 @@
+package org.urbi.server.cli;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+
+/**
+ * The arguments as they were given. Java decodes them by the locale, and in the locale {@code C}
+ * loses every byte beyond ASCII; where the system tells the bytes they are taken from there.
+ */
+final class RawArguments {
+  private static final Path COMMAND_LINE = Path.of("/proc/self/cmdline");
+
+  private RawArguments() {}
+
+  static String[] of(String[] args) {
+    if ("UTF-8".equals(System.getProperty("sun.jnu.encoding"))
+        || Arrays.stream(args).allMatch(RawArguments::isSafe)) {
+      return args;
+    }
+    try {
+      String[] words =
+          new String(Files.readAllBytes(COMMAND_LINE), StandardCharsets.UTF_8).split("\0", -1);
+      // The last word is ended by a zero, too, so that an empty one follows it.
+      int end = words.length - 1;
+      return Arrays.copyOfRange(words, end - args.length, end);
+    } catch (IOException | IllegalArgumentException | ArrayIndexOutOfBoundsException e) {
+      return args;
+    }
+  }
+
+  /** Whether decoding cannot have lost anything: a lost byte becomes a question mark or worse. */
+  private static boolean isSafe(String argument) {
+    return argument.chars().allMatch(c -> c < 0x80 && c != '?');
+  }
+}

@@ -1,0 +1,113 @@
+package org.urbi.server.cli;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.net.InetSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import org.urbi.kernel.Client;
+import org.urbi.kernel.Connection;
+import org.urbi.kernel.Kernel;
+import org.urbi.server.net.ConsoleServer;
+import org.urbi.server.net.Limits;
+import org.urbi.server.options.Failure;
+
+/** One run of {@code urbi}: the kernel, what is connected to it, and their end. */
+final class Server {
+  private final Settings settings;
+  private final PrintStream out;
+  private final PrintStream err;
+  private final StartFiles startFiles;
+  private Kernel kernel;
+
+  Server(Settings settings, PrintStream out, PrintStream err) {
+    this.settings = settings;
+    this.out = out;
+    this.err = err;
+    startFiles = new StartFiles(settings.searchPath());
+  }
+
+  /** Runs until the kernel has been shut down, and returns its exit status. */
+  int run() {
+    Kernel.Builder builder =
+        Kernel.builder()
+            .virtualTime(settings.fast())
+            .searchPath(settings.searchPath().directories());
+    if (settings.stackSize() > 0) {
+      builder.stackSize(settings.stackSize());
+    }
+    kernel = builder.start();
+    ConsoleServer network = null;
+    LocalConsole console = null;
+    try {
+      startFiles.loadGlobal(kernel, err);
+      network = settings.hasPort() ? listen() : null;
+      console = new LocalConsole(settings, kernel, this::connect, out);
+      console.start();
+      return kernel.awaitTermination();
+    } finally {
+      kernel.close();
+      if (network != null) {
+        network.close();
+        removePortFile();
+      }
+      if (console != null) {
+        console.close();
+      }
+    }
+  }
+
+  /** Connects a client as every client is: with a banner, and after {@code local.u}. */
+  private Connection connect(Client client) {
+    Connection connection = kernel.connect(client);
+    if (!settings.quiet()) {
+      connection.send("lobby.banner|;");
+    }
+    startFiles.local().ifPresent(connection::send);
+    return connection;
+  }
+
+  private ConsoleServer listen() {
+    InetSocketAddress address = new InetSocketAddress(settings.host(), settings.port());
+    if (address.isUnresolved()) {
+      throw Failure.of("unknown host: " + settings.host());
+    }
+    try {
+      ConsoleServer server =
+          new ConsoleServer(address, this::connect, Limits.DEFAULT, settings.trace());
+      writePortFile(server.port());
+      if (!settings.quiet()) {
+        settings.trace().log("listening on " + settings.host() + ":" + server.port());
+      }
+      return server;
+    } catch (IOException e) {
+      throw Failure.of(e.getMessage() + "; --port 0 takes any free port");
+    }
+  }
+
+  /** At once and whole: whoever sees the file can read the number. */
+  private void writePortFile(int port) {
+    Path file = settings.portFile();
+    if (file == null) {
+      return;
+    }
+    try {
+      Path part = file.resolveSibling(file.getFileName() + ".part");
+      Files.writeString(part, port + "\n");
+      Files.move(part, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    } catch (IOException e) {
+      throw Failure.of("cannot write the port file " + file + ": " + e.getMessage());
+    }
+  }
+
+  private void removePortFile() {
+    try {
+      if (settings.portFile() != null) {
+        Files.deleteIfExists(settings.portFile());
+      }
+    } catch (IOException e) {
+      settings.trace().debug("cannot remove the port file: " + e.getMessage());
+    }
+  }
+}

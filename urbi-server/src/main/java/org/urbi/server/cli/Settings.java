@@ -1,0 +1,53 @@
+package org.urbi.server.cli;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.urbi.server.Trace;
+
+/**
+ * What the command line of {@code urbi} asks for.
+ *
+ * @param fast whether time is simulated
+ * @param stackSize of a job, in KiB; 0: the kernel's choice
+ * @param quiet whether clients are not sent a banner
+ * @param port where to listen; 0 for any, {@link #NO_PORT} for nowhere
+ * @param portFile where to write the port's number, or null
+ * @param modules whether UObjects were asked for, which may have a life of their own
+ * @param text what the console's lobby is sent first
+ * @param input where more of it comes from
+ * @param arguments what the script is told of the command line
+ */
+record Settings(
+    Trace trace,
+    SearchPath searchPath,
+    boolean fast,
+    int stackSize,
+    boolean quiet,
+    String host,
+    int port,
+    Path portFile,
+    boolean modules,
+    String text,
+    Input input,
+    List<String> arguments) {
+  static final int NO_PORT = -1;
+
+  /** What is read after the options' text. */
+  enum Input {
+    /** Nothing. */
+    NONE,
+    /** The standard input, as the rest of a program. */
+    STREAM,
+    /** The standard input, as a session: by a user who may interrupt it. */
+    SESSION
+  }
+
+  boolean hasPort() {
+    return port != NO_PORT;
+  }
+
+  /** Whether something may still happen once the console's lobby has nothing to do. */
+  boolean keepsServing() {
+    return hasPort() || modules && input != Input.SESSION;
+  }
+}

@@ -1,0 +1,76 @@
+package org.urbi.server.cli;
+
+import java.io.PrintStream;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.urbi.kernel.Client;
+import org.urbi.kernel.Connection;
+import org.urbi.kernel.Kernel;
+import org.urbi.server.SourceText;
+
+/**
+ * The files that a server loads by itself if it finds them (manual, section 21.2): {@code global.u}
+ * once, in a lobby of its own, and {@code local.u} in every lobby.
+ */
+final class StartFiles {
+  /** How long the others wait for a {@code global.u} that does not come to its end. */
+  private static final int PATIENCE_SECONDS = 5;
+
+  private static final String LOADED = "urbi-global-loaded";
+
+  private final SearchPath path;
+
+  StartFiles(SearchPath path) {
+    this.path = path;
+  }
+
+  /** What every new lobby is sent first, if there is such a file. */
+  Optional<String> local() {
+    return path.find("local.u").map(file -> SourceText.file(file.toString()));
+  }
+
+  /** Loads {@code global.u} and waits for its end; what it prints goes to {@code err}. */
+  void loadGlobal(Kernel kernel, PrintStream err) {
+    path.find("global.u", "URBI.INI", "CLIENT.INI")
+        .ifPresent(file -> {
+          System system = new System(err);
+          Connection connection = kernel.connect(system);
+          connection.send(SourceText.file(file.toString()));
+          connection.send("lobby.send(\"\", \"" + LOADED + "\");\n");
+          if (!system.awaitLoaded()) {
+            err.println("urbi: " + file + " is still running, going on without waiting for it");
+          }
+        });
+  }
+
+  /** The lobby of {@code global.u}, which stays for as long as the kernel. */
+  private static final class System implements Client {
+    private final PrintStream err;
+    private final CompletableFuture<Boolean> loaded = new CompletableFuture<>();
+
+    System(PrintStream err) {
+      this.err = err;
+    }
+
+    boolean awaitLoaded() {
+      return loaded.completeOnTimeout(false, PATIENCE_SECONDS, TimeUnit.SECONDS).join();
+    }
+
+    @Override
+    public void output(String bytes) {
+      for (String line : bytes.split("(?<=\n)")) {
+        if (line.contains(":" + LOADED + "]")) {
+          loaded.complete(true);
+        } else {
+          err.print(line);
+        }
+      }
+    }
+
+    @Override
+    public void closed() {
+      loaded.complete(true);
+    }
+  }
+}

@@ -1,0 +1,133 @@
+package org.urbi.server.cli;
+
+import java.io.PrintStream;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.urbi.server.Inputs;
+import org.urbi.server.SourceText;
+import org.urbi.server.Trace;
+import org.urbi.server.options.Arguments;
+import org.urbi.server.options.Failure;
+import org.urbi.server.options.Program;
+
+/** The program {@code urbi}: runs an Urbi server (manual, section 21.3). */
+public final class UrbiCommand {
+  private static final int HIGHEST_PORT = 65_535;
+
+  private final Inputs inputs = new Inputs();
+  private final List<String> modules = new ArrayList<>();
+  private final PrintStream out;
+  private final PrintStream err;
+
+  private UrbiCommand(PrintStream out, PrintStream err) {
+    this.out = out;
+    this.err = err;
+  }
+
+  public static void main(String[] args) {
+    int status = new UrbiCommand(System.out, System.err).run(RawArguments.of(args));
+    System.exit(status);
+  }
+
+  private int run(String[] args) {
+    Program program =
+        new Program(
+            "urbi", "Runs an Urbi server: a script, an interactive session, a network port.");
+    program
+        .flag("Show the root folder of this installation and exit.", "--print-root")
+        .option(
+            "LEVEL",
+            "How much the server says of itself: NONE, LOG, TRACE, DEBUG or DUMP"
+                + " (default: GD_LEVEL, or LOG).",
+            "-d",
+            "--debug")
+        .flag("Simulate time: as fast as possible, nobody really sleeps.", "-F", "--fast")
+        .option(
+            "SIZE",
+            "How deep a job may recurse, in KiB of stack (default: URBI_STACK_SIZE).",
+            "-s",
+            "--stack-size")
+        .flag("Do not send the welcome banner to clients.", "-q", "--quiet")
+        .option(
+            "ADDRESS",
+            "Listen on ADDRESS (default: 127.0.0.1, this machine only; 0.0.0.0 is all).",
+            "-H",
+            "--host")
+        .option(
+            "PORT",
+            "Listen on PORT; 0 takes any free one, -1 (the default) does not listen.",
+            "-P",
+            "--port")
+        .option(
+            "FILE", "Write the number of the port to FILE once it is open.", "-w", "--port-file");
+    inputs.declare(program);
+    program
+        .flag("Read a session from the terminal; the default without input.", "-i", "--interactive")
+        .each("MODULE", "Load the UObject MODULE.", modules::add, "-m", "--module")
+        .arguments("[FILE [ARGUMENT]...]", "A script, and what it sees as System.arguments.")
+        .stopAtArgument();
+    return program.run(args, out, err, this::start);
+  }
+
+  private int start(Arguments arguments) {
+    if (arguments.has("--print-root")) {
+      out.println(SearchPath.root());
+      return 0;
+    }
+    return new Server(settings(arguments), out, err).run();
+  }
+
+  private Settings settings(Arguments arguments) {
+    List<String> rest = arguments.rest();
+    int port = arguments.number("--port", Settings.NO_PORT, Settings.NO_PORT, HIGHEST_PORT);
+    if (port == Settings.NO_PORT && arguments.has("--port-file")) {
+      throw Failure.usage("--port-file needs --port (--port 0 takes any free one)");
+    }
+    Settings.Input input = Settings.Input.NONE;
+    if (arguments.has("--interactive")
+        || rest.isEmpty() && inputs.isEmpty() && !arguments.has("--port")) {
+      input = Settings.Input.SESSION;
+    } else if (!rest.isEmpty() && !Terminal.isStandardInput()) {
+      input = Settings.Input.STREAM;
+    }
+    if (!rest.isEmpty()) {
+      inputs.addFile(rest.getFirst());
+    }
+    StringBuilder text = new StringBuilder();
+    modules.forEach(module -> text.append(SourceText.loadModule(module)));
+    String portFile = arguments.value("--port-file", null);
+    return new Settings(
+        trace(arguments),
+        SearchPath.of(System.getenv("URBI_PATH"), SearchPath.standard(SearchPath.root())),
+        arguments.has("--fast"),
+        stackSize(arguments),
+        arguments.has("--quiet"),
+        arguments.value("--host", "127.0.0.1"),
+        port,
+        portFile == null ? null : Path.of(portFile),
+        !modules.isEmpty(),
+        text.append(inputs.text()).toString(),
+        input,
+        rest.isEmpty() ? List.of() : rest.subList(1, rest.size()));
+  }
+
+  private static int stackSize(Arguments arguments) {
+    String environment = System.getenv("URBI_STACK_SIZE");
+    int otherwise =
+        environment == null || environment.isEmpty()
+            ? 0
+            : Arguments.number("URBI_STACK_SIZE", environment, 1, Integer.MAX_VALUE);
+    return arguments.number("--stack-size", otherwise, 1, Integer.MAX_VALUE);
+  }
+
+  private Trace trace(Arguments arguments) {
+    String level = arguments.value("--debug", System.getenv("GD_LEVEL"));
+    try {
+      return new Trace(
+          level == null || level.isEmpty() ? Trace.Level.LOG : Trace.Level.parse(level), err);
+    } catch (IllegalArgumentException e) {
+      throw Failure.usage(e.getMessage());
+    }
+  }
+}

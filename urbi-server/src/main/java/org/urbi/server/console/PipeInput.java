@@ -1,0 +1,36 @@
+package org.urbi.server.console;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import org.urbi.kernel.Connection;
+
+/** Reads a stream that is not a terminal, and gives a lobby its bytes as they come. */
+public final class PipeInput {
+  private static final int CHUNK = 64 << 10;
+
+  private final InputStream stream;
+  private final Console console;
+  private final Connection connection;
+
+  public PipeInput(InputStream stream, Console console, Connection connection) {
+    this.stream = stream;
+    this.console = console;
+    this.connection = connection;
+  }
+
+  /** Reads up to the end of the stream or of the lobby, whichever is first. */
+  public void run() {
+    byte[] chunk = new byte[CHUNK];
+    try {
+      for (int n = stream.read(chunk); n >= 0 && console.isOpen(); n = stream.read(chunk)) {
+        connection.send(new String(chunk, 0, n, StandardCharsets.ISO_8859_1));
+        console.awaitInputConsumed(connection);
+      }
+    } catch (IOException e) {
+      // A terminal that went away or a closed descriptor: nothing more will come.
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

@@ -1,0 +1,97 @@
+package org.urbi.server.console;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import org.jline.reader.EndOfFileException;
+import org.jline.reader.LineReader;
+import org.jline.reader.LineReaderBuilder;
+import org.jline.reader.UserInterruptException;
+import org.jline.terminal.Terminal;
+import org.jline.terminal.TerminalBuilder;
+import org.urbi.kernel.Connection;
+import org.urbi.server.SourceText;
+
+/**
+ * A session at a terminal: lines are edited and remembered, output appears above the line that is
+ * being typed.
+ */
+public final class TerminalSession implements AutoCloseable {
+  private static final String CONTINUED = "  ";
+
+  private final Terminal terminal;
+  private final LineReader reader;
+
+  public TerminalSession() {
+    try {
+      terminal = TerminalBuilder.builder().system(true).build();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    reader =
+        LineReaderBuilder.builder()
+            .appName("urbi")
+            .terminal(terminal)
+            .variable(LineReader.HISTORY_FILE, historyFile())
+            .variable(LineReader.BLINK_MATCHING_PAREN, 0)
+            // An exclamation mark is an operator here, and a backslash stands for itself.
+            .option(LineReader.Option.DISABLE_EVENT_EXPANSION, true)
+            .parser(new WholeLine())
+            .build();
+  }
+
+  /** Shows output above the line that is being typed. */
+  public Screen screen() {
+    return new StandardOutput(
+        new OutputStream() {
+          @Override
+          public void write(int b) {
+            write(new byte[] {(byte) b}, 0, 1);
+          }
+
+          @Override
+          public void write(byte[] bytes, int offset, int length) {
+            reader.printAbove(new String(bytes, offset, length, StandardCharsets.UTF_8));
+          }
+        });
+  }
+
+  /**
+   * Reads lines up to {@code Ctrl-D} or the end of the lobby.
+   *
+   * @param interrupt what {@code Ctrl-C} does
+   */
+  public void run(Console console, Connection connection, Runnable interrupt) {
+    terminal.handle(Terminal.Signal.INT, signal -> interrupt.run());
+    while (console.isOpen()) {
+      try {
+        String line = reader.readLine(connection.incomplete() ? CONTINUED : "");
+        connection.send(SourceText.bytes(line) + "\n");
+        console.awaitInputConsumed(connection);
+      } catch (UserInterruptException e) {
+        interrupt.run();
+      } catch (EndOfFileException | InterruptedException e) {
+        return;
+      }
+    }
+  }
+
+  /** Gives the terminal back as it was. */
+  @Override
+  public void close() {
+    try {
+      terminal.close();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static Path historyFile() {
+    String state = System.getenv("XDG_STATE_HOME");
+    return state == null || state.isEmpty()
+        ? Path.of(System.getProperty("user.home"), ".urbi_history")
+        : Path.of(state, "urbi", "history");
+  }
+}

@@ -1,0 +1,84 @@
+package org.urbi.server.net;
+
+/**
+ * Tells which bytes of a stream of urbiscript belong to the payload of a binary literal: in {@code
+ * BIN 4 jpeg 2 2;abcd} the four after the semicolon. They may have any value, and are not to be
+ * taken for telnet commands.
+ *
+ * <p>It looks at one byte after the other and knows nothing of strings or comments: at worst a
+ * telnet command that follows a string with such a text goes to the parser.
+ */
+final class BinaryMark {
+  private static final String WORD = "BIN";
+  private static final int LONGEST_HEADER = 256;
+
+  private enum State {
+    TEXT,
+    SIZE,
+    KEYWORDS,
+    PAYLOAD
+  }
+
+  private State state = State.TEXT;
+  private int matched;
+  private boolean inWord;
+  private int headerLength;
+  private boolean sized;
+  private long size;
+
+  /** Whether the next byte is part of a payload. */
+  boolean inPayload() {
+    return state == State.PAYLOAD;
+  }
+
+  /** Takes the next byte into account. */
+  void accept(byte b) {
+    switch (state) {
+      case TEXT -> text(b);
+      case SIZE, KEYWORDS -> header(b);
+      case PAYLOAD -> {
+        if (--size == 0) {
+          reset();
+        }
+      }
+    }
+  }
+
+  private void text(byte b) {
+    boolean letter = Character.isLetterOrDigit(b & 0xff) || b == '_';
+    if (matched == WORD.length() && (b == ' ' || b == '\t')) {
+      state = State.SIZE;
+      headerLength = 0;
+      sized = false;
+      size = 0;
+      return;
+    }
+    boolean next = matched < WORD.length() && b == WORD.charAt(matched);
+    matched = next && (matched > 0 || !inWord) ? matched + 1 : 0;
+    inWord = letter;
+  }
+
+  private void header(byte b) {
+    if (++headerLength > LONGEST_HEADER) {
+      reset();
+    } else if (b == ';' || b == '\n') {
+      state = State.PAYLOAD;
+      if (!sized || size == 0) {
+        reset();
+      }
+    } else if (state == State.SIZE && b >= '0' && b <= '9') {
+      sized = true;
+      size = Math.min(size * 10 + (b - '0'), Integer.MAX_VALUE);
+    } else if (state == State.SIZE && sized) {
+      state = State.KEYWORDS;
+    } else if (state == State.SIZE && b != ' ' && b != '\t') {
+      reset();
+    }
+  }
+
+  private void reset() {
+    state = State.TEXT;
+    matched = 0;
+    inWord = false;
+  }
+}

@@ -1,0 +1,122 @@
+package org.urbi.server.net;
+
+import io.netty.buffer.ByteBuf;
+import io.netty.channel.ChannelHandlerContext;
+import io.netty.channel.ChannelInboundHandlerAdapter;
+import io.netty.channel.socket.ChannelInputShutdownEvent;
+import java.nio.charset.StandardCharsets;
+import java.util.function.Function;
+import org.urbi.kernel.Client;
+import org.urbi.kernel.Connection;
+import org.urbi.server.Trace;
+
+/**
+ * One client of the network console and its lobby.
+ *
+ * <p>What the client sends goes to the lobby as it comes; nothing more is read while the kernel is
+ * late by more than {@link Limits#input}. When the client ends its stream the lobby finishes what
+ * it was given; when the client is gone so is the lobby.
+ */
+final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Client {
+  private final Function<Client, Connection> lobbies;
+  private final Limits limits;
+  private final Trace trace;
+  private ChannelHandlerContext context;
+  private ClientOutput output;
+  private volatile Connection connection;
+  private volatile boolean over = true;
+
+  ConsoleHandler(Function<Client, Connection> lobbies, Limits limits, Trace trace) {
+    this.lobbies = lobbies;
+    this.limits = limits;
+    this.trace = trace;
+  }
+
+  @Override
+  public void channelActive(ChannelHandlerContext context) {
+    this.context = context;
+    output =
+        new ClientOutput(
+            context.channel(),
+            limits.output(),
+            () -> trace.log("client does not read what it is sent, letting it go: " + name()));
+    over = false;
+    try {
+      connection = lobbies.apply(this);
+    } catch (RuntimeException e) {
+      over = true;
+      throw e;
+    }
+    trace.debug("client connected: " + name());
+  }
+
+  @Override
+  public void channelRead(ChannelHandlerContext context, Object message) {
+    ByteBuf bytes = (ByteBuf) message;
+    try {
+      if (!over) {
+        connection.send(bytes.toString(StandardCharsets.ISO_8859_1));
+      }
+    } finally {
+      bytes.release();
+    }
+    if (!over && connection.pendingInput() > limits.input()) {
+      context.channel().config().setAutoRead(false);
+      inputConsumed();
+    }
+  }
+
+  @Override
+  public void userEventTriggered(ChannelHandlerContext context, Object event) {
+    if (event == TelnetInterrupt.INSTANCE && !over) {
+      connection.interrupt();
+    } else if (event == ChannelInputShutdownEvent.INSTANCE) {
+      if (over) {
+        context.close();
+      } else {
+        connection.end();
+      }
+    }
+    context.fireUserEventTriggered(event);
+  }
+
+  @Override
+  public void channelInactive(ChannelHandlerContext context) {
+    trace.debug("client disconnected: " + name());
+    if (connection != null) {
+      connection.close();
+    }
+  }
+
+  @Override
+  public void exceptionCaught(ChannelHandlerContext context, Throwable cause) {
+    trace.debug("client lost: " + name() + ": " + cause);
+    context.close();
+  }
+
+  @Override
+  public void output(String bytes) {
+    output.add(bytes);
+  }
+
+  @Override
+  public void inputConsumed() {
+    Connection lobby = connection;
+    if (lobby != null && lobby.pendingInput() <= limits.input() / 2) {
+      var config = context.channel().config();
+      if (!config.isAutoRead()) {
+        config.setAutoRead(true);
+      }
+    }
+  }
+
+  @Override
+  public void closed() {
+    over = true;
+    output.finish();
+  }
+
+  private String name() {
+    return String.valueOf(context.channel().remoteAddress());
+  }
+}

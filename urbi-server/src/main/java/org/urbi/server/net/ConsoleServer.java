@@ -1,0 +1,101 @@
+package org.urbi.server.net;
+
+import io.netty.bootstrap.ServerBootstrap;
+import io.netty.channel.Channel;
+import io.netty.channel.ChannelFuture;
+import io.netty.channel.ChannelInitializer;
+import io.netty.channel.ChannelOption;
+import io.netty.channel.EventLoopGroup;
+import io.netty.channel.MultiThreadIoEventLoopGroup;
+import io.netty.channel.group.ChannelGroup;
+import io.netty.channel.group.DefaultChannelGroup;
+import io.netty.channel.nio.NioIoHandler;
+import io.netty.channel.socket.nio.NioServerSocketChannel;
+import io.netty.util.concurrent.DefaultThreadFactory;
+import io.netty.util.concurrent.GlobalEventExecutor;
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Function;
+import org.urbi.kernel.Client;
+import org.urbi.kernel.Connection;
+import org.urbi.server.Trace;
+
+/**
+ * Listens for telnet-like clients and gives each its lobby (options {@code --host} and {@code
+ * --port}; manual, section 21.3).
+ */
+public final class ConsoleServer implements AutoCloseable {
+  private static final int PENDING_CONNECTIONS = 128;
+  private static final int FAREWELL_SECONDS = 1;
+
+  private final EventLoopGroup loop;
+  private final ChannelGroup clients = new DefaultChannelGroup(GlobalEventExecutor.INSTANCE);
+  private final Channel listener;
+
+  /**
+   * Starts listening.
+   *
+   * @param address where; port 0 takes any free one, see {@link #port}
+   * @param lobbies makes the lobby of a new client, and may welcome it; called on the network
+   *     thread
+   * @throws IOException if the address cannot be listened to; the message says which and why
+   */
+  public ConsoleServer(
+      InetSocketAddress address, Function<Client, Connection> lobbies, Limits limits, Trace trace)
+      throws IOException {
+    loop =
+        new MultiThreadIoEventLoopGroup(
+            1, new DefaultThreadFactory("urbi-network", true), NioIoHandler.newFactory());
+    ChannelFuture bound =
+        new ServerBootstrap()
+            .group(loop)
+            .channel(NioServerSocketChannel.class)
+            .option(ChannelOption.SO_REUSEADDR, true)
+            .option(ChannelOption.SO_BACKLOG, PENDING_CONNECTIONS)
+            .childOption(ChannelOption.SO_KEEPALIVE, true)
+            .childOption(ChannelOption.TCP_NODELAY, true)
+            .childOption(ChannelOption.ALLOW_HALF_CLOSURE, true)
+            .childHandler(
+                new ChannelInitializer<>() {
+                  @Override
+                  protected void initChannel(Channel client) {
+                    clients.add(client);
+                    client
+                        .pipeline()
+                        .addLast(new TelnetDecoder(), new ConsoleHandler(lobbies, limits, trace));
+                  }
+                })
+            .bind(address)
+            .awaitUninterruptibly();
+    if (!bound.isSuccess()) {
+      loop.shutdownGracefully(0, 0, TimeUnit.SECONDS);
+      throw new IOException(
+          "cannot listen on "
+              + address.getHostString()
+              + ":"
+              + address.getPort()
+              + ": "
+              + bound.cause().getMessage(),
+          bound.cause());
+    }
+    listener = bound.channel();
+  }
+
+  /** The port that is listened to. */
+  public int port() {
+    return ((InetSocketAddress) listener.localAddress()).getPort();
+  }
+
+  /**
+   * Stops listening, gives the clients that were said goodbye a moment to take their last output,
+   * then closes all.
+   */
+  @Override
+  public void close() {
+    listener.close().awaitUninterruptibly();
+    clients.newCloseFuture().awaitUninterruptibly(FAREWELL_SECONDS, TimeUnit.SECONDS);
+    clients.close().awaitUninterruptibly();
+    loop.shutdownGracefully(0, 1, TimeUnit.SECONDS).awaitUninterruptibly();
+  }
+}

@@ -1,0 +1,66 @@
+package org.urbi.server.tools;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.net.UnknownHostException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.urbi.server.options.Arguments;
+import org.urbi.server.options.Failure;
+import org.urbi.server.options.Program;
+
+/**
+ * The server that a tool is to talk to: options {@code --host}, {@code --port}, {@code
+ * --port-file}.
+ */
+record Target(String host, int port) {
+  /** Where an Urbi server listens by custom. */
+  static final int USUAL_PORT = 54000;
+
+  private static final int CONNECT_MILLISECONDS = 10_000;
+  private static final int HIGHEST_PORT = 65_535;
+
+  static Program options(Program program) {
+    return program
+        .option("HOST", "Address to connect to (default: 127.0.0.1).", "-H", "--host")
+        .option("PORT", "Port to connect to (default: " + USUAL_PORT + ").", "-P", "--port")
+        .option("FILE", "Connect to the port that is written in FILE.", "--port-file");
+  }
+
+  static Target of(Arguments arguments, String host) {
+    String file = arguments.value("--port-file", null);
+    if (file == null) {
+      return new Target(host, arguments.number("--port", USUAL_PORT, 1, HIGHEST_PORT));
+    }
+    if (arguments.has("--port")) {
+      throw Failure.usage("give either --port or --port-file");
+    }
+    try {
+      String text = Files.readString(Path.of(file));
+      return new Target(host, Arguments.number("port in " + file, text.strip(), 1, HIGHEST_PORT));
+    } catch (IOException e) {
+      throw Failure.of("cannot read the port file " + file + ": is the server running?");
+    }
+  }
+
+  /**
+   * Connects.
+   *
+   * @throws Failure if nobody answers
+   */
+  Socket connect() {
+    Socket socket = new Socket();
+    try {
+      socket.setTcpNoDelay(true);
+      socket.connect(new InetSocketAddress(host, port), CONNECT_MILLISECONDS);
+      return socket;
+    } catch (UnknownHostException e) {
+      throw Failure.of("unknown host: " + host);
+    } catch (IOException e) {
+      throw Failure.of(
+          "cannot connect to %s:%d: %s (is a server running there? urbi --port %d starts one)"
+              .formatted(host, port, e.getMessage(), port));
+    }
+  }
+}

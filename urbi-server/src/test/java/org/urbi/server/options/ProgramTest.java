@@ -1,0 +1,89 @@
+package org.urbi.server.options;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class ProgramTest {
+  private final List<String> order = new ArrayList<>();
+  private final ByteArrayOutputStream out = new ByteArrayOutputStream();
+  private final ByteArrayOutputStream err = new ByteArrayOutputStream();
+  private String seen;
+
+  private int run(String... args) {
+    return new Program("tool", "A tool.")
+        .flag("A flag.", "-q", "--quiet")
+        .option("N", "A number.", "-n", "--number")
+        .each("E", "An expression.", value -> order.add("e:" + value), "-e", "--expression")
+        .each("F", "A file.", value -> order.add("f:" + value), "-f", "--file")
+        .arguments("[FILE]", "A file.")
+        .stopAtArgument()
+        .run(
+            args,
+            new PrintStream(out, true, StandardCharsets.UTF_8),
+            new PrintStream(err, true, StandardCharsets.UTF_8),
+            arguments -> {
+              seen =
+                  arguments.has("--quiet")
+                      + " "
+                      + arguments.number("--number", 7, -1, 10)
+                      + " "
+                      + arguments.rest();
+              return 3;
+            });
+  }
+
+  @Test
+  void repeatedOptionsKeepTheirOrder() {
+    assertEquals(3, run("-e", "1;", "--file=x", "-e2;", "-f", "-", "--expression", "-3;"));
+    assertEquals(List.of("e:1;", "f:x", "e:2;", "f:-", "e:-3;"), order);
+  }
+
+  @Test
+  void valuesComeInEveryForm() {
+    run("-q", "-n", "-1");
+    assertEquals("true -1 []", seen);
+    run("--number=3");
+    assertEquals("false 3 []", seen);
+  }
+
+  @Test
+  void whatFollowsTheScriptBelongsToIt() {
+    run("-n5", "script.u", "-q", "--bogus", "12");
+    assertEquals("false 5 [script.u, -q, --bogus, 12]", seen);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"--bogus", "-n", "--number=eleven", "--number=11", "-e"})
+  void mistakesAreSaidInOneLineWithAHint(String mistake) {
+    assertEquals(2, run(mistake));
+    List<String> lines = err.toString(StandardCharsets.UTF_8).lines().toList();
+    assertEquals(2, lines.size(), lines.toString());
+    assertTrue(lines.get(0).startsWith("tool: "), lines.get(0));
+    assertEquals("Try 'tool --help' for more information.", lines.get(1));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"-h", "--help"})
+  void helpNamesEveryOption(String option) {
+    assertEquals(0, run(option));
+    String help = out.toString(StandardCharsets.UTF_8);
+    for (String name : List.of("--help", "--version", "-q", "--number=N", "-e", "--file=F")) {
+      assertTrue(help.contains(name), help);
+    }
+  }
+
+  @Test
+  void versionNamesTheProgram() {
+    assertEquals(0, run("--version"));
+    assertTrue(out.toString(StandardCharsets.UTF_8).matches("(?s)tool version \\d+\\.\\d+.*"));
+  }
+}
