@@ -186,7 +186,12 @@ public final class Errors {
         routine, index, of(type, text).with("effective", effective).object());
   }
 
-  private UrbiException argument(String routine, int index, UrbiObject cause) {
+  /**
+   * {@code routine: argument 1: …}, with the message of another exception.
+   *
+   * @param cause what was wrong with the argument
+   */
+  public UrbiException argument(String routine, int index, UrbiObject cause) {
     return of("Argument", routine + ": " + place(index) + ": " + causeMessage(cause))
         .with("routine", routine)
         .with("index", index)
