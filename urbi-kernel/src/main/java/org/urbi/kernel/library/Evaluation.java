@@ -22,8 +22,7 @@ final class Evaluation {
    */
   static UrbiObject eval(
       Frame frame, CallSite site, UrbiObject target, String text, String file) {
-    var source = new Source(text, 1, Source.lines(text, file));
-    Parsed parsed = UrbiParser.parse(source);
+    Parsed parsed = UrbiParser.parse(Source.of(text, file));
     for (SyntaxError error : parsed.errors()) {
       String message = error.span().location() + ": " + error.message();
       if (!error.isWarning()) {
