@@ -92,8 +92,8 @@ primary
   | LPAREN argumentList? RPAREN                                     # parentheses
   | LBRACKET (FAT_ARROW | element (COMMA element)* COMMA?)? RBRACKET # brackets
   | NEW path arguments?                                             # newPrimary
-  | CONST? VAR variable (COLON path)? (ASSIGN argument)?            # declaration
-  | CONST variable (ASSIGN argument)?                               # declaration
+  | CONST? VAR variable (COLON path ASSIGN expression | ASSIGN expression)? # declaration
+  | CONST variable (ASSIGN expression)?                             # declaration
   | (FUNCTION | CLOSURE) path? formals? scope                       # functionPrimary
   | DO (LPAREN expression RPAREN)? scope                            # doPrimary
   | WATCH LPAREN expression RPAREN                                  # watchPrimary
