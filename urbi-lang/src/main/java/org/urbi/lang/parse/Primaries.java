@@ -174,10 +174,13 @@ final class Primaries {
             place = name(selector.getStart(), place);
           }
         }
-        case ArgumentsContext c when place instanceof Ast.Message m && m.arguments() == null -> {
+        case ArgumentsContext c -> {
           Span span = place.span().to(errors.span(c));
           List<Ast> arguments = expressions.arguments(c.argumentList());
-          place = new Ast.Message(span, m.target(), m.name(), arguments, m.nameSpan());
+          place =
+              place instanceof Ast.Message m && m.arguments() == null
+                  ? new Ast.Message(span, m.target(), m.name(), arguments, m.nameSpan())
+                  : new Ast.Message(span, place, "()", arguments, errors.span(c));
         }
         case ArgumentListContext c -> {
           Span span = place.span().to(errors.span(c));
