@@ -43,17 +43,8 @@ public final class Library {
         types.computeIfAbsent(table.type(), type -> prototype(table));
       }
     }
-    UrbiObject identity = null;
-    for (BuiltinTable table : tables) {
-      if (table.type().equals("Object") && !table.isPart()) {
-        for (int i = 0; i < table.size(); i++) {
-          if (table.name(i).equals("acceptVoid")) {
-            identity = primitive(table, i);
-          }
-        }
-      }
-    }
-    interpreter.prototypes().asThis = identity;
+    types.forEach(world::declarePrototype);
+    interpreter.prototypes().asThis = new IdentityCode(interpreter.prototypes().code);
     for (BuiltinTable table : tables) {
       UrbiObject type = types.get(table.type());
       if (!table.isPart()) {
