@@ -89,7 +89,7 @@ primary
   | STRING+                                                         # stringLiteral
   | THIS                                                            # thisPrimary
   | CALL                                                            # callPrimary
-  | identifier                                                      # namePrimary
+  | (identifier | NEW)                                              # namePrimary
   | DERIVATIVE                                                      # derivativePrimary
   | AMP identifier                                                  # accessPrimary
   | LPAREN argumentList? RPAREN                                     # parentheses

@@ -34,7 +34,7 @@ final class Primaries {
       case StringLiteralContext c -> new Ast.StringLiteral(span, Literals.string(c.STRING()));
       case ThisPrimaryContext c -> new Ast.This(span);
       case CallPrimaryContext c -> call(span);
-      case NamePrimaryContext c -> name(c.identifier().getStart(), null);
+      case NamePrimaryContext c -> name(c.getStart(), null);
       case DerivativePrimaryContext c -> slot(span, null, c.getStart());
       case AccessPrimaryContext c ->
           new Ast.SlotAccess(span, null, Literals.name(c.identifier().getStart()));
