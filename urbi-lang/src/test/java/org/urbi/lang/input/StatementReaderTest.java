@@ -64,10 +64,10 @@ class StatementReaderTest {
             "4.1-40 for (var i = 0; i.'<'(3); i++)\n{ f(i, [1, 2]) } SEMICOLON",
             "5.1 syntax error: unexpected )",
             "foo:100.1 syntax error: unexpected *",
-            "9.1-3 x.'\\'d' SEMICOLON",
-            "9.6-10 'a;b' SEMICOLON",
-            "10.3  SEMICOLON",
-            "11.1-3 bar null"),
+            "7.1-3 x.'\\'d' SEMICOLON",
+            "7.6-10 'a;b' SEMICOLON",
+            "8.3  SEMICOLON",
+            "9.1-3 bar null"),
         read(TEXT, TEXT.length()));
   }
 
