@@ -111,7 +111,7 @@ public final class Errors {
 
   /** {@code routine: message}. */
   public UrbiException primitive(String routine, String message) {
-    return of("Primitive", routine + ": " + message).with("routine", routine).build();
+    return of("Primitive", message).with("routine", routine).build();
   }
 
   /** {@code property lookup failed: slot->property}. */
@@ -214,8 +214,9 @@ public final class Errors {
 
   /** {@code routine: message} about a number. */
   public UrbiException badNumber(String type, String routine, String message, UrbiFloat effective) {
-    return of(type, routine + ": " + message)
+    return of(type, message)
         .with("routine", routine)
+        .with("fmt", message)
         .with("effective", effective)
         .build();
   }

@@ -53,7 +53,7 @@ public final class Emission {
   }
 
   /** Keeps something for a subscription, until the end of the emission. */
-  void note(Subscription subscription, Object note) {
+  public void note(Subscription subscription, Object note) {
     if (notes == null) {
       notes = new IdentityHashMap<>();
     }
@@ -61,7 +61,7 @@ public final class Emission {
   }
 
   /** What was kept for a subscription, or null. */
-  Object noted(Subscription subscription) {
+  public Object noted(Subscription subscription) {
     return notes == null ? null : notes.get(subscription);
   }
 }

@@ -136,7 +136,12 @@ public final class Scheduler {
   }
 
   private String nextName(String prefix) {
-    return prefix + "_" + ++sequence;
+    return prefix + "_" + nextNumber();
+  }
+
+  /** A number that nobody had before, to name jobs and tags. */
+  public long nextNumber() {
+    return ++sequence;
   }
 
   void enqueue(Job job) {
@@ -183,9 +188,20 @@ public final class Scheduler {
 
   // ------------------------------------------------------------------ the loop
 
-  /** Starts the kernel thread. */
-  public Thread startLoop() {
-    return threads.startLoop(this::loop);
+  /**
+   * Starts the kernel thread.
+   *
+   * @param whenEnded the last thing that it does
+   */
+  public Thread startLoop(Runnable whenEnded) {
+    return threads.startLoop(
+        () -> {
+          try {
+            loop();
+          } finally {
+            whenEnded.run();
+          }
+        });
   }
 
   /** Ends the loop after this tick; on the kernel thread. */

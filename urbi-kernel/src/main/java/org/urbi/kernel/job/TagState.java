@@ -12,9 +12,46 @@ import org.urbi.kernel.object.UrbiObject;
  */
 public final class TagState {
   final Set<TagScope> scopes = new LinkedHashSet<>();
+  private final UrbiObject owner;
   private boolean frozen;
   private boolean blocked;
   private UrbiObject blockedValue;
+
+  /**
+   * @param owner the urbiscript object that stands on this
+   */
+  public TagState(UrbiObject owner) {
+    this.owner = owner;
+  }
+
+  /** The urbiscript object that stands on this. */
+  public UrbiObject owner() {
+    return owner;
+  }
+
+  /** Whether nothing is running under this tag, not even what has been frozen. */
+  public boolean isIdle() {
+    for (TagScope scope : scopes) {
+      if (!scope.allJobs().isEmpty()) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Does something, once, when the last job that is running under this tag ends. */
+  public void onIdle(Runnable action) {
+    List<Job> jobs = jobs();
+    int[] left = {jobs.size()};
+    for (Job job : jobs) {
+      job.onEnd(
+          () -> {
+            if (--left[0] == 0) {
+              action.run();
+            }
+          });
+    }
+  }
 
   public boolean isFrozen() {
     return frozen;

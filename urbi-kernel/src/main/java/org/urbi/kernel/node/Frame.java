@@ -110,6 +110,22 @@ public final class Frame {
         null);
   }
 
+  /** The frame of code evaluated on behalf of a library function called at that site. */
+  public Frame nested(CallSite from, UrbiObject target, FrameLayout layout) {
+    return new Frame(
+        interpreter,
+        job,
+        depth + 1,
+        this,
+        from,
+        target,
+        null,
+        layout.newLocals(),
+        layout.newCells(),
+        NO_CELLS,
+        null);
+  }
+
   /** The same activation with another {@code this}: the body of {@code do}. */
   Frame withSelf(UrbiObject target) {
     return new Frame(

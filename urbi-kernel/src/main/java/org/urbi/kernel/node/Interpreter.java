@@ -41,6 +41,7 @@ public final class Interpreter {
   final CorePrototypes prototypes;
   private Consumer<UrbiException> describer = exception -> {};
   private boolean assertionsDisabled;
+  private Object host;
   int maximumDepth;
 
   public Interpreter(
@@ -78,6 +79,15 @@ public final class Interpreter {
   /** The prototypes of what the interpreter makes, besides everyday values. */
   public CorePrototypes prototypes() {
     return prototypes;
+  }
+
+  /** The kernel around, for those parts of the library that need it. */
+  public Object host() {
+    return host;
+  }
+
+  public void setHost(Object kernel) {
+    host = kernel;
   }
 
   /** Limits the number of nested calls. */
@@ -181,7 +191,7 @@ public final class Interpreter {
   }
 
   /** Whether {@code assert} checks nothing ({@code System.ndebug}). */
-  boolean assertionsDisabled() {
+  public boolean assertionsDisabled() {
     return assertionsDisabled;
   }
 

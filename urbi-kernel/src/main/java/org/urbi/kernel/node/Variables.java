@@ -65,7 +65,7 @@ public final class Variables {
     }
 
     /** Begins the life of the variable. */
-    void declare(Frame frame, UrbiObject value) {
+    public void declare(Frame frame, UrbiObject value) {
       if (shared) {
         frame.cells[index] = new Cell(value);
       } else {

@@ -15,7 +15,7 @@ public final class UrbiTag extends UrbiObject {
 
   public UrbiTag(Shape shape) {
     super(shape);
-    this.state = new TagState();
+    this.state = new TagState(this);
   }
 
   @Override
