@@ -43,6 +43,7 @@ public final class Library {
         types.computeIfAbsent(table.type(), type -> prototype(table));
       }
     }
+    types.forEach(world::declarePrototype);
     UrbiObject identity = null;
     for (BuiltinTable table : tables) {
       if (table.type().equals("Object") && !table.isPart()) {
