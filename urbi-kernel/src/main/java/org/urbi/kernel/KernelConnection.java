@@ -102,8 +102,7 @@ final class KernelConnection implements Connection, Shell.Listener {
       return;
     }
     Interpreter interpreter = kernel.interpreter();
-    UrbiObject prototype =
-        interpreter.values().object.lookup(interpreter.world().symbol("Lobby"));
+    UrbiObject prototype = interpreter.world().prototype("Lobby");
     long number = kernel.scheduler().nextNumber();
     UrbiTag tag = UrbiTag.named(interpreter, "Lobby_" + number);
     UrbiLobby made = new UrbiLobby(prototype.cloneShape(), tag);

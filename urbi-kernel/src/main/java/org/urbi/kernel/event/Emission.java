@@ -36,6 +36,13 @@ public final class Emission {
     return over;
   }
 
+  /** Begins and ends for one subscription: an emission that lasts no time. */
+  void flash(Subscription subscription, Job emitter) {
+    subscription.begin(this, emitter);
+    over = true;
+    subscription.end(this, emitter);
+  }
+
   void begin(Subscription subscription, Job emitter) {
     told.add(subscription);
     subscription.begin(this, emitter);

@@ -62,10 +62,17 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
    * @param sync whether to wait for the handlers
    */
   public void emit(Job emitter, boolean sync, UrbiObject... payload) {
-    if (!subscriptions.isEmpty()) {
-      Emission emission = new Emission(this, payload, sync);
-      tell(emission, emitter);
-      emission.end(emitter);
+    // Each handler enters and leaves before the next one hears of the event.
+    switch (subscriptions.size()) {
+      case 0 -> {}
+      case 1 -> new Emission(this, payload, sync).flash(subscriptions.iterator().next(), emitter);
+      default -> {
+        for (Subscription subscription : new ArrayList<>(subscriptions)) {
+          if (subscriptions.contains(subscription)) {
+            new Emission(this, payload, sync).flash(subscription, emitter);
+          }
+        }
+      }
     }
   }
 

@@ -11,7 +11,7 @@ final class BouncedCode extends Code {
   private final String name;
 
   BouncedCode(World world, String name) {
-    super(world.values().object.lookup(world.symbol("Code")).cloneShape());
+    super(world.prototype("Code").cloneShape());
     this.name = name;
   }
 

@@ -22,7 +22,7 @@ final class ChannelType {
   @Builtin(
       value = {"<<"},
       doc = "Sends a value to the client.")
-  static UrbiObject send(Frame frame, UrbiObject self, UrbiObject value) {
+  static void send(Frame frame, UrbiObject self, UrbiObject value) {
     if (isOn(frame, self, "enabled")) {
       String text =
           value instanceof UrbiString string && !isOn(frame, self, "quote")
@@ -33,7 +33,6 @@ final class ChannelType {
                       frame, frame.interpreter().send(frame, value, "asToplevelPrintable"));
       output(frame, self).send(name(frame, self), text.replace("\n", "\n[:]"));
     }
-    return self;
   }
 
   @Builtin(doc = "Sends a value as a message.")

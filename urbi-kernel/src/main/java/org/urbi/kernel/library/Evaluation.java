@@ -5,7 +5,8 @@ import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
-import org.urbi.lang.parse.Parsed;
+
+import org.urbi.lang.ast.Ast;
 import org.urbi.lang.parse.SyntaxError;
 import org.urbi.lang.parse.UrbiParser;
 import org.urbi.lang.source.Source;
@@ -22,7 +23,7 @@ final class Evaluation {
    */
   static UrbiObject eval(
       Frame frame, CallSite site, UrbiObject target, String text, String file) {
-    Parsed parsed = UrbiParser.parse(Source.of(text, file));
+    UrbiParser.Parsed parsed = UrbiParser.parse(Source.of(text, file));
     for (SyntaxError error : parsed.errors()) {
       String message = error.span().location() + ": " + error.message();
       if (!error.isWarning()) {
@@ -36,7 +37,29 @@ final class Evaluation {
       Output output = LobbyType.of(frame).output();
       output.send("warning", "!!! " + message);
     }
-    Compilation.Compiled compiled = Compilation.compile(frame.interpreter(), parsed.program());
-    return compiled.code().execute(frame.nested(site, target, compiled.layout()));
+    return execute(frame, site, target, parsed.program());
+  }
+
+  /** Executes statements one after the other, as the top level does. */
+  private static UrbiObject execute(
+      Frame frame, CallSite site, UrbiObject target, Ast.Sequence program) {
+    UrbiObject value = frame.interpreter().values().voidObject;
+    for (int i = 0; i < program.statements().size(); i++) {
+      Compilation.Compiled compiled =
+          Compilation.compile(frame.interpreter(), program.statements().get(i));
+      Frame inner = frame.nested(site, target, compiled.layout());
+      boolean background =
+          i < program.separators().size() && program.separators().get(i) == Ast.Flavor.COMMA;
+      if (background) {
+        ControlType.start(inner, frame.job().scope(), compiled.code()::execute);
+        frame.job().yield();
+      } else {
+        if (i > 0) {
+          frame.job().yield();
+        }
+        value = compiled.code().execute(inner);
+      }
+    }
+    return value;
   }
 }

@@ -40,11 +40,7 @@ final class EventType {
   }
 
   private static UrbiObject handle(Frame frame, Emission emission) {
-    UrbiObject proto =
-        frame.interpreter().get(
-            frame,
-            frame.interpreter().prototypes().event,
-            frame.interpreter().world().symbol("Handle"));
+    UrbiObject proto = frame.interpreter().world().prototype("Event.Handle");
     return new UrbiEmission(proto.cloneShape(), emission);
   }
 

@@ -24,9 +24,8 @@ final class JobType {
   /** The object that shows a job. */
   static UrbiObject object(Frame frame, Job job) {
     if (job.object == null) {
-      UrbiObject proto = frame.self().world().values().object.lookup(
-          frame.interpreter().world().symbol("Job"));
-      job.object = new UrbiJob(proto.cloneShape(), job);
+      UrbiObject prototype = frame.interpreter().world().prototype("Job");
+      job.object = new UrbiJob(prototype.cloneShape(), job);
     }
     return job.object;
   }

@@ -44,17 +44,7 @@ public final class Library {
       }
     }
     types.forEach(world::declarePrototype);
-    UrbiObject identity = null;
-    for (BuiltinTable table : tables) {
-      if (table.type().equals("Object") && !table.isPart()) {
-        for (int i = 0; i < table.size(); i++) {
-          if (table.name(i).equals("acceptVoid")) {
-            identity = primitive(table, i);
-          }
-        }
-      }
-    }
-    interpreter.prototypes().asThis = identity;
+    interpreter.prototypes().asThis = new IdentityCode(interpreter.prototypes().code);
     for (BuiltinTable table : tables) {
       UrbiObject type = types.get(table.type());
       if (!table.isPart()) {

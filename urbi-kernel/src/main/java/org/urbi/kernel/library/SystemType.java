@@ -39,10 +39,9 @@ final class SystemType {
     job.sleepUntil(job.scheduler().now() + Durations.nanoseconds(duration));
   }
 
-  @Builtin(doc = "The number of seconds since the Epoch.")
+  @Builtin(doc = "The number of seconds since the server was started.")
   static double time(Frame frame, UrbiObject self) {
-    var scheduler = frame.job().scheduler();
-    return scheduler.clock().startTime() + Durations.seconds(scheduler.now());
+    return Durations.seconds(frame.job().scheduler().now());
   }
 
   @Builtin(doc = "The time, less what this code has spent frozen.")

@@ -32,6 +32,7 @@ LOOP: 'loop';
 NEW: 'new';
 ONLEAVE: 'onleave';
 PACKAGE: 'package';
+PROTECTION: 'private' | 'protected' | 'public';
 RETURN: 'return';
 STOPIF: 'stopif';
 SWITCH: 'switch';
@@ -108,10 +109,17 @@ RBRACE: '}';
 
 FLOAT: NUMBER | '0x' HEX (HEX | '_')*;
 ANGLE: NUMBER ('deg' | 'rad' | 'grad');
-DURATION: (NUMBER ('ms' | 's' | 'min' | 'h' | 'd'))+;
+DURATION: (NUMBER ('ms' | 's' | 'm' | 'min' | 'h' | 'd'))+;
 BAD_TOKEN: NUMBER LETTER (LETTER | DIGIT)*;
 
 IDENTIFIER: LETTER (LETTER | DIGIT)*;
+OPERATOR_NAME
+  : 'operator' [ \t]* ('+' | '-' | '*' | '/' | '%' | '**' | '^' | '!' | '<<' | '>>' | '==' | '!='
+    | '===' | '!==' | '~=' | '=~=' | '<' | '<=' | '>' | '>=' | '()' | '[]' | '[]=' | '+=' | '-='
+    | '*=' | '/=' | '%=' | '^=' | '++' | '--' | '&&' | '||') -> type(IDENTIFIER)
+  ;
+OPERATOR_NEW: 'operator' [ \t]+ 'new' -> type(IDENTIFIER);
+DERIVATIVE: LETTER (LETTER | DIGIT)* '\'' ('\'' | 'd' | 'dd' | 'e' | 'in' | 'n' | 'out')?;
 QUOTED: '\'' (~['\\] | '\\' .)* '\'';
 STRING: '"' { string(); };
 

@@ -11,8 +11,8 @@ piped: statement (PIPE statement)* PIPE?;
 
 statement
   : expression (COLON body?)?                                       # expressionStatement
-  | IF LPAREN expression RPAREN body? (ELSE body?)?                 # ifStatement
-  | WHILE flavor? LPAREN expression RPAREN body?                    # whileStatement
+  | IF LPAREN sequence RPAREN body? (ELSE body?)?                 # ifStatement
+  | WHILE flavor? LPAREN sequence RPAREN body?                    # whileStatement
   | FOR flavor? LPAREN (VAR? identifier (RANGE_COLON | IN))? expression RPAREN body? # forEach
   | FOR flavor? LPAREN init=expression? SEMI condition_=expression? SEMI step=expression? RPAREN
       body?                                                         # forStatement
@@ -32,14 +32,15 @@ statement
   | TRY scope catchClause* (ELSE scope)? (FINALLY scope)?           # tryStatement
   | ASSERT LPAREN argument (COMMA argument)* RPAREN                 # assertStatement
   | ASSERT scope                                                    # assertBlock
-  | CLASS path (COLON expression (COMMA expression)*)? scope?       # classStatement
+  | CLASS path (COLON proto (COMMA proto)*)? scope?                 # classStatement
   | PACKAGE path scope                                              # packageStatement
-  | IMPORT identifier (DOT identifier)* (DOT STAR)?                 # importStatement
+  | IMPORT (identifier | THIS) (DOT identifier)* (DOT STAR)?                 # importStatement
   | ENUM path LBRACE (identifier (COMMA identifier)* COMMA?)? RBRACE # enumStatement
   | GET path formals? scope                                         # getStatement
   | SET path formals scope                                          # setStatement
   ;
 
+proto: PROTECTION? expression;
 body: statement;
 flavor: FLAVOR;
 condition: expression (IF expression)? (TILDE expression)?;
@@ -61,6 +62,7 @@ expression
   | expression EMIT arguments? (TILDE expression)?                  # emitExpression
   | <assoc=right> expression op=POWER expression                    # binaryExpression
   | op=(PLUS | MINUS | COMPL) expression                            # unaryExpression
+  | op=(INCREMENT | DECREMENT) expression                           # prefixExpression
   | expression op=(STAR | SLASH | PERCENT) expression               # binaryExpression
   | expression op=(PLUS | MINUS) expression                         # binaryExpression
   | expression op=(SHIFT_LEFT | SHIFT_RIGHT) expression             # binaryExpression
@@ -87,7 +89,8 @@ primary
   | STRING+                                                         # stringLiteral
   | THIS                                                            # thisPrimary
   | CALL                                                            # callPrimary
-  | identifier                                                      # namePrimary
+  | (identifier | NEW)                                              # namePrimary
+  | DERIVATIVE                                                      # derivativePrimary
   | AMP identifier                                                  # accessPrimary
   | LPAREN argumentList? RPAREN                                     # parentheses
   | LBRACKET (FAT_ARROW | element (COMMA element)* COMMA?)? RBRACKET # brackets
@@ -100,10 +103,10 @@ primary
   | scope                                                           # scopePrimary
   ;
 
-variable: (identifier | THIS) ((DOT selector) | (ARROW selector) | arguments
+variable: (selector | THIS) ((DOT selector) | (ARROW selector) | arguments
     | (LBRACKET argumentList? RBRACKET))*;
-path: (identifier | THIS | CALL) (DOT selector)*;
-selector: identifier | NEW;
+path: (selector | THIS | CALL) (DOT selector)*;
+selector: identifier | NEW | DERIVATIVE;
 identifier: IDENTIFIER | QUOTED;
 element: argument (FAT_ARROW argument)?;
 argument: expression (COLON body)?;

@@ -28,14 +28,14 @@ final class Control {
       case IfStatementContext c ->
           new Ast.If(
               span,
-              expressions.expression(c.expression()),
+              question(c.sequence(), c.RPAREN()),
               first(c.body(), c.RPAREN(), c.ELSE()),
               second(c.body(), c.ELSE(), c));
       case WhileStatementContext c ->
           new Ast.While(
               span,
-              flavor(c.flavor(), "while", c.WHILE(), Flavor.SEMICOLON, "|;"),
-              expressions.expression(c.expression()),
+              flavor(c.flavor(), "while", c.WHILE(), Flavor.SEMICOLON, "|;,"),
+              question(c.sequence(), c.RPAREN()),
               body(c.body(), c.RPAREN()));
       case ForEachContext c -> forEach(c, span);
       case ForStatementContext c ->
@@ -99,12 +99,12 @@ final class Control {
           new Ast.ClassDefinition(
               span,
               primaries.place(c.path()),
-              c.expression().stream().map(expressions::value).toList(),
+              c.proto().stream().map(p -> expressions.value(p.expression())).toList(),
               c.scope() == null ? null : primaries.scope(c.scope()));
       case PackageStatementContext c ->
           new Ast.PackageDefinition(span, primaries.place(c.path()), primaries.scope(c.scope()));
       case ImportStatementContext c ->
-          new Ast.Import(span, names(c.identifier()), c.STAR() != null);
+          imported(c, span);
       case EnumStatementContext c ->
           new Ast.EnumDefinition(span, primaries.place(c.path()), names(c.identifier()));
       case GetStatementContext c ->
@@ -121,6 +121,25 @@ final class Control {
               primaries.function(span, false, c.formals(), c.scope()));
       default -> throw new IllegalStateException(context.getText());
     };
+  }
+
+  private static Ast imported(ImportStatementContext context, Span span) {
+    List<String> path = new ArrayList<>(names(context.identifier()));
+    if (context.THIS() != null) {
+      path.addFirst("this");
+    }
+    return new Ast.Import(span, List.copyOf(path), context.STAR() != null);
+  }
+
+  /** A condition: an expression, or statements of which the last tells. */
+  private Ast question(SequenceContext context, TerminalNode end) {
+    Ast.Sequence sequence = statements.sequence(context);
+    if (sequence.statements().isEmpty()) {
+      errors.add(errors.span(end.getSymbol()), "unexpected )");
+    }
+    return sequence.statements().size() == 1 && sequence.separators().isEmpty()
+        ? sequence.statements().getFirst()
+        : sequence;
   }
 
   private static List<String> names(List<IdentifierContext> identifiers) {

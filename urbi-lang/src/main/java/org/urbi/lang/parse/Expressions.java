@@ -96,6 +96,16 @@ final class Expressions {
         yield new Ast.Message(
             errors.span(context), value(unary.expression()), operator(unary.op), List.of(), name);
       }
+      case PrefixExpressionContext prefix -> {
+        Ast target = expression(prefix.expression());
+        lvalue(target);
+        Span one = errors.span(prefix.op);
+        yield new Ast.OperatorAssignment(
+            errors.span(context),
+            target,
+            prefix.op.getType() == UrbiLexer.INCREMENT ? "+=" : "-=",
+            new Ast.FloatLiteral(one, 1));
+      }
       case PrimaryExpressionContext primary -> primaries.primary(primary.primary());
       default -> throw new IllegalStateException(context.getText());
     };
@@ -107,10 +117,8 @@ final class Expressions {
       checked(left);
     }
     return switch (context) {
-      case SlotExpressionContext slot -> {
-        Token name = slot.selector().getStart();
-        yield new Ast.Message(span, left, Literals.name(name), null, errors.span(name));
-      }
+      case SlotExpressionContext slot ->
+          primaries.slot(span, left, slot.selector().getStart());
       case AccessExpressionContext access ->
           new Ast.SlotAccess(span, left, Literals.name(access.selector().getStart()));
       case PropertyExpressionContext property -> property(property, left, span);
@@ -135,10 +143,8 @@ final class Expressions {
               emit.expression().size() < 2 ? null : value(emit.expression(1)));
       case BinaryExpressionContext binary ->
           binary(span, left, binary.op, binary.expression(1));
-      case ComparisonContext comparison -> {
-        nonAssociative(comparison.expression(0), comparison.op);
-        yield binary(span, left, comparison.op, comparison.expression(1));
-      }
+      case ComparisonContext comparison ->
+          binary(span, left, comparison.op, comparison.expression(1));
       case MembershipContext membership -> membership(membership, left, span);
       case ConjunctionContext and -> new Ast.And(span, left, value(and.expression(1)));
       case DisjunctionContext or -> new Ast.Or(span, left, value(or.expression(1)));
@@ -199,14 +205,13 @@ final class Expressions {
   }
 
   private void nonAssociative(ExpressionContext left, Token operator) {
-    boolean comparison = left instanceof ComparisonContext && operator.getType() != UrbiLexer.IN;
-    if (comparison || left instanceof MembershipContext && operator.getType() == UrbiLexer.IN) {
+    if (left instanceof MembershipContext) {
       errors.add(errors.span(operator), "unexpected " + operator.getText());
     }
   }
 
   private Ast assignment(AssignmentContext context, Ast left, Span span) {
-    lvalue(left);
+    // Anything may be assigned to: it is a pattern then.
     List<Ast.Modifier> modifiers = new ArrayList<>();
     for (ModifierContext modifier : context.modifier()) {
       modifiers.add(

@@ -54,7 +54,7 @@ final class Literals {
       seconds +=
           switch (text.substring(unit, end)) {
             case "ms" -> value / 1000;
-            case "min" -> value * 60;
+            case "m", "min" -> value * 60;
             case "h" -> value * 3600;
             case "d" -> value * 86400;
             default -> value;
@@ -79,6 +79,13 @@ final class Literals {
   /** The name an identifier stands for. */
   static String name(Token token) {
     String text = token.getText();
-    return text.startsWith("'") ? Escapes.value(text) : text;
+    if (text.startsWith("'")) {
+      return Escapes.value(text);
+    }
+    boolean operator =
+        text.startsWith("operator")
+            && text.length() > 8
+            && !Character.isJavaIdentifierPart(text.charAt(8));
+    return operator ? text.substring(8).strip() : text;
   }
 }

@@ -34,7 +34,8 @@ final class Primaries {
       case StringLiteralContext c -> new Ast.StringLiteral(span, Literals.string(c.STRING()));
       case ThisPrimaryContext c -> new Ast.This(span);
       case CallPrimaryContext c -> call(span);
-      case NamePrimaryContext c -> name(c.identifier().getStart(), null);
+      case NamePrimaryContext c -> name(c.getStart(), null);
+      case DerivativePrimaryContext c -> slot(span, null, c.getStart());
       case AccessPrimaryContext c ->
           new Ast.SlotAccess(span, null, Literals.name(c.identifier().getStart()));
       case ParenthesesContext c -> parentheses(c, span);
@@ -68,10 +69,31 @@ final class Primaries {
     return new Ast.CallMessage(span);
   }
 
+  /** {@code target.name}; {@code name'd} is the slot {@code 'd} of the slot {@code name}. */
+  Ast.Message slot(Span span, Ast target, Token token) {
+    Span written = errors.span(token);
+    String text = token.getText();
+    if (token.getType() != UrbiLexer.DERIVATIVE) {
+      return new Ast.Message(span, target, Literals.name(token), null, written);
+    }
+    int prime = text.indexOf('\'');
+    int at = written.begin() + prime;
+    Span first = errors.span(written.begin(), at);
+    Ast variable =
+        new Ast.Message(
+            target == null ? first : errors.span(span.begin(), at),
+            target,
+            text.substring(0, prime),
+            null,
+            first);
+    return new Ast.Message(
+        span, variable, text.substring(prime), null, errors.span(at, written.end()));
+  }
+
   private Ast.Message name(Token token, Ast target) {
     Span name = errors.span(token);
     Span span = target == null ? name : target.span().to(name);
-    return new Ast.Message(span, target, Literals.name(token), null, name);
+    return slot(span, target, token);
   }
 
   /** {@code a.b.c}. */

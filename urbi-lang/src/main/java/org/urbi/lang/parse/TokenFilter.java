@@ -47,6 +47,7 @@ final class TokenFilter {
       Set.of(
           UrbiLexer.ANGLE,
           UrbiLexer.CALL,
+          UrbiLexer.DERIVATIVE,
           UrbiLexer.DURATION,
           UrbiLexer.FLOAT,
           UrbiLexer.IDENTIFIER,
@@ -135,6 +136,7 @@ final class TokenFilter {
     } else if ((text.equals("get") || text.equals("set"))
         && (type(i + 1) == UrbiLexer.IDENTIFIER
             || type(i + 1) == UrbiLexer.QUOTED
+            || type(i + 1) == UrbiLexer.NEW
             || type(i + 1) == UrbiLexer.THIS)) {
       become(i, text.equals("get") ? UrbiLexer.GET : UrbiLexer.SET);
     }
