@@ -256,9 +256,17 @@ final class Primaries {
               Literals.name(formal.identifier().getStart()),
               value,
               variadic,
-              formal.path() == null ? null : path(formal.path())));
+              formal.type().isEmpty() ? null : type(formal.type(0))));
     }
     return List.copyOf(formals);
+  }
+
+  private Ast type(TypeContext context) {
+    Ast type = primary(context.primary());
+    for (SelectorContext selector : context.selector()) {
+      type = name(selector.getStart(), type);
+    }
+    return type;
   }
 
   Ast.Scope scope(ScopeContext context) {
