@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.urbi.kernel.node.Frame;
-import org.urbi.kernel.node.Primitive;
+import org.urbi.kernel.node.Function;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiFloat;
@@ -70,8 +70,8 @@ final class Printing {
 
   /** Whether it is shown by the library, and not by functions of a program. */
   private boolean isPlain(UrbiObject value) {
-    return value.lookup(asPrintable) instanceof Primitive
-        && value.lookup(asString) instanceof Primitive;
+    return !(value.lookup(asPrintable) instanceof Function)
+        && !(value.lookup(asString) instanceof Function);
   }
 
   private void appendContainer(UrbiObject container) {
@@ -81,7 +81,7 @@ final class Printing {
         List<UrbiObject> elements = tuple.elements();
         appendElements("(", elements, elements.size() == 1 ? ",)" : ")", repeated);
       }
-      case UrbiDictionary dictionary -> appendEntries(dictionary.entries(), repeated);
+      case UrbiDictionary dictionary -> appendEntries(dictionary.sorted(), repeated);
       default -> appendElements("[", ((UrbiList) container).elements(), "]", repeated);
     }
     if (!repeated) {
@@ -105,13 +105,14 @@ final class Printing {
     out.append(closing);
   }
 
-  private void appendEntries(Map<UrbiDictionary.Key, UrbiObject> entries, boolean repeated) {
+  private void appendEntries(
+      List<Map.Entry<UrbiDictionary.Key, UrbiObject>> entries, boolean repeated) {
     if (repeated || entries.isEmpty()) {
       out.append(repeated ? "[...]" : "[ => ]");
       return;
     }
     String separator = "[";
-    for (Map.Entry<UrbiDictionary.Key, UrbiObject> entry : List.copyOf(entries.entrySet())) {
+    for (Map.Entry<UrbiDictionary.Key, UrbiObject> entry : entries) {
       out.append(separator);
       separator = ", ";
       append(entry.getKey().value());

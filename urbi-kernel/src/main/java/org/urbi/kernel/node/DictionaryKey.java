@@ -2,6 +2,7 @@ package org.urbi.kernel.node;
 
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiFloat;
+import org.urbi.kernel.object.UrbiHash;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 
@@ -10,6 +11,11 @@ public final class DictionaryKey {
   private DictionaryKey() {}
 
   private record TextKey(String text, UrbiObject value) implements UrbiDictionary.Key {
+    @Override
+    public Comparable<?> rank() {
+      return text;
+    }
+
     @Override
     public boolean equals(Object other) {
       return other instanceof TextKey key && text.equals(key.text);
@@ -22,6 +28,11 @@ public final class DictionaryKey {
   }
 
   private record NumberKey(double number, UrbiObject value) implements UrbiDictionary.Key {
+    @Override
+    public Comparable<?> rank() {
+      return number;
+    }
+
     @Override
     public boolean equals(Object other) {
       return other instanceof NumberKey key && number == key.number;
@@ -36,6 +47,11 @@ public final class DictionaryKey {
   /** Any other object: asks it. */
   private record ObjectKey(Frame frame, int hash, UrbiObject value)
       implements UrbiDictionary.Key {
+    @Override
+    public Comparable<?> rank() {
+      return null;
+    }
+
     @Override
     public boolean equals(Object other) {
       return other instanceof ObjectKey key
@@ -59,7 +75,12 @@ public final class DictionaryKey {
       return new NumberKey(number.value(), value);
     }
     UrbiObject hash = frame.interpreter.send(frame, value, "hash");
-    int code = hash instanceof UrbiFloat number ? Double.hashCode(number.value()) : 0;
+    int code =
+        switch (hash) {
+          case UrbiHash known -> Long.hashCode(known.code());
+          case UrbiFloat number -> Double.hashCode(number.value());
+          default -> 0;
+        };
     return new ObjectKey(frame, code, value);
   }
 }

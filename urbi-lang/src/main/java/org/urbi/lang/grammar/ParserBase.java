@@ -7,13 +7,16 @@ import org.antlr.v4.runtime.TokenStream;
 
 /** A parser that refuses to nest without end. */
 public abstract class ParserBase extends Parser {
-  /** Rules inside each other; some five of them for a pair of parentheses. */
-  private static final int LIMIT = 3000;
-
   private int depth;
+  private int limit = Integer.MAX_VALUE;
 
   protected ParserBase(TokenStream input) {
     super(input);
+  }
+
+  /** Sets how many rules may be inside each other; some four make a pair of parentheses. */
+  public void limit(int rules) {
+    limit = rules;
   }
 
   @Override
@@ -48,7 +51,7 @@ public abstract class ParserBase extends Parser {
 
   private void deeper() {
     depth++;
-    if (depth > LIMIT) {
+    if (depth > limit) {
       throw new TooDeep(getCurrentToken());
     }
   }

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Set;
+import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.grammar.UrbiLexer;
@@ -14,16 +15,16 @@ import org.urbi.lang.source.Span;
 
 /** Trees of expressions. */
 final class Expressions {
-  /** Operands of one expression without parentheses: trees are walked recursively. */
-  private static final int LIMIT = 3000;
+  /** How deep trees may be: they are walked recursively. */
+  private static final int LIMIT = 1000;
 
-  /** Thrown by an expression of too many operands. */
+  /** Thrown by a tree that would be too deep. */
   static final class TooLong extends RuntimeException {
     private static final long serialVersionUID = 1;
     private final transient Span span;
 
     TooLong(Span span) {
-      super("expression too long", null, false, false);
+      super("nesting too deep", null, false, false);
       this.span = span;
     }
 
@@ -35,6 +36,9 @@ final class Expressions {
   private final Errors errors;
   private final Statements statements;
   private final Primaries primaries;
+
+  /** How deep the tree is where it grows. */
+  private int depth;
 
   /** Positive inside a pattern, where {@code var x} binds. */
   private int patterns;
@@ -70,9 +74,7 @@ final class Expressions {
       chain.push(at);
       at = left;
     }
-    if (chain.size() > LIMIT) {
-      throw new TooLong(errors.span(context));
-    }
+    deeper(chain.size() + 1, context);
     boolean target = chain.stream().anyMatch(AssignmentContext.class::isInstance);
     if (target) {
       patterns++;
@@ -85,8 +87,18 @@ final class Expressions {
         target = false;
       }
       tree = combine(next, tree);
+      depth--;
     }
+    depth--;
     return tree;
+  }
+
+  /** Goes down (or up) in the tree. */
+  void deeper(int levels, ParserRuleContext context) {
+    depth += levels;
+    if (depth > LIMIT) {
+      throw new TooLong(errors.span(context.getStart()));
+    }
   }
 
   private Ast leaf(ExpressionContext context) {

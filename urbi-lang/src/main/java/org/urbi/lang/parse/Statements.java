@@ -77,7 +77,10 @@ final class Statements {
           ? expression
           : tagged(errors.span(context), expression, statement.body(), statement.COLON());
     }
-    return control.statement(context);
+    expressions.deeper(1, context);
+    Ast statement = control.statement(context);
+    expressions.deeper(-1, context);
+    return statement;
   }
 
   /** {@code tag: body}. */
@@ -85,7 +88,14 @@ final class Statements {
     if (tag instanceof Ast.Declaration declaration && declaration.value() == null) {
       errors.add(errors.span(colon.getSymbol()), "unexpected :");
     }
-    return new Ast.Tagged(span, tag, body(body, colon.getSymbol()));
+    if (body != null) {
+      expressions.deeper(1, body);
+    }
+    Ast statement = body(body, colon.getSymbol());
+    if (body != null) {
+      expressions.deeper(-1, body);
+    }
+    return new Ast.Tagged(span, tag, statement);
   }
 
   /** What a statement governs; nothing at all is nothing to do. */

@@ -1,6 +1,7 @@
 package org.urbi.lang.parse;
 
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 import org.antlr.v4.runtime.BaseErrorListener;
 import org.antlr.v4.runtime.CharStreams;
 import org.antlr.v4.runtime.CommonTokenStream;
@@ -50,8 +51,54 @@ public final class UrbiParser {
 
   private UrbiParser() {}
 
+  /** Rules inside each other that any thread's stack has room for. */
+  private static final int SHALLOW = 500;
+
+  /** Rules inside each other that there may be, and the bytes of stack for them. */
+  private static final int DEEP = 8000;
+
+  private static final long STACK = 64L << 20;
+
   /** Parses a whole text; never throws. */
   public static Parsed parse(Source source) {
+    try {
+      return parse(source, SHALLOW);
+    } catch (ParserBase.TooDeep e) {
+      return parseDeep(source);
+    }
+  }
+
+  /** What nests deeply is parsed where there is room for it. */
+  private static Parsed parseDeep(Source source) {
+    var parsed = new AtomicReference<Parsed>();
+    Runnable work =
+        () -> {
+          try {
+            parsed.set(parse(source, DEEP));
+          } catch (ParserBase.TooDeep e) {
+            var errors = new Errors(source);
+            errors.add(errors.span(e.token()), "nesting too deep");
+            parsed.set(failed(source, errors));
+          }
+        };
+    var thread = new Thread(null, work, "urbi-parser", STACK);
+    thread.setDaemon(true);
+    thread.start();
+    boolean interrupted = false;
+    while (parsed.get() == null && thread.isAlive()) {
+      try {
+        thread.join();
+      } catch (InterruptedException e) {
+        interrupted = true;
+      }
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+    return parsed.get();
+  }
+
+  private static Parsed parse(Source source, int limit) {
     var errors = new Errors(source);
     List<? extends Token> tokens = tokens(source, errors);
     if (!errors.isEmpty()) {
@@ -61,6 +108,7 @@ public final class UrbiParser {
     try {
       var stream = new CommonTokenStream(new ListTokenSource(tokens));
       var parser = new org.urbi.lang.grammar.UrbiParser(stream);
+      parser.limit(limit);
       parser.removeErrorListeners();
       parser.addErrorListener(FAIL);
       var program = program(parser);
@@ -70,10 +118,8 @@ public final class UrbiParser {
       }
     } catch (Failure failure) {
       unexpected(failure.token, tokens, errors);
-    } catch (ParserBase.TooDeep e) {
-      errors.add(errors.span(e.token()), "nesting too deep");
     } catch (Expressions.TooLong e) {
-      errors.add(e.span(), "expression too long");
+      errors.add(e.span(), "nesting too deep");
     }
     return failed(source, errors);
   }
