@@ -48,6 +48,10 @@ public final class SlotUpdate {
       }
       return;
     }
+    if (target instanceof SlotProxy proxy) {
+      proxy.updateSlot(frame, name, value);
+      return;
+    }
     UrbiObject holder = target.locate(name);
     if (holder == null) {
       throw frame.interpreter.errors().lookup(target, name.name());
