@@ -23,8 +23,9 @@ final class BadNumberException {
 
   @Builtin(doc = "The routine, and what is wrong with the number.")
   static String asString(Frame frame, UrbiObject self) {
-    return ExceptionType.text(frame, self, "routine")
-        + ": "
+    String routine = ExceptionType.text(frame, self, "routine");
+    // An argument exception names the routine itself.
+    return (routine.isEmpty() ? "" : routine + ": ")
         + ExceptionType.text(frame, self, "fmt")
             .replace("%s", ExceptionType.text(frame, self, "effective"));
   }

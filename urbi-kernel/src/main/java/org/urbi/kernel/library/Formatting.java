@@ -49,7 +49,7 @@ final class Formatting {
         .badNumber(
             "BadInteger",
             routine,
-            "expected integer, got " + Printing.printable(caller, number),
+            "expected integer, got %s",
             number);
   }
 
