@@ -3,22 +3,38 @@ package org.urbi.kernel.builtin;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
 
 /**
  * The builtins of one type of the library. The subclasses are generated from the annotations when
  * the project is compiled, so that starting a kernel needs no reflection and no scan.
  */
 public abstract class BuiltinTable {
-  /** One builtin, as declared. */
-  protected record Entry(String name, int min, int max, boolean lazy, String doc) {}
+  /**
+   * One builtin, as declared.
+   *
+   * @param max {@link Integer#MAX_VALUE} when there may be any number of arguments
+   * @param setter whether it is called when the slot of that name is assigned
+   * @param formals the arguments as the documentation shows them; empty when there are none
+   */
+  public record Entry(
+      String name,
+      int min,
+      int max,
+      boolean lazy,
+      boolean setter,
+      String formals,
+      String doc) {}
 
   private final String type;
   private final String doc;
+  private final String[] protos;
   private final Entry[] entries;
 
-  protected BuiltinTable(String type, String doc, Entry... entries) {
+  protected BuiltinTable(String type, String doc, String[] protos, Entry[] entries) {
     this.type = type;
     this.doc = doc;
+    this.protos = protos;
     this.entries = entries;
   }
 
@@ -27,9 +43,27 @@ public abstract class BuiltinTable {
     return type;
   }
 
-  /** What the type is, in a sentence. */
+  /** What the type is, in a sentence; empty in a {@linkplain #isPart part}. */
   public final String doc() {
     return doc;
+  }
+
+  /** Whether these are more builtins of a type that another table, an earlier one, declares. */
+  public final boolean isPart() {
+    return protos == null;
+  }
+
+  /** The names of the prototypes, first looked up first; not for a {@linkplain #isPart part}. */
+  public final String[] protos() {
+    return protos.clone();
+  }
+
+  /**
+   * A new object of the Java class that the values of this type have, to become the prototype of
+   * the type; null when a plain object will do.
+   */
+  public UrbiObject newPrototype(World world) {
+    return null;
   }
 
   public final int size() {
@@ -51,6 +85,19 @@ public abstract class BuiltinTable {
 
   public final boolean isLazy(int index) {
     return entries[index].lazy;
+  }
+
+  /**
+   * Whether it is not the value of a slot, but what is called when the slot of that name, which
+   * another builtin is the value of, is assigned ({@code SlotData.setter}).
+   */
+  public final boolean isSetter(int index) {
+    return entries[index].setter;
+  }
+
+  /** The arguments as the documentation shows them: {@code (from, to?)}; empty without any. */
+  public final String formals(int index) {
+    return entries[index].formals;
   }
 
   public final String doc(int index) {

@@ -111,7 +111,7 @@ public final class Errors {
 
   /** {@code routine: message}. */
   public UrbiException primitive(String routine, String message) {
-    return of("Primitive", routine + ": " + message).with("routine", routine).build();
+    return of("Primitive", message).with("routine", routine).build();
   }
 
   /** {@code property lookup failed: slot->property}. */
@@ -149,7 +149,8 @@ public final class Errors {
     } else if (max == Integer.MAX_VALUE) {
       expected = "at least " + min + (min < 2 ? " argument" : " arguments");
     } else {
-      expected = "between " + min + " and " + max + " arguments";
+      expected =
+          "between " + min + " and " + max + (max < 2 ? " argument" : " arguments");
     }
     return routine + ": expected " + expected + ", given " + given;
   }
@@ -162,8 +163,36 @@ public final class Errors {
             .with("effective", effective)
             .with("expected", expected)
             .object();
-    String text = causeMessage(cause);
-    return of("Argument", routine + ": " + place(index) + ": " + text)
+    return argument(routine, index, cause);
+  }
+
+  /**
+   * {@code routine: argument 1: expected integer, got 0.5}; about the target, {@code routine:
+   * expected integer, got 0.5}.
+   *
+   * @param type such as "BadInteger"
+   * @param message what precedes the number
+   */
+  public UrbiException argumentNumber(
+      String type, String routine, int index, String message, UrbiObject effective) {
+    String text = message + shown.show(effective);
+    if (index == 0) {
+      return of(type, routine + ": " + text)
+          .with("routine", routine)
+          .with("effective", effective)
+          .build();
+    }
+    return argument(
+        routine, index, of(type, text).with("effective", effective).object());
+  }
+
+  /**
+   * {@code routine: argument 1: …}, with the message of another exception.
+   *
+   * @param cause what was wrong with the argument
+   */
+  public UrbiException argument(String routine, int index, UrbiObject cause) {
+    return of("Argument", routine + ": " + place(index) + ": " + causeMessage(cause))
         .with("routine", routine)
         .with("index", index)
         .with("exception", cause)
@@ -185,8 +214,9 @@ public final class Errors {
 
   /** {@code routine: message} about a number. */
   public UrbiException badNumber(String type, String routine, String message, UrbiFloat effective) {
-    return of(type, routine + ": " + message)
+    return of(type, message)
         .with("routine", routine)
+        .with("fmt", message)
         .with("effective", effective)
         .build();
   }

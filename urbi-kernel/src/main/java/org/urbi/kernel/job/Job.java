@@ -2,6 +2,7 @@ package org.urbi.kernel.job;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.urbi.kernel.object.Dependencies;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
@@ -137,7 +138,7 @@ public final class Job implements Runnable {
     if (group != null) {
       group.childEnded(this, failure);
     } else if (failure != null) {
-      scheduler.uncaught(this, failure);
+      scheduler.report(this, failure);
     }
     if (endListeners != null) {
       endListeners.forEach(Runnable::run);
@@ -190,7 +191,11 @@ public final class Job implements Runnable {
   }
 
   private void switchOut() {
+    // What others read does not count for the condition that this job is evaluating.
+    Dependencies.Tracker tracker = scheduler.world().tracker;
+    scheduler.world().tracker = null;
     thread.suspend();
+    scheduler.world().tracker = tracker;
     state = State.RUNNING;
     checkInjected();
   }
@@ -201,6 +206,13 @@ public final class Job implements Runnable {
       Unwinding unwinding = injected;
       injected = null;
       throw unwinding;
+    }
+  }
+
+  /** To be called now and then by code that never switches: somebody may want it ended. */
+  public void checkInterrupted() {
+    if (scheduler.isInterrupted(lobby)) {
+      throw new TagStop(null, null);
     }
   }
 

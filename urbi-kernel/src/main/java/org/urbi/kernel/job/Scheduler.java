@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
 import org.urbi.kernel.time.Clock;
 
 /**
@@ -24,7 +25,9 @@ public final class Scheduler {
   /** …by that much, or a job that never waits would keep the others asleep for ever. */
   private static final long BUSY_STEP = 1_000_000;
 
+  private final World world;
   private final Clock clock;
+  private volatile UrbiObject interrupted;
   private final Inbox inbox = new Inbox();
   private final Timers timers = new Timers();
   private final JobThread.Factory threads;
@@ -45,7 +48,9 @@ public final class Scheduler {
   /**
    * @param uncaught told what a job, which nobody waits for, was left by
    */
-  public Scheduler(Clock clock, JobThreads threads, BiConsumer<Job, Throwable> uncaught) {
+  public Scheduler(
+      World world, Clock clock, JobThreads threads, BiConsumer<Job, Throwable> uncaught) {
+    this.world = world;
     this.clock = clock;
     this.threads = threads.factory(inbox::post);
     this.uncaught = uncaught;
@@ -56,6 +61,10 @@ public final class Scheduler {
   /** The time of this tick, in nanoseconds since the kernel was started. */
   public long now() {
     return now;
+  }
+
+  World world() {
+    return world;
   }
 
   public Clock clock() {
@@ -127,7 +136,12 @@ public final class Scheduler {
   }
 
   private String nextName(String prefix) {
-    return prefix + "_" + ++sequence;
+    return prefix + "_" + nextNumber();
+  }
+
+  /** A number that nobody had before, to name jobs and tags. */
+  public long nextNumber() {
+    return ++sequence;
   }
 
   void enqueue(Job job) {
@@ -138,7 +152,8 @@ public final class Scheduler {
     jobs.remove(job);
   }
 
-  void uncaught(Job job, Throwable failure) {
+  /** Tells of a failure which nobody will catch. */
+  public void report(Job job, Throwable failure) {
     uncaught.accept(job, failure);
   }
 
@@ -155,11 +170,38 @@ public final class Scheduler {
     return false;
   }
 
+  /**
+   * Ends the job of that lobby which is running without ever switching, if there is one; from any
+   * thread.
+   */
+  public void interrupt(UrbiObject lobby) {
+    interrupted = lobby;
+  }
+
+  boolean isInterrupted(UrbiObject lobby) {
+    if (interrupted != null && interrupted == lobby) {
+      interrupted = null;
+      return true;
+    }
+    return false;
+  }
+
   // ------------------------------------------------------------------ the loop
 
-  /** Starts the kernel thread. */
-  public Thread startLoop() {
-    return threads.startLoop(this::loop);
+  /**
+   * Starts the kernel thread.
+   *
+   * @param whenEnded the last thing that it does
+   */
+  public Thread startLoop(Runnable whenEnded) {
+    return threads.startLoop(
+        () -> {
+          try {
+            loop();
+          } finally {
+            whenEnded.run();
+          }
+        });
   }
 
   /** Ends the loop after this tick; on the kernel thread. */

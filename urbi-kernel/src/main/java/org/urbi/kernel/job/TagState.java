@@ -12,20 +12,45 @@ import org.urbi.kernel.object.UrbiObject;
  */
 public final class TagState {
   final Set<TagScope> scopes = new LinkedHashSet<>();
-  private final TagState parent;
+  private final UrbiObject owner;
   private boolean frozen;
   private boolean blocked;
   private UrbiObject blockedValue;
 
   /**
-   * @param parent the tag whose code all the code under this one is, too; or null
+   * @param owner the urbiscript object that stands on this
    */
-  public TagState(TagState parent) {
-    this.parent = parent;
+  public TagState(UrbiObject owner) {
+    this.owner = owner;
   }
 
-  public TagState parent() {
-    return parent;
+  /** The urbiscript object that stands on this. */
+  public UrbiObject owner() {
+    return owner;
+  }
+
+  /** Whether nothing is running under this tag, not even what has been frozen. */
+  public boolean isIdle() {
+    for (TagScope scope : scopes) {
+      if (!scope.allJobs().isEmpty()) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Does something, once, when the last job that is running under this tag ends. */
+  public void onIdle(Runnable action) {
+    List<Job> jobs = jobs();
+    int[] left = {jobs.size()};
+    for (Job job : jobs) {
+      job.onEnd(
+          () -> {
+            if (--left[0] == 0) {
+              action.run();
+            }
+          });
+    }
   }
 
   public boolean isFrozen() {
@@ -49,6 +74,15 @@ public final class TagState {
       }
       for (Job job : scope.allJobs()) {
         job.inject(new TagStop(scope, value));
+      }
+    }
+  }
+
+  /** Ends what waits under this tag without a job; the code that is running goes on. */
+  public void dismiss() {
+    for (TagScope scope : new ArrayList<>(scopes)) {
+      for (TagScope.Attachment attachment : scope.allAttachments()) {
+        attachment.stopped();
       }
     }
   }

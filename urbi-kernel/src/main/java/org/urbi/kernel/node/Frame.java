@@ -41,8 +41,14 @@ public final class Frame {
   final Cell[] cells;
   final Cell[] captured;
 
+  /** The same for all the frames of one activation, and for no others. */
+  final Object activation;
+
   /** Set by {@code break}, {@code continue} and {@code return}; null while all goes on. */
   Completion completion;
+
+  /** The exception that the {@code catch} clause being executed has caught, or null. */
+  UrbiException caught;
 
   /** The jobs to which the scope being executed has given statements, or null. */
   Background background;
@@ -57,7 +63,8 @@ public final class Frame {
       Function function,
       UrbiObject[] locals,
       Cell[] cells,
-      Cell[] captured) {
+      Cell[] captured,
+      Object activation) {
     this.interpreter = interpreter;
     this.job = job;
     this.depth = depth;
@@ -68,6 +75,7 @@ public final class Frame {
     this.locals = locals;
     this.cells = cells;
     this.captured = captured;
+    this.activation = activation == null ? this : activation;
   }
 
   /** The frame of code at the top level of a lobby, or called from Java. */
@@ -82,7 +90,8 @@ public final class Frame {
         null,
         layout.newLocals(),
         layout.newCells(),
-        NO_CELLS);
+        NO_CELLS,
+        null);
   }
 
   /** The frame of a call made from this one; the locals begin with the arguments. */
@@ -97,13 +106,40 @@ public final class Frame {
         called,
         arguments,
         called.layout().newCells(),
-        called.captured());
+        called.captured(),
+        null);
+  }
+
+  /** The frame of code evaluated on behalf of a library function called at that site. */
+  public Frame nested(CallSite from, UrbiObject target, FrameLayout layout) {
+    return new Frame(
+        interpreter,
+        job,
+        depth + 1,
+        this,
+        from,
+        target,
+        null,
+        layout.newLocals(),
+        layout.newCells(),
+        NO_CELLS,
+        null);
   }
 
   /** The same activation with another {@code this}: the body of {@code do}. */
   Frame withSelf(UrbiObject target) {
     return new Frame(
-        interpreter, job, depth, caller, site, target, function, locals, cells, captured);
+        interpreter,
+        job,
+        depth,
+        caller,
+        site,
+        target,
+        function,
+        locals,
+        cells,
+        captured,
+        activation);
   }
 
   /**
@@ -111,27 +147,33 @@ public final class Frame {
    *
    * @param waited whether the frame waits for that job, so that it is among its callers
    */
-  Frame fork(Job other, boolean waited) {
+  public Frame fork(Job other, boolean waited) {
     return new Frame(
         interpreter,
         other,
         depth,
-        waited ? caller : null,
-        waited ? site : null,
+        keepsCaller(waited) ? caller : null,
+        keepsCaller(waited) ? site : null,
         self,
         function,
         locals.clone(),
         cells.clone(),
-        captured);
+        captured,
+        activation);
+  }
+
+  /** A job that outlives its caller must not keep it alive, unless it can ask for it. */
+  private boolean keepsCaller(boolean waited) {
+    return waited || (function != null && function.usesCall());
   }
 
   /** The same activation, variables included, seen by code that another job evaluates for it. */
-  Frame in(Frame evaluator) {
-    return evaluator.job == job
+  public Frame in(Job evaluator) {
+    return evaluator == job
         ? this
         : new Frame(
             interpreter,
-            evaluator.job,
+            evaluator,
             depth,
             caller,
             site,
@@ -139,7 +181,8 @@ public final class Frame {
             function,
             locals,
             cells,
-            captured);
+            captured,
+            activation);
   }
 
   // ------------------------------------------------------------------ for the library
@@ -155,6 +198,26 @@ public final class Frame {
   /** {@code this}. */
   public UrbiObject self() {
     return self;
+  }
+
+  /** The call message's arguments as code, or null; and the activation to evaluate them in. */
+  public CallSite site() {
+    return site;
+  }
+
+  /** Who called; null at the top level. */
+  public Frame caller() {
+    return caller;
+  }
+
+  /** The function that runs; null at the top level. */
+  public Function function() {
+    return function;
+  }
+
+  /** The same for all the frames of one activation, and for no others. */
+  public Object activation() {
+    return activation;
   }
 
   /** The name by which the innermost function was called; null at the top level. */
@@ -177,7 +240,7 @@ public final class Frame {
   }
 
   /** Says where an exception was thrown, if that is not known yet. */
-  UrbiException located(UrbiException exception, Span span) {
+  public UrbiException located(UrbiException exception, Span span) {
     if (!exception.isLocated()) {
       exception.locate(span, backtrace());
     }

@@ -15,11 +15,21 @@ public final class Function extends Code {
     /** Where the parameters that are cells stand, by parameter; -1 for plain ones. */
     final int[] parameterCells;
 
+    final boolean usesCall;
     Node code;
 
+    /**
+     * @param formals null for a lazy function
+     * @param usesCall whether the code asks for its call message
+     */
     public Body(
-        Ast.Function source, FrameLayout layout, Formals formals, int[] parameterCells) {
+        Ast.Function source,
+        FrameLayout layout,
+        Formals formals,
+        int[] parameterCells,
+        boolean usesCall) {
       this.source = source;
+      this.usesCall = usesCall;
       this.layout = layout;
       this.formals = formals;
       this.parameterCells = parameterCells;
@@ -53,6 +63,10 @@ public final class Function extends Code {
     return body.layout;
   }
 
+  boolean usesCall() {
+    return body.usesCall;
+  }
+
   Cell[] captured() {
     return captured;
   }
@@ -68,15 +82,10 @@ public final class Function extends Code {
 
   @Override
   public UrbiObject call(Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
-    UrbiObject[] locals;
-    if (body.formals == null) {
-      // The arguments that come from Java are kept for the call message, behind the variables.
-      int size = body.layout.locals();
-      locals = new UrbiObject[size + arguments.length];
-      System.arraycopy(arguments, 0, locals, size, arguments.length);
-    } else {
-      locals = body.formals.bind(caller, site, this, arguments);
-    }
+    UrbiObject[] locals =
+        body.formals == null
+            ? body.layout.newLocals()
+            : body.formals.bind(caller, site, this, arguments);
     return run(caller, site, self, locals);
   }
 
@@ -100,7 +109,7 @@ public final class Function extends Code {
     try {
       return body.code.execute(frame);
     } catch (Leave.Return leave) {
-      if (leave.frame() != frame.locals) {
+      if (leave.activation() != frame.activation) {
         throw leave;
       }
       return leave.value();

@@ -4,7 +4,7 @@ import java.util.List;
 
 /** A tuple (manual, "Tuple"): a fixed number of elements. */
 public final class UrbiTuple extends UrbiObject {
-  private final UrbiObject[] elements;
+  private UrbiObject[] elements;
 
   public UrbiTuple(Shape shape, List<? extends UrbiObject> elements) {
     super(shape);
@@ -22,6 +22,12 @@ public final class UrbiTuple extends UrbiObject {
 
   public void set(int index, UrbiObject value) {
     elements[index] = value;
+    noteContentChange();
+  }
+
+  /** Replaces all the elements: what a constructor does. */
+  public void setElements(List<? extends UrbiObject> others) {
+    elements = others.toArray(UrbiObject[]::new);
     noteContentChange();
   }
 

@@ -20,6 +20,10 @@ public final class Values {
   public final UrbiDictionary dictionaryProto;
   public final UrbiObject nil;
   public final UrbiObject voidObject;
+
+  /** What {@code void.acceptVoid} returns: void, but it can be passed on. */
+  public final UrbiObject acceptedVoid;
+
   public final UrbiObject booleanProto;
   public final UrbiObject trueObject;
   public final UrbiObject falseObject;
@@ -38,7 +42,8 @@ public final class Values {
     tupleProto = new UrbiTuple(child, List.of());
     dictionaryProto = new UrbiDictionary(child, Map.of());
     nil = object.cloned();
-    voidObject = object.cloned();
+    voidObject = new UrbiObject(world.orphanShape());
+    acceptedVoid = voidObject.cloned();
     booleanProto = object.cloned();
     trueObject = booleanProto.cloned();
     falseObject = booleanProto.cloned();

@@ -2,6 +2,7 @@ package org.urbi.kernel.object;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.urbi.kernel.time.Randomness;
 
 /**
  * What all the objects of one kernel share: the names, and the state of their lookups. Two kernels
@@ -9,8 +10,11 @@ import java.util.Map;
  */
 public final class World {
   private final Map<String, Symbol> symbols = new LinkedHashMap<>();
+  private final Randomness randomness = new Randomness();
+  private final Map<String, Long> counters = new LinkedHashMap<>();
   private final Shape orphanShape = Shape.root(this, Shape.NO_PROTOS);
   private final Values values = new Values(this);
+  private final Map<String, UrbiObject> prototypes = new LinkedHashMap<>();
   private long lastUid = 0x7f00_0000L;
 
   /** Who wants to know which slots are read, while a condition is evaluated; usually null. */
@@ -29,6 +33,28 @@ public final class World {
   /** The constants and the makers of values. */
   public Values values() {
     return values;
+  }
+
+  /** Declares the prototype of a type of the library, such as "Date" or "Exception.Arity". */
+  public void declarePrototype(String type, UrbiObject prototype) {
+    prototypes.put(type, prototype);
+  }
+
+  /** The prototype of a type of the library, whatever programs call it now; null if unknown. */
+  public UrbiObject prototype(String type) {
+    return prototypes.get(type);
+  }
+
+  /** The random numbers of this kernel. */
+  public Randomness randomness() {
+    return randomness;
+  }
+
+  /** The next number of the counter of that name, which begins with the first one given here. */
+  public long count(String counter, long first) {
+    long number = counters.getOrDefault(counter, first);
+    counters.put(counter, number + 1);
+    return number;
   }
 
   /** The shape of objects without prototypes. */

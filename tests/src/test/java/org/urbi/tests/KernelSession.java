@@ -1,0 +1,198 @@
+package org.urbi.tests;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.Executor;
+import org.urbi.kernel.Client;
+import org.urbi.kernel.Connection;
+import org.urbi.kernel.Kernel;
+import org.urbi.kernel.job.JobThreads;
+
+/**
+ * A kernel and the consoles that tests open on it. This is the only class of the tests that knows
+ * the kernel's Java interface.
+ */
+final class KernelSession implements AutoCloseable {
+
+  /** The two ways to run jobs; both have to give the same output. */
+  enum BackEnd {
+    TICK_LOOP(JobThreads.TICK_LOOP),
+    BATON(JobThreads.BATON);
+
+    private final JobThreads jobThreads;
+
+    BackEnd(JobThreads jobThreads) {
+      this.jobThreads = jobThreads;
+    }
+  }
+
+  /** How a program reaches the kernel; it must not matter. */
+  enum Feeding {
+    WHOLE,
+    BYTE_BY_BYTE
+  }
+
+  /**
+   * What ends a program: a moment for what its last statement has set off to say its last word, and
+   * the end of the kernel.
+   */
+  private static final String EPILOGUE = "\nsleep(1ms)|;\nshutdown;\n";
+
+  /** A statement whose result tells that the kernel thread is ours for the time of a callback. */
+  private static final String STARTER = "0;\n";
+
+  private static final Executor DAEMONS = task -> Thread.ofPlatform().daemon().start(task);
+
+  private final Kernel kernel;
+
+  private KernelSession(Kernel kernel) {
+    this.kernel = kernel;
+  }
+
+  /** A kernel whose time jumps from deadline to deadline. */
+  static KernelSession inVirtualTime(BackEnd backEnd) {
+    return new KernelSession(
+        Kernel.builder().virtualTime(true).jobThreads(backEnd.jobThreads).start());
+  }
+
+  /** A kernel that lives in our time. */
+  static KernelSession inRealTime(BackEnd backEnd) {
+    return new KernelSession(
+        Kernel.builder().virtualTime(false).jobThreads(backEnd.jobThreads).start());
+  }
+
+  /**
+   * Runs a program on a fresh kernel in virtual time until it, or what is put at its end, shuts the
+   * kernel down or quits the connection.
+   *
+   * @return everything that the kernel has sent
+   */
+  static String run(BackEnd backEnd, Feeding feeding, String program) {
+    String input = program + EPILOGUE;
+    try (KernelSession session = inVirtualTime(backEnd)) {
+      Console console = session.connect();
+      if (feeding == Feeding.WHOLE) {
+        console.send(input);
+      } else {
+        console.sendByteByByte(input);
+      }
+      session.awaitEnd(console);
+      return console.output();
+    }
+  }
+
+  /** Opens a connection. */
+  Console connect() {
+    Console console = new Console();
+    console.connection = kernel.connect(console);
+    return console;
+  }
+
+  /** Waits until the kernel has shut down; returns its status. */
+  int awaitShutdown() {
+    try {
+      return kernel.awaitTermination();
+    } catch (Exception e) {
+      throw new IllegalStateException("the kernel did not end well", e);
+    }
+  }
+
+  private void awaitEnd(Console console) {
+    CompletableFuture.anyOf(
+            console.closed, CompletableFuture.supplyAsync(this::awaitShutdown, DAEMONS))
+        .join();
+  }
+
+  @Override
+  public void close() {
+    kernel.close();
+  }
+
+  /** The user's end of a connection; every character is one byte. */
+  static final class Console implements Client {
+    private final CompletableFuture<Void> closed = new CompletableFuture<>();
+    private final ConcurrentLinkedQueue<Expectation> expectations = new ConcurrentLinkedQueue<>();
+    private final StringBuilder output = new StringBuilder();
+    private volatile Connection connection;
+    private volatile String whenStarted;
+
+    private record Expectation(String text, CompletableFuture<Void> met) {}
+
+    void send(String bytes) {
+      connection.send(bytes);
+    }
+
+    /**
+     * Sends a text in as many pieces as it has bytes. In virtual time the clock would run away
+     * between two of them: so they are sent from the kernel thread itself, when it delivers the
+     * result of a first statement, and are all there when it goes on.
+     */
+    void sendByteByByte(String bytes) {
+      whenStarted = bytes;
+      send(STARTER);
+    }
+
+    /** No more input. */
+    void end() {
+      connection.end();
+    }
+
+    /** Completes when the kernel has closed the connection. */
+    CompletableFuture<Void> whenClosed() {
+      return closed;
+    }
+
+    /** Completes when a text has been received. */
+    CompletableFuture<Void> receives(String text) {
+      Expectation expectation = new Expectation(text, new CompletableFuture<>());
+      expectations.add(expectation);
+      check();
+      return expectation.met();
+    }
+
+    /** What was received so far. */
+    String output() {
+      synchronized (output) {
+        return output.toString();
+      }
+    }
+
+    @Override
+    public void output(String bytes) {
+      String pending = whenStarted;
+      if (pending != null) {
+        whenStarted = null;
+        for (char c : pending.toCharArray()) {
+          connection.send(String.valueOf(c));
+        }
+        return;
+      }
+      synchronized (output) {
+        output.append(bytes);
+      }
+      check();
+    }
+
+    @Override
+    public void closed() {
+      closed.complete(null);
+    }
+
+    private void check() {
+      if (expectations.isEmpty()) {
+        return;
+      }
+      String received = output();
+      List<Expectation> met = new ArrayList<>();
+      for (Expectation expectation : expectations) {
+        if (received.contains(expectation.text())) {
+          met.add(expectation);
+        }
+      }
+      expectations.removeAll(met);
+      met.forEach(expectation -> expectation.met().complete(null));
+    }
+  }
+}

@@ -1,0 +1,124 @@
+package org.urbi.builtins;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** A class of builtins, read from its annotations and ready to be written as a table. */
+final class Declaration {
+  /** How an argument gets from urbiscript to Java. */
+  enum Kind {
+    OBJECT(null),
+    SUBCLASS(null),
+    DOUBLE("number"),
+    INT("integer"),
+    LONG("longInteger"),
+    BOOLEAN("truth"),
+    STRING("text"),
+    REST("rest");
+
+    /** The method of {@code Arguments} that unwraps it. */
+    final String unwrapper;
+
+    Kind(String unwrapper) {
+      this.unwrapper = unwrapper;
+    }
+  }
+
+  /** How the result gets from Java to urbiscript. */
+  enum Result {
+    OBJECT,
+    VOID,
+    NUMBER,
+    BOOLEAN,
+    STRING,
+    LIST
+  }
+
+  /** One parameter; the target and the arguments. */
+  record Parameter(String name, Kind kind, String javaType, boolean optional) {
+    /** How urbiscript names the type, after the Java class. */
+    String typeName() {
+      String simple = javaType.substring(javaType.lastIndexOf('.') + 1);
+      return simple.startsWith("Urbi") ? simple.substring(4) : simple;
+    }
+  }
+
+  /** One method. */
+  record Method(
+      String javaName,
+      List<String> names,
+      String doc,
+      boolean lazy,
+      int lazyMin,
+      int lazyMax,
+      boolean setter,
+      boolean frame,
+      boolean site,
+      Parameter self,
+      List<Parameter> arguments,
+      Result result) {
+    int min() {
+      if (lazy) {
+        return lazyMin;
+      }
+      return (int)
+          arguments.stream().filter(p -> !p.optional() && p.kind() != Kind.REST).count();
+    }
+
+    /** The most arguments; -1 when there may be any number. */
+    int max() {
+      if (lazy) {
+        return lazyMax;
+      }
+      return arguments.stream().anyMatch(p -> p.kind() == Kind.REST) ? -1 : arguments.size();
+    }
+
+    /** The arguments as the documentation shows them: {@code (from, to?)}. */
+    String formals() {
+      if (lazy) {
+        return "(...)";
+      }
+      List<String> shown = new ArrayList<>();
+      for (Parameter p : arguments) {
+        shown.add(
+            p.name() + (p.optional() ? "?" : "") + (p.kind() == Kind.REST ? "..." : ""));
+      }
+      return shown.isEmpty() ? "" : "(" + String.join(", ", shown) + ")";
+    }
+  }
+
+  final String packageName;
+  final String className;
+  final String type;
+
+  /** The prototypes; null in a part of a type that another class declares. */
+  final List<String> protos;
+
+  final String doc;
+  final boolean makesPrototype;
+  final List<Method> methods = new ArrayList<>();
+
+  Declaration(
+      String packageName,
+      String className,
+      String type,
+      List<String> protos,
+      String doc,
+      boolean makesPrototype) {
+    this.packageName = packageName;
+    this.className = className;
+    this.type = type;
+    this.protos = protos;
+    this.doc = doc;
+    this.makesPrototype = makesPrototype;
+  }
+
+  boolean isPart() {
+    return protos == null;
+  }
+
+  /** The simple name of the generated class. */
+  String tableName() {
+    return className + "Table";
+  }
+}

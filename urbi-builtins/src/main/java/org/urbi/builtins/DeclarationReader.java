@@ -1,0 +1,280 @@
+package org.urbi.builtins;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import javax.annotation.processing.ProcessingEnvironment;
+import javax.lang.model.element.Element;
+import javax.lang.model.element.ExecutableElement;
+import javax.lang.model.element.Modifier;
+import javax.lang.model.element.TypeElement;
+import javax.lang.model.element.VariableElement;
+import javax.lang.model.type.ArrayType;
+import javax.lang.model.type.DeclaredType;
+import javax.lang.model.type.TypeKind;
+import javax.lang.model.type.TypeMirror;
+import javax.lang.model.util.ElementFilter;
+import javax.tools.Diagnostic;
+
+/** Reads one class of builtins and refuses what cannot be called. */
+final class DeclarationReader {
+  private static final Map<String, Declaration.Kind> BOXES =
+      Map.of(
+          "java.lang.Double", Declaration.Kind.DOUBLE,
+          "java.lang.Integer", Declaration.Kind.INT,
+          "java.lang.Long", Declaration.Kind.LONG,
+          "java.lang.Boolean", Declaration.Kind.BOOLEAN);
+
+  private final ProcessingEnvironment environment;
+
+  /** Where each slot is declared, by {@code type.slot}, and each type; shared by all classes. */
+  private final Map<String, Element> declared;
+
+  DeclarationReader(ProcessingEnvironment environment, Map<String, Element> declared) {
+    this.environment = environment;
+    this.declared = declared;
+  }
+
+  private void error(Element at, String message) {
+    environment.getMessager().printMessage(Diagnostic.Kind.ERROR, message, at);
+  }
+
+  /** The declaration; null after an error of the class itself. */
+  Declaration read(TypeElement type) {
+    UrbiType main = type.getAnnotation(UrbiType.class);
+    UrbiTypePart part = type.getAnnotation(UrbiTypePart.class);
+    if (main != null && part != null) {
+      error(type, "a class is either @UrbiType or @UrbiTypePart");
+      return null;
+    }
+    if (!type.getModifiers().contains(Modifier.FINAL)) {
+      error(type, "a class of builtins must be final");
+    }
+    String name = main != null ? main.value() : part.value();
+    if (name.isBlank()) {
+      error(type, "the type has no name");
+    }
+    if (main != null) {
+      checkDoc(type, main.doc());
+      checkUnique(type, "type " + name, "the type " + name);
+    }
+    Declaration declaration =
+        new Declaration(
+            environment.getElementUtils().getPackageOf(type).getQualifiedName().toString(),
+            type.getSimpleName().toString(),
+            name,
+            main == null ? null : List.of(main.protos()),
+            main == null ? "" : main.doc(),
+            makesPrototype(type));
+    for (ExecutableElement method : ElementFilter.methodsIn(type.getEnclosedElements())) {
+      if (method.getAnnotation(Builtin.class) != null) {
+        readMethod(declaration, method);
+      }
+    }
+    return declaration;
+  }
+
+  private boolean makesPrototype(TypeElement type) {
+    return ElementFilter.methodsIn(type.getEnclosedElements()).stream()
+        .anyMatch(
+            m ->
+                m.getSimpleName().contentEquals("newPrototype")
+                    && m.getModifiers().contains(Modifier.STATIC)
+                    && m.getParameters().size() == 1
+                    && isNamed(m.getParameters().getFirst().asType(), Kernel.WORLD));
+  }
+
+  private void checkDoc(Element at, String doc) {
+    if (doc.isBlank()) {
+      error(at, "the doc is empty");
+    } else if (doc.indexOf('\n') >= 0) {
+      error(at, "the doc is not one line");
+    }
+  }
+
+  private void checkUnique(Element at, String key, String what) {
+    if (declared.putIfAbsent(key, at) != null) {
+      error(at, what + " is declared twice");
+    }
+  }
+
+  private void readMethod(Declaration type, ExecutableElement method) {
+    Builtin builtin = method.getAnnotation(Builtin.class);
+    checkDoc(method, builtin.doc());
+    Set<Modifier> modifiers = method.getModifiers();
+    if (!modifiers.contains(Modifier.STATIC) || modifiers.contains(Modifier.PRIVATE)) {
+      error(method, "a builtin must be a static method that is not private");
+      return;
+    }
+    List<String> names =
+        builtin.value().length == 0
+            ? List.of(method.getSimpleName().toString())
+            : List.of(builtin.value());
+    for (String name : names) {
+      String slot = type.type + "." + name;
+      checkUnique(method, slot + (builtin.setter() ? "=" : ""), "the slot " + slot);
+    }
+    List<? extends VariableElement> parameters = method.getParameters();
+    int next = 0;
+    boolean frame = next < parameters.size() && isNamed(parameters.get(next).asType(), Kernel.FRAME);
+    next += frame ? 1 : 0;
+    boolean site =
+        next < parameters.size() && isNamed(parameters.get(next).asType(), Kernel.CALL_SITE);
+    next += site ? 1 : 0;
+    Declaration.Parameter self =
+        next < parameters.size() ? readParameter(method, parameters.get(next), false) : null;
+    if (self == null
+        || self.optional()
+        || self.kind() != Declaration.Kind.OBJECT && self.kind() != Declaration.Kind.SUBCLASS) {
+      error(method, "the target is missing: an UrbiObject, or a subclass of it");
+      return;
+    }
+    List<Declaration.Parameter> arguments = readArguments(method, next + 1);
+    if (builtin.lazy() && !parameters.subList(next + 1, parameters.size()).isEmpty()) {
+      error(method, "a lazy builtin finds its arguments in the call site");
+    }
+    if (builtin.setter() && arguments.size() != 1) {
+      error(method, "a setter has one argument");
+    }
+    type.methods.add(
+        new Declaration.Method(
+            method.getSimpleName().toString(),
+            names,
+            builtin.doc(),
+            builtin.lazy(),
+            builtin.min(),
+            builtin.max(),
+            builtin.setter(),
+            frame,
+            site,
+            self,
+            arguments,
+            result(method)));
+  }
+
+  private List<Declaration.Parameter> readArguments(ExecutableElement method, int from) {
+    List<? extends VariableElement> parameters = method.getParameters();
+    List<Declaration.Parameter> arguments = new ArrayList<>();
+    boolean optional = false;
+    for (int i = from; i < parameters.size(); i++) {
+      boolean last = i == parameters.size() - 1;
+      Declaration.Parameter p =
+          readParameter(method, parameters.get(i), last && method.isVarArgs());
+      if (p == null) {
+        continue;
+      }
+      if (optional && !p.optional() && p.kind() != Declaration.Kind.REST) {
+        error(parameters.get(i), "only the last arguments can be optional");
+      }
+      optional |= p.optional();
+      arguments.add(p);
+    }
+    return arguments;
+  }
+
+  private Declaration.Parameter readParameter(
+      ExecutableElement method, VariableElement parameter, boolean variadic) {
+    TypeMirror type = parameter.asType();
+    boolean optional = parameter.getAnnotation(Optional.class) != null;
+    Declaration.Kind kind = variadic ? restKind(type) : kind(type, optional);
+    if (kind == null) {
+      error(parameter, "the kind of this parameter is not known: " + type);
+      return null;
+    }
+    if (variadic && optional) {
+      error(parameter, "a variadic parameter is optional by itself");
+    }
+    String javaType = environment.getTypeUtils().erasure(type).toString();
+    return new Declaration.Parameter(
+        parameter.getSimpleName().toString(), kind, javaType, optional);
+  }
+
+  private Declaration.Kind restKind(TypeMirror type) {
+    return type.getKind() == TypeKind.ARRAY
+            && isNamed(((ArrayType) type).getComponentType(), Kernel.OBJECT)
+        ? Declaration.Kind.REST
+        : null;
+  }
+
+  private Declaration.Kind kind(TypeMirror type, boolean optional) {
+    Declaration.Kind primitive =
+        switch (type.getKind()) {
+          case DOUBLE -> Declaration.Kind.DOUBLE;
+          case INT -> Declaration.Kind.INT;
+          case LONG -> Declaration.Kind.LONG;
+          case BOOLEAN -> Declaration.Kind.BOOLEAN;
+          default -> null;
+        };
+    if (primitive != null) {
+      // Absent arguments are null, which primitives cannot be.
+      return optional ? null : primitive;
+    }
+    if (type.getKind() != TypeKind.DECLARED) {
+      return null;
+    }
+    String name = qualifiedName(type);
+    if (name.equals("java.lang.String")) {
+      return Declaration.Kind.STRING;
+    }
+    if (BOXES.containsKey(name)) {
+      return optional ? BOXES.get(name) : null;
+    }
+    if (name.equals(Kernel.OBJECT)) {
+      return Declaration.Kind.OBJECT;
+    }
+    return isObject(type) ? Declaration.Kind.SUBCLASS : null;
+  }
+
+  private Declaration.Result result(ExecutableElement method) {
+    TypeMirror type = method.getReturnType();
+    switch (type.getKind()) {
+      case VOID:
+        return Declaration.Result.VOID;
+      case DOUBLE, INT, LONG:
+        return Declaration.Result.NUMBER;
+      case BOOLEAN:
+        return Declaration.Result.BOOLEAN;
+      case DECLARED:
+        if (qualifiedName(type).equals("java.lang.String")) {
+          return Declaration.Result.STRING;
+        }
+        if (isObject(type)) {
+          return Declaration.Result.OBJECT;
+        }
+        if (isCollectionOfObjects(type)) {
+          return Declaration.Result.LIST;
+        }
+        break;
+      default:
+        break;
+    }
+    error(method, "the kind of this result is not known: " + type);
+    return Declaration.Result.VOID;
+  }
+
+  private boolean isObject(TypeMirror type) {
+    TypeElement object = environment.getElementUtils().getTypeElement(Kernel.OBJECT);
+    return object != null && environment.getTypeUtils().isSubtype(type, object.asType());
+  }
+
+  private boolean isCollectionOfObjects(TypeMirror type) {
+    TypeElement collection =
+        environment.getElementUtils().getTypeElement("java.util.Collection");
+    List<? extends TypeMirror> elements = ((DeclaredType) type).getTypeArguments();
+    return environment
+            .getTypeUtils()
+            .isAssignable(
+                type, environment.getTypeUtils().getDeclaredType(collection))
+        && elements.size() == 1
+        && isObject(elements.getFirst());
+  }
+
+  private static boolean isNamed(TypeMirror type, String name) {
+    return type.getKind() == TypeKind.DECLARED && qualifiedName(type).equals(name);
+  }
+
+  private static String qualifiedName(TypeMirror type) {
+    return ((TypeElement) ((DeclaredType) type).asElement()).getQualifiedName().toString();
+  }
+}

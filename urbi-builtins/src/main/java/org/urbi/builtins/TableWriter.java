@@ -1,0 +1,230 @@
+package org.urbi.builtins;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Writes the Java source of a table, and of the list of all tables. */
+final class TableWriter {
+  /** How many builtins one method dispatches to: more would be too large for the JIT. */
+  static final int CASES = 40;
+
+  private final StringBuilder out = new StringBuilder();
+
+  private TableWriter() {}
+
+  /** The source of the table of one class. */
+  static String table(Declaration type) {
+    TableWriter writer = new TableWriter();
+    writer.writeTable(type);
+    return writer.out.toString();
+  }
+
+  /** The source of the list of all tables, in the order given. */
+  static String index(List<Declaration> types) {
+    TableWriter writer = new TableWriter();
+    writer.writeIndex(types);
+    return writer.out.toString();
+  }
+
+  private void line(String text) {
+    out.append(text).append('\n');
+  }
+
+  private void writeTable(Declaration type) {
+    String name = type.tableName();
+    line("package " + type.packageName + ";");
+    line("");
+    line("/** The builtins of " + type.type + "; generated from " + type.className + ". */");
+    line("public final class " + name + " extends " + Kernel.TABLE + " {");
+    line("  public " + name + "() {");
+    line("    super(");
+    line("        " + literal(type.type) + ",");
+    line("        " + literal(type.doc) + ",");
+    line("        " + strings(type.protos) + ",");
+    List<String> entries = new ArrayList<>();
+    List<String> labels = new ArrayList<>();
+    int index = 0;
+    for (Declaration.Method method : type.methods) {
+      StringBuilder label = new StringBuilder("case ");
+      for (int i = 0; i < method.names().size(); i++) {
+        entries.add(entry(method.names().get(i), method));
+        label.append(i == 0 ? "" : ", ").append(index++);
+      }
+      labels.add(label.append(":").toString());
+    }
+    line("        new Entry[] {" + String.join(",", entries));
+    line("        });");
+    line("  }");
+    if (type.makesPrototype) {
+      line("");
+      line("  @Override");
+      line("  public " + Kernel.OBJECT + " newPrototype(" + Kernel.WORLD + " world) {");
+      line("    return " + type.className + ".newPrototype(world);");
+      line("  }");
+    }
+    writeCalls(type, labels);
+    line("}");
+  }
+
+  private static String entry(String name, Declaration.Method method) {
+    return String.format(
+        "%n          new Entry(%s, %d, %s, %b, %b, %s, %s)",
+        literal(name),
+        method.min(),
+        method.max() < 0 ? "Integer.MAX_VALUE" : String.valueOf(method.max()),
+        method.lazy(),
+        method.setter(),
+        literal(method.formals()),
+        literal(method.doc()));
+  }
+
+  private static final String FORMALS =
+      String.format(
+          "(%n      int index,%n      %s caller,%n      %s site,%n      %s self,%n"
+              + "      %s[] arguments) {",
+          Kernel.FRAME, Kernel.CALL_SITE, Kernel.OBJECT, Kernel.OBJECT);
+
+  private static final String ACTUALS = "(index, caller, site, self, arguments)";
+
+  private void writeCalls(Declaration type, List<String> labels) {
+    line("");
+    line("  @Override");
+    line("  public " + Kernel.OBJECT + " call" + FORMALS);
+    int parts = (type.methods.size() + CASES - 1) / CASES;
+    int bound = 0;
+    for (int part = 0; part < parts - 1; part++) {
+      for (Declaration.Method m : chunk(type.methods, part)) {
+        bound += m.names().size();
+      }
+      line("    if (index < " + bound + ") {");
+      line("      return call" + part + ACTUALS + ";");
+      line("    }");
+    }
+    line(
+        parts == 0
+            ? "    throw new IndexOutOfBoundsException(index);"
+            : "    return call" + (parts - 1) + ACTUALS + ";");
+    line("  }");
+    for (int part = 0; part < parts; part++) {
+      line("");
+      line("  private static " + Kernel.OBJECT + " call" + part + FORMALS);
+      line("    switch (index) {");
+      List<Declaration.Method> methods = chunk(type.methods, part);
+      List<String> itsLabels = chunk(labels, part);
+      for (int i = 0; i < methods.size(); i++) {
+        line("      " + itsLabels.get(i));
+        writeCase(type, methods.get(i));
+      }
+      line("      default:");
+      line("        throw new IndexOutOfBoundsException(index);");
+      line("    }");
+      line("  }");
+    }
+  }
+
+  private static <T> List<T> chunk(List<T> all, int part) {
+    return all.subList(part * CASES, Math.min(all.size(), (part + 1) * CASES));
+  }
+
+  private void writeCase(Declaration type, Declaration.Method method) {
+    List<String> actuals = new ArrayList<>();
+    if (method.frame()) {
+      actuals.add("caller");
+    }
+    if (method.site()) {
+      actuals.add("site");
+    }
+    actuals.add(actual(method.self(), 0, "self"));
+    for (int i = 0; i < method.arguments().size(); i++) {
+      Declaration.Parameter p = method.arguments().get(i);
+      String value = "arguments[" + i + "]";
+      if (p.kind() == Declaration.Kind.REST) {
+        actuals.add(Kernel.ARGUMENTS + ".rest(arguments, " + i + ")");
+      } else if (p.optional()) {
+        actuals.add("arguments.length <= " + i + " ? null : " + actual(p, i + 1, value));
+      } else {
+        actuals.add(actual(p, i + 1, value));
+      }
+    }
+    String call =
+        type.className
+            + "."
+            + method.javaName()
+            + "(\n            "
+            + String.join(",\n            ", actuals)
+            + ")";
+    String values = "caller.interpreter().world().values()";
+    switch (method.result()) {
+      case VOID -> {
+        line("        " + call + ";");
+        line("        return " + values + ".voidObject;");
+      }
+      case OBJECT -> line("        return " + call + ";");
+      case NUMBER -> line("        return " + values + ".number(" + call + ");");
+      case BOOLEAN -> line("        return " + values + ".bool(" + call + ");");
+      case STRING -> line("        return " + values + ".string(" + call + ");");
+      case LIST -> line("        return " + values + ".list(" + call + ");");
+    }
+  }
+
+  private static String actual(Declaration.Parameter p, int place, String value) {
+    return switch (p.kind()) {
+      case OBJECT -> value;
+      case SUBCLASS ->
+          String.format(
+              "%s instanceof %s a%d ? a%d : %s.<%s>unexpected(caller, site, %d, %s, %s)",
+              value,
+              p.javaType(),
+              place,
+              place,
+              Kernel.ARGUMENTS,
+              p.javaType(),
+              place,
+              value,
+              literal(p.typeName()));
+      default ->
+          String.format(
+              "%s.%s(caller, site, %d, %s)", Kernel.ARGUMENTS, p.kind().unwrapper, place, value);
+    };
+  }
+
+  private void writeIndex(List<Declaration> types) {
+    line("package " + Kernel.INDEX_PACKAGE + ";");
+    line("");
+    line("/** The tables of all types of the library, in alphabetical order; generated. */");
+    line("public final class " + Kernel.INDEX_NAME + " {");
+    line("  private " + Kernel.INDEX_NAME + "() {}");
+    line("");
+    line("  /** New tables of all types; the parts of a type follow the class that declares it. */");
+    line("  public static " + Kernel.TABLE + "[] all() {");
+    line("    return new " + Kernel.TABLE + "[] {");
+    for (Declaration type : types) {
+      line("      new " + type.packageName + "." + type.tableName() + "(),");
+    }
+    line("    };");
+    line("  }");
+    line("}");
+  }
+
+  private static String strings(List<String> values) {
+    if (values == null) {
+      return "null";
+    }
+    return "new String[] {"
+        + String.join(", ", values.stream().map(TableWriter::literal).toList())
+        + "}";
+  }
+
+  private static String literal(String text) {
+    StringBuilder quoted = new StringBuilder("\"");
+    for (char c : text.toCharArray()) {
+      switch (c) {
+        case '"' -> quoted.append("\\\"");
+        case '\\' -> quoted.append("\\\\");
+        case '\n' -> quoted.append("\\n");
+        default -> quoted.append(c < 32 || c > 126 ? String.format("\\u%04x", (int) c) : c);
+      }
+    }
+    return quoted.append('"').toString();
+  }
+}

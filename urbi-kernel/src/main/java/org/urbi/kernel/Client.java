@@ -1,0 +1,13 @@
+package org.urbi.kernel;
+
+/** Who is at the other end of a {@link Connection}. Called on the kernel thread; must not block. */
+public interface Client {
+  /** Output, whole lines: every {@code char} is one byte. */
+  void output(String bytes);
+
+  /** The kernel has closed the connection: {@code quit}, shutdown, or the end of its input. */
+  void closed();
+
+  /** Some of the input that was sent has been taken: {@link Connection#pendingInput} went down. */
+  default void inputConsumed() {}
+}

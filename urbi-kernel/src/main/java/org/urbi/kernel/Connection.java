@@ -1,0 +1,25 @@
+package org.urbi.kernel;
+
+/**
+ * A line to a lobby of its own: text goes in and is executed, output comes back to the {@link
+ * Client}. Every method may be called from any thread, and none waits.
+ */
+public interface Connection {
+  /** Sends text, cut anywhere: every {@code char} is one byte. */
+  void send(String bytes);
+
+  /** There will be no more input: the connection closes when all of its jobs are over. */
+  void end();
+
+  /** The client has gone: all its jobs end. */
+  void close();
+
+  /** Ends the statement being executed, and forgets the input behind it. */
+  void interrupt();
+
+  /** How many bytes have been sent and not yet been taken. */
+  int pendingInput();
+
+  /** Whether what has been sent so far ends within a statement. */
+  boolean incomplete();
+}

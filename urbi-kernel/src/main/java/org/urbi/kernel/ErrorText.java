@@ -1,0 +1,51 @@
+package org.urbi.kernel;
+
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Unwinding;
+import org.urbi.kernel.lobby.Output;
+import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.FrameLayout;
+import org.urbi.kernel.node.Interpreter;
+import org.urbi.lang.source.Span;
+
+/** Shows errors that no code has caught, as the manual does. */
+final class ErrorText {
+  private ErrorText() {}
+
+  /** Sends an error to a lobby. */
+  static void report(Interpreter interpreter, Job job, UrbiLobby lobby, Throwable failure) {
+    Output output = lobby.output();
+    switch (failure) {
+      case UrbiException e -> {
+        output.send("error", "!!! " + place(e.span()) + text(interpreter, job, lobby, e));
+        for (UrbiException.Call call : e.backtrace()) {
+          if (call.name() != null) {
+            output.send("error", "!!!    called from: " + place(call.span()) + call.name());
+          }
+        }
+      }
+      case StackOverflowError e -> output.send("error", "!!! stack exhausted");
+      case OutOfMemoryError e -> output.send("error", "!!! memory exhausted");
+      case Unwinding e -> {
+        // A return or a break that had nothing to leave.
+      }
+      default -> output.send("error", "!!! internal error: " + failure);
+    }
+  }
+
+  private static String place(Span span) {
+    return span == null ? "" : span.location() + ": ";
+  }
+
+  private static String text(
+      Interpreter interpreter, Job job, UrbiLobby lobby, UrbiException exception) {
+    Frame frame = Frame.top(interpreter, job, lobby, new FrameLayout());
+    try {
+      return interpreter.asString(frame, exception.value()).replace("\n", "\n[:]");
+    } catch (UrbiException e) {
+      return "exception that cannot be shown";
+    }
+  }
+}

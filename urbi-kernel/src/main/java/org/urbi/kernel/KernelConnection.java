@@ -1,0 +1,153 @@
+package org.urbi.kernel;
+
+import java.util.concurrent.atomic.AtomicInteger;
+import org.urbi.kernel.lobby.Output;
+import org.urbi.kernel.lobby.Shell;
+import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.tag.UrbiTag;
+
+/** A connection: its methods post to the inbox, the rest runs on the kernel thread. */
+final class KernelConnection implements Connection, Shell.Listener {
+  private final Kernel kernel;
+  private final Client client;
+  private final boolean holdsTime;
+  private final AtomicInteger pending = new AtomicInteger();
+  private volatile boolean incomplete;
+  private volatile UrbiLobby lobby;
+  private boolean holding;
+  private boolean finished;
+
+  KernelConnection(Kernel kernel, Client client, boolean holdsTime) {
+    this.kernel = kernel;
+    this.client = client;
+    this.holdsTime = holdsTime;
+  }
+
+  // ------------------------------------------------------------------ from any thread
+
+  @Override
+  public void send(String bytes) {
+    pending.addAndGet(bytes.length());
+    kernel
+        .inbox()
+        .post(
+            () -> {
+              if (finished) {
+                pending.set(0);
+              } else {
+                lobby.shell().receive(bytes);
+              }
+            });
+  }
+
+  @Override
+  public void end() {
+    kernel
+        .inbox()
+        .post(
+            () -> {
+              releaseTime();
+              if (!finished) {
+                lobby.shell().end();
+              }
+            });
+  }
+
+  @Override
+  public void close() {
+    interruptRunning();
+    kernel.inbox().post(this::finish);
+  }
+
+  @Override
+  public void interrupt() {
+    interruptRunning();
+    kernel
+        .inbox()
+        .post(
+            () -> {
+              if (!finished) {
+                lobby.shell().interrupt();
+                consumed();
+              }
+            });
+  }
+
+  /** Code that never lets others run cannot wait for the inbox. */
+  private void interruptRunning() {
+    UrbiObject of = lobby;
+    if (of != null) {
+      kernel.scheduler().interrupt(of);
+    }
+  }
+
+  @Override
+  public int pendingInput() {
+    return pending.get();
+  }
+
+  @Override
+  public boolean incomplete() {
+    return incomplete;
+  }
+
+  // ------------------------------------------------------------------ on the kernel thread
+
+  void open() {
+    if (kernel.isStopping()) {
+      finished = true;
+      client.closed();
+      return;
+    }
+    Interpreter interpreter = kernel.interpreter();
+    UrbiObject prototype = interpreter.world().prototype("Lobby");
+    long number = kernel.scheduler().nextNumber();
+    UrbiTag tag = UrbiTag.named(interpreter, "Lobby_" + number);
+    UrbiLobby made = new UrbiLobby(prototype.cloneShape(), tag);
+    made.attach(new Output(kernel.scheduler(), client::output));
+    made.attach(new Shell(interpreter, made, this));
+    lobby = made;
+    kernel.add(this);
+    if (holdsTime) {
+      holding = true;
+      kernel.scheduler().holdTime();
+    }
+    made.shell().start();
+  }
+
+  private void releaseTime() {
+    if (holding) {
+      holding = false;
+      kernel.scheduler().releaseTime();
+    }
+  }
+
+  @Override
+  public void consumed() {
+    pending.set(lobby.shell().pending());
+    incomplete = lobby.shell().isIncomplete();
+    client.inputConsumed();
+  }
+
+  @Override
+  public void finished() {
+    finish();
+  }
+
+  /** The end, whoever brought it about. */
+  void finish() {
+    if (!finished) {
+      finished = true;
+      releaseTime();
+      kernel.remove(this);
+      pending.set(0);
+      if (lobby != null) {
+        lobby.shell().close();
+        lobby.output().close();
+      }
+      client.closed();
+    }
+  }
+}

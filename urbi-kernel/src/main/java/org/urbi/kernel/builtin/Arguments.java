@@ -1,0 +1,119 @@
+package org.urbi.kernel.builtin;
+
+import java.util.Arrays;
+import org.urbi.kernel.error.Errors;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Truth;
+import org.urbi.kernel.object.UrbiFloat;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
+import org.urbi.kernel.object.World;
+
+/**
+ * From the arguments of a call in urbiscript to those of a Java method, or to the errors of the
+ * manual ("Exception.Argument", "Exception.Type", "Exception.BadInteger"). The generated tables
+ * call these; place 0 is the target.
+ */
+public final class Arguments {
+  private static final UrbiObject[] NONE = {};
+
+  private Arguments() {}
+
+  /**
+   * Refuses an argument of the wrong type.
+   *
+   * @return never
+   */
+  public static <T> T unexpected(
+      Frame caller, CallSite site, int place, UrbiObject given, String expected) {
+    throw type(caller, site, place, given, expected);
+  }
+
+  /** {@code routine: argument 1: unexpected "x", expected a Float}. */
+  public static UrbiException type(
+      Frame caller, CallSite site, int place, UrbiObject given, String expected) {
+    Errors errors = caller.interpreter().errors();
+    World world = caller.interpreter().world();
+    if (given == world.values().voidObject) {
+      return errors.unexpectedVoid();
+    }
+    UrbiObject prototype = world.prototype(expected);
+    return errors.argumentType(
+        site.calledName(),
+        place,
+        given,
+        prototype == null ? world.values().nil : prototype,
+        expected);
+  }
+
+  /** A number. */
+  public static double number(Frame caller, CallSite site, int place, UrbiObject given) {
+    return given instanceof UrbiFloat number
+        ? number.value()
+        : Arguments.<UrbiFloat>unexpected(caller, site, place, given, "Float").value();
+  }
+
+  /** A number without a fractional part, of 32 bits. */
+  public static int integer(Frame caller, CallSite site, int place, UrbiObject given) {
+    double value = number(caller, site, place, given);
+    int integer = (int) value;
+    if (integer != value) {
+      throw notInteger(caller, site, place, given);
+    }
+    return integer;
+  }
+
+  /** A number without a fractional part, of 64 bits. */
+  public static long longInteger(Frame caller, CallSite site, int place, UrbiObject given) {
+    double value = number(caller, site, place, given);
+    long integer = (long) value;
+    if (integer != value) {
+      throw notInteger(caller, site, place, given);
+    }
+    return integer;
+  }
+
+  /** {@code routine: argument 1: expected integer, got 0.5}. */
+  public static UrbiException notInteger(
+      Frame caller, CallSite site, int place, UrbiObject given) {
+    return caller
+        .interpreter()
+        .errors()
+        .argumentNumber("BadInteger", site.calledName(), place, "expected integer, got ", given);
+  }
+
+  /** {@code routine: argument 1: expected non-negative integer, got -2}. */
+  public static UrbiException negativeInteger(
+      Frame caller, CallSite site, int place, UrbiObject given) {
+    return caller
+        .interpreter()
+        .errors()
+        .argumentNumber(
+            "BadInteger",
+            site.calledName(),
+            place,
+            "expected non-negative integer, got ",
+            given);
+  }
+
+  /** The text of a String. */
+  public static String text(Frame caller, CallSite site, int place, UrbiObject given) {
+    return given instanceof UrbiString string
+        ? string.value()
+        : Arguments.<UrbiString>unexpected(caller, site, place, given, "String").value();
+  }
+
+  /** Whether the value counts as true (manual, "Truth Values"). */
+  public static boolean truth(Frame caller, CallSite site, int place, UrbiObject given) {
+    return Truth.of(caller, given);
+  }
+
+  /** The arguments from an index on, as a new array. */
+  public static UrbiObject[] rest(UrbiObject[] arguments, int from) {
+    return arguments.length <= from
+        ? NONE
+        : Arrays.copyOfRange(arguments, from, arguments.length);
+  }
+}

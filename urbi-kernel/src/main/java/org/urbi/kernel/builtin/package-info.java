@@ -1,0 +1,2 @@
+/** How the library's Java methods are called. */
+package org.urbi.kernel.builtin;

@@ -1,0 +1,159 @@
+package org.urbi.kernel.compile;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.urbi.kernel.node.InPlace;
+import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.node.Literals;
+import org.urbi.kernel.node.Matching;
+import org.urbi.kernel.node.Message;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.Pattern;
+import org.urbi.kernel.node.Properties;
+import org.urbi.kernel.node.Slots;
+import org.urbi.kernel.node.Trajectory;
+import org.urbi.kernel.node.Variables;
+import org.urbi.lang.ast.Ast;
+import org.urbi.lang.source.Span;
+
+/** Compiles assignments of all kinds. */
+final class Assignments {
+  private final Compilation compilation;
+
+  Assignments(Compilation compilation) {
+    this.compilation = compilation;
+  }
+
+  private Interpreter interpreter() {
+    return compilation.interpreter();
+  }
+
+  private Node operand(Ast ast, Block block) {
+    return compilation.statements.compile(ast, block, Seen.NOTHING);
+  }
+
+  private Node target(Ast target, Span span, Block block) {
+    return compilation.expressions.target(target, span, block);
+  }
+
+  Node assignment(Ast.Assignment assignment, Block block) {
+    Span span = assignment.span();
+    return switch (assignment.target()) {
+      case Ast.Message message -> toMessage(span, message, assignment.value(), block);
+      case Ast.Property property ->
+          new Properties.Write(
+              span,
+              target(property.target(), span, block),
+              interpreter().world().symbol(property.slot()),
+              property.name(),
+              operand(assignment.value(), block));
+      case Ast pattern -> {
+        Node value = operand(assignment.value(), block);
+        yield new Matching.Destructure(span, destructuring(pattern, block), value);
+      }
+    };
+  }
+
+  private Node toMessage(Span span, Ast.Message message, Ast value, Block block) {
+    if (message.arguments() != null) {
+      // a[i] = v is a.'[]='(i, v).
+      List<Ast> arguments = new ArrayList<>(message.arguments());
+      arguments.add(value);
+      return new Message(
+          span,
+          Slots.lookup(interpreter(), message.name() + "="),
+          message.target() == null ? null : operand(message.target(), block),
+          compilation.expressions.all(arguments, block));
+    }
+    if (message.target() == null) {
+      Variable variable = block.find(message.name());
+      if (variable != null) {
+        return new Variables.Assign(
+            span, compilation.place(variable, block), operand(value, block));
+      }
+    }
+    return new Slots.Assign(
+        span,
+        target(message.target(), message.span(), block),
+        interpreter().world().symbol(message.name()),
+        operand(value, block));
+  }
+
+  /** In a pattern that is assigned, {@code x} is what is assigned, not what is compared. */
+  private Pattern destructuring(Ast pattern, Block block) {
+    return compilation.expressions.pattern(pattern, block);
+  }
+
+  /** {@code a += b} is {@code a = a.'+='(b)}, with the parts of a evaluated once. */
+  Node inPlace(Ast.OperatorAssignment assignment, Block block) {
+    return inPlace(
+        assignment.span(),
+        assignment.target(),
+        assignment.operator(),
+        operand(assignment.value(), block),
+        block);
+  }
+
+  /** {@code a++} gives the value of {@code a}, and sets it to {@code a.'++'}. */
+  Node postfix(Ast.Postfix postfix, Block block) {
+    return inPlace(postfix.span(), postfix.target(), postfix.operator(), null, block);
+  }
+
+  private Node inPlace(Span span, Ast target, String operator, Node operand, Block block) {
+    InPlace.Access access =
+        switch (target) {
+          case Ast.Message message when message.arguments() != null ->
+              new InPlace.Element(
+                  target(message.target(), span, block),
+                  compilation.expressions.all(message.arguments(), block),
+                  interpreter().world().symbol(message.name()),
+                  interpreter().world().symbol(message.name() + "="));
+          case Ast.Message message -> {
+            Variable variable =
+                message.target() == null ? block.find(message.name()) : null;
+            yield variable == null
+                ? new InPlace.Slot(
+                    target(message.target(), message.span(), block),
+                    Slots.lookup(interpreter(), message.name()),
+                    message.span())
+                : new InPlace.OfVariable(
+                    compilation.read(span, variable, block),
+                    compilation.place(variable, block));
+          }
+          case Ast.Property property ->
+              new InPlace.OfProperty(
+                  target(property.target(), span, block),
+                  interpreter().world().symbol(property.slot()),
+                  property.name());
+          default -> new InPlace.Constant(operand(target, block));
+        };
+    return new InPlace(span, interpreter(), access, operator, operand);
+  }
+
+  /** {@code x = 10 time: 5s}: a function to read, one to write, and the attributes. */
+  Node trajectory(Ast.Trajectory trajectory, Block block) {
+    Span span = trajectory.span();
+    Node target = operand(trajectory.target(), block);
+    var body = new Ast.Message(span, null, "<value>", null, span);
+    Block writer = block.construct();
+    Variable value = compilation.declare(writer, "<value>", trajectory);
+    Node write =
+        assignment(new Ast.Assignment(span, trajectory.target(), body), writer);
+    String[] names =
+        trajectory.modifiers().stream().map(Ast.Modifier::name).toArray(String[]::new);
+    Node[] values =
+        trajectory.modifiers().stream()
+            .map(modifier -> operand(modifier.value(), block))
+            .toArray(Node[]::new);
+    return new Trajectory(
+        span,
+        target,
+        compilation.place(value, writer),
+        write,
+        trajectory.value() == null
+            ? new Literals.Number(span, Double.NaN)
+            : operand(trajectory.value(), block),
+        names,
+        values);
+  }
+}

@@ -1,0 +1,98 @@
+package org.urbi.kernel.compile;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** A lexical scope while it is compiled. */
+final class Block {
+  private final Block parent;
+  private final Unit unit;
+  private final int region;
+  private final boolean slots;
+  private final boolean scope;
+  private final Map<String, Variable> variables = new LinkedHashMap<>();
+
+  private Block(Block parent, Unit unit, int region, boolean slots, boolean scope) {
+    this.parent = parent;
+    this.unit = unit;
+    this.region = region;
+    this.slots = slots;
+    this.scope = scope;
+  }
+
+  /** The top level, where {@code var} makes slots of the lobby. */
+  static Block top(Unit unit) {
+    return new Block(null, unit, 0, true, false);
+  }
+
+  /** {@code {…}}. */
+  Block scope() {
+    return new Block(this, unit, region, false, true);
+  }
+
+  /** A construct with variables of its own, such as {@code for}. */
+  Block construct() {
+    return new Block(this, unit, region, false, false);
+  }
+
+  /** The body of {@code do} or {@code class}: {@code var} makes slots of the target. */
+  Block target() {
+    return new Block(this, unit, region, true, true);
+  }
+
+  /** Code that another job executes. */
+  Block job(int otherRegion) {
+    return new Block(this, unit, otherRegion, false, false);
+  }
+
+  /** A part of a job's code that declares where the code around does. */
+  Block jobOf(int otherRegion) {
+    return new Block(this, unit, otherRegion, slots, false);
+  }
+
+  /** The body of a function. */
+  Block function(Unit other, int otherRegion) {
+    return new Block(this, other, otherRegion, false, true);
+  }
+
+  Unit unit() {
+    return unit;
+  }
+
+  int region() {
+    return region;
+  }
+
+  /** Whether {@code var x} makes a slot here. */
+  boolean declaresSlots() {
+    return slots;
+  }
+
+  /** The scope around, whose end a scope tag waits for; null at the top level. */
+  Block nearestScope() {
+    Block block = this;
+    while (block != null && !block.scope) {
+      block = block.parent;
+    }
+    return block;
+  }
+
+  void add(String name, Variable variable) {
+    variables.put(name, variable);
+  }
+
+  Variable local(String name) {
+    return variables.get(name);
+  }
+
+  /** The variable of that name that is visible here, or null. */
+  Variable find(String name) {
+    for (Block block = this; block != null; block = block.parent) {
+      Variable variable = block.variables.get(name);
+      if (variable != null) {
+        return variable;
+      }
+    }
+    return null;
+  }
+}

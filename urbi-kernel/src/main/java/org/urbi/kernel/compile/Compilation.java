@@ -1,0 +1,99 @@
+package org.urbi.kernel.compile;
+
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.Set;
+import org.urbi.kernel.node.FrameLayout;
+import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.Variables;
+import org.urbi.lang.ast.Ast;
+import org.urbi.lang.source.Span;
+
+/**
+ * Compiles a tree to executable nodes: local names become places in frames, sugar goes.
+ *
+ * <p>A variable stands in the frame when only the job that declares it can reach it, and in a cell
+ * when a closure or another job can. That is known only when the whole code has been seen; so the
+ * code is compiled, and compiled again if a variable turned out to be shared.
+ */
+public final class Compilation {
+  private final Interpreter interpreter;
+  private final Set<Object> sharedKeys = Collections.newSetFromMap(new IdentityHashMap<>());
+  private boolean learned;
+  private int regions;
+  final Statements statements;
+  final Expressions expressions;
+  final Functions functions;
+  final Handlers handlers;
+
+  private Compilation(Interpreter interpreter) {
+    this.interpreter = interpreter;
+    this.statements = new Statements(this);
+    this.expressions = new Expressions(this);
+    this.functions = new Functions(this);
+    this.handlers = new Handlers(this);
+  }
+
+  /** Compiled code of the top level. */
+  public record Compiled(Node code, FrameLayout layout) {}
+
+  /** Compiles a statement of the top level. */
+  public static Compiled compile(Interpreter interpreter, Ast statement) {
+    var compilation = new Compilation(interpreter);
+    while (true) {
+      compilation.learned = false;
+      compilation.regions = 0;
+      Unit unit = new Unit(null);
+      Node code = compilation.statements.compile(statement, Block.top(unit), Seen.ALL);
+      if (!compilation.learned) {
+        return new Compiled(code, unit.layout());
+      }
+    }
+  }
+
+  Interpreter interpreter() {
+    return interpreter;
+  }
+
+  int newRegion() {
+    return ++regions;
+  }
+
+  /** Declares a variable in a block. */
+  Variable declare(Block block, String name, Object key) {
+    boolean shared = sharedKeys.contains(key);
+    FrameLayout layout = block.unit().layout();
+    int index = shared ? layout.addCell() : layout.addLocal();
+    Variable variable = new Variable(block.unit(), block.region(), key, shared, index);
+    block.add(name, variable);
+    return variable;
+  }
+
+  /** Whether a declaration has turned out to be shared. */
+  boolean isShared(Object key) {
+    return sharedKeys.contains(key);
+  }
+
+  /** Where a variable is, seen from a block. */
+  Variables.Place place(Variable variable, Block block) {
+    return new Variables.Place(indexFrom(variable, block), variable.shared());
+  }
+
+  /** Reads a variable from a block. */
+  Node read(Span span, Variable variable, Block block) {
+    int index = indexFrom(variable, block);
+    return variable.shared()
+        ? new Variables.Shared(span, index)
+        : new Variables.Local(span, index);
+  }
+
+  private int indexFrom(Variable variable, Block block) {
+    boolean elsewhere = variable.unit() != block.unit() || variable.region() != block.region();
+    if (elsewhere && !variable.shared()) {
+      sharedKeys.add(variable.key());
+      learned = true;
+    }
+    return variable.shared() ? block.unit().cellOf(variable) : variable.index();
+  }
+}

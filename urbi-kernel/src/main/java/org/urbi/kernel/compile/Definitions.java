@@ -1,0 +1,142 @@
+package org.urbi.kernel.compile;
+
+import java.util.List;
+import org.urbi.kernel.node.ClassNodes;
+import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.Properties;
+import org.urbi.kernel.node.Slots;
+import org.urbi.kernel.node.Variables;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.lang.ast.Ast;
+import org.urbi.lang.source.Span;
+
+/** Compiles what gives names: variables, functions, classes, enumerations, packages. */
+final class Definitions {
+  private final Compilation compilation;
+
+  Definitions(Compilation compilation) {
+    this.compilation = compilation;
+  }
+
+  private Interpreter interpreter() {
+    return compilation.interpreter();
+  }
+
+  private Symbol symbol(String name) {
+    return interpreter().world().symbol(name);
+  }
+
+  private Node operand(Ast ast, Block block) {
+    return ast == null ? null : compilation.statements.compile(ast, block, Seen.NOTHING);
+  }
+
+  private Node target(Ast target, Span span, Block block) {
+    return compilation.expressions.target(target, span, block);
+  }
+
+  Node declaration(Ast.Declaration declaration, Block block) {
+    Span span = declaration.span();
+    // The value is evaluated before the name is known: var x = x + 1 reads another x.
+    Node value = operand(declaration.value(), block);
+    Node type = operand(declaration.type(), block);
+    if (declaration.target() != null || block.declaresSlots()) {
+      return new Slots.Declare(
+          span,
+          target(declaration.target(), span, block),
+          symbol(declaration.name()),
+          value,
+          declaration.constant(),
+          type);
+    }
+    return new Variables.Declare(
+        span, declaration.name(), declare(block, declaration.name(), declaration), value, type);
+  }
+
+  private Variables.Place declare(Block block, String name, Ast key) {
+    return compilation.place(compilation.declare(block, name, key), block);
+  }
+
+  /** Gives a name, a slot or a local variable, to a value. */
+  private Node named(Ast.Message name, Ast key, Span span, Block block, Node value) {
+    if (name.target() != null || block.declaresSlots()) {
+      return new Slots.Declare(
+          span, target(name.target(), span, block), symbol(name.name()), value, false, null);
+    }
+    return new Variables.Declare(span, name.name(), declare(block, name.name(), key), value, null);
+  }
+
+  Node function(Ast.FunctionDefinition definition, Block block) {
+    Ast.Message name = definition.name();
+    Span span = definition.span();
+    if (name.target() != null || block.declaresSlots()) {
+      return named(
+          name, definition, span, block, compilation.functions.compile(definition.function(), block));
+    }
+    // A local function can call itself: it must see its own name.
+    Variables.Place place = declare(block, name.name(), definition);
+    Node function = compilation.functions.compile(definition.function(), block);
+    return new Variables.DeclareRecursive(span, place, function);
+  }
+
+  Node classDefinition(Ast.ClassDefinition definition, Block block) {
+    Node[] protos = compilation.expressions.all(definition.protos(), block);
+    Node object =
+        new ClassNodes.New(definition.span(), protos, interpreter(), definition.name().name());
+    return withBody(definition.name(), definition, definition.body(), block, object);
+  }
+
+  Node packageDefinition(Ast.PackageDefinition definition, Block block) {
+    Ast.Message name = definition.name();
+    Span span = definition.span();
+    Node object =
+        new ClassNodes.Package(
+            span,
+            target(name.target(), span, block),
+            interpreter(),
+            name.name());
+    return new ClassNodes.WithBody(
+        span,
+        object,
+        compilation.statements.scopeIn(definition.body(), block.target(), Seen.NOTHING));
+  }
+
+  private Node withBody(
+      Ast.Message name,
+      Ast key,
+      Ast.Scope body,
+      Block block,
+      Node object) {
+    Node declared = named(name, key, key.span(), block, object);
+    if (body == null) {
+      return declared;
+    }
+    return new ClassNodes.WithBody(
+        key.span(),
+        declared,
+        compilation.statements.scopeIn(body, block.target(), Seen.NOTHING));
+  }
+
+  Node enumDefinition(Ast.EnumDefinition definition, Block block) {
+    Ast.Message name = definition.name();
+    Node object =
+        new ClassNodes.Enumeration(
+            definition.span(), interpreter(), name.name(), List.copyOf(definition.values()));
+    return named(name, definition, definition.span(), block, object);
+  }
+
+  Node importDefinition(Ast.Import definition, Block block) {
+    return new ClassNodes.Import(
+        definition.span(), interpreter(), definition.path(), definition.all());
+  }
+
+  Node accessor(Ast.Accessor accessor, Block block) {
+    Ast.Message name = accessor.name();
+    return new Properties.Accessor(
+        accessor.span(),
+        target(name.target(), accessor.span(), block),
+        symbol(name.name()),
+        accessor.setter(),
+        compilation.functions.compile(accessor.function(), block));
+  }
+}

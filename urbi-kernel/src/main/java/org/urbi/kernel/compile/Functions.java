@@ -1,0 +1,88 @@
+package org.urbi.kernel.compile;
+
+import java.util.List;
+import org.urbi.kernel.node.Formals;
+import org.urbi.kernel.node.Function;
+import org.urbi.kernel.node.Literals;
+import org.urbi.kernel.node.Node;
+import org.urbi.lang.ast.Ast;
+
+/** Compiles functions and closures. */
+final class Functions {
+  private final Compilation compilation;
+
+  Functions(Compilation compilation) {
+    this.compilation = compilation;
+  }
+
+  Node compile(Ast.Function function, Block block) {
+    Unit unit = new Unit(block.unit());
+    Block parameters = block.function(unit, compilation.newRegion());
+    Formals formals = null;
+    int[] cells = null;
+    if (function.formals() != null) {
+      cells = declare(function.formals(), parameters, unit);
+      formals = formals(function.formals(), parameters, cells);
+    }
+    // The variables of the body must not clash with the parameters: they may hide them.
+    Node code =
+        compilation.statements.scopeIn(function.body(), parameters.construct().scope(), Seen.ALL);
+    var body =
+        new Function.Body(
+            function,
+            unit.layout(),
+            formals,
+            allPlain(cells) ? null : cells,
+            unit.usesCall || formals == null);
+    body.setCode(code);
+    return new Literals.Closure(
+        function.span(), body, unit.capturedFrom(), function.closure());
+  }
+
+  /** Gives each parameter its place among the locals, in order; then the shared ones a cell. */
+  private int[] declare(List<Ast.Formal> formals, Block block, Unit unit) {
+    for (int i = 0; i < formals.size(); i++) {
+      unit.layout().addLocal();
+    }
+    int[] cells = new int[formals.size()];
+    for (int i = 0; i < cells.length; i++) {
+      Ast.Formal formal = formals.get(i);
+      boolean shared = compilation.isShared(formal);
+      cells[i] = shared ? unit.layout().addCell() : -1;
+      block.add(
+          formal.name(),
+          new Variable(unit, block.region(), formal, shared, shared ? cells[i] : i));
+    }
+    return cells;
+  }
+
+  private Formals formals(List<Ast.Formal> formals, Block block, int[] cells) {
+    int count = formals.size();
+    String[] names = new String[count];
+    Node[] defaults = new Node[count];
+    Node[] types = new Node[count];
+    for (int i = 0; i < count; i++) {
+      Ast.Formal formal = formals.get(i);
+      names[i] = formal.name();
+      defaults[i] = optional(formal.defaultValue(), block);
+      types[i] = optional(formal.type(), block);
+    }
+    boolean variadic = count > 0 && formals.getLast().variadic();
+    return new Formals(names, defaults, types, cells, variadic);
+  }
+
+  private Node optional(Ast ast, Block block) {
+    return ast == null ? null : compilation.statements.compile(ast, block, Seen.NOTHING);
+  }
+
+  private static boolean allPlain(int[] cells) {
+    if (cells != null) {
+      for (int cell : cells) {
+        if (cell >= 0) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+}

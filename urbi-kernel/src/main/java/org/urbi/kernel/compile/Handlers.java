@@ -1,0 +1,214 @@
+package org.urbi.kernel.compile;
+
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.urbi.kernel.event.AtCondition;
+import org.urbi.kernel.event.AtEvent;
+import org.urbi.kernel.event.EventFilter;
+import org.urbi.kernel.event.Every;
+import org.urbi.kernel.event.WaitUntil;
+import org.urbi.kernel.event.Whenever;
+import org.urbi.kernel.job.TagState;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.Pattern;
+import org.urbi.kernel.node.Variables;
+import org.urbi.kernel.tag.Conditional;
+import org.urbi.kernel.tag.ImplicitTag;
+import org.urbi.kernel.tag.Tagged;
+import org.urbi.lang.ast.Ast;
+import org.urbi.lang.ast.Ast.Flavor;
+
+/** Compiles tags, and what waits for events and conditions. */
+final class Handlers {
+  private final Compilation compilation;
+
+  Handlers(Compilation compilation) {
+    this.compilation = compilation;
+  }
+
+  private Node compile(Ast ast, Block block) {
+    return ast == null ? null : compilation.statements.compile(ast, block, Seen.NOTHING);
+  }
+
+  private Node handler(Ast ast, Block block) {
+    return ast == null ? null : compilation.statements.compile(ast, block, Seen.ALL);
+  }
+
+  // ------------------------------------------------------------------ tags
+
+  Node tagged(Ast.Tagged tagged, Block block, Seen seen) {
+    return new Tagged(
+        tagged.span(),
+        tag(tagged.tag(), block),
+        compilation.statements.compile(tagged.body(), block, seen));
+  }
+
+  /** A tag that does not exist yet is made when it is first used. */
+  private Node tag(Ast tag, Block block) {
+    if (tag instanceof Ast.Message message && message.arguments() == null) {
+      boolean local = message.target() == null && block.find(message.name()) != null;
+      if (!local && !compilation.expressions.isScopeTag(message)) {
+        Node target = compile(message.target(), block);
+        return new ImplicitTag(
+            tag.span(),
+            compilation.interpreter(),
+            target,
+            message.name(),
+            compile(tag, block));
+      }
+    }
+    return compile(tag, block);
+  }
+
+  Node timeout(Ast.Timeout timeout, Block block, Seen seen) {
+    return new Conditional.Timeout(
+        timeout.span(),
+        compile(timeout.duration(), block),
+        compilation.statements.compile(timeout.body(), block, seen));
+  }
+
+  Node stopIf(Ast.StopIf watched, Block block, Seen seen) {
+    var nothing = compilation.interpreter().values().voidObject;
+    return watched(
+        watched, watched.condition(), watched.body(), tag -> tag.stop(nothing), null, block, seen);
+  }
+
+  Node freezeIf(Ast.FreezeIf watched, Block block, Seen seen) {
+    return watched(
+        watched,
+        watched.condition(),
+        watched.body(),
+        TagState::freeze,
+        TagState::unfreeze,
+        block,
+        seen);
+  }
+
+  private Node watched(
+      Ast ast,
+      Ast.Condition condition,
+      Ast body,
+      Consumer<TagState> enter,
+      Consumer<TagState> leave,
+      Block block,
+      Seen seen) {
+    Block inner = block.construct();
+    Variable variable = compilation.declare(inner, "<controlled>", ast);
+    Variables.Place place = compilation.place(variable, inner);
+    Node tag = compilation.read(ast.span(), variable, inner);
+    Node watchdog =
+        at(
+            ast,
+            condition,
+            inner,
+            inner.job(compilation.newRegion()),
+            () -> new Conditional.Control(ast.span(), tag, enter),
+            () -> leave == null ? null : new Conditional.Control(ast.span(), tag, leave),
+            true);
+    return new Conditional.Watched(
+        ast.span(),
+        place,
+        watchdog,
+        compilation.statements.compile(body, inner, seen));
+  }
+
+  // ------------------------------------------------------------------ conditions
+
+  private EventFilter filter(Ast.WhenEmitted condition, Block block) {
+    Pattern[] patterns =
+        condition.patterns() == null
+            ? null
+            : condition.patterns().stream()
+                .map(pattern -> compilation.expressions.pattern(pattern, block))
+                .toArray(Pattern[]::new);
+    return new EventFilter(patterns, compile(condition.guard(), block));
+  }
+
+  Node at(Ast.At at, Block block) {
+    Block inner = block.job(compilation.newRegion());
+    return at(at, at.condition(), block, inner, () -> handler(at.body(), inner),
+        () -> handler(at.onLeave(), inner), at.sync());
+  }
+
+  /** The clauses are compiled after the patterns of the condition, whose variables they see. */
+  private Node at(
+      Ast ast,
+      Ast.Condition condition,
+      Block block,
+      Block inner,
+      Supplier<Node> body,
+      Supplier<Node> onLeave,
+      boolean sync) {
+    Node duration = compile(condition.duration(), block);
+    return switch (condition) {
+      case Ast.WhenEmitted emitted -> {
+        Node event = compile(emitted.event(), block);
+        EventFilter filter = filter(emitted, inner);
+        yield new AtEvent(
+            ast.span(), event, filter, duration, body.get(), onLeave.get(), sync);
+      }
+      case Ast.WhenTrue holds -> {
+        Node expression = compile(holds.expression(), inner);
+        yield new AtCondition(
+            ast.span(), expression, duration, body.get(), onLeave.get(), sync);
+      }
+    };
+  }
+
+  Node whenever(Ast.Whenever whenever, Block block) {
+    Block inner = block.job(compilation.newRegion());
+    return switch (whenever.condition()) {
+      case Ast.WhenEmitted emitted -> {
+        EventFilter filter = filter(emitted, inner);
+        yield new Whenever(
+            whenever.span(),
+            null,
+            compile(emitted.event(), block),
+            filter,
+            compile(emitted.duration(), block),
+            handler(whenever.body(), inner),
+            handler(whenever.elseClause(), inner));
+      }
+      case Ast.WhenTrue holds ->
+          new Whenever(
+              whenever.span(),
+              compile(holds.expression(), inner),
+              null,
+              null,
+              compile(holds.duration(), block),
+              handler(whenever.body(), inner),
+              handler(whenever.elseClause(), inner));
+    };
+  }
+
+  Node waitUntil(Ast.WaitUntil wait, Block block) {
+    return switch (wait.condition()) {
+      case Ast.WhenEmitted emitted ->
+          new WaitUntil(
+              wait.span(),
+              null,
+              compile(emitted.event(), block),
+              filter(emitted, block),
+              compile(emitted.duration(), block));
+      case Ast.WhenTrue holds ->
+          new WaitUntil(
+              wait.span(),
+              // Another job evaluates it, so the variables that it reads are shared.
+              compile(holds.expression(), block.job(compilation.newRegion())),
+              null,
+              null,
+              compile(holds.duration(), block));
+    };
+  }
+
+  Node every(Ast.Every every, Block block, Seen seen) {
+    boolean sequential = every.flavor() == Flavor.PIPE || every.flavor() == Flavor.SEMICOLON;
+    return new Every(
+        every.span(),
+        every.flavor(),
+        compile(every.period(), block),
+        sequential
+            ? compilation.statements.compile(every.body(), block, seen.inLoop())
+            : compilation.statements.job(every.body(), block));
+  }
+}

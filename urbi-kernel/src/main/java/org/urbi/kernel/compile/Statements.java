@@ -1,0 +1,258 @@
+package org.urbi.kernel.compile;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.urbi.kernel.node.Assertion;
+import org.urbi.kernel.node.Conditionals;
+import org.urbi.kernel.node.ForEach;
+import org.urbi.kernel.node.Jumps;
+import org.urbi.kernel.node.Loops;
+import org.urbi.kernel.node.Matching;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.Sequences;
+import org.urbi.kernel.node.Try;
+import org.urbi.kernel.tag.ScopeTag;
+import org.urbi.lang.ast.Ast;
+import org.urbi.lang.ast.Ast.Flavor;
+import org.urbi.lang.source.Span;
+
+/** Compiles statements; whatever is no statement goes to {@link Expressions}. */
+final class Statements {
+  /** The variable under which a scope keeps its tag: no identifier, so nobody else has it. */
+  static final String SCOPE_TAG = "<scopeTag>";
+
+  private final Compilation compilation;
+
+  Statements(Compilation compilation) {
+    this.compilation = compilation;
+  }
+
+  /**
+   * @param seen whether the statements around look at how this one ended, so that {@code return}
+   *     and {@code break} need not be thrown
+   */
+  Node compile(Ast ast, Block block, Seen seen) {
+    return switch (ast) {
+      case Ast.Sequence sequence -> sequence(sequence, block, seen);
+      case Ast.Scope scope -> scope(scope, block, seen);
+      case Ast.Noop noop -> new Sequences.Noop(noop.span());
+      case Ast.If statement -> ifElse(statement, block, seen);
+      case Ast.While loop ->
+          loop(loop.span(), loop.flavor(), null, loop.condition(), null, loop.body(), block, seen);
+      case Ast.For loop ->
+          loop(
+              loop.span(),
+              loop.flavor(),
+              loop.init(),
+              loop.condition(),
+              loop.step(),
+              loop.body(),
+              block,
+              seen);
+      case Ast.Loop loop ->
+          loop(loop.span(), loop.flavor(), null, null, null, loop.body(), block, seen);
+      case Ast.ForEach loop -> forEach(loop, block, seen);
+      case Ast.Switch statement -> switchCase(statement, block, seen);
+      case Ast.Return jump ->
+          new Jumps.Return(
+              jump.span(),
+              jump.value() == null ? null : compile(jump.value(), block, Seen.NOTHING),
+              seen == Seen.ALL);
+      case Ast.Break jump -> new Jumps.OfLoop(jump.span(), true, seen != Seen.NOTHING);
+      case Ast.Continue jump -> new Jumps.OfLoop(jump.span(), false, seen != Seen.NOTHING);
+      case Ast.Throw jump ->
+          new Jumps.Throw(
+              jump.span(), jump.value() == null ? null : compile(jump.value(), block, Seen.NOTHING));
+      case Ast.Try statement -> tryCatch(statement, block, seen);
+      case Ast.Assert statement -> assertion(statement, block);
+      case Ast.Tagged tagged ->
+          compilation.handlers.tagged(tagged, block, seen);
+      case Ast.At at -> compilation.handlers.at(at, block);
+      case Ast.Whenever whenever -> compilation.handlers.whenever(whenever, block);
+      case Ast.WaitUntil wait -> compilation.handlers.waitUntil(wait, block);
+      case Ast.Every every -> compilation.handlers.every(every, block, seen);
+      case Ast.Timeout timeout -> compilation.handlers.timeout(timeout, block, seen);
+      case Ast.StopIf watched ->
+          compilation.handlers.stopIf(watched, block, seen);
+      case Ast.FreezeIf watched ->
+          compilation.handlers.freezeIf(watched, block, seen);
+      default -> compilation.expressions.compile(ast, block);
+    };
+  }
+
+  Node[] compileAll(List<Ast> all, Block block) {
+    return all.stream().map(ast -> compile(ast, block, Seen.NOTHING)).toArray(Node[]::new);
+  }
+
+  /** Code for another job, with variables of its own. */
+  Node job(Ast ast, Block block) {
+    return compile(ast, block.job(compilation.newRegion()), Seen.ALL);
+  }
+
+  // ------------------------------------------------------------------ composition
+
+  private Node sequence(Ast.Sequence sequence, Block block, Seen seen) {
+    if (sequence.separators().contains(Flavor.AND)) {
+      return new Sequences.Parallel(
+          sequence.span(),
+          sequence.statements().stream()
+              .map(
+                  ast ->
+                      compile(ast, block.jobOf(compilation.newRegion()), Seen.ALL))
+              .toArray(Node[]::new));
+    }
+    List<Node> statements = new ArrayList<>();
+    List<Boolean> yields = new ArrayList<>();
+    boolean background = false;
+    for (int i = 0; i < sequence.statements().size(); i++) {
+      Ast ast = sequence.statements().get(i);
+      Flavor after = i < sequence.separators().size() ? sequence.separators().get(i) : null;
+      if (ast instanceof Ast.Noop && after != null) {
+        continue;
+      }
+      if (after == Flavor.COMMA) {
+        background = true;
+        statements.add(
+            new Sequences.Spawn(
+                ast.span(), compile(ast, block.jobOf(compilation.newRegion()), Seen.ALL)));
+        yields.add(false);
+      } else {
+        statements.add(compile(ast, block, seen));
+        yields.add(after == Flavor.SEMICOLON);
+      }
+    }
+    Node code = chain(sequence, statements, yields);
+    return background ? new Sequences.WithBackground(sequence.span(), code) : code;
+  }
+
+  private static Node chain(Ast.Sequence sequence, List<Node> statements, List<Boolean> yields) {
+    if (statements.isEmpty()) {
+      return new Sequences.Noop(sequence.span());
+    }
+    if (statements.size() == 1) {
+      return statements.getFirst();
+    }
+    boolean[] after = new boolean[yields.size()];
+    for (int i = 0; i < after.length; i++) {
+      after[i] = yields.get(i);
+    }
+    return new Sequences.Chain(sequence.span(), statements.toArray(Node[]::new), after);
+  }
+
+  private Node scope(Ast.Scope scope, Block block, Seen seen) {
+    return scopeIn(scope, block.scope(), seen);
+  }
+
+  /** The statements of a scope, in a block made for them. */
+  Node scopeIn(Ast.Scope scope, Block inner, Seen seen) {
+    Node body = sequence(scope.body(), inner, seen);
+    Variable tag = inner.local(SCOPE_TAG);
+    return tag == null
+        ? body
+        : new ScopeTag(scope.span(), compilation.place(tag, inner), body);
+  }
+
+  // ------------------------------------------------------------------ control flow
+
+  private Node ifElse(Ast.If statement, Block block, Seen seen) {
+    Block inner = block.construct();
+    return new Conditionals.If(
+        statement.span(),
+        compile(statement.condition(), inner, Seen.NOTHING),
+        compile(statement.thenClause(), inner, seen),
+        statement.elseClause() == null ? null : compile(statement.elseClause(), inner, seen));
+  }
+
+  private Node loop(
+      Span span,
+      Flavor flavor,
+      Ast init,
+      Ast condition,
+      Ast step,
+      Ast body,
+      Block block,
+      Seen seen) {
+    Block inner = block.construct();
+    Node first = init == null ? null : compile(init, inner, Seen.NOTHING);
+    Node test = condition == null ? null : compile(condition, inner, Seen.NOTHING);
+    Node next = step == null ? null : compile(step, inner, Seen.NOTHING);
+    if (flavor == Flavor.COMMA || flavor == Flavor.AND) {
+      return new Loops.Concurrent(span, first, test, next, job(body, inner));
+    }
+    Node code = compile(body, inner, seen.inLoop());
+    return new Loops.Sequential(span, flavor, first, test, next, code);
+  }
+
+  private Node forEach(Ast.ForEach loop, Block block, Seen seen) {
+    Node range = compile(loop.range(), block, Seen.NOTHING);
+    boolean concurrent = loop.flavor() == Flavor.AND || loop.flavor() == Flavor.COMMA;
+    Block inner = concurrent ? block.job(compilation.newRegion()) : block.construct();
+    Variable variable =
+        compilation.declare(inner, loop.name() == null ? "<turn>" : loop.name(), loop);
+    Node body = compile(loop.body(), inner, concurrent ? Seen.ALL : seen.inLoop());
+    return new ForEach(
+        loop.span(),
+        compilation.interpreter(),
+        loop.flavor(),
+        compilation.place(variable, inner),
+        range,
+        body);
+  }
+
+  private Node switchCase(Ast.Switch statement, Block block, Seen seen) {
+    Node value = compile(statement.value(), block, Seen.NOTHING);
+    Matching.Case[] cases =
+        statement.cases().stream()
+            .map(
+                one -> {
+                  Block inner = block.construct();
+                  return new Matching.Case(
+                      compilation.expressions.pattern(one.pattern(), inner),
+                      one.guard() == null ? null : compile(one.guard(), inner, Seen.NOTHING),
+                      sequence(one.body(), inner.scope(), seen));
+                })
+            .toArray(Matching.Case[]::new);
+    Node otherwise =
+        statement.defaultClause() == null
+            ? null
+            : sequence(statement.defaultClause(), block.scope(), seen);
+    return new Matching.Switch(statement.span(), value, cases, otherwise);
+  }
+
+  private Node tryCatch(Ast.Try statement, Block block, Seen seen) {
+    Node body = scope(statement.body(), block, seen);
+    Try.Clause[] clauses =
+        statement.catches().stream()
+            .map(
+                one -> {
+                  Block inner = block.construct();
+                  return new Try.Clause(
+                      one.pattern() == null
+                          ? null
+                          : compilation.expressions.pattern(one.pattern(), inner),
+                      one.guard() == null ? null : compile(one.guard(), inner, Seen.NOTHING),
+                      scope(one.body(), inner, seen));
+                })
+            .toArray(Try.Clause[]::new);
+    return new Try(
+        statement.span(),
+        body,
+        clauses,
+        statement.elseClause() == null ? null : scope(statement.elseClause(), block, seen),
+        statement.finallyClause() == null
+            ? null
+            : scope(statement.finallyClause(), block, seen));
+  }
+
+  private Node assertion(Ast.Assert statement, Block block) {
+    List<Node> claims = new ArrayList<>();
+    List<Boolean> yields = new ArrayList<>();
+    for (Ast claim : statement.claims()) {
+      claims.add(
+          new Assertion(claim.span(), compilation.expressions.claim(claim, block.construct())));
+      yields.add(false);
+    }
+    return chain(
+        new Ast.Sequence(statement.span(), statement.claims(), List.of()), claims, yields);
+  }
+}

@@ -1,0 +1,43 @@
+package org.urbi.kernel.compile;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.urbi.kernel.node.FrameLayout;
+
+/** A function, or a statement of the top level, being compiled: what shares one activation. */
+final class Unit {
+  private final Unit parent;
+  private final FrameLayout layout = new FrameLayout();
+  private final Map<Variable, Integer> captures = new LinkedHashMap<>();
+  private final List<Integer> capturedFrom = new ArrayList<>();
+  boolean usesCall;
+
+  Unit(Unit parent) {
+    this.parent = parent;
+  }
+
+  FrameLayout layout() {
+    return layout;
+  }
+
+  /** Where the code of this unit finds a shared variable: a cell, or -1 - n for a capture. */
+  int cellOf(Variable variable) {
+    if (variable.unit() == this) {
+      return variable.index();
+    }
+    Integer known = captures.get(variable);
+    if (known == null) {
+      known = captures.size();
+      captures.put(variable, known);
+      capturedFrom.add(parent.cellOf(variable));
+    }
+    return -1 - known;
+  }
+
+  /** For each captured variable, where the unit around finds it. */
+  int[] capturedFrom() {
+    return capturedFrom.stream().mapToInt(Integer::intValue).toArray();
+  }
+}

@@ -1,0 +1,2 @@
+/** From the syntax tree to executable nodes. */
+package org.urbi.kernel.compile;

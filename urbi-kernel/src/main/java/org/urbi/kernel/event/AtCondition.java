@@ -1,0 +1,115 @@
+package org.urbi.kernel.event;
+
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.TagScope;
+import org.urbi.kernel.job.Timers;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.Truth;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Span;
+
+/** {@code at (expression ~ duration) … onleave …}. */
+public final class AtCondition extends Node {
+  private final Node condition;
+  private final Node duration;
+  private final Node body;
+  private final Node onLeave;
+  private final boolean sync;
+
+  /**
+   * @param duration how long the condition must hold, or null
+   * @param onLeave may be null
+   */
+  public AtCondition(
+      Span span, Node condition, Node duration, Node body, Node onLeave, boolean sync) {
+    super(span);
+    this.condition = condition;
+    this.duration = duration;
+    this.body = body;
+    this.onLeave = onLeave;
+    this.sync = sync;
+  }
+
+  @Override
+  public UrbiObject execute(Frame frame) {
+    long hold = Durations.nanoseconds(frame, duration);
+    Frame home = frame.fork(frame.job(), false);
+    var armed = new Armed(new Handler(home, body, onLeave, sync), hold);
+    armed.handler.scope().add(armed);
+    boolean ready = false;
+    try {
+      armed.evaluated(armed.watch.evaluate(frame.job()), frame.job());
+      ready = true;
+    } finally {
+      if (!ready) {
+        armed.stopped();
+      }
+    }
+    return frame.interpreter().values().voidObject;
+  }
+
+  /** An {@code at} that has been executed and waits. */
+  private final class Armed implements Watch.Listener, TagScope.Attachment {
+    private final Handler handler;
+    private final long hold;
+    private final Watch watch;
+    private boolean holds;
+    private boolean entered;
+    private Timers.Timer timer;
+
+    Armed(Handler handler, long hold) {
+      this.handler = handler;
+      this.hold = hold;
+      this.watch = new Watch(handler.home(), condition, this);
+    }
+
+    @Override
+    public void evaluated(UrbiObject value, Job evaluator) {
+      if (handler.scope().isFrozen()) {
+        return;
+      }
+      boolean before = holds;
+      holds = Truth.of(handler.home().in(evaluator), value);
+      if (holds == before) {
+        return;
+      }
+      if (holds) {
+        if (hold == 0) {
+          entered = true;
+          handler.enter(handler.home(), evaluator, false);
+        } else {
+          timer =
+              handler.later(
+                  evaluator,
+                  hold,
+                  job -> {
+                    timer = null;
+                    if (holds) {
+                      entered = true;
+                      handler.enter(handler.home(), job, true);
+                    }
+                  });
+        }
+      } else {
+        if (timer != null) {
+          timer.cancel();
+          timer = null;
+        }
+        if (entered) {
+          entered = false;
+          handler.leave(handler.home(), evaluator, false);
+        }
+      }
+    }
+
+    @Override
+    public void stopped() {
+      watch.close();
+      if (timer != null) {
+        timer.cancel();
+      }
+      handler.scope().remove(this);
+    }
+  }
+}

@@ -1,0 +1,123 @@
+package org.urbi.kernel.event;
+
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.TagScope;
+import org.urbi.kernel.job.Timers;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Span;
+
+/** {@code at (event?(…) if … ~ duration) … onleave …}. */
+public final class AtEvent extends Node {
+  private final Node event;
+  private final EventFilter filter;
+  private final Node duration;
+  private final Node body;
+  private final Node onLeave;
+  private final boolean sync;
+
+  /**
+   * @param duration how long the emission must last, or null
+   * @param onLeave may be null
+   */
+  public AtEvent(
+      Span span,
+      Node event,
+      EventFilter filter,
+      Node duration,
+      Node body,
+      Node onLeave,
+      boolean sync) {
+    super(span);
+    this.event = event;
+    this.filter = filter;
+    this.duration = duration;
+    this.body = body;
+    this.onLeave = onLeave;
+    this.sync = sync;
+  }
+
+  @Override
+  public UrbiObject execute(Frame frame) {
+    UrbiEvent source = Events.event(frame, event);
+    long hold = Durations.nanoseconds(frame, duration);
+    // Later activations of the same code must not share variables with this one.
+    Frame home = frame.fork(frame.job(), false);
+    var armed = new Armed(source, new Handler(home, body, onLeave, sync), hold);
+    armed.handler.scope().add(armed);
+    source.subscribe(armed, frame.job());
+    return frame.interpreter().values().voidObject;
+  }
+
+  /** An {@code at} that has been executed and waits. */
+  private final class Armed implements Subscription, TagScope.Attachment {
+    private final UrbiEvent source;
+    private final Handler handler;
+    private final long hold;
+
+    Armed(UrbiEvent source, Handler handler, long hold) {
+      this.source = source;
+      this.handler = handler;
+      this.hold = hold;
+    }
+
+    @Override
+    public void begin(Emission emission, Job emitter) {
+      if (handler.scope().isFrozen()) {
+        return;
+      }
+      Frame matched = handler.home();
+      if (!filter.acceptsAll()) {
+        matched = matched.fork(emitter, false);
+        if (!filter.accepts(matched, emission.payload())) {
+          return;
+        }
+      }
+      if (hold > 0) {
+        Frame frame = matched;
+        var waiting = new Waiting();
+        waiting.timer =
+            handler.later(
+                emitter,
+                hold,
+                job -> {
+                  waiting.entered = frame;
+                  handler.enter(frame, job, true);
+                });
+        emission.note(this, waiting);
+        return;
+      }
+      if (handler.hasLeave()) {
+        var waiting = new Waiting();
+        waiting.entered = matched;
+        emission.note(this, waiting);
+      }
+      handler.enter(matched, emitter, emission.isSync());
+    }
+
+    @Override
+    public void end(Emission emission, Job emitter) {
+      if (emission.noted(this) instanceof Waiting waiting) {
+        if (waiting.timer != null) {
+          waiting.timer.cancel();
+        }
+        if (waiting.entered != null) {
+          handler.leave(waiting.entered, emitter, emission.isSync());
+        }
+      }
+    }
+
+    @Override
+    public void stopped() {
+      source.unsubscribe(this);
+      handler.scope().remove(this);
+    }
+  }
+
+  /** An emission that may last long enough, or has been accepted. */
+  private static final class Waiting {
+    Timers.Timer timer;
+    Frame entered;
+  }
+}

@@ -1,0 +1,74 @@
+package org.urbi.kernel.event;
+
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.object.UrbiObject;
+
+/** One emission of an event: it begins, lasts for no time or for some, and ends. */
+public final class Emission {
+  private final UrbiEvent event;
+  private final UrbiObject[] payload;
+  private final boolean sync;
+  private final List<Subscription> told = new ArrayList<>();
+  private Map<Subscription, Object> notes;
+  private boolean over;
+
+  Emission(UrbiEvent event, UrbiObject[] payload, boolean sync) {
+    this.event = event;
+    this.payload = payload;
+    this.sync = sync;
+  }
+
+  /** What was sent with the event. */
+  public UrbiObject[] payload() {
+    return payload;
+  }
+
+  /** Whether handlers are to be executed by the job that emits. */
+  public boolean isSync() {
+    return sync;
+  }
+
+  public boolean isOver() {
+    return over;
+  }
+
+  /** Begins and ends for one subscription: an emission that lasts no time. */
+  void flash(Subscription subscription, Job emitter) {
+    subscription.begin(this, emitter);
+    over = true;
+    subscription.end(this, emitter);
+  }
+
+  void begin(Subscription subscription, Job emitter) {
+    told.add(subscription);
+    subscription.begin(this, emitter);
+  }
+
+  /** Ends the emission, for those who have heard of it and still listen. */
+  public void end(Job emitter) {
+    if (!over) {
+      over = true;
+      event.ended(this);
+      for (Subscription subscription : told) {
+        subscription.end(this, emitter);
+      }
+    }
+  }
+
+  /** Keeps something for a subscription, until the end of the emission. */
+  public void note(Subscription subscription, Object note) {
+    if (notes == null) {
+      notes = new IdentityHashMap<>();
+    }
+    notes.put(subscription, note);
+  }
+
+  /** What was kept for a subscription, or null. */
+  public Object noted(Subscription subscription) {
+    return notes == null ? null : notes.get(subscription);
+  }
+}

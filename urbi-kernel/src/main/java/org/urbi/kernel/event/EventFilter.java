@@ -1,0 +1,41 @@
+package org.urbi.kernel.event;
+
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.Pattern;
+import org.urbi.kernel.object.UrbiObject;
+
+/** Which emissions are meant: {@code event?(patterns) if guard}. */
+public final class EventFilter {
+  private final Pattern[] patterns;
+  private final Node guard;
+
+  /**
+   * @param patterns null for any payload
+   * @param guard may be null
+   */
+  public EventFilter(Pattern[] patterns, Node guard) {
+    this.patterns = patterns;
+    this.guard = guard;
+  }
+
+  /** Whether every emission is meant, so that no code has to be evaluated to know. */
+  boolean acceptsAll() {
+    return patterns == null && guard == null;
+  }
+
+  /** Whether that payload is meant; binds the variables of the patterns. */
+  boolean accepts(Frame frame, UrbiObject[] payload) {
+    if (patterns != null) {
+      if (patterns.length != payload.length) {
+        return false;
+      }
+      for (int i = 0; i < patterns.length; i++) {
+        if (!patterns[i].matches(frame, payload[i])) {
+          return false;
+        }
+      }
+    }
+    return guard == null || guard.test(frame);
+  }
+}

@@ -1,0 +1,92 @@
+package org.urbi.kernel.event;
+
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.TagScope;
+import org.urbi.kernel.job.Timers;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Node;
+
+/**
+ * What {@code at} does when its condition begins and ceases to hold: executes the body and the
+ * {@code onleave} clause, in jobs of their own under the tags of the {@code at}, or at once in the
+ * job that triggered it when it is synchronous.
+ */
+final class Handler {
+  private final Frame home;
+  private final TagScope scope;
+  private final Node body;
+  private final Node onLeave;
+  private final boolean sync;
+
+  /**
+   * @param home the activation in which the {@code at} was executed
+   * @param onLeave may be null
+   */
+  Handler(Frame home, Node body, Node onLeave, boolean sync) {
+    this.home = home;
+    this.scope = home.job().scope();
+    this.body = body;
+    this.onLeave = onLeave;
+    this.sync = sync;
+  }
+
+  Frame home() {
+    return home;
+  }
+
+  TagScope scope() {
+    return scope;
+  }
+
+  boolean hasLeave() {
+    return onLeave != null;
+  }
+
+  /** Executes the body, with the variables of that frame. */
+  void enter(Frame frame, Job trigger, boolean wait) {
+    run(frame, trigger, body, wait);
+  }
+
+  /** Executes the {@code onleave} clause, with the variables of that frame. */
+  void leave(Frame frame, Job trigger, boolean wait) {
+    if (onLeave != null) {
+      run(frame, trigger, onLeave, wait);
+    }
+  }
+
+  private void run(Frame frame, Job trigger, Node code, boolean wait) {
+    if (sync || wait) {
+      code.execute(frame.fork(trigger, false));
+      return;
+    }
+    Detached detached = new Detached(code);
+    Job job =
+        trigger.scheduler().startDetached(home.job().lobby(), scope, "at", detached);
+    detached.frame = frame.fork(job, false);
+  }
+
+  /** Does something later, unless it is cancelled. */
+  Timers.Timer later(Job trigger, long nanoseconds, Job.Body action) {
+    var scheduler = trigger.scheduler();
+    return scheduler
+        .timers()
+        .add(
+            scheduler.now() + nanoseconds,
+            () -> scheduler.startDetached(home.job().lobby(), scope, "at", action));
+  }
+
+  /** Code in a job that nobody waits for. */
+  static final class Detached implements Job.Body {
+    private final Node code;
+    Frame frame;
+
+    Detached(Node code) {
+      this.code = code;
+    }
+
+    @Override
+    public void run(Job job) {
+      code.execute(frame);
+    }
+  }
+}

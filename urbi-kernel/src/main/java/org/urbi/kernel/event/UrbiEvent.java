@@ -1,0 +1,104 @@
+package org.urbi.kernel.event;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.SlotUpdate;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiObject;
+
+/** An event (manual, "Event"). */
+public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
+  private final Set<Subscription> subscriptions = new LinkedHashSet<>();
+  private final Set<Emission> lasting = new LinkedHashSet<>();
+  private Runnable onSubscribe;
+
+  public UrbiEvent(Shape shape) {
+    super(shape);
+  }
+
+  @Override
+  public UrbiObject cloned() {
+    return new UrbiEvent(cloneShape());
+  }
+
+  /** Whether anybody listens. */
+  public boolean hasSubscribers() {
+    return !subscriptions.isEmpty();
+  }
+
+  /** Has something done each time somebody begins to listen. */
+  public void setOnSubscribe(Runnable action) {
+    onSubscribe = action;
+  }
+
+  /** Listens from now on; hears at once of the emissions that last. */
+  public void subscribe(Subscription subscription, Job job) {
+    subscriptions.add(subscription);
+    for (Emission emission : new ArrayList<>(lasting)) {
+      emission.begin(subscription, job);
+    }
+    if (onSubscribe != null) {
+      onSubscribe.run();
+    }
+  }
+
+  public void unsubscribe(Subscription subscription) {
+    subscriptions.remove(subscription);
+  }
+
+  /** Emits the event for no time. */
+  @Override
+  public void emit(Frame frame, UrbiObject... payload) {
+    emit(frame.job(), false, payload);
+  }
+
+  /**
+   * Emits the event for no time.
+   *
+   * @param sync whether to wait for the handlers
+   */
+  public void emit(Job emitter, boolean sync, UrbiObject... payload) {
+    // Each handler enters and leaves before the next one hears of the event.
+    switch (subscriptions.size()) {
+      case 0 -> {}
+      case 1 -> new Emission(this, payload, sync).flash(subscriptions.iterator().next(), emitter);
+      default -> {
+        for (Subscription subscription : new ArrayList<>(subscriptions)) {
+          if (subscriptions.contains(subscription)) {
+            new Emission(this, payload, sync).flash(subscription, emitter);
+          }
+        }
+      }
+    }
+  }
+
+  /** Begins an emission that lasts until it is {@linkplain Emission#end ended}. */
+  public Emission trigger(Job emitter, boolean sync, UrbiObject... payload) {
+    Emission emission = new Emission(this, payload, sync);
+    lasting.add(emission);
+    tell(emission, emitter);
+    return emission;
+  }
+
+  private void tell(Emission emission, Job emitter) {
+    List<Subscription> listeners = new ArrayList<>(subscriptions);
+    for (Subscription subscription : listeners) {
+      if (subscriptions.contains(subscription)) {
+        emission.begin(subscription, emitter);
+      }
+    }
+  }
+
+  void ended(Emission emission) {
+    lasting.remove(emission);
+  }
+
+  /** The emissions that last, oldest first. */
+  List<Emission> lasting() {
+    return new ArrayList<>(lasting);
+  }
+}

@@ -1,0 +1,151 @@
+package org.urbi.kernel.event;
+
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Timers;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.Truth;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Span;
+
+/** {@code waituntil (condition)}: holds the job until an expression is true, or an event comes. */
+public final class WaitUntil extends Node {
+  private final Node expression;
+  private final Node event;
+  private final EventFilter filter;
+  private final Node duration;
+
+  /**
+   * @param expression the condition; null when it is an event
+   * @param event the event; null when it is an expression
+   * @param duration how long it must hold, or null
+   */
+  public WaitUntil(
+      Span span, Node expression, Node event, EventFilter filter, Node duration) {
+    super(span);
+    this.expression = expression;
+    this.event = event;
+    this.filter = filter;
+    this.duration = duration;
+  }
+
+  @Override
+  public UrbiObject execute(Frame frame) {
+    long hold = Durations.nanoseconds(frame, duration);
+    if (event != null) {
+      UrbiEvent source = Events.event(frame, event);
+      var waiting = new ForEvent(frame, hold);
+      source.subscribe(waiting, frame.job());
+      try {
+        waiting.await();
+      } finally {
+        source.unsubscribe(waiting);
+        waiting.close();
+      }
+    } else {
+      var waiting = new ForExpression(frame, hold);
+      try {
+        waiting.evaluated(waiting.watch.evaluate(frame.job()), frame.job());
+        waiting.await();
+      } finally {
+        waiting.watch.close();
+        waiting.close();
+      }
+    }
+    return frame.interpreter().values().voidObject;
+  }
+
+  /** A job that waits. */
+  private abstract static class Waiting {
+    final Frame frame;
+    private final Job job;
+    private final long hold;
+    private Timers.Timer timer;
+    private boolean done;
+
+    Waiting(Frame frame, long hold) {
+      this.frame = frame;
+      this.job = frame.job();
+      this.hold = hold;
+    }
+
+    void holds() {
+      if (hold == 0) {
+        release();
+      } else if (timer == null) {
+        var scheduler = job.scheduler();
+        timer = scheduler.timers().add(scheduler.now() + hold, this::release);
+      }
+    }
+
+    void holdsNoMore() {
+      if (timer != null) {
+        timer.cancel();
+        timer = null;
+      }
+    }
+
+    private void release() {
+      done = true;
+      job.wake();
+    }
+
+    boolean isDone() {
+      return done;
+    }
+
+    void await() {
+      while (!done) {
+        job.waitForWake();
+      }
+    }
+
+    void close() {
+      holdsNoMore();
+    }
+  }
+
+  /** For an expression to be true. */
+  private final class ForExpression extends Waiting implements Watch.Listener {
+    private final Watch watch;
+
+    ForExpression(Frame frame, long hold) {
+      super(frame, hold);
+      watch = new Watch(frame, expression, this);
+    }
+
+    @Override
+    public void evaluated(UrbiObject value, Job evaluator) {
+      if (Truth.of(frame.in(evaluator), value)) {
+        holds();
+      } else {
+        holdsNoMore();
+      }
+    }
+  }
+
+  /** For an event to come. */
+  private final class ForEvent extends Waiting implements Subscription {
+    ForEvent(Frame frame, long hold) {
+      super(frame, hold);
+    }
+
+    @Override
+    public void begin(Emission emission, Job emitter) {
+      // The variables of the pattern are those of the code that waits; the first event has them.
+      if (!isDone()
+          && !frame.job().isFrozen()
+          && filter.accepts(frame.in(emitter), emission.payload())) {
+        emission.note(this, this);
+        holds();
+      }
+    }
+
+    @Override
+    public void end(Emission emission, Job emitter) {
+      if (emission.noted(this) != null) {
+        holdsNoMore();
+      }
+    }
+  }
+}

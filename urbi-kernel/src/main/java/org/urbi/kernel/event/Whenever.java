@@ -1,0 +1,234 @@
+package org.urbi.kernel.event;
+
+import java.util.IdentityHashMap;
+import java.util.Map;
+import java.util.function.BooleanSupplier;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.TagScope;
+import org.urbi.kernel.job.Timers;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.Truth;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Span;
+
+/**
+ * {@code whenever (condition) body else elseClause}: executes the body again and again as long as
+ * the condition holds, and the {@code else} clause as long as it does not.
+ */
+public final class Whenever extends Node {
+  private final Node expression;
+  private final Node event;
+  private final EventFilter filter;
+  private final Node duration;
+  private final Node body;
+  private final Node elseClause;
+
+  /**
+   * @param expression the condition; null when it is an event
+   * @param event the event; null when it is an expression
+   * @param duration how long it must hold, or null
+   * @param elseClause may be null
+   */
+  public Whenever(
+      Span span,
+      Node expression,
+      Node event,
+      EventFilter filter,
+      Node duration,
+      Node body,
+      Node elseClause) {
+    super(span);
+    this.expression = expression;
+    this.event = event;
+    this.filter = filter;
+    this.duration = duration;
+    this.body = body;
+    this.elseClause = elseClause;
+  }
+
+  @Override
+  public UrbiObject execute(Frame frame) {
+    long hold = Durations.nanoseconds(frame, duration);
+    Frame home = frame.fork(frame.job(), false);
+    if (event != null) {
+      var armed = new OnEvent(home, Events.event(frame, event), hold);
+      armed.scope.add(armed);
+      armed.otherwise();
+      armed.source.subscribe(armed, frame.job());
+    } else {
+      var armed = new OnExpression(home, hold);
+      armed.scope.add(armed);
+      boolean ready = false;
+      try {
+        armed.evaluated(armed.watch.evaluate(frame.job()), frame.job());
+        ready = true;
+      } finally {
+        if (!ready) {
+          armed.stopped();
+        }
+      }
+    }
+    return frame.interpreter().values().voidObject;
+  }
+
+  /** What both kinds have in common: a clause repeated in a job as long as it is its turn. */
+  private abstract static class Repeating implements TagScope.Attachment {
+    final Frame home;
+    final TagScope scope;
+    boolean stopped;
+
+    Repeating(Frame home) {
+      this.home = home;
+      this.scope = home.job().scope();
+    }
+
+    /** Repeats a clause in a job of its own as long as that says so. */
+    void repeat(Frame variables, Node clause, BooleanSupplier goesOn) {
+      var code =
+          new Job.Body() {
+            Frame frame;
+
+            @Override
+            public void run(Job job) {
+              while (!stopped && goesOn.getAsBoolean()) {
+                clause.execute(frame);
+                job.yieldNow();
+              }
+            }
+          };
+      Job job =
+          home.job().scheduler().startDetached(home.job().lobby(), scope, "whenever", code);
+      code.frame = variables.fork(job, false);
+    }
+  }
+
+  /** On an expression. */
+  private final class OnExpression extends Repeating implements Watch.Listener {
+    private final Watch watch;
+    private final long hold;
+    private boolean known;
+    private boolean holds;
+    private long turn;
+    private Timers.Timer timer;
+
+    OnExpression(Frame home, long hold) {
+      super(home);
+      this.hold = hold;
+      this.watch = new Watch(home, expression, this);
+    }
+
+    @Override
+    public void evaluated(UrbiObject value, Job evaluator) {
+      boolean now = Truth.of(home.in(evaluator), value);
+      if (known && now == holds) {
+        return;
+      }
+      known = true;
+      holds = now;
+      if (timer != null) {
+        timer.cancel();
+        timer = null;
+      }
+      if (holds && hold > 0) {
+        var scheduler = evaluator.scheduler();
+        timer = scheduler.timers().add(scheduler.now() + hold, this::begin);
+      } else {
+        begin();
+      }
+    }
+
+    private void begin() {
+      long mine = ++turn;
+      Node clause = holds ? body : elseClause;
+      if (clause != null) {
+        repeat(home, clause, () -> turn == mine);
+      }
+    }
+
+    @Override
+    public void stopped() {
+      stopped = true;
+      watch.close();
+      if (timer != null) {
+        timer.cancel();
+      }
+      scope.remove(this);
+    }
+  }
+
+  /** On an event. */
+  private final class OnEvent extends Repeating implements Subscription {
+    private final UrbiEvent source;
+    private final long hold;
+    private final Map<Emission, Timers.Timer> accepted = new IdentityHashMap<>();
+    private long turn;
+
+    OnEvent(Frame home, UrbiEvent source, long hold) {
+      super(home);
+      this.source = source;
+      this.hold = hold;
+    }
+
+    @Override
+    public void begin(Emission emission, Job emitter) {
+      if (scope.isFrozen()) {
+        return;
+      }
+      Frame matched = home.fork(emitter, false);
+      if (!filter.accepts(matched, emission.payload())) {
+        return;
+      }
+      turn++;
+      if (hold == 0) {
+        accepted.put(emission, null);
+        run(emission, matched);
+      } else {
+        var scheduler = emitter.scheduler();
+        accepted.put(
+            emission,
+            scheduler.timers().add(scheduler.now() + hold, () -> run(emission, matched)));
+      }
+    }
+
+    private void run(Emission emission, Frame matched) {
+      // Once in any case, even when the emission lasted no time.
+      boolean[] first = {true};
+      repeat(
+          matched,
+          body,
+          () -> {
+            boolean goesOn = first[0] || !emission.isOver();
+            first[0] = false;
+            return goesOn;
+          });
+    }
+
+    @Override
+    public void end(Emission emission, Job emitter) {
+      if (accepted.containsKey(emission)) {
+        Timers.Timer timer = accepted.remove(emission);
+        if (timer != null) {
+          timer.cancel();
+        }
+        if (accepted.isEmpty()) {
+          otherwise();
+        }
+      }
+    }
+
+    void otherwise() {
+      if (elseClause != null) {
+        long mine = ++turn;
+        repeat(home, elseClause, () -> turn == mine);
+      }
+    }
+
+    @Override
+    public void stopped() {
+      stopped = true;
+      source.unsubscribe(this);
+      scope.remove(this);
+    }
+  }
+}

@@ -1,0 +1,64 @@
+package org.urbi.kernel.library;
+
+import java.util.Arrays;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Code;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Function;
+import org.urbi.kernel.object.UrbiList;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
+import org.urbi.lang.print.Printer;
+
+/** Functions written in urbiscript (manual, "Code"). */
+@UrbiType(
+    value = "Code",
+    protos = {"Executable"},
+    doc = "A function written in urbiscript.")
+final class CodeType {
+  private CodeType() {}
+
+  @Builtin(doc = "Calls the function: the list holds the target, then the arguments.")
+  static UrbiObject apply(Frame frame, CallSite site, UrbiObject self, UrbiList arguments) {
+    UrbiObject[] all = arguments.elements().toArray(UrbiObject[]::new);
+    if (all.length == 0) {
+      throw frame
+          .interpreter()
+          .errors()
+          .primitive("apply", "list of arguments must begin with this");
+    }
+    return frame
+        .interpreter()
+        .call(frame, site, self, all[0], Arrays.copyOfRange(all, 1, all.length));
+  }
+
+  @Builtin(doc = "The text of the function.")
+  static String asString(Frame frame, UrbiObject self) {
+    return switch (self) {
+      case Function function -> Printer.print(function.source());
+      case Code other -> "Code_" + ObjectType.uid(other);
+      default -> "Code";
+    };
+  }
+
+  @Builtin(doc = "The text of the code of the function, without its arguments.")
+  static String bodyString(Frame frame, UrbiObject self) {
+    return self instanceof Function function
+        ? Printer.print(function.source().body())
+        : "";
+  }
+
+  @Builtin(
+      value = {"=="},
+      doc = "Whether both are the same function.")
+  static boolean equal(UrbiObject self, UrbiObject other) {
+    return self == other;
+  }
+
+  /** The prototype of functions is a function without effect. */
+  static UrbiString text(UrbiObject self, String text) {
+    return self.world().values().string(text);
+  }
+}

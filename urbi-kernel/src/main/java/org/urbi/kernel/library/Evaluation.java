@@ -1,0 +1,65 @@
+package org.urbi.kernel.library;
+
+import org.urbi.kernel.compile.Compilation;
+import org.urbi.kernel.lobby.Output;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+
+import org.urbi.lang.ast.Ast;
+import org.urbi.lang.parse.SyntaxError;
+import org.urbi.lang.parse.UrbiParser;
+import org.urbi.lang.source.Source;
+
+/** Evaluates source text while code runs ({@code eval}, {@code load}). */
+final class Evaluation {
+  private Evaluation() {}
+
+  /**
+   * Evaluates a whole text on a target.
+   *
+   * @param file the name by which errors call it, or null
+   * @return the value of its last statement
+   */
+  static UrbiObject eval(
+      Frame frame, CallSite site, UrbiObject target, String text, String file) {
+    UrbiParser.Parsed parsed = UrbiParser.parse(Source.of(text, file));
+    for (SyntaxError error : parsed.errors()) {
+      String message = error.span().location() + ": " + error.message();
+      if (!error.isWarning()) {
+        throw frame
+            .interpreter()
+            .errors()
+            .of("Syntax", message)
+            .with("input", text)
+            .build();
+      }
+      Output output = LobbyType.of(frame).output();
+      output.send("warning", "!!! " + message);
+    }
+    return execute(frame, site, target, parsed.program());
+  }
+
+  /** Executes statements one after the other, as the top level does. */
+  private static UrbiObject execute(
+      Frame frame, CallSite site, UrbiObject target, Ast.Sequence program) {
+    UrbiObject value = frame.interpreter().values().voidObject;
+    for (int i = 0; i < program.statements().size(); i++) {
+      Compilation.Compiled compiled =
+          Compilation.compile(frame.interpreter(), program.statements().get(i));
+      Frame inner = frame.nested(site, target, compiled.layout());
+      boolean background =
+          i < program.separators().size() && program.separators().get(i) == Ast.Flavor.COMMA;
+      if (background) {
+        ControlType.start(inner, frame.job().scope(), compiled.code()::execute);
+        frame.job().yield();
+      } else {
+        if (i > 0) {
+          frame.job().yield();
+        }
+        value = compiled.code().execute(inner);
+      }
+    }
+    return value;
+  }
+}

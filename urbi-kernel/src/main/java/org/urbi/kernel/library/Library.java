@@ -1,0 +1,187 @@
+package org.urbi.kernel.library;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.urbi.kernel.builtin.BuiltinTable;
+import org.urbi.kernel.error.Errors;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.node.ClassNodes;
+import org.urbi.kernel.node.CorePrototypes;
+import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.node.Primitive;
+import org.urbi.kernel.object.SlotData;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Values;
+import org.urbi.kernel.object.World;
+
+/** Fills a fresh kernel with the standard library, from the tables of builtins. */
+public final class Library {
+  private final Interpreter interpreter;
+  private final World world;
+  private final Values values;
+  private final Map<String, UrbiObject> types = new LinkedHashMap<>();
+
+  private Library(Interpreter interpreter) {
+    this.interpreter = interpreter;
+    this.world = interpreter.world();
+    this.values = interpreter.values();
+  }
+
+  /** Installs the library. */
+  public static void install(Interpreter interpreter) {
+    new Library(interpreter).install();
+  }
+
+  private void install() {
+    known();
+    BuiltinTable[] tables = LibraryTables.all();
+    for (BuiltinTable table : tables) {
+      if (!table.isPart()) {
+        types.computeIfAbsent(table.type(), type -> prototype(table));
+      }
+    }
+    types.forEach(world::declarePrototype);
+    interpreter.prototypes().asThis = new IdentityCode(interpreter.prototypes().code);
+    for (BuiltinTable table : tables) {
+      UrbiObject type = types.get(table.type());
+      if (!table.isPart()) {
+        name(table, type);
+      }
+      addBuiltins(table, type);
+    }
+    inheritance(tables);
+    constants();
+    errors();
+    interpreter.rememberNumberOperators();
+  }
+
+  /** The prototypes that exist before the library does. */
+  private void known() {
+    CorePrototypes core = interpreter.prototypes();
+    types.put("Object", values.object);
+    types.put("Float", values.floatProto);
+    types.put("String", values.stringProto);
+    types.put("List", values.listProto);
+    types.put("Tuple", values.tupleProto);
+    types.put("Dictionary", values.dictionaryProto);
+    types.put("Boolean", values.booleanProto);
+    types.put("nil", values.nil);
+    types.put("void", values.voidObject);
+    types.put("Executable", core.executable);
+    types.put("Code", core.code);
+    types.put("Primitive", core.primitive);
+    types.put("Lazy", core.lazy);
+    types.put("CallMessage", core.callMessage);
+    types.put("Enumeration", core.enumeration);
+    types.put("Event", core.event);
+    types.put("Tag", core.tag);
+    types.put("Tag.tags", core.tags);
+  }
+
+  private UrbiObject prototype(BuiltinTable table) {
+    UrbiObject made = table.newPrototype(world);
+    return made == null ? values.object.cloned() : made;
+  }
+
+  private UrbiObject primitive(BuiltinTable table, int index) {
+    return new Primitive(interpreter.prototypes().primitiveShape(), table, index);
+  }
+
+  /** Makes the type known by its name, in Global or in the type whose part it is. */
+  private void name(BuiltinTable table, UrbiObject type) {
+    String full = table.type();
+    int dot = full.lastIndexOf('.');
+    String simple = full.substring(dot + 1);
+    UrbiObject owner = dot < 0 ? types.get("Global") : types.get(full.substring(0, dot));
+    owner.addSlot(world.symbol(simple), type);
+    ClassNodes.nameType(interpreter, type, simple);
+    if (full.equals("Exception") || full.startsWith("Exception.")) {
+      type.addSlot(world.symbol("fullType"), values.string(full));
+    }
+  }
+
+  private void addBuiltins(BuiltinTable table, UrbiObject type) {
+    for (int i = 0; i < table.size(); i++) {
+      Symbol name = world.symbol(table.name(i));
+      if (table.isSetter(i)) {
+        SlotData data = type.ensureSlotData(name);
+        data.setter = primitive(table, i);
+        type.slotDataChanged(name);
+      } else {
+        type.removeSlot(name);
+        type.addSlot(name, primitive(table, i));
+      }
+    }
+  }
+
+  private void inheritance(BuiltinTable[] tables) {
+    for (BuiltinTable table : tables) {
+      if (!table.isPart()) {
+        List<UrbiObject> protos = new ArrayList<>();
+        for (String proto : table.protos()) {
+          UrbiObject found = types.get(proto);
+          if (found != null) {
+            protos.add(found);
+          }
+        }
+        types.get(table.type()).setProtos(protos.toArray(UrbiObject[]::new));
+      }
+    }
+  }
+
+  private void constants() {
+    UrbiObject global = types.get("Global");
+    global.addSlot(world.symbol("true"), values.trueObject);
+    global.addSlot(world.symbol("false"), values.falseObject);
+    UrbiObject channel = types.get("Channel");
+    channel.addSlot(world.symbol("name"), values.string(""));
+    channel.addSlot(world.symbol("enabled"), values.trueObject);
+    channel.addSlot(world.symbol("quote"), values.trueObject);
+    UrbiObject topLevel = channel(channel, "", true);
+    channel.addSlot(world.symbol("topLevel"), topLevel);
+    UrbiObject none = channel(channel, "", true);
+    none.addSlot(world.symbol("enabled"), values.falseObject);
+    channel.addSlot(world.symbol("null"), none);
+    global.addSlot(world.symbol("cerr"), channel(channel, "error", false));
+    global.addSlot(world.symbol("clog"), channel(channel, "clog", true));
+    global.addSlot(world.symbol("cout"), channel(channel, "output", true));
+    UrbiObject lobby = types.get("Lobby");
+    lobby.setProtos(topLevel);
+    lobby.addSlot(world.symbol("topLevel"), topLevel);
+    types.get("System").addSlot(world.symbol("period"), values.number(0.02));
+    types.get("Exception").addSlot(world.symbol("message"), values.string("<no message>"));
+  }
+
+  private UrbiObject channel(UrbiObject prototype, String name, boolean quote) {
+    UrbiObject channel = prototype.cloned();
+    channel.addSlot(world.symbol("name"), values.string(name));
+    if (!quote) {
+      channel.addSlot(world.symbol("quote"), values.falseObject);
+    }
+    return channel;
+  }
+
+  private void errors() {
+    Errors errors = interpreter.errors();
+    types.forEach(
+        (name, type) -> {
+          if (name.startsWith("Exception.")) {
+            errors.declare(name.substring("Exception.".length()), type);
+          }
+        });
+    interpreter.setDescriber(this::describe);
+  }
+
+  /** Gives a caught exception the place where it was thrown. */
+  private void describe(UrbiException exception) {
+    UrbiObject value = exception.value();
+    if (value.isA(types.get("Exception")) && exception.isLocated()) {
+      String place =
+          exception.span() == null ? "" : exception.span().location().toString();
+      ExceptionType.set(value, "location", values.string(place));
+    }
+  }
+}

@@ -1,0 +1,97 @@
+package org.urbi.kernel.library;
+
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Optional;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.lobby.Output;
+import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiList;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
+import org.urbi.kernel.tag.UrbiTag;
+
+/** The environment of a connection (manual, "Lobby"). */
+@UrbiType(
+    value = "Lobby",
+    protos = {"Channel.topLevel"},
+    doc = "The environment of a connection.")
+final class LobbyType {
+  private LobbyType() {}
+
+  /** The lobby for which code runs. */
+  static UrbiLobby of(Frame frame) {
+    return (UrbiLobby) frame.job().lobby();
+  }
+
+  private static Output output(Frame frame, UrbiObject self) {
+    return self instanceof UrbiLobby lobby && lobby.output() != null
+        ? lobby.output()
+        : of(frame).output();
+  }
+
+  @Builtin(doc = "Sends a value as text, on a channel if one is given.")
+  static void echo(Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
+    String text = frame.interpreter().asString(frame, value);
+    output(frame, self).send(channel == null ? "" : channel, stars(text));
+  }
+
+  /** Each line of a message after the first is marked as such. */
+  private static String stars(String text) {
+    return "*** " + text.replace("\n", "\n[:]");
+  }
+
+  @Builtin(doc = "Sends each member of a list as text, on a channel if one is given.")
+  static void echoEach(Frame frame, UrbiObject self, UrbiList list, @Optional String channel) {
+    for (UrbiObject value : list.elements()) {
+      echo(frame, self, value, channel);
+    }
+  }
+
+  @Builtin(doc = "Sends text with a time stamp, on a channel if one is given.")
+  static void send(Frame frame, UrbiObject self, String text, @Optional String channel) {
+    output(frame, self).send(channel == null ? "" : channel, text);
+  }
+
+  @Builtin(doc = "Sends bytes as they are.")
+  static void write(Frame frame, UrbiObject self, String bytes) {
+    output(frame, self).write(bytes);
+  }
+
+  @Builtin(doc = "The lobby for which this code runs.")
+  static UrbiObject lobby(Frame frame, UrbiObject self) {
+    return of(frame);
+  }
+
+  @Builtin(doc = "Whether somebody is at the other end.")
+  static boolean connected(Frame frame, UrbiObject self) {
+    return output(frame, self).isOpen();
+  }
+
+  @Builtin(doc = "The tag of all the code that runs for this lobby.")
+  static UrbiObject connectionTag(Frame frame, UrbiObject self) {
+    return of(frame).connectionTag();
+  }
+
+  @Builtin(doc = "How many bytes have been sent to the client.")
+  static double bytesSent(Frame frame, UrbiObject self) {
+    return output(frame, self).bytesSent();
+  }
+
+  @Builtin(doc = "Closes the connection.")
+  static void quit(Frame frame, UrbiObject self) {
+    UrbiLobby lobby = self instanceof UrbiLobby own && own.shell() != null ? own : of(frame);
+    lobby.shell().close();
+    frame.job().checkInjected();
+  }
+
+  /** The prototype, which is no connection itself. */
+  static UrbiObject newPrototype(World world) {
+    return new UrbiLobby(world.values().object.cloneShape(), null);
+  }
+
+  /** A tag for the code of a lobby. */
+  static UrbiTag tag(UrbiObject lobby) {
+    return ((UrbiLobby) lobby).connectionTag();
+  }
+}

@@ -1,0 +1,35 @@
+package org.urbi.kernel.library;
+
+import java.util.List;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiTuple;
+import org.urbi.kernel.object.World;
+
+/** Tuples of two objects (manual, "Pair"). */
+@UrbiType(value = "Pair", protos = "Tuple", doc = "A tuple of two objects.")
+final class PairType {
+  private PairType() {}
+
+  static UrbiObject newPrototype(World world) {
+    UrbiObject nil = world.values().nil;
+    return new UrbiTuple(world.values().tupleProto.cloneShape(), List.of(nil, nil));
+  }
+
+  @Builtin(doc = "Makes the arguments the members.")
+  static UrbiObject init(UrbiTuple self, UrbiObject first, UrbiObject second) {
+    self.setElements(List.of(first, second));
+    return self;
+  }
+
+  @Builtin(doc = "The first member.")
+  static UrbiObject first(UrbiTuple self) {
+    return self.get(0);
+  }
+
+  @Builtin(doc = "The second member.")
+  static UrbiObject second(UrbiTuple self) {
+    return self.get(1);
+  }
+}

@@ -1,0 +1,22 @@
+package org.urbi.kernel.library;
+
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiList;
+import org.urbi.kernel.object.UrbiObject;
+
+/** Functions written in Java (manual, "Primitive"). */
+@UrbiType(
+    value = "Primitive",
+    protos = {"Executable"},
+    doc = "A function of the library written in Java.")
+final class PrimitiveType {
+  private PrimitiveType() {}
+
+  @Builtin(doc = "Calls the primitive: the list holds the target, then the arguments.")
+  static UrbiObject apply(Frame frame, CallSite site, UrbiObject self, UrbiList arguments) {
+    return CodeType.apply(frame, site, self, arguments);
+  }
+}

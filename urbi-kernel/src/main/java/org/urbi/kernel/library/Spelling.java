@@ -1,0 +1,58 @@
+package org.urbi.kernel.library;
+
+import java.util.List;
+
+/** How alike words are (manual, "String.distance", "String.closest"). */
+public final class Spelling {
+  private Spelling() {}
+
+  /**
+   * The number of insertions, deletions, substitutions and transpositions of neighbours that make
+   * one word of the other.
+   */
+  public static int distance(String from, String to) {
+    int[] before = new int[to.length() + 1];
+    int[] previous = new int[to.length() + 1];
+    int[] current = new int[to.length() + 1];
+    for (int j = 0; j <= to.length(); j++) {
+      previous[j] = j;
+    }
+    for (int i = 1; i <= from.length(); i++) {
+      current[0] = i;
+      for (int j = 1; j <= to.length(); j++) {
+        int cost = from.charAt(i - 1) == to.charAt(j - 1) ? 0 : 1;
+        int best = Math.min(Math.min(current[j - 1], previous[j]) + 1, previous[j - 1] + cost);
+        if (i > 1
+            && j > 1
+            && from.charAt(i - 1) == to.charAt(j - 2)
+            && from.charAt(i - 2) == to.charAt(j - 1)) {
+          best = Math.min(best, before[j - 2] + 1);
+        }
+        current[j] = best;
+      }
+      int[] oldest = before;
+      before = previous;
+      previous = current;
+      current = oldest;
+    }
+    return previous[to.length()];
+  }
+
+  /** The first of the most alike candidates; null when none is worth a suggestion. */
+  public static String closest(String word, List<String> candidates) {
+    String closest = null;
+    int least = Integer.MAX_VALUE;
+    for (String candidate : candidates) {
+      // The case of letters counts little.
+      int edits =
+          2 * distance(Characters.lower(word), Characters.lower(candidate))
+              + (word.equals(candidate) ? 0 : 1);
+      int longest = Math.max(word.length(), candidate.length());
+      if (edits < least && edits <= 1 + Math.max(2, 2 * (longest / 3))) {
+        least = edits;
+        closest = candidate;
+      }
+    }
+    return closest;
+  }
+}

@@ -1,0 +1,90 @@
+package org.urbi.kernel.library;
+
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Optional;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.event.UrbiEvent;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
+import org.urbi.kernel.tag.UrbiTag;
+
+/** Labels of code, to control it (manual, "Tag"). */
+@UrbiType(value = "Tag", doc = "A label of code, to stop, block or freeze it.")
+final class TagType {
+  private TagType() {}
+
+  @Builtin(doc = "Gives the tag a name; without one it gets a number.")
+  static void init(Frame frame, UrbiTag self, @Optional String name) {
+    Symbol slot = self.world().symbol("name");
+    String chosen = name == null ? "tag_" + frame.job().scheduler().nextNumber() : name;
+    if (self.localSlot(slot) == null) {
+      self.addSlot(slot, frame.interpreter().values().string(chosen));
+    }
+  }
+
+  @Builtin(doc = "The tag as text: Tag<name>.")
+  static String asString(UrbiTag self) {
+    UrbiObject name = self.localSlot(self.world().symbol("name"));
+    return name instanceof UrbiString text ? "Tag<" + text.value() + ">" : "Tag";
+  }
+
+  private static UrbiObject result(Frame frame, UrbiObject result) {
+    return result == null ? frame.interpreter().values().voidObject : result;
+  }
+
+  @Builtin(doc = "Ends the code under the tag, which returns that value.")
+  static void stop(Frame frame, UrbiTag self, @Optional UrbiObject result) {
+    self.state().stop(result(frame, result));
+    frame.job().checkInjected();
+  }
+
+  @Builtin(doc = "Ends the code under the tag, and lets none begin; it returns that value.")
+  static void block(Frame frame, UrbiTag self, @Optional UrbiObject result) {
+    self.state().block(result(frame, result));
+    frame.job().checkInjected();
+  }
+
+  @Builtin(doc = "Lets code under the tag begin again.")
+  static void unblock(UrbiTag self) {
+    self.state().unblock();
+  }
+
+  @Builtin(doc = "Whether no code can begin under the tag.")
+  static boolean blocked(UrbiTag self) {
+    return self.state().isBlocked();
+  }
+
+  @Builtin(doc = "Suspends the code under the tag, and the code that enters it.")
+  static void freeze(Frame frame, UrbiTag self) {
+    self.state().freeze();
+    frame.job().holdIfFrozen();
+  }
+
+  @Builtin(doc = "Lets the code under the tag go on.")
+  static void unfreeze(UrbiTag self) {
+    self.state().unfreeze();
+  }
+
+  @Builtin(doc = "Whether the code under the tag is suspended.")
+  static boolean frozen(UrbiTag self) {
+    return self.state().isFrozen();
+  }
+
+  @Builtin(doc = "An event emitted each time code enters the tag.")
+  static UrbiObject enter(Frame frame, UrbiTag self) {
+    if (self.enterEvent() == null) {
+      self.setEnterEvent((UrbiEvent) frame.interpreter().prototypes().event.cloned());
+    }
+    return self.enterEvent();
+  }
+
+  @Builtin(doc = "An event emitted each time code leaves the tag.")
+  static UrbiObject leave(Frame frame, UrbiTag self) {
+    if (self.leaveEvent() == null) {
+      self.setLeaveEvent((UrbiEvent) frame.interpreter().prototypes().event.cloned());
+    }
+    return self.leaveEvent();
+  }
+}

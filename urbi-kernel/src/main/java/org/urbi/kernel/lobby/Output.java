@@ -1,0 +1,88 @@
+package org.urbi.kernel.lobby;
+
+import java.util.function.Consumer;
+import org.urbi.kernel.job.Scheduler;
+
+/**
+ * The output of one lobby: lines with a time stamp and the name of a channel, handed over at the
+ * end of the tick.
+ */
+public final class Output {
+  private static final int LARGE = 1 << 16;
+
+  private final Scheduler scheduler;
+  private final Consumer<String> client;
+  private StringBuilder buffer = new StringBuilder();
+  private boolean registered;
+  private boolean open = true;
+  private long bytesSent;
+
+  public Output(Scheduler scheduler, Consumer<String> client) {
+    this.scheduler = scheduler;
+    this.client = client;
+  }
+
+  /**
+   * Sends text on a channel. Each line of it after the first begins with {@code [:]}.
+   *
+   * @param channel empty for the one without a name
+   */
+  public void send(String channel, String text) {
+    long milliseconds = scheduler.now() / 1_000_000;
+    var line = new StringBuilder(text.length() + 24);
+    line.append('[');
+    String time = Long.toString(milliseconds);
+    for (int i = time.length(); i < 8; i++) {
+      line.append('0');
+    }
+    line.append(time);
+    if (!channel.isEmpty()) {
+      line.append(':').append(channel);
+    }
+    line.append("] ").append(text).append('\n');
+    write(line.toString());
+  }
+
+  /** Sends bytes as they are. */
+  public void write(String bytes) {
+    if (!open) {
+      return;
+    }
+    bytesSent += bytes.length();
+    buffer.append(bytes);
+    if (buffer.length() > LARGE) {
+      flush();
+    } else if (!registered) {
+      registered = true;
+      scheduler.atEndOfTick(
+          () -> {
+            registered = false;
+            flush();
+          });
+    }
+  }
+
+  /** Hands over what is waiting. */
+  public void flush() {
+    if (buffer.length() > 0) {
+      String bytes = buffer.toString();
+      buffer = new StringBuilder();
+      client.accept(bytes);
+    }
+  }
+
+  /** Nobody listens any more. */
+  public void close() {
+    flush();
+    open = false;
+  }
+
+  public boolean isOpen() {
+    return open;
+  }
+
+  /** How many bytes have been written. */
+  public long bytesSent() {
+    return bytesSent;
+  }
+}

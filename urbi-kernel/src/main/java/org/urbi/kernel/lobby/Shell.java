@@ -1,0 +1,248 @@
+package org.urbi.kernel.lobby;
+
+import org.urbi.kernel.compile.Compilation;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.TagScope;
+import org.urbi.kernel.job.TagStop;
+import org.urbi.kernel.job.Unwinding;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.tag.UrbiTag;
+import org.urbi.lang.ast.Ast;
+import org.urbi.lang.input.StatementReader;
+import org.urbi.lang.parse.SyntaxError;
+
+/**
+ * The top level of a lobby: a job that executes the statements of the input one after the other,
+ * shows their values and their errors, and outlives them all.
+ */
+public final class Shell {
+  /** What the shell tells its connection. */
+  public interface Listener {
+    /** Input has been executed. */
+    void consumed();
+
+    /** The input is over, and so are all the jobs of the lobby; or the lobby was quit. */
+    void finished();
+  }
+
+  private final Interpreter interpreter;
+  private final UrbiLobby lobby;
+  private final Listener listener;
+  private final StatementReader reader = new StatementReader();
+  private final StringBuilder received = new StringBuilder();
+  private Job job;
+  private UrbiTag foregroundTag;
+  private boolean waiting;
+  private boolean ended;
+  private boolean closed;
+  private boolean busy;
+  private long bytesReceived;
+
+  public Shell(Interpreter interpreter, UrbiLobby lobby, Listener listener) {
+    this.interpreter = interpreter;
+    this.lobby = lobby;
+    this.listener = listener;
+  }
+
+  /** Begins to execute what comes in. */
+  public void start() {
+    job =
+        interpreter
+            .scheduler()
+            .startDetached(
+                lobby, interpreter.scheduler().rootScope(), "shell", this::run);
+  }
+
+  /** Takes input. */
+  public void receive(String bytes) {
+    if (!closed) {
+      bytesReceived += bytes.length();
+      received.append(bytes);
+      wake();
+    }
+  }
+
+  /** There will be no more input. */
+  public void end() {
+    ended = true;
+    wake();
+  }
+
+  /** Whether the shell has nothing to execute until more input comes. */
+  public boolean isStarving() {
+    return waiting && !ended && received.isEmpty();
+  }
+
+  /** Whether the input so far ends within a statement. */
+  public boolean isIncomplete() {
+    return reader.pending();
+  }
+
+  public long bytesReceived() {
+    return bytesReceived;
+  }
+
+  /** How much input has not been looked at. */
+  public int pending() {
+    return received.length();
+  }
+
+  private void wake() {
+    if (waiting) {
+      waiting = false;
+      job.wake();
+    }
+  }
+
+  /** Ends the statement in the foreground and forgets the input behind it. */
+  public void interrupt() {
+    received.setLength(0);
+    reader.reset();
+    if (busy) {
+      UrbiObject nothing = interpreter.values().voidObject;
+      foregroundTag.state().stop(nothing);
+      lobby.output().send("error", "!!! received interruption, killing foreground job.");
+    }
+  }
+
+  /** Ends all that the lobby does. */
+  public void close() {
+    if (!closed) {
+      closed = true;
+      received.setLength(0);
+      lobby.connectionTag().state().stop(interpreter.values().voidObject);
+      if (job != null) {
+        job.terminate();
+      }
+    }
+  }
+
+  // ------------------------------------------------------------------ in the job
+
+  private void run(Job shell) {
+    try {
+      while (!closed) {
+        StatementReader.Item item = nextItem(shell);
+        if (item == null) {
+          break;
+        }
+        switch (item) {
+          case StatementReader.Item.Statement statement -> execute(shell, statement);
+          case StatementReader.Item.Errors errors -> errors.errors().forEach(this::show);
+        }
+      }
+      if (!closed) {
+        awaitJobs(shell);
+      }
+    } finally {
+      listener.finished();
+    }
+  }
+
+  private StatementReader.Item nextItem(Job shell) {
+    while (!closed) {
+      StatementReader.Item item = reader.next();
+      if (item != null) {
+        return item;
+      }
+      if (!received.isEmpty()) {
+        String chunk = received.toString();
+        received.setLength(0);
+        reader.feed(chunk);
+        listener.consumed();
+      } else if (ended) {
+        return null;
+      } else {
+        waiting = true;
+        shell.waitForWake();
+      }
+    }
+    return null;
+  }
+
+  private void awaitJobs(Job shell) {
+    while (!closed && !lobby.connectionTag().state().isIdle()) {
+      lobby.connectionTag().state().onIdle(shell::wake);
+      shell.waitForWake();
+    }
+  }
+
+  private void execute(Job shell, StatementReader.Item.Statement statement) {
+    Compilation.Compiled compiled;
+    try {
+      compiled = Compilation.compile(interpreter, statement.ast());
+    } catch (UrbiException e) {
+      interpreter.report(shell, e);
+      return;
+    }
+    if (statement.separator() == Ast.Flavor.COMMA) {
+      TagScope scope = shell.enter(lobby.connectionTag().state());
+      try {
+        interpreter
+            .scheduler()
+            .startDetached(
+                lobby,
+                scope,
+                "shell",
+                other ->
+                    compiled.code().execute(Frame.top(interpreter, other, lobby, compiled.layout())));
+      } finally {
+        shell.leave(scope);
+      }
+      shell.yieldNow();
+      return;
+    }
+    busy = true;
+    foregroundTag = (UrbiTag) interpreter.prototypes().tag.cloned();
+    try {
+      TagScope scope = shell.enter(lobby.connectionTag().state());
+      try {
+        UrbiObject value = runForeground(shell, compiled);
+        if (value != null && value != interpreter.values().voidObject) {
+          show(shell, compiled, value);
+        }
+        shell.yield();
+      } catch (TagStop stop) {
+        if (closed) {
+          throw stop;
+        }
+      } catch (Unwinding unwinding) {
+        // A return or a break that has nothing to leave.
+      } catch (UrbiException | StackOverflowError e) {
+        interpreter.report(shell, e);
+      } finally {
+        shell.leave(scope);
+      }
+    } finally {
+      busy = false;
+    }
+  }
+
+  private UrbiObject runForeground(Job shell, Compilation.Compiled compiled) {
+    Frame frame = Frame.top(interpreter, shell, lobby, compiled.layout());
+    TagScope scope = shell.enter(foregroundTag.state());
+    try {
+      return compiled.code().execute(frame);
+    } catch (TagStop stop) {
+      if (stop.scope() == scope) {
+        return null;
+      }
+      throw stop;
+    } finally {
+      shell.leave(scope);
+    }
+  }
+
+  private void show(Job shell, Compilation.Compiled compiled, UrbiObject value) {
+    Frame frame = Frame.top(interpreter, shell, lobby, compiled.layout());
+    interpreter.send(frame, interpreter.get(frame, lobby, interpreter.world().symbol("topLevel")), "<<", value);
+  }
+
+  private void show(SyntaxError error) {
+    String channel = error.isWarning() ? "warning" : "error";
+    lobby.output().send(channel, "!!! " + error.span().location() + ": " + error.message());
+  }
+}

@@ -1,0 +1,2 @@
+/** The top level of a connection: its input, its output. */
+package org.urbi.kernel.lobby;

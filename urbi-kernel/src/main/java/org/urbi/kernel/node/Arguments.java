@@ -1,0 +1,27 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.object.UrbiObject;
+
+/** Evaluates the arguments of calls: none may be void. */
+final class Arguments {
+  private Arguments() {}
+
+  static UrbiObject notVoid(Frame frame, Node node) {
+    UrbiObject value = node.execute(frame);
+    if (value == frame.interpreter.values().voidObject) {
+      UrbiException error = frame.interpreter.errors().unexpectedVoid();
+      throw frame.located(error, node.span());
+    }
+    return value;
+  }
+
+  /** Evaluates the arguments into an array of at least that size, from its beginning. */
+  static UrbiObject[] evaluate(Frame frame, Node[] nodes, int size) {
+    UrbiObject[] values = new UrbiObject[size];
+    for (int i = 0; i < nodes.length; i++) {
+      values[i] = notVoid(frame, nodes[i]);
+    }
+    return values;
+  }
+}

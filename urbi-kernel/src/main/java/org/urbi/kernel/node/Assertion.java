@@ -1,0 +1,147 @@
+package org.urbi.kernel.node;
+
+import java.util.List;
+import java.util.Map;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Span;
+
+/**
+ * {@code assert (claim)}. When the claim does not hold, the message shows it as written, and with
+ * the values that it had (manual, "Assertions").
+ */
+public final class Assertion extends Node {
+  private static final Map<String, String> OPPOSITES =
+      Map.of(
+          "==", "!=", "!=", "==", "===", "!==", "!==", "===", "<", ">=", "<=", ">", ">", "<=",
+          ">=", "<", "~=", "!~=", "in", "not in");
+
+  /** The claim, taken apart so that the message can show the values of its parts. */
+  public record Claim(String text, Node whole, Node target, Symbol message, List<Node> arguments) {}
+
+  private final Claim claim;
+
+  /**
+   * @param claim its message is null when it is no message with arguments
+   */
+  public Assertion(Span span, Claim claim) {
+    super(span);
+    this.claim = claim;
+  }
+
+  @Override
+  public UrbiObject execute(Frame frame) {
+    Interpreter interpreter = frame.interpreter;
+    if (interpreter.assertionsDisabled()) {
+      return interpreter.values().voidObject;
+    }
+    if (claim.message == null) {
+      UrbiObject value = claim.whole.execute(frame);
+      if (!Truth.of(frame, value)) {
+        fail(frame, claim.text + " == " + interpreter.asPrintable(frame, value));
+      }
+      return interpreter.values().voidObject;
+    }
+    UrbiObject target =
+        claim.target == null ? frame.self : Arguments.notVoid(frame, claim.target);
+    Recorder recorder = new Recorder(claim, span());
+    UrbiObject value = recorder.send(frame, target);
+    if (!Truth.of(frame, value)) {
+      fail(frame, recorder.shown(frame, target, value));
+    }
+    return interpreter.values().voidObject;
+  }
+
+  private void fail(Frame frame, String effective) {
+    UrbiException error =
+        frame
+            .interpreter
+            .errors()
+            .of("Assertion", "failed assertion: " + claim.text + " (" + effective + ")")
+            .build();
+    throw frame.located(error, span());
+  }
+
+  /** Sends the message of a claim and remembers the arguments that were evaluated. */
+  private static final class Recorder implements CallSite {
+    private final Claim claim;
+    private final Span span;
+    private final Node[] nodes;
+    private final UrbiObject[] seen;
+
+    Recorder(Claim claim, Span span) {
+      this.claim = claim;
+      this.span = span;
+      this.seen = new UrbiObject[claim.arguments.size()];
+      this.nodes = new Node[seen.length];
+      for (int i = 0; i < nodes.length; i++) {
+        int index = i;
+        Node argument = claim.arguments.get(i);
+        nodes[i] =
+            new Node(argument.span()) {
+              @Override
+              public UrbiObject execute(Frame frame) {
+                seen[index] = argument.execute(frame);
+                return seen[index];
+              }
+            };
+      }
+    }
+
+    UrbiObject send(Frame frame, UrbiObject target) {
+      try {
+        UrbiObject value = SlotLookup.find(frame, target, claim.message);
+        if (value == null) {
+          return Calls.fallback(frame, this, target, claim.message, nodes);
+        }
+        return value instanceof Code code
+            ? Calls.call(frame, this, code, target, nodes)
+            : Calls.plain(frame, this, value, target, nodes);
+      } catch (UrbiException e) {
+        throw frame.located(e, span);
+      }
+    }
+
+    String shown(Frame frame, UrbiObject target, UrbiObject value) {
+      Interpreter interpreter = frame.interpreter;
+      String opposite = OPPOSITES.get(claim.message.name());
+      if (opposite != null && seen.length == 1) {
+        return interpreter.asPrintable(frame, target)
+            + " "
+            + opposite
+            + " "
+            + (seen[0] == null ? "?" : interpreter.asPrintable(frame, seen[0]));
+      }
+      var text = new StringBuilder();
+      if (claim.target != null) {
+        text.append(interpreter.asPrintable(frame, target)).append('.');
+      }
+      text.append(claim.message.name());
+      if (seen.length > 0) {
+        text.append('(');
+        for (int i = 0; i < seen.length; i++) {
+          text.append(i > 0 ? ", " : "")
+              .append(seen[i] == null ? "?" : interpreter.asPrintable(frame, seen[i]));
+        }
+        text.append(')');
+      }
+      return text + " == " + interpreter.asPrintable(frame, value);
+    }
+
+    @Override
+    public String calledName() {
+      return claim.message.name();
+    }
+
+    @Override
+    public Span calledSpan() {
+      return span;
+    }
+
+    @Override
+    public Node[] argumentNodes() {
+      return nodes;
+    }
+  }
+}

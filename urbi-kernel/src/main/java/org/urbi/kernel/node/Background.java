@@ -1,0 +1,77 @@
+package org.urbi.kernel.node;
+
+import java.util.function.Supplier;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.JobGroup;
+import org.urbi.kernel.object.UrbiObject;
+
+/**
+ * The jobs that a piece of code starts, and waits for before it is over. Whatever leaves one of
+ * them ({@code return}, {@code break}, an exception) leaves the code which started it.
+ */
+final class Background implements AutoCloseable {
+  private final JobGroup group;
+
+  Background(Job parent) {
+    group = new JobGroup(parent);
+  }
+
+  /** Starts a statement, with variables of its own but for those it shares by name. */
+  void start(Frame frame, Node statement) {
+    Branch branch = new Branch(statement);
+    branch.frame = frame.fork(group.start(branch), true);
+  }
+
+  /** Starts a statement with a variable of its own. */
+  void start(Frame frame, Node statement, Variables.Place variable, UrbiObject value) {
+    Branch branch = new Branch(statement);
+    Frame forked = frame.fork(group.start(branch), true);
+    variable.declare(forked, value);
+    branch.frame = forked;
+  }
+
+  /** A statement in a job of its own. */
+  static final class Branch implements Job.Body {
+    private final Node statement;
+    Frame frame;
+
+    Branch(Node statement) {
+      this.statement = statement;
+    }
+
+    @Override
+    public void run(Job job) {
+      UrbiObject value = statement.execute(frame);
+      if (frame.completion != null) {
+        switch (frame.completion) {
+          case RETURN -> throw new Leave.Return(frame.activation, value);
+          case BREAK -> throw new Leave.Break();
+          case CONTINUE -> {}
+        }
+      }
+    }
+  }
+
+  /** Executes the code that goes on meanwhile. */
+  UrbiObject guard(Supplier<UrbiObject> code) {
+    try {
+      return code.get();
+    } catch (RuntimeException e) {
+      throw group.translate(e);
+    }
+  }
+
+  /** Waits for all. */
+  void join() {
+    try {
+      group.join();
+    } catch (RuntimeException e) {
+      throw group.translate(e);
+    }
+  }
+
+  @Override
+  public void close() {
+    group.leave();
+  }
+}

@@ -1,0 +1,53 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+
+/** How code calls what a lookup has found. */
+final class Calls {
+  private Calls() {}
+
+  /** Calls a function or a primitive with arguments that are still code. */
+  static UrbiObject call(
+      Frame frame, CallSite site, Code code, UrbiObject self, Node[] arguments) {
+    if (code instanceof Function function) {
+      Formals formals = function.formals();
+      if (formals == null) {
+        return function.run(frame, site, self, function.layout().newLocals());
+      }
+      if (formals.isSimple(arguments.length)) {
+        return function.run(
+            frame, site, self, Arguments.evaluate(frame, arguments, function.layout().locals()));
+      }
+      formals.check(frame, site, arguments.length);
+    } else if (code.isLazy()) {
+      return code.call(frame, site, self, placeholders(arguments));
+    }
+    return code.call(frame, site, self, Arguments.evaluate(frame, arguments, arguments.length));
+  }
+
+  /** Lazy primitives look at the code of their arguments; only the number counts here. */
+  private static UrbiObject[] placeholders(Node[] arguments) {
+    return new UrbiObject[arguments.length];
+  }
+
+  /** The value of a slot that holds no function. */
+  static UrbiObject plain(
+      Frame frame, CallSite site, UrbiObject value, UrbiObject self, Node[] arguments) {
+    if (arguments.length == 0) {
+      return value;
+    }
+    return frame.interpreter.call(
+        frame, site, value, self, Arguments.evaluate(frame, arguments, arguments.length));
+  }
+
+  /** There is no such slot: the object may have a {@code fallback} to answer in its place. */
+  static UrbiObject fallback(
+      Frame frame, CallSite site, UrbiObject self, Symbol name, Node[] arguments) {
+    UrbiObject fallback = self.lookup(frame.interpreter.symbols().fallback);
+    if (!(fallback instanceof Code code)) {
+      throw frame.interpreter.errors().lookup(self, name.name());
+    }
+    return call(frame, site, code, self, arguments);
+  }
+}

@@ -1,0 +1,61 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Span;
+
+/** {@code if}, {@code &&}, {@code ||}. */
+public final class Conditionals {
+  private Conditionals() {}
+
+  /** {@code if (condition) thenClause else elseClause}. */
+  public static final class If extends Node {
+    private final Node condition;
+    private final Node thenClause;
+    private final Node elseClause;
+
+    /**
+     * @param elseClause may be null
+     */
+    public If(Span span, Node condition, Node thenClause, Node elseClause) {
+      super(span);
+      this.condition = condition;
+      this.thenClause = thenClause;
+      this.elseClause = elseClause;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      if (condition.test(frame)) {
+        return thenClause.execute(frame);
+      }
+      return elseClause == null
+          ? frame.interpreter.values().voidObject
+          : elseClause.execute(frame);
+    }
+  }
+
+  /** {@code a && b} and {@code a || b}: the value of the operand that decides. */
+  public static final class Logical extends Node {
+    private final boolean and;
+    private final Node left;
+    private final Node right;
+
+    public Logical(Span span, boolean and, Node left, Node right) {
+      super(span);
+      this.and = and;
+      this.left = left;
+      this.right = right;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      UrbiObject value = left.execute(frame);
+      return Truth.of(frame, value) == and ? right.execute(frame) : value;
+    }
+
+    @Override
+    public boolean test(Frame frame) {
+      return left.test(frame) == and ? right.test(frame) : !and;
+    }
+  }
+}

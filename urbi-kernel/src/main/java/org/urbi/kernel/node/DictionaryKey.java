@@ -1,0 +1,65 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.object.UrbiDictionary;
+import org.urbi.kernel.object.UrbiFloat;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
+
+/** Keys of dictionaries: equal when {@code ==} of urbiscript says so, found by {@code hash}. */
+public final class DictionaryKey {
+  private DictionaryKey() {}
+
+  private record TextKey(String text, UrbiObject value) implements UrbiDictionary.Key {
+    @Override
+    public boolean equals(Object other) {
+      return other instanceof TextKey key && text.equals(key.text);
+    }
+
+    @Override
+    public int hashCode() {
+      return text.hashCode();
+    }
+  }
+
+  private record NumberKey(double number, UrbiObject value) implements UrbiDictionary.Key {
+    @Override
+    public boolean equals(Object other) {
+      return other instanceof NumberKey key && number == key.number;
+    }
+
+    @Override
+    public int hashCode() {
+      return Double.hashCode(number + 0.0);
+    }
+  }
+
+  /** Any other object: asks it. */
+  private record ObjectKey(Frame frame, int hash, UrbiObject value)
+      implements UrbiDictionary.Key {
+    @Override
+    public boolean equals(Object other) {
+      return other instanceof ObjectKey key
+          && hash == key.hash
+          && (value == key.value
+              || Truth.of(frame, frame.interpreter.send(frame, value, "==", key.value)));
+    }
+
+    @Override
+    public int hashCode() {
+      return hash;
+    }
+  }
+
+  /** The key for a value. */
+  public static UrbiDictionary.Key of(Frame frame, UrbiObject value) {
+    if (value instanceof UrbiString string) {
+      return new TextKey(string.value(), value);
+    }
+    if (value instanceof UrbiFloat number) {
+      return new NumberKey(number.value(), value);
+    }
+    UrbiObject hash = frame.interpreter.send(frame, value, "hash");
+    int code = hash instanceof UrbiFloat number ? Double.hashCode(number.value()) : 0;
+    return new ObjectKey(frame, code, value);
+  }
+}

@@ -1,0 +1,182 @@
+package org.urbi.kernel.node;
+
+import java.util.List;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiFloat;
+import org.urbi.kernel.object.UrbiList;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.ast.Ast.Flavor;
+import org.urbi.lang.source.Span;
+
+/**
+ * {@code for (var x : range) body}: sends {@code each} (or {@code each|}, {@code each&}) to the
+ * range. Numbers and lists whose {@code each} is that of the library are gone through directly.
+ */
+public final class ForEach extends Node implements CallSite {
+  private final Flavor flavor;
+  private final Variables.Place variable;
+  private final Node range;
+  private final Node body;
+  private final Symbol each;
+
+  public ForEach(
+      Span span,
+      Interpreter interpreter,
+      Flavor flavor,
+      Variables.Place variable,
+      Node range,
+      Node body) {
+    super(span);
+    this.flavor = flavor;
+    this.variable = variable;
+    this.range = range;
+    this.body = body;
+    CoreSymbols symbols = interpreter.symbols();
+    this.each =
+        switch (flavor) {
+          case SEMICOLON -> symbols.each;
+          case PIPE -> symbols.eachTight;
+          case AND, COMMA -> symbols.eachConcurrent;
+        };
+  }
+
+  @Override
+  public String calledName() {
+    return each.name();
+  }
+
+  @Override
+  public Span calledSpan() {
+    return span();
+  }
+
+  @Override
+  public UrbiObject execute(Frame frame) {
+    UrbiObject over = Arguments.notVoid(frame, range);
+    try {
+      if (over instanceof UrbiFloat number && isOfLibrary(over)) {
+        return overNumber(frame, number.value());
+      }
+      if (over instanceof UrbiList list && isOfLibrary(over)) {
+        return overList(frame, list);
+      }
+      return send(frame, over);
+    } catch (Leave.Break leave) {
+      return frame.interpreter.values().voidObject;
+    }
+  }
+
+  private boolean isOfLibrary(UrbiObject over) {
+    return over.lookup(each) instanceof Primitive;
+  }
+
+  private UrbiObject overNumber(Frame frame, double count) {
+    var values = frame.interpreter.values();
+    if (flavor == Flavor.AND || flavor == Flavor.COMMA) {
+      try (Background group = new Background(frame.job)) {
+        for (int i = 0; i < count; i++) {
+          group.start(frame, body, variable, values.number(i));
+        }
+        group.join();
+      }
+      return values.voidObject;
+    }
+    for (int i = 0; i < count; i++) {
+      UrbiObject value = turn(frame, values.number(i));
+      if (value != null) {
+        return value;
+      }
+    }
+    return values.voidObject;
+  }
+
+  private UrbiObject overList(Frame frame, UrbiList list) {
+    var values = frame.interpreter.values();
+    List<UrbiObject> elements = List.copyOf(list.elements());
+    if (flavor == Flavor.AND || flavor == Flavor.COMMA) {
+      try (Background group = new Background(frame.job)) {
+        for (UrbiObject element : elements) {
+          group.start(frame, body, variable, element);
+        }
+        group.join();
+      }
+      return values.voidObject;
+    }
+    for (UrbiObject element : elements) {
+      UrbiObject value = turn(frame, element);
+      if (value != null) {
+        return value;
+      }
+    }
+    return values.voidObject;
+  }
+
+  /** One turn; what the loop is to return when that was the last one, or null. */
+  private UrbiObject turn(Frame frame, UrbiObject element) {
+    variable.declare(frame, element);
+    UrbiObject value = null;
+    try {
+      value = body.execute(frame);
+    } catch (Leave.Continue leave) {
+      // Goes on with the next turn.
+    }
+    if (frame.completion != null) {
+      if (frame.completion == Frame.Completion.RETURN) {
+        return value;
+      }
+      boolean over = frame.completion == Frame.Completion.BREAK;
+      frame.completion = null;
+      if (over) {
+        return frame.interpreter.values().voidObject;
+      }
+    }
+    if (flavor == Flavor.SEMICOLON) {
+      frame.job.yield();
+    }
+    return null;
+  }
+
+  /** Any other range: gives its {@code each} the body as a function. */
+  private UrbiObject send(Frame frame, UrbiObject over) {
+    UrbiObject action = new Body(frame.interpreter.prototypes.codeShape, frame);
+    frame.interpreter.send(frame, this, over, each, action);
+    return frame.interpreter.values().voidObject;
+  }
+
+  /** The body of the loop as a function of one argument. */
+  private final class Body extends Code {
+    private final Frame home;
+
+    Body(Shape shape, Frame home) {
+      super(shape);
+      this.home = home;
+    }
+
+    @Override
+    public boolean isLazy() {
+      return false;
+    }
+
+    @Override
+    public UrbiObject call(
+        Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
+      if (arguments.length != 1) {
+        throw caller.interpreter.errors().arity(site.calledName(), arguments.length, 1, 1);
+      }
+      Frame frame = caller.job == home.job ? home : home.fork(caller.job, true);
+      variable.declare(frame, arguments[0]);
+      UrbiObject value = body.execute(frame);
+      if (frame.completion != null) {
+        Frame.Completion completion = frame.completion;
+        frame.completion = null;
+        switch (completion) {
+          case RETURN -> throw new Leave.Return(frame.activation, value);
+          case BREAK -> throw new Leave.Break();
+          case CONTINUE -> {}
+        }
+      }
+      return value;
+    }
+  }
+}

@@ -1,0 +1,229 @@
+package org.urbi.kernel.node;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import org.urbi.kernel.error.Errors;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
+import org.urbi.kernel.object.Values;
+import org.urbi.kernel.object.World;
+import org.urbi.lang.source.Span;
+
+/**
+ * What executing code needs besides the code: the objects of the kernel, its scheduler, its errors;
+ * and the ways to call urbiscript from Java.
+ */
+public final class Interpreter {
+  /** A call made by Java code: it does not show in backtraces. */
+  private record JavaSite(String calledName) implements CallSite {
+    @Override
+    public Span calledSpan() {
+      return null;
+    }
+  }
+
+  private static final CallSite FROM_JAVA = new JavaSite(null);
+
+  private final World world;
+  private final Values values;
+  private final Scheduler scheduler;
+  private final Errors errors;
+  private final CoreSymbols symbols;
+  private final Map<Symbol, UrbiObject> numberOperators = new LinkedHashMap<>();
+  final CorePrototypes prototypes;
+  private Consumer<UrbiException> describer = exception -> {};
+  private boolean assertionsDisabled;
+  private Object host;
+  int maximumDepth;
+
+  public Interpreter(
+      World world, Scheduler scheduler, Errors errors, CorePrototypes prototypes) {
+    this.world = world;
+    this.values = world.values();
+    this.scheduler = scheduler;
+    this.errors = errors;
+    this.symbols = new CoreSymbols(world);
+    this.prototypes = prototypes;
+    this.maximumDepth = scheduler.maximumDepth();
+  }
+
+  public World world() {
+    return world;
+  }
+
+  public Values values() {
+    return values;
+  }
+
+  public Scheduler scheduler() {
+    return scheduler;
+  }
+
+  public Errors errors() {
+    return errors;
+  }
+
+  /** The names that the interpreter itself looks up. */
+  public CoreSymbols symbols() {
+    return symbols;
+  }
+
+  /** The prototypes of what the interpreter makes, besides everyday values. */
+  public CorePrototypes prototypes() {
+    return prototypes;
+  }
+
+  /** The kernel around, for those parts of the library that need it. */
+  public Object host() {
+    return host;
+  }
+
+  public void setHost(Object kernel) {
+    host = kernel;
+  }
+
+  /** Limits the number of nested calls. */
+  public void limitDepth(int calls) {
+    maximumDepth = Math.min(calls, scheduler.maximumDepth());
+  }
+
+  /** How many nested calls there may be. */
+  public int maximumDepth() {
+    return maximumDepth;
+  }
+
+  /** The operator of plain numbers of that name, as the library made it; null if none. */
+  UrbiObject operatorOfNumbers(Symbol name) {
+    return numberOperators.get(name);
+  }
+
+  /** Remembers the operators of numbers, to know later whether somebody redefined one. */
+  public void rememberNumberOperators() {
+    for (String operator : List.of("+", "-", "*", "<", "<=", ">", ">=", "==", "!=")) {
+      Symbol name = world.symbol(operator);
+      numberOperators.put(name, values.floatProto.lookup(name));
+    }
+  }
+
+  // ------------------------------------------------------------------ calling urbiscript
+
+  /** Calls a function; what is no function is its own value. */
+  public UrbiObject call(Frame caller, UrbiObject code, UrbiObject self, UrbiObject... arguments) {
+    return call(caller, FROM_JAVA, code, self, arguments);
+  }
+
+  /** Calls a function on behalf of a library function called at that site. */
+  public UrbiObject call(
+      Frame caller, CallSite site, UrbiObject code, UrbiObject self, UrbiObject... arguments) {
+    if (code instanceof Code called) {
+      CallSite from = called.isLazy() ? new EvaluatedSite(site, arguments) : site;
+      return called.call(caller, from, self, arguments);
+    }
+    UrbiObject apply = code.lookup(symbols.apply);
+    if (apply instanceof Code own && code.locate(symbols.apply) != values.object) {
+      var all = new ArrayList<UrbiObject>();
+      all.add(self);
+      all.addAll(Arrays.asList(arguments));
+      return own.call(caller, site, code, values.listOf(all));
+    }
+    if (arguments.length > 0) {
+      throw errors.arity(
+          site.calledName() == null ? "apply" : site.calledName(), arguments.length, 0, 0);
+    }
+    return code;
+  }
+
+  /** Sends a message. */
+  public UrbiObject send(
+      Frame caller, UrbiObject target, String message, UrbiObject... arguments) {
+    return send(caller, new JavaSite(message), target, world.symbol(message), arguments);
+  }
+
+  /** Sends a message on behalf of a library function called at that site. */
+  public UrbiObject send(
+      Frame caller, CallSite site, UrbiObject target, Symbol message, UrbiObject... arguments) {
+    UrbiObject found = get(caller, target, message);
+    if (found instanceof Code) {
+      return call(caller, site, found, target, arguments);
+    }
+    if (arguments.length > 0) {
+      throw errors.arity(message.name(), arguments.length, 0, 0);
+    }
+    return found;
+  }
+
+  /** The value of a slot, not called if it is a function. */
+  public UrbiObject get(Frame caller, UrbiObject target, Symbol name) {
+    UrbiObject value = SlotLookup.find(caller, target, name);
+    if (value == null) {
+      throw errors.lookup(target, name.name());
+    }
+    return value;
+  }
+
+  /** The value as a string of urbiscript, by its {@code asString}. */
+  public String asString(Frame caller, UrbiObject value) {
+    return text(caller, value, symbols.asString);
+  }
+
+  /** The value as the console shows it, by its {@code asPrintable}. */
+  public String asPrintable(Frame caller, UrbiObject value) {
+    return text(caller, value, symbols.asPrintable);
+  }
+
+  private String text(Frame caller, UrbiObject value, Symbol how) {
+    if (value instanceof UrbiString string && how == symbols.asString) {
+      return string.value();
+    }
+    UrbiObject text = send(caller, new JavaSite(how.name()), value, how);
+    if (text instanceof UrbiString string) {
+      return string.value();
+    }
+    throw errors.argumentType(how.name(), 0, text, values.stringProto, "String");
+  }
+
+  /** Whether {@code assert} checks nothing ({@code System.ndebug}). */
+  public boolean assertionsDisabled() {
+    return assertionsDisabled;
+  }
+
+  public void disableAssertions(boolean disabled) {
+    assertionsDisabled = disabled;
+  }
+
+  /** Gives a caught exception its {@code location} and {@code backtrace}. */
+  void describe(UrbiException exception) {
+    describer.accept(exception);
+  }
+
+  /** Sets what {@link #describe} does; once, by the library. */
+  public void setDescriber(Consumer<UrbiException> how) {
+    describer = how;
+  }
+
+  /** Tells the people behind a lobby of an error which no code will catch. */
+  public void report(Job job, Throwable failure) {
+    scheduler.report(job, failure);
+  }
+
+  /** Checks that a value may be passed on. */
+  UrbiObject notVoid(UrbiObject value) {
+    if (value == values.voidObject) {
+      throw errors.unexpectedVoid();
+    }
+    return value;
+  }
+
+  /** Says where an exception was thrown, if that is not known yet. */
+  static UrbiException located(UrbiException exception, Frame frame, Span span) {
+    return frame.located(exception, span);
+  }
+}

@@ -1,0 +1,87 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Span;
+
+/** {@code return}, {@code break}, {@code continue}, {@code throw}. */
+public final class Jumps {
+  private Jumps() {}
+
+  /** {@code return value}. */
+  public static final class Return extends Node {
+    private final Node value;
+    private final boolean seen;
+
+    /**
+     * @param value null for void
+     * @param seen whether the statements around see how this one ended; otherwise it is thrown
+     */
+    public Return(Span span, Node value, boolean seen) {
+      super(span);
+      this.value = value;
+      this.seen = seen;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      UrbiObject result =
+          value == null ? frame.interpreter.values().voidObject : value.execute(frame);
+      if (!seen) {
+        throw new Leave.Return(frame.activation, result);
+      }
+      frame.completion = Frame.Completion.RETURN;
+      return result;
+    }
+  }
+
+  /** {@code break} and {@code continue}. */
+  public static final class OfLoop extends Node {
+    private final boolean over;
+    private final boolean seen;
+
+    /**
+     * @param over true for {@code break}
+     * @param seen whether the statements around see how this one ended; otherwise it is thrown
+     */
+    public OfLoop(Span span, boolean over, boolean seen) {
+      super(span);
+      this.over = over;
+      this.seen = seen;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      if (!seen) {
+        throw over ? new Leave.Break() : new Leave.Continue();
+      }
+      frame.completion = over ? Frame.Completion.BREAK : Frame.Completion.CONTINUE;
+      return frame.interpreter.values().voidObject;
+    }
+  }
+
+  /** {@code throw value}, or {@code throw} again what was caught. */
+  public static final class Throw extends Node {
+    private final Node value;
+
+    /**
+     * @param value null to throw again
+     */
+    public Throw(Span span, Node value) {
+      super(span);
+      this.value = value;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      if (value != null) {
+        throw frame.located(new UrbiException(Arguments.notVoid(frame, value)), span());
+      }
+      if (frame.caught == null) {
+        throw frame.located(
+            frame.interpreter.errors().scheduling("no exception to rethrow"), span());
+      }
+      throw frame.caught;
+    }
+  }
+}

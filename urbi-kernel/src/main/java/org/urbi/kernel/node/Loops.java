@@ -1,0 +1,112 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.ast.Ast.Flavor;
+import org.urbi.lang.source.Span;
+
+/** {@code loop}, {@code while} and the C-like {@code for}, in all their flavors. */
+public final class Loops {
+  private Loops() {}
+
+  /** A loop whose turns come one after the other. */
+  public static final class Sequential extends Node {
+    private final Node init;
+    private final Node condition;
+    private final Node step;
+    private final Node body;
+    private final boolean yields;
+
+    /**
+     * @param init done once before, or null
+     * @param condition null when there is none: endless
+     * @param step done after each turn, or null
+     */
+    public Sequential(
+        Span span, Flavor flavor, Node init, Node condition, Node step, Node body) {
+      super(span);
+      this.init = init;
+      this.condition = condition;
+      this.step = step;
+      this.body = body;
+      this.yields = flavor == Flavor.SEMICOLON;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      if (init != null) {
+        init.execute(frame);
+      }
+      while (condition == null || condition.test(frame)) {
+        UrbiObject value = null;
+        try {
+          value = body.execute(frame);
+        } catch (Leave.Break leave) {
+          break;
+        } catch (Leave.Continue leave) {
+          // Goes on with the next turn.
+        }
+        if (frame.completion != null) {
+          if (frame.completion == Frame.Completion.RETURN) {
+            return value;
+          }
+          boolean over = frame.completion == Frame.Completion.BREAK;
+          frame.completion = null;
+          if (over) {
+            break;
+          }
+        }
+        if (step != null) {
+          step.execute(frame);
+        }
+        if (yields) {
+          frame.job.yield();
+        } else {
+          frame.job.checkInterrupted();
+        }
+      }
+      return frame.interpreter.values().voidObject;
+    }
+  }
+
+  /** A loop whose turns run in the background, all at once. */
+  public static final class Concurrent extends Node {
+    private final Node init;
+    private final Node condition;
+    private final Node step;
+    private final Node body;
+
+    /** The parameters are those of {@link Sequential}. */
+    public Concurrent(Span span, Node init, Node condition, Node step, Node body) {
+      super(span);
+      this.init = init;
+      this.condition = condition;
+      this.step = step;
+      this.body = body;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      UrbiObject nothing = frame.interpreter.values().voidObject;
+      try (Background group = new Background(frame.job)) {
+        group.guard(
+            () -> {
+              if (init != null) {
+                init.execute(frame);
+              }
+              while (condition == null || condition.test(frame)) {
+                group.start(frame, body);
+                frame.job.yield();
+                if (step != null) {
+                  step.execute(frame);
+                }
+              }
+              return nothing;
+            });
+        group.join();
+      } catch (Leave.Break leave) {
+        // One of the turns has ended the whole loop.
+      }
+      return nothing;
+    }
+  }
+}

@@ -1,0 +1,124 @@
+package org.urbi.kernel.node;
+
+import java.util.List;
+import java.util.Map;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiDictionary;
+import org.urbi.kernel.object.UrbiList;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiTuple;
+
+/** What a value can be matched against (manual, "Structural Pattern Matching"). */
+public abstract class Pattern {
+  /** Whether the value matches; variables of the pattern are bound as it goes. */
+  public abstract boolean matches(Frame frame, UrbiObject value);
+
+  /** {@code var x}: matches anything. */
+  public static final class Binding extends Pattern {
+    private final Variables.Place place;
+
+    public Binding(Variables.Place place) {
+      this.place = place;
+    }
+
+    @Override
+    public boolean matches(Frame frame, UrbiObject value) {
+      place.declare(frame, value);
+      return true;
+    }
+  }
+
+  /** {@code var x} where declarations are slots: at the top level, in classes. */
+  public static final class SlotBinding extends Pattern {
+    private final Symbol name;
+
+    public SlotBinding(Symbol name) {
+      this.name = name;
+    }
+
+    @Override
+    public boolean matches(Frame frame, UrbiObject value) {
+      SlotUpdate.create(frame, frame.self, name, value);
+      return true;
+    }
+  }
+
+  /** Any other expression: matches what is equal to its value. */
+  public static final class Equal extends Pattern {
+    private final Node expression;
+
+    public Equal(Node expression) {
+      this.expression = expression;
+    }
+
+    @Override
+    public boolean matches(Frame frame, UrbiObject value) {
+      UrbiObject expected = expression.execute(frame);
+      if (value == expected) {
+        return true;
+      }
+      if (value == frame.interpreter.values().voidObject) {
+        return false;
+      }
+      return Truth.of(frame, frame.interpreter.send(frame, expected, "==", value));
+    }
+  }
+
+  /** A list, or a tuple, of patterns. */
+  public static final class Elements extends Pattern {
+    private final Pattern[] patterns;
+    private final boolean tuple;
+
+    public Elements(Pattern[] patterns, boolean tuple) {
+      this.patterns = patterns;
+      this.tuple = tuple;
+    }
+
+    @Override
+    public boolean matches(Frame frame, UrbiObject value) {
+      List<UrbiObject> elements;
+      if (tuple && value instanceof UrbiTuple other) {
+        elements = other.elements();
+      } else if (!tuple && value instanceof UrbiList other) {
+        elements = other.elements();
+      } else {
+        return false;
+      }
+      if (elements.size() != patterns.length) {
+        return false;
+      }
+      for (int i = 0; i < patterns.length; i++) {
+        if (!patterns[i].matches(frame, elements.get(i))) {
+          return false;
+        }
+      }
+      return true;
+    }
+  }
+
+  /** A dictionary of patterns: the value may have more entries. */
+  public static final class Entries extends Pattern {
+    private final Node[] keys;
+    private final Pattern[] patterns;
+
+    public Entries(Node[] keys, Pattern[] patterns) {
+      this.keys = keys;
+      this.patterns = patterns;
+    }
+
+    @Override
+    public boolean matches(Frame frame, UrbiObject value) {
+      if (!(value instanceof UrbiDictionary dictionary)) {
+        return false;
+      }
+      Map<UrbiDictionary.Key, UrbiObject> entries = dictionary.entries();
+      for (int i = 0; i < keys.length; i++) {
+        UrbiObject found = entries.get(DictionaryKey.of(frame, keys[i].execute(frame)));
+        if (found == null || !patterns[i].matches(frame, found)) {
+          return false;
+        }
+      }
+      return true;
+    }
+  }
+}

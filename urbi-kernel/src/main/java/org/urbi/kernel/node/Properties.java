@@ -1,0 +1,168 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.object.SlotData;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Span;
+
+/** Properties of slots (manual, "Properties"). */
+public final class Properties {
+  private Properties() {}
+
+  // ------------------------------------------------------------------ what the library uses too
+
+  /** The property, or null. */
+  public static UrbiObject find(Frame frame, UrbiObject target, Symbol slot, String property) {
+    UrbiObject holder = holder(frame, target, slot);
+    if (property.equals("changed")) {
+      return changed(frame, holder, slot);
+    }
+    SlotData data = holder.slotData(slot);
+    return data == null ? null : data.properties.get(property);
+  }
+
+  /** The event emitted when the slot is assigned, made when it is first asked for. */
+  private static UrbiObject changed(Frame frame, UrbiObject holder, Symbol slot) {
+    SlotData data = holder.ensureSlotData(slot);
+    if (data.changed == null) {
+      data.changed = frame.interpreter.prototypes.event.cloned();
+      data.properties.put("changed", data.changed);
+      holder.slotDataChanged(slot);
+    }
+    return data.changed;
+  }
+
+  private static UrbiObject holder(Frame frame, UrbiObject target, Symbol slot) {
+    UrbiObject holder = target.locate(slot);
+    if (holder == null) {
+      throw frame.interpreter.errors().lookup(target, slot.name());
+    }
+    return holder;
+  }
+
+  /** Sets a property, and does what the system's own properties do. */
+  public static void set(
+      Frame frame, UrbiObject target, Symbol slot, String property, UrbiObject value) {
+    UrbiObject holder = holder(frame, target, slot);
+    SlotData data = holder.ensureSlotData(slot);
+    data.properties.put(property, value);
+    switch (property) {
+      case "constant" -> data.constant = Truth.of(frame, value);
+      case "changed" -> data.changed = value;
+      case "get" -> data.getter = value;
+      case "set" -> data.setter = value;
+      default -> {}
+    }
+    holder.slotDataChanged(slot);
+  }
+
+  /** Removes a property; null when there was none. */
+  public static UrbiObject remove(
+      Frame frame, UrbiObject target, Symbol slot, String property) {
+    UrbiObject holder = holder(frame, target, slot);
+    SlotData data = holder.slotData(slot);
+    if (data == null) {
+      return null;
+    }
+    switch (property) {
+      case "constant" -> data.constant = false;
+      case "changed" -> data.changed = null;
+      case "get" -> data.getter = null;
+      case "set" -> data.setter = null;
+      default -> {}
+    }
+    UrbiObject removed = data.properties.remove(property);
+    holder.slotDataChanged(slot);
+    return removed;
+  }
+
+  // ------------------------------------------------------------------ nodes
+
+  /** {@code target.slot->property}. */
+  public static final class Read extends Node {
+    private final Node target;
+    private final Symbol slot;
+    private final String property;
+
+    public Read(Span span, Node target, Symbol slot, String property) {
+      super(span);
+      this.target = target;
+      this.slot = slot;
+      this.property = property;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      UrbiObject object = target.execute(frame);
+      try {
+        return get(frame, object, slot, property);
+      } catch (UrbiException e) {
+        throw frame.located(e, span());
+      }
+    }
+  }
+
+  static UrbiObject get(Frame frame, UrbiObject object, Symbol slot, String property) {
+    UrbiObject value = find(frame, object, slot, property);
+    if (value == null) {
+      throw frame.interpreter.errors().property(object, slot.name(), property);
+    }
+    return value;
+  }
+
+  /** {@code target.slot->property = value}. */
+  public static final class Write extends Node {
+    private final Node target;
+    private final Symbol slot;
+    private final String property;
+    private final Node value;
+
+    public Write(Span span, Node target, Symbol slot, String property, Node value) {
+      super(span);
+      this.target = target;
+      this.slot = slot;
+      this.property = property;
+      this.value = value;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      UrbiObject object = target.execute(frame);
+      UrbiObject assigned = Arguments.notVoid(frame, value);
+      try {
+        set(frame, object, slot, property, assigned);
+      } catch (UrbiException e) {
+        throw frame.located(e, span());
+      }
+      return assigned;
+    }
+  }
+
+  /** {@code get x() {…}} and {@code set x(var v) {…}}: a slot computed by functions. */
+  public static final class Accessor extends Node {
+    private final Node target;
+    private final Symbol slot;
+    private final boolean setter;
+    private final Node function;
+
+    public Accessor(Span span, Node target, Symbol slot, boolean setter, Node function) {
+      super(span);
+      this.target = target;
+      this.slot = slot;
+      this.setter = setter;
+      this.function = function;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      UrbiObject object = target.execute(frame);
+      UrbiObject value = function.execute(frame);
+      if (!object.hasLocalSlot(slot)) {
+        object.addSlot(slot, frame.interpreter.values().voidObject);
+      }
+      set(frame, object, slot, setter ? "set" : "get", value);
+      return value;
+    }
+  }
+}

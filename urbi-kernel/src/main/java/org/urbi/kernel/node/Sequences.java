@@ -1,0 +1,139 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Span;
+
+/** Composition of statements: {@code ;}, {@code |}, {@code ,} and {@code &}, scopes, {@code do}. */
+public final class Sequences {
+  private Sequences() {}
+
+  /** Does nothing; void. */
+  public static final class Noop extends Node {
+    public Noop(Span span) {
+      super(span);
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      return frame.interpreter.values().voidObject;
+    }
+  }
+
+  /** Statements one after the other; its value is that of the last one. */
+  public static final class Chain extends Node {
+    private final Node[] statements;
+    private final boolean[] yieldsAfter;
+
+    /**
+     * @param yieldsAfter whether others may run after each statement; one less than statements
+     */
+    public Chain(Span span, Node[] statements, boolean[] yieldsAfter) {
+      super(span);
+      this.statements = statements;
+      this.yieldsAfter = yieldsAfter;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      int last = statements.length - 1;
+      for (int i = 0; i < last; i++) {
+        UrbiObject value = statements[i].execute(frame);
+        if (frame.completion != null) {
+          return value;
+        }
+        if (yieldsAfter[i]) {
+          frame.job.yield();
+        }
+      }
+      return statements[last].execute(frame);
+    }
+  }
+
+  /** {@code a & b & c}: all at once, and waits for all. */
+  public static final class Parallel extends Node {
+    private final Node[] statements;
+
+    public Parallel(Span span, Node[] statements) {
+      super(span);
+      this.statements = statements;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      try (Background group = new Background(frame.job)) {
+        for (Node statement : statements) {
+          group.start(frame, statement);
+        }
+        group.join();
+      }
+      return frame.interpreter.values().voidObject;
+    }
+  }
+
+  /** A statement followed by {@code ,}: goes on in the background of the scope around it. */
+  public static final class Spawn extends Node {
+    private final Node statement;
+
+    public Spawn(Span span, Node statement) {
+      super(span);
+      this.statement = statement;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      frame.background.start(frame, statement);
+      frame.job.yield();
+      return frame.interpreter.values().voidObject;
+    }
+  }
+
+  /** A scope that has statements in its background, and waits for them in the end. */
+  public static final class WithBackground extends Node {
+    private final Node body;
+
+    public WithBackground(Span span, Node body) {
+      super(span);
+      this.body = body;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      Background outer = frame.background;
+      try (Background group = new Background(frame.job)) {
+        frame.background = group;
+        UrbiObject value = group.guard(() -> body.execute(frame));
+        if (frame.completion == null) {
+          group.join();
+        }
+        return value;
+      } finally {
+        frame.background = outer;
+      }
+    }
+  }
+
+  /** {@code do (target) {…}}; its value is that of the body, or the target. */
+  public static final class Do extends Node {
+    private final Node target;
+    private final Node body;
+
+    public Do(Span span, Node target, Node body) {
+      super(span);
+      this.target = target;
+      this.body = body;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      UrbiObject object = Arguments.notVoid(frame, target);
+      Frame inner = frame.withSelf(object);
+      inner.background = frame.background;
+      UrbiObject value = body.execute(inner);
+      if (inner.completion != null) {
+        frame.completion = inner.completion;
+        return value;
+      }
+      return object;
+    }
+  }
+}

@@ -1,0 +1,120 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.object.Dependencies;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.SlotData;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
+
+/**
+ * Finds a slot by name from one place in the code, and remembers for the shapes it has seen where
+ * it was. A remembered place holds as long as the epoch of the name stays the same.
+ */
+final class SlotLookup {
+  private static final int LIMIT = 6;
+
+  /** Where the slot of one shape of targets is. */
+  private static final class Entry {
+    final Shape shape;
+    final int epoch;
+
+    /** Null when the target itself has the slot. */
+    final UrbiObject holder;
+
+    final int index;
+    final Entry next;
+
+    Entry(Shape shape, int epoch, UrbiObject holder, int index, Entry next) {
+      this.shape = shape;
+      this.epoch = epoch;
+      this.holder = holder;
+      this.index = index;
+      this.next = next;
+    }
+  }
+
+  private final World world;
+  private final Symbol name;
+  private Entry entries;
+
+  SlotLookup(World world, Symbol name) {
+    this.world = world;
+    this.name = name;
+  }
+
+  Symbol name() {
+    return name;
+  }
+
+  /** The value of the slot, or null; a getter is called. */
+  UrbiObject find(Frame frame, UrbiObject target) {
+    if (world.tracker == null) {
+      Shape shape = target.shape();
+      for (Entry entry = entries; entry != null; entry = entry.next) {
+        if (entry.shape == shape && entry.epoch == name.epoch()) {
+          UrbiObject holder = entry.holder;
+          return (holder == null ? target : holder).slotAt(entry.index);
+        }
+      }
+      return remember(frame, target);
+    }
+    return find(frame, target, name);
+  }
+
+  private UrbiObject remember(Frame frame, UrbiObject target) {
+    UrbiObject holder = target.locate(name);
+    if (holder == null) {
+      return null;
+    }
+    int index = holder.shape().indexOf(name);
+    if (holder.shape().readSpecial(index)) {
+      return read(frame, target, holder, name);
+    }
+    // Forgets what no longer holds, and the oldest when there are too many.
+    Entry kept = null;
+    int count = 0;
+    for (Entry entry = entries; entry != null && count < LIMIT - 1; entry = entry.next) {
+      if (entry.epoch == name.epoch() && entry.shape != target.shape()) {
+        kept = new Entry(entry.shape, entry.epoch, entry.holder, entry.index, kept);
+        count++;
+      }
+    }
+    entries =
+        new Entry(target.shape(), name.epoch(), holder == target ? null : holder, index, kept);
+    return holder.slotAt(index);
+  }
+
+  /** The value of a slot, or null, without memory; a getter is called. */
+  static UrbiObject find(Frame frame, UrbiObject target, Symbol name) {
+    UrbiObject holder = target.locate(name);
+    Dependencies.Tracker tracker = target.world().tracker;
+    if (holder == null) {
+      target.noteStructureRead();
+      return null;
+    }
+    if (tracker != null) {
+      UrbiObject value = holder.localSlot(name);
+      // Functions and constants do not change.
+      if (!(value instanceof Code) || holder.slotData(name) != null) {
+        if (holder != target) {
+          target.noteStructureRead();
+        }
+        SlotData data = holder.slotData(name);
+        if (data == null || !data.constant) {
+          holder.noteSlotRead(name);
+        }
+      }
+    }
+    return read(frame, target, holder, name);
+  }
+
+  private static UrbiObject read(
+      Frame frame, UrbiObject target, UrbiObject holder, Symbol name) {
+    SlotData data = holder.slotData(name);
+    if (data != null && data.getter != null) {
+      return frame.interpreter.call(frame, data.getter, target);
+    }
+    return holder.localSlot(name);
+  }
+}

@@ -1,0 +1,92 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.SlotData;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+
+/** Writing slots: creation, assignment with copy on write, and what slots with properties do. */
+public final class SlotUpdate {
+  private SlotUpdate() {}
+
+  /** What the {@code changed} property of a slot is, seen from here: something to emit. */
+  public interface Signal {
+    void emit(Frame frame, UrbiObject... payload);
+  }
+
+  /** Objects whose slots may be defined again: lobbies, where people type. */
+  public interface Redefinable {}
+
+  /**
+   * {@code setSlot}: creates a slot.
+   *
+   * @throws org.urbi.kernel.error.UrbiException when the object has it already
+   */
+  public static void create(Frame frame, UrbiObject target, Symbol name, UrbiObject value) {
+    if (target.shape().indexOf(name) >= 0) {
+      if (!(target instanceof Redefinable)) {
+        throw frame.interpreter.errors().redefinition(name.name());
+      }
+      target.removeSlot(name);
+    }
+    target.addSlot(name, value);
+  }
+
+  /**
+   * {@code updateSlot}: assigns a slot; one that is inherited is created in the object itself.
+   *
+   * @throws org.urbi.kernel.error.UrbiException when there is no such slot, or it is constant
+   */
+  public static void assign(Frame frame, UrbiObject target, Symbol name, UrbiObject value) {
+    Shape shape = target.shape();
+    int index = shape.indexOf(name);
+    if (index >= 0) {
+      if (shape.writeSpecial(index)) {
+        assignSpecial(frame, target, target, name, value);
+      } else {
+        target.setSlotAt(index, value);
+      }
+      return;
+    }
+    UrbiObject holder = target.locate(name);
+    if (holder == null) {
+      throw frame.interpreter.errors().lookup(target, name.name());
+    }
+    int inherited = holder.shape().indexOf(name);
+    if (holder.shape().writeSpecial(inherited)) {
+      SlotData data = holder.slotData(name);
+      if (data.constant || data.setter != null) {
+        assignSpecial(frame, target, holder, name, value);
+        return;
+      }
+    }
+    target.addSlot(name, value);
+  }
+
+  private static void assignSpecial(
+      Frame frame, UrbiObject target, UrbiObject holder, Symbol name, UrbiObject value) {
+    SlotData data = holder.slotData(name);
+    if (data.constant) {
+      throw frame.interpreter.errors().constness();
+    }
+    if (data.setter != null) {
+      frame.interpreter.call(frame, data.setter, target, value);
+    } else {
+      holder.setSlotAt(holder.shape().indexOf(name), value);
+    }
+    if (data.dependents != null) {
+      data.dependents.changed();
+    }
+    if (data.changed instanceof Signal signal) {
+      signal.emit(frame, value);
+    }
+  }
+
+  /** Makes a slot constant, or not any more. */
+  public static void setConstant(UrbiObject target, Symbol name, UrbiObject flag, boolean on) {
+    SlotData data = target.ensureSlotData(name);
+    data.constant = on;
+    data.properties.put("constant", flag);
+    target.slotDataChanged(name);
+  }
+}

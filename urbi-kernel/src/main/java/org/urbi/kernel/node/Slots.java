@@ -1,0 +1,124 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Span;
+
+/** Slots: declaration, assignment, access without a call. */
+public final class Slots {
+  private Slots() {}
+
+  /** {@code var target.name = value}. */
+  public static final class Declare extends Node {
+    private final Node target;
+    private final Symbol name;
+    private final Node value;
+    private final boolean constant;
+    private final Node type;
+
+    /**
+     * @param value null for void
+     * @param type the type that it must have, or null
+     */
+    public Declare(
+        Span span, Node target, Symbol name, Node value, boolean constant, Node type) {
+      super(span);
+      this.target = target;
+      this.name = name;
+      this.value = value;
+      this.constant = constant;
+      this.type = type;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      UrbiObject object = target.execute(frame);
+      UrbiObject initial = Variables.initialValue(frame, value);
+      try {
+        if (type != null && value != null) {
+          TypeCheck.check(frame, name.name(), 1, initial, type.execute(frame));
+        }
+        SlotUpdate.create(frame, object, name, initial);
+        if (constant) {
+          SlotUpdate.setConstant(
+              object, name, frame.interpreter.values().trueObject, true);
+        }
+        return initial;
+      } catch (UrbiException e) {
+        throw frame.located(e, span());
+      }
+    }
+  }
+
+  /** {@code target.name = value}. */
+  public static final class Assign extends Node {
+    private final Node target;
+    private final Symbol name;
+    private final Node value;
+    private Shape knownShape;
+    private int knownIndex;
+
+    public Assign(Span span, Node target, Symbol name, Node value) {
+      super(span);
+      this.target = target;
+      this.name = name;
+      this.value = value;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      UrbiObject object = target.execute(frame);
+      UrbiObject assigned = Arguments.notVoid(frame, value);
+      assign(frame, object, assigned);
+      return assigned;
+    }
+
+    void assign(Frame frame, UrbiObject object, UrbiObject assigned) {
+      if (object.shape() == knownShape) {
+        object.setSlotAt(knownIndex, assigned);
+        return;
+      }
+      try {
+        SlotUpdate.assign(frame, object, name, assigned);
+      } catch (UrbiException e) {
+        throw frame.located(e, span());
+      }
+      Shape shape = object.shape();
+      int index = shape.indexOf(name);
+      if (index >= 0 && !shape.writeSpecial(index)) {
+        knownShape = shape;
+        knownIndex = index;
+      }
+    }
+  }
+
+  /** {@code target.&name}: the value of the slot, not called. */
+  public static final class Access extends Node {
+    private final Node target;
+    private final SlotLookup lookup;
+
+    public Access(Span span, Node target, SlotLookup lookup) {
+      super(span);
+      this.target = target;
+      this.lookup = lookup;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      UrbiObject object = target.execute(frame);
+      UrbiObject value = lookup.find(frame, object);
+      if (value == null) {
+        throw frame.located(
+            frame.interpreter.errors().lookup(object, lookup.name().name()), span());
+      }
+      return value;
+    }
+  }
+
+  /** Makes lookups for the compiler. */
+  public static SlotLookup lookup(Interpreter interpreter, String name) {
+    return new SlotLookup(interpreter.world(), interpreter.world().symbol(name));
+  }
+}

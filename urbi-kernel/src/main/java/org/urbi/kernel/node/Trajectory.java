@@ -1,0 +1,109 @@
+package org.urbi.kernel.node;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiDictionary;
+import org.urbi.kernel.object.UrbiFloat;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Span;
+
+/**
+ * {@code x = target time: 5s}: hands a way to read and one to write the variable, and the
+ * attributes, to {@code TrajectoryGenerator} (manual, "TrajectoryGenerator").
+ */
+public final class Trajectory extends Node implements CallSite {
+  private final Node variable;
+  private final Variables.Place written;
+  private final Node write;
+  private final Node target;
+  private final String[] names;
+  private final Node[] values;
+
+  /**
+   * @param variable reads what is moved
+   * @param written where the next value is put before {@code write} is executed
+   * @param write assigns it to what is moved
+   */
+  public Trajectory(
+      Span span,
+      Node variable,
+      Variables.Place written,
+      Node write,
+      Node target,
+      String[] names,
+      Node[] values) {
+    super(span);
+    this.variable = variable;
+    this.written = written;
+    this.write = write;
+    this.target = target;
+    this.names = names;
+    this.values = values;
+  }
+
+  @Override
+  public String calledName() {
+    return "TrajectoryGenerator";
+  }
+
+  @Override
+  public Span calledSpan() {
+    return span();
+  }
+
+  @Override
+  public UrbiObject execute(Frame frame) {
+    Interpreter interpreter = frame.interpreter;
+    Map<UrbiDictionary.Key, UrbiObject> attributes = new LinkedHashMap<>();
+    for (int i = 0; i < names.length; i++) {
+      attributes.put(
+          DictionaryKey.of(frame, interpreter.values().string(names[i])),
+          Arguments.notVoid(frame, values[i]));
+    }
+    UrbiObject goal = target.execute(frame);
+    if (goal instanceof UrbiFloat number && Double.isNaN(number.value())) {
+      goal = interpreter.values().number(0);
+    }
+    Shape code = interpreter.prototypes.codeShape;
+    UrbiObject generator =
+        interpreter.get(frame, frame.self, interpreter.world().symbol("TrajectoryGenerator"));
+    return interpreter.send(
+        frame,
+        this,
+        generator,
+        interpreter.world().symbol("follow"),
+        new Accessor(code, frame, false),
+        new Accessor(code, frame, true),
+        goal,
+        interpreter.values().dictionary(attributes));
+  }
+
+  /** The variable, as a function that reads or writes it. */
+  private final class Accessor extends Code {
+    private final Frame home;
+    private final boolean writes;
+
+    Accessor(Shape shape, Frame home, boolean writes) {
+      super(shape);
+      this.home = home;
+      this.writes = writes;
+    }
+
+    @Override
+    public boolean isLazy() {
+      return false;
+    }
+
+    @Override
+    public UrbiObject call(
+        Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
+      Frame frame = home.in(caller.job);
+      if (!writes) {
+        return variable.execute(frame);
+      }
+      written.declare(frame, arguments[0]);
+      return write.execute(frame);
+    }
+  }
+}

@@ -1,0 +1,86 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Span;
+
+/** {@code try … catch … else … finally} (manual, "Exceptions"). */
+public final class Try extends Node {
+  /**
+   * A {@code catch} clause.
+   *
+   * @param pattern null when it catches everything
+   * @param guard may be null
+   */
+  public record Clause(Pattern pattern, Node guard, Node body) {}
+
+  private final Node body;
+  private final Clause[] clauses;
+  private final Node elseClause;
+  private final Node finallyClause;
+
+  /**
+   * @param elseClause may be null
+   * @param finallyClause may be null
+   */
+  public Try(Span span, Node body, Clause[] clauses, Node elseClause, Node finallyClause) {
+    super(span);
+    this.body = body;
+    this.clauses = clauses;
+    this.elseClause = elseClause;
+    this.finallyClause = finallyClause;
+  }
+
+  @Override
+  public UrbiObject execute(Frame frame) {
+    if (finallyClause == null) {
+      return executeCatching(frame);
+    }
+    try {
+      return executeCatching(frame);
+    } finally {
+      Frame.Completion completion = frame.completion;
+      frame.completion = null;
+      finallyClause.execute(frame);
+      if (frame.completion == null) {
+        frame.completion = completion;
+      }
+    }
+  }
+
+  private UrbiObject executeCatching(Frame frame) {
+    UrbiObject value;
+    try {
+      value = body.execute(frame);
+    } catch (UrbiException e) {
+      return handle(frame, e);
+    } catch (StackOverflowError e) {
+      return handle(
+          frame,
+          frame.located(frame.interpreter.errors().scheduling("stack exhausted"), span()));
+    }
+    return elseClause == null || frame.completion != null ? value : elseClause.execute(frame);
+  }
+
+  private UrbiObject handle(Frame frame, UrbiException exception) {
+    for (Clause clause : clauses) {
+      if (clause.pattern != null) {
+        frame.interpreter.describe(exception);
+        if (!clause.pattern.matches(frame, exception.value())) {
+          continue;
+        }
+      }
+      if (clause.guard != null && !clause.guard.test(frame)) {
+        continue;
+      }
+      UrbiException outer = frame.caught;
+      frame.caught = exception;
+      try {
+        return clause.body.execute(frame);
+      } finally {
+        frame.caught = outer;
+      }
+    }
+    throw exception;
+  }
+}

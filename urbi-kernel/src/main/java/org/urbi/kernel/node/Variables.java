@@ -1,0 +1,162 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.object.Dependencies;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Span;
+
+/** Local variables: plain ones in the frame, shared ones in cells. */
+public final class Variables {
+  private Variables() {}
+
+  /** The cell at an index of the frame, or, from -1 down, of the captured variables. */
+  static Cell cell(Frame frame, int index) {
+    if (index < 0) {
+      return frame.captured[-1 - index];
+    }
+    Cell cell = frame.cells[index];
+    if (cell == null) {
+      cell = new Cell(frame.interpreter.values().voidObject);
+      frame.cells[index] = cell;
+    }
+    return cell;
+  }
+
+  /** Reads a plain variable. */
+  public static final class Local extends Node {
+    private final int index;
+
+    public Local(Span span, int index) {
+      super(span);
+      this.index = index;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      UrbiObject value = frame.locals[index];
+      return value == null ? frame.interpreter.values().voidObject : value;
+    }
+  }
+
+  /** Reads a shared variable. */
+  public static final class Shared extends Node {
+    private final int index;
+
+    public Shared(Span span, int index) {
+      super(span);
+      this.index = index;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      Cell cell = cell(frame, index);
+      Dependencies.Tracker tracker = frame.interpreter.world().tracker;
+      return tracker == null ? cell.get() : cell.getTracked(tracker);
+    }
+  }
+
+  /** Where a variable is written. */
+  public static final class Place {
+    private final int index;
+    private final boolean shared;
+
+    public Place(int index, boolean shared) {
+      this.index = index;
+      this.shared = shared;
+    }
+
+    /** Begins the life of the variable. */
+    public void declare(Frame frame, UrbiObject value) {
+      if (shared) {
+        frame.cells[index] = new Cell(value);
+      } else {
+        frame.locals[index] = value;
+      }
+    }
+
+    /** Assigns the variable. */
+    void assign(Frame frame, UrbiObject value) {
+      if (shared) {
+        cell(frame, index).set(value);
+      } else {
+        frame.locals[index] = value;
+      }
+    }
+  }
+
+  /** {@code var x = value}. */
+  public static final class Declare extends Node {
+    private final Place place;
+    private final Node value;
+    private final Node type;
+    private final String name;
+
+    /**
+     * @param value null for void
+     * @param type the type that it must have, or null
+     */
+    public Declare(Span span, String name, Place place, Node value, Node type) {
+      super(span);
+      this.name = name;
+      this.place = place;
+      this.value = value;
+      this.type = type;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      UrbiObject initial = initialValue(frame, value);
+      if (type != null && value != null) {
+        TypeCheck.check(frame, name, 1, initial, type.execute(frame));
+      }
+      place.declare(frame, initial);
+      return initial;
+    }
+  }
+
+  /** {@code function f() {…}} in a scope: the function can call itself. */
+  public static final class DeclareRecursive extends Node {
+    private final Place place;
+    private final Node function;
+
+    public DeclareRecursive(Span span, Place place, Node function) {
+      super(span);
+      this.place = place;
+      this.function = function;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      // The variable is there before the function captures it.
+      place.declare(frame, frame.interpreter.values().voidObject);
+      UrbiObject value = function.execute(frame);
+      place.assign(frame, value);
+      return value;
+    }
+  }
+
+  /** The initial value of a variable: void when there is none, but void itself is refused. */
+  static UrbiObject initialValue(Frame frame, Node value) {
+    return value == null
+        ? frame.interpreter.values().voidObject
+        : Arguments.notVoid(frame, value);
+  }
+
+  /** {@code x = value}. */
+  public static final class Assign extends Node {
+    private final Place place;
+    private final Node value;
+
+    public Assign(Span span, Place place, Node value) {
+      super(span);
+      this.place = place;
+      this.value = value;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      UrbiObject assigned = Arguments.notVoid(frame, value);
+      place.assign(frame, assigned);
+      return assigned;
+    }
+  }
+}

@@ -1,0 +1,2 @@
+/** Executable code: nodes, frames, functions, and calls from Java. */
+package org.urbi.kernel.node;

@@ -1,0 +1,63 @@
+package org.urbi.kernel.tag;
+
+import org.urbi.kernel.event.UrbiEvent;
+import org.urbi.kernel.job.TagState;
+import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiObject;
+
+/** A tag (manual, "Tag"): labels code in order to control it. */
+public final class UrbiTag extends UrbiObject {
+  private final TagState state;
+  private UrbiTag parent;
+  private UrbiEvent enter;
+  private UrbiEvent leave;
+
+  public UrbiTag(Shape shape) {
+    super(shape);
+    this.state = new TagState(this);
+  }
+
+  @Override
+  public UrbiObject cloned() {
+    return new UrbiTag(cloneShape());
+  }
+
+  /** A fresh tag with that name. */
+  public static UrbiTag named(Interpreter interpreter, String name) {
+    UrbiTag tag = (UrbiTag) interpreter.prototypes().tag.cloned();
+    tag.addSlot(interpreter.world().symbol("name"), interpreter.values().string(name));
+    return tag;
+  }
+
+  public TagState state() {
+    return state;
+  }
+
+  /** The tag which this one stands under, or null: whoever controls it controls this one too. */
+  public UrbiTag parent() {
+    return parent;
+  }
+
+  public void setParent(UrbiTag other) {
+    parent = other;
+  }
+
+  /** Emitted when code enters; null when nobody has asked for it. */
+  public UrbiEvent enterEvent() {
+    return enter;
+  }
+
+  /** Emitted when code leaves; null when nobody has asked for it. */
+  public UrbiEvent leaveEvent() {
+    return leave;
+  }
+
+  public void setEnterEvent(UrbiEvent event) {
+    enter = event;
+  }
+
+  public void setLeaveEvent(UrbiEvent event) {
+    leave = event;
+  }
+}

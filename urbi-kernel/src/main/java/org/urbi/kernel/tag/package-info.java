@@ -1,0 +1,2 @@
+/** Tags, and code under tags. */
+package org.urbi.kernel.tag;
