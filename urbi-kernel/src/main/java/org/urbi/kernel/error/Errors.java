@@ -7,6 +7,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.Values;
 import org.urbi.kernel.object.World;
+import org.urbi.lang.parse.SyntaxError;
 
 /**
  * Every error that the language itself reports, with the text of the manual ("Exception"). Each is
@@ -119,6 +120,14 @@ public final class Errors {
     return of("Lookup", "property lookup failed: " + slot + "->" + property)
         .with("object", target)
         .with("name", slot + "->" + property)
+        .build();
+  }
+
+  /** {@code 1.5: syntax error: message}. */
+  public UrbiException syntax(SyntaxError error, String input) {
+    return of("Syntax", error.message().replaceFirst("^syntax error: ", ""))
+        .with("loc", error.span().location().toString())
+        .with("input", input)
         .build();
   }
 

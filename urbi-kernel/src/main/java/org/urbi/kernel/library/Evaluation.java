@@ -1,7 +1,6 @@
 package org.urbi.kernel.library;
 
 import org.urbi.kernel.compile.Compilation;
-import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -24,18 +23,9 @@ final class Evaluation {
   static UrbiObject eval(
       Frame frame, CallSite site, UrbiObject target, String text, String file) {
     UrbiParser.Parsed parsed = UrbiParser.parse(Source.of(text, file));
-    for (SyntaxError error : parsed.errors()) {
-      String message = error.span().location() + ": " + error.message();
-      if (!error.isWarning()) {
-        throw frame
-            .interpreter()
-            .errors()
-            .of("Syntax", message)
-            .with("input", text)
-            .build();
-      }
-      Output output = LobbyType.of(frame).output();
-      output.send("warning", "!!! " + message);
+    if (!parsed.errors().isEmpty()) {
+      SyntaxError error = parsed.errors().getFirst();
+      throw frame.interpreter().errors().syntax(error, text);
     }
     return execute(frame, site, target, parsed.program());
   }

@@ -111,4 +111,14 @@ final class SystemType {
   static void setNdebug(Frame frame, UrbiObject self, UrbiObject value) {
     frame.interpreter().disableAssertions(Truth.of(frame, value));
   }
+
+  @Builtin(doc = "Whether the message of a failed assertion shows the values of its parts.")
+  static boolean assertVerbose(Frame frame, UrbiObject self) {
+    return frame.interpreter().assertionsShowValues();
+  }
+
+  @Builtin(value = "assertVerbose", setter = true, doc = "Sets whether it shows the values.")
+  static void setAssertVerbose(Frame frame, UrbiObject self, UrbiObject value) {
+    frame.interpreter().showValuesOfAssertions(Truth.of(frame, value));
+  }
 }

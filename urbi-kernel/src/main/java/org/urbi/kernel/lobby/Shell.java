@@ -242,7 +242,6 @@ public final class Shell {
   }
 
   private void show(SyntaxError error) {
-    String channel = error.isWarning() ? "warning" : "error";
-    lobby.output().send(channel, "!!! " + error.span().location() + ": " + error.message());
+    lobby.output().send("error", "!!! " + error.span().location() + ": " + error.message());
   }
 }

@@ -58,7 +58,11 @@ public final class Assertion extends Node {
         frame
             .interpreter
             .errors()
-            .of("Assertion", "failed assertion: " + claim.text + " (" + effective + ")")
+            .of(
+                "Assertion",
+                "failed assertion: "
+                    + claim.text
+                    + (frame.interpreter.assertionsShowValues() ? " (" + effective + ")" : ""))
             .build();
     throw frame.located(error, span());
   }

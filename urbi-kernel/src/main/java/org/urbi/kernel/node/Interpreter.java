@@ -41,6 +41,7 @@ public final class Interpreter {
   final CorePrototypes prototypes;
   private Consumer<UrbiException> describer = exception -> {};
   private boolean assertionsDisabled;
+  private boolean assertionsShowValues = true;
   private Object host;
   int maximumDepth;
 
@@ -197,6 +198,15 @@ public final class Interpreter {
 
   public void disableAssertions(boolean disabled) {
     assertionsDisabled = disabled;
+  }
+
+  /** Whether the message of a failed assertion shows the values of its parts. */
+  public boolean assertionsShowValues() {
+    return assertionsShowValues;
+  }
+
+  public void showValuesOfAssertions(boolean shown) {
+    assertionsShowValues = shown;
   }
 
   /** Gives a caught exception its {@code location} and {@code backtrace}. */

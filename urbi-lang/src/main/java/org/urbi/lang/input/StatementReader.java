@@ -39,7 +39,7 @@ public final class StatementReader {
   private static final int COMPACT = 1 << 16;
 
   private final StringBuilder text = new StringBuilder();
-  private final Scanner scanner = new Scanner();
+  private Scanner scanner = new Scanner();
   private final Deque<Place> pushed = new ArrayDeque<>();
   private final List<Source.Line> lines = new ArrayList<>();
 
@@ -65,6 +65,16 @@ public final class StatementReader {
     ended = true;
   }
 
+  /** Forgets the statement that has begun, and all the text behind it. */
+  public void reset() {
+    text.setLength(0);
+    at = 0;
+    begin = -1;
+    lineBegin = 0;
+    lineBeginsInCode = true;
+    scanner = new Scanner();
+  }
+
   /** Whether there is a beginning of a statement, or text still to be read. */
   public boolean pending() {
     return !scanner.isBlank() || !scanner.inCode() || at < text.length();
@@ -76,8 +86,10 @@ public final class StatementReader {
       if (step(text.charAt(at))) {
         Item item = parse(true);
         begin = -1;
-        compact();
-        return item;
+        if (item != null) {
+          compact();
+          return item;
+        }
       }
     }
     compact();

@@ -12,6 +12,11 @@ public final class StringEscape {
     return escape(value, '"');
   }
 
+  /** The literal, double quotes included. */
+  public static String quote(String value) {
+    return '"' + escape(value) + '"';
+  }
+
   static String escape(String value, char quote) {
     var text = new StringBuilder(value.length());
     for (int i = 0; i < value.length(); i++) {
