@@ -84,10 +84,7 @@ public final class Errors {
 
   /** {@code lookup failed: name}. */
   public UrbiException lookup(UrbiObject target, String name) {
-    return of("Lookup", "lookup failed: " + name)
-        .with("object", target)
-        .with("name", name)
-        .build();
+    return of("Lookup", "lookup failed: " + name).with("object", target).with("name", name).build();
   }
 
   /** {@code unexpected void}. */
@@ -158,8 +155,7 @@ public final class Errors {
     } else if (max == Integer.MAX_VALUE) {
       expected = "at least " + min + (min < 2 ? " argument" : " arguments");
     } else {
-      expected =
-          "between " + min + " and " + max + (max < 2 ? " argument" : " arguments");
+      expected = "between " + min + " and " + max + (max < 2 ? " argument" : " arguments");
     }
     return routine + ": expected " + expected + ", given " + given;
   }
@@ -191,8 +187,7 @@ public final class Errors {
           .with("effective", effective)
           .build();
     }
-    return argument(
-        routine, index, of(type, text).with("effective", effective).object());
+    return argument(routine, index, of(type, text).with("effective", effective).object());
   }
 
   /**

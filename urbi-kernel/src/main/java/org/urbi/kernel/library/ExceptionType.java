@@ -43,9 +43,6 @@ final class ExceptionType {
 
   @Builtin(doc = "The type and the message, as the console shows it.")
   static String asPrintable(Frame frame, UrbiObject self) {
-    return text(frame, self, "fullType")
-        + " `"
-        + frame.interpreter().asString(frame, self)
-        + "'";
+    return text(frame, self, "fullType") + " `" + frame.interpreter().asString(frame, self) + "'";
   }
 }

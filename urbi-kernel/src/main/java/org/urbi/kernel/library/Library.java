@@ -167,12 +167,11 @@ public final class Library {
 
   private void errors() {
     Errors errors = interpreter.errors();
-    types.forEach(
-        (name, type) -> {
-          if (name.startsWith("Exception.")) {
-            errors.declare(name.substring("Exception.".length()), type);
-          }
-        });
+    types.forEach((name, type) -> {
+      if (name.startsWith("Exception.")) {
+        errors.declare(name.substring("Exception.".length()), type);
+      }
+    });
     interpreter.setDescriber(this::describe);
   }
 
@@ -180,8 +179,7 @@ public final class Library {
   private void describe(UrbiException exception) {
     UrbiObject value = exception.value();
     if (value.isA(types.get("Exception")) && exception.isLocated()) {
-      String place =
-          exception.span() == null ? "" : exception.span().location().toString();
+      String place = exception.span() == null ? "" : exception.span().location().toString();
       ExceptionType.set(value, "location", values.string(place));
     }
   }

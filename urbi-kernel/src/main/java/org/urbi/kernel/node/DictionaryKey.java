@@ -34,8 +34,7 @@ public final class DictionaryKey {
   }
 
   /** Any other object: asks it. */
-  private record ObjectKey(Frame frame, int hash, UrbiObject value)
-      implements UrbiDictionary.Key {
+  private record ObjectKey(Frame frame, int hash, UrbiObject value) implements UrbiDictionary.Key {
     @Override
     public boolean equals(Object other) {
       return other instanceof ObjectKey key

@@ -58,8 +58,7 @@ public final class Properties {
   }
 
   /** Removes a property; null when there was none. */
-  public static UrbiObject remove(
-      Frame frame, UrbiObject target, Symbol slot, String property) {
+  public static UrbiObject remove(Frame frame, UrbiObject target, Symbol slot, String property) {
     UrbiObject holder = holder(frame, target, slot);
     SlotData data = holder.slotData(slot);
     if (data == null) {

@@ -22,8 +22,7 @@ public final class Slots {
      * @param value null for void
      * @param type the type that it must have, or null
      */
-    public Declare(
-        Span span, Node target, Symbol name, Node value, boolean constant, Node type) {
+    public Declare(Span span, Node target, Symbol name, Node value, boolean constant, Node type) {
       super(span);
       this.target = target;
       this.name = name;
@@ -42,8 +41,7 @@ public final class Slots {
         }
         SlotUpdate.create(frame, object, name, initial);
         if (constant) {
-          SlotUpdate.setConstant(
-              object, name, frame.interpreter.values().trueObject, true);
+          SlotUpdate.setConstant(object, name, frame.interpreter.values().trueObject, true);
         }
         return initial;
       } catch (UrbiException e) {

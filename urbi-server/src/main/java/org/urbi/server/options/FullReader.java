@@ -60,23 +60,21 @@ final class FullReader {
 
   private OptionSpec specOf(Option option) {
     OptionSpec.Builder builder =
-        OptionSpec.builder(option.names().toArray(String[]::new))
-            .description(option.description());
+        OptionSpec.builder(option.names().toArray(String[]::new)).description(option.description());
     if (option.hasValue()) {
       builder
           .arity("1")
           .type(String.class)
           .paramLabel(option.label())
-          .parameterConsumer(
-              (values, self, command) -> {
-                if (values.isEmpty()) {
-                  throw new ParameterException(
-                      command.commandLine(),
-                      "Missing required parameter for option '%s' (%s)"
-                          .formatted(String.join("' / '", option.names()), option.label()));
-                }
-                reading.options().add(new Reading.Occurrence(option, values.pop()));
-              });
+          .parameterConsumer((values, self, command) -> {
+            if (values.isEmpty()) {
+              throw new ParameterException(
+                  command.commandLine(),
+                  "Missing required parameter for option '%s' (%s)"
+                      .formatted(String.join("' / '", option.names()), option.label()));
+            }
+            reading.options().add(new Reading.Occurrence(option, values.pop()));
+          });
     }
     return builder.build();
   }
