@@ -122,17 +122,16 @@ public final class Kernel implements AutoCloseable, KernelControl {
   public void requestShutdown(int exitStatus) {
     scheduler
         .inbox()
-        .post(
-            () -> {
-              if (!stopping) {
-                stopping = true;
-                status = exitStatus;
-                for (KernelConnection connection : new ArrayList<>(connections)) {
-                  connection.finish();
-                }
-                scheduler.stop();
-              }
-            });
+        .post(() -> {
+          if (!stopping) {
+            stopping = true;
+            status = exitStatus;
+            for (KernelConnection connection : new ArrayList<>(connections)) {
+              connection.finish();
+            }
+            scheduler.stop();
+          }
+        });
   }
 
   private void ended() {

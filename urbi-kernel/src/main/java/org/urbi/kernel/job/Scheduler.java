@@ -194,14 +194,13 @@ public final class Scheduler {
    * @param whenEnded the last thing that it does
    */
   public Thread startLoop(Runnable whenEnded) {
-    return threads.startLoop(
-        () -> {
-          try {
-            loop();
-          } finally {
-            whenEnded.run();
-          }
-        });
+    return threads.startLoop(() -> {
+      try {
+        loop();
+      } finally {
+        whenEnded.run();
+      }
+    });
   }
 
   /** Ends the loop after this tick; on the kernel thread. */

@@ -49,8 +49,7 @@ final class ControlType {
             action.accept(forked);
           }
         };
-    Job job =
-        frame.job().scheduler().startDetached(frame.job().lobby(), scope, "shell", body);
+    Job job = frame.job().scheduler().startDetached(frame.job().lobby(), scope, "shell", body);
     body.forked = frame.fork(job, false);
     return job;
   }

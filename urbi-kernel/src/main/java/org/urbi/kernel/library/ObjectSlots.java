@@ -1,10 +1,10 @@
 package org.urbi.kernel.library;
 
 import java.util.LinkedHashMap;
-import java.util.Map;
 import java.util.List;
-import java.util.TreeSet;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeSet;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.node.DictionaryKey;
@@ -62,8 +62,7 @@ final class ObjectSlots {
   @Builtin(doc = "Creates a constant slot with a value; returns the value.")
   static UrbiObject setConstSlot(Frame frame, UrbiObject self, String name, UrbiObject value) {
     SlotUpdate.create(frame, self, symbol(self, name), value);
-    SlotUpdate.setConstant(
-        self, symbol(self, name), frame.interpreter().values().trueObject, true);
+    SlotUpdate.setConstant(self, symbol(self, name), frame.interpreter().values().trueObject, true);
     return value;
   }
 
@@ -141,9 +140,7 @@ final class ObjectSlots {
   }
 
   private static List<UrbiObject> strings(UrbiObject self, Set<String> names) {
-    return names.stream()
-        .<UrbiObject>map(name -> self.world().values().string(name))
-        .toList();
+    return names.stream().<UrbiObject>map(name -> self.world().values().string(name)).toList();
   }
 
   @Builtin(doc = "Copies a slot of this object to a new one with the same value.")
@@ -200,11 +197,10 @@ final class ObjectSlots {
     SlotData data = holder.slotData(symbol(self, slot));
     Map<UrbiDictionary.Key, UrbiObject> all = new LinkedHashMap<>();
     if (data != null) {
-      data.properties.forEach(
-          (name, value) -> {
-            UrbiString key = self.world().values().string(name);
-            all.put(DictionaryKey.of(frame, key), value);
-          });
+      data.properties.forEach((name, value) -> {
+        UrbiString key = self.world().values().string(name);
+        all.put(DictionaryKey.of(frame, key), value);
+      });
     }
     return self.world().values().dictionary(all);
   }

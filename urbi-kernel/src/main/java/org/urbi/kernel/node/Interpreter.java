@@ -45,8 +45,7 @@ public final class Interpreter {
   private Object host;
   int maximumDepth;
 
-  public Interpreter(
-      World world, Scheduler scheduler, Errors errors, CorePrototypes prototypes) {
+  public Interpreter(World world, Scheduler scheduler, Errors errors, CorePrototypes prototypes) {
     this.world = world;
     this.values = world.values();
     this.scheduler = scheduler;
@@ -143,8 +142,7 @@ public final class Interpreter {
   }
 
   /** Sends a message. */
-  public UrbiObject send(
-      Frame caller, UrbiObject target, String message, UrbiObject... arguments) {
+  public UrbiObject send(Frame caller, UrbiObject target, String message, UrbiObject... arguments) {
     return send(caller, new JavaSite(message), target, world.symbol(message), arguments);
   }
 

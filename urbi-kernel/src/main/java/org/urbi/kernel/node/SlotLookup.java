@@ -109,8 +109,7 @@ final class SlotLookup {
     return read(frame, target, holder, name);
   }
 
-  private static UrbiObject read(
-      Frame frame, UrbiObject target, UrbiObject holder, Symbol name) {
+  private static UrbiObject read(Frame frame, UrbiObject target, UrbiObject holder, Symbol name) {
     SlotData data = holder.slotData(name);
     if (data != null && data.getter != null) {
       return frame.interpreter.call(frame, data.getter, target);
