@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.urbi.kernel.node.Frame;
-import org.urbi.kernel.node.Primitive;
+import org.urbi.kernel.node.Function;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiFloat;
@@ -70,8 +70,8 @@ final class Printing {
 
   /** Whether it is shown by the library, and not by functions of a program. */
   private boolean isPlain(UrbiObject value) {
-    return value.lookup(asPrintable) instanceof Primitive
-        && value.lookup(asString) instanceof Primitive;
+    return !(value.lookup(asPrintable) instanceof Function)
+        && !(value.lookup(asString) instanceof Function);
   }
 
   private void appendContainer(UrbiObject container) {

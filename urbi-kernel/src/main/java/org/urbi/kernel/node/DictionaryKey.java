@@ -2,6 +2,7 @@ package org.urbi.kernel.node;
 
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiFloat;
+import org.urbi.kernel.object.UrbiHash;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 
@@ -59,7 +60,12 @@ public final class DictionaryKey {
       return new NumberKey(number.value(), value);
     }
     UrbiObject hash = frame.interpreter.send(frame, value, "hash");
-    int code = hash instanceof UrbiFloat number ? Double.hashCode(number.value()) : 0;
+    int code =
+        switch (hash) {
+          case UrbiHash known -> Long.hashCode(known.code());
+          case UrbiFloat number -> Double.hashCode(number.value());
+          default -> 0;
+        };
     return new ObjectKey(frame, code, value);
   }
 }

@@ -105,7 +105,9 @@ final class Primaries {
           default -> name(context.getStart(), null);
         };
     for (SelectorContext selector : context.selector()) {
-      path = name(selector.getStart(), path);
+      if (selector.getStart() != context.getStart()) {
+        path = name(selector.getStart(), path);
+      }
     }
     return path;
   }
