@@ -4,7 +4,7 @@ function bench()
   return 0
 end
 
-function spawn()
+function putToBed()
   for i = 1, 100000 do
     local job = coroutine.create(function() coroutine.yield(3600) end)
     coroutine.resume(job)

@@ -57,12 +57,12 @@ final class Sleepers {
         var memory = new JavaProcess(guest.pid());
         long before = memory.usedHeap();
         long residentBefore = guest.residentBytes();
-        guest.evaluate("spawn(),\nsleep(1s) | \"asleep\";");
+        guest.evaluate("putToBed(),\nsleep(1s) | \"asleep\";");
         heap.put(language, (double) (memory.usedHeap() - before));
         put(resident, language, residentBefore, guest.residentBytes());
       } else {
         long before = guest.residentBytes();
-        guest.call("spawn", 1);
+        guest.call("putToBed", 1);
         put(resident, language, before, guest.residentBytes());
       }
     }
