@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -16,6 +17,10 @@ public final class JavaProcess {
       Pattern.compile("(?m)^\\s*(?!Metaspace)\\S.*total\\D*\\d+K, used (\\d+)K");
 
   private static final Pattern THREAD = Pattern.compile("(?m)^\"([^\"]*)\"");
+
+  /** As in {@code    1:   3406   397840  [B (java.base@25)}. */
+  private static final Pattern CLASS =
+      Pattern.compile("(?m)^\\s*\\d+:\\s+\\d+\\s+(\\d+)\\s+(\\S+)");
 
   private final long pid;
 
@@ -43,6 +48,16 @@ public final class JavaProcess {
       names.merge(thread.group(1), 1, Integer::sum);
     }
     return names;
+  }
+
+  /** How many bytes the live objects of each class take; lists the classes that take most. */
+  public Map<String, Long> classes() throws IOException {
+    Map<String, Long> bytes = new TreeMap<>();
+    Matcher line = CLASS.matcher(jcmd("GC.class_histogram"));
+    while (line.find()) {
+      bytes.merge(line.group(2), Long.valueOf(line.group(1)), Long::sum);
+    }
+    return bytes;
   }
 
   /** Sends a diagnostic command, and returns the answer. */

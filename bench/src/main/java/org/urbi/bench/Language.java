@@ -16,7 +16,7 @@ enum Language {
       ".py",
       "import sys; print(sys.executable if sys.implementation.name == 'cpython' else '')",
       List.of("python3", "python3.11")),
-  LUA("Lua", ".lua", "print(_VERSION == 'Lua 5.4' and arg[-2] or '')", List.of("lua5.4", "lua")),
+  LUA("Lua", ".lua", "print(_VERSION == 'Lua 5.4' and arg[0] or '')", List.of("lua5.4", "lua")),
   /** Virtual threads of the JDK, without any language. */
   BARE("bare JVM", "", "", List.of());
 

@@ -14,7 +14,7 @@ import jdk.jfr.consumer.RecordingFile;
 /** Where a Java virtual machine spends its time, as its flight recorder saw it. */
 final class Recording {
   private static final int SHOWN = 15;
-  private static final Duration SETTLED = Duration.ofSeconds(3);
+  private static final Duration SETTLED = Duration.ofSeconds(4);
 
   private final Path file;
   private final Path settings;
@@ -79,6 +79,7 @@ final class Recording {
         }
       }
     }
+    out.println("-- %d samples".formatted(methods.values().stream().mapToLong(n -> n).sum()));
     print(out, "methods", methods);
     print(out, "lines", lines);
     print(out, "allocation, bytes", classes);

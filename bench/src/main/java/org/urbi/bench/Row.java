@@ -33,6 +33,11 @@ record Row(
     return new Row(name, title, 1, false, SCRIPTS, target);
   }
 
+  /** The same without any other language. */
+  Row alone() {
+    return new Row(program, title, operations, based, List.of(), target);
+  }
+
   /** All of them, in the order of the table. */
   static List<Row> all() {
     return List.of(

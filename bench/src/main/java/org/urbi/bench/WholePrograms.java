@@ -29,7 +29,7 @@ public final class WholePrograms {
             .each("NAME", "Run only the program NAME; may be repeated.", only::add, "--only")
             .option("FILE", "Write the results to FILE, too, samples included.", "--json")
             .flag("A rough look: shorter warm-up, fewer samples.", "--quick")
-            .flag("Record each urbiscript program and print its hot spots.", "--profile")
+            .flag("Run urbiscript alone, and print where the time goes.", "--profile")
             .flag("List the names of the programs.", "--list");
     System.exit(
         program.run(
@@ -52,18 +52,17 @@ public final class WholePrograms {
     List<String> description = machine.description();
     description.forEach(progress::println);
     try {
-      Contest contest =
-          new Contest(machine, quick ? Contest.Pace.QUICK : Contest.Pace.THOROUGH);
       for (Row row : Row.all()) {
         if (wanted(only, row.program())) {
-          run(contest, row, arguments.has("--profile"));
+          progress.println(row.program() + " ...");
+          results.add(arguments.has("--profile") ? record(row) : compare(row, quick));
         }
       }
-      if (wanted(only, "sleepers")) {
+      if (wanted(only, "sleepers") && !arguments.has("--profile")) {
         progress.println("sleepers ...");
         results.addAll(new Sleepers(machine).run(""));
       }
-      if (wanted(only, "startup")) {
+      if (wanted(only, "startup") && !arguments.has("--profile")) {
         results.addAll(new Startup(machine, progress).run(quick ? 5 : STARTUP_RUNS));
       }
       String file = arguments.value("--json", null);
@@ -81,15 +80,16 @@ public final class WholePrograms {
     return only.isEmpty() || only.contains(name);
   }
 
-  private void run(Contest contest, Row row, boolean profiled) throws IOException {
-    progress.println(row.program() + " ...");
-    if (!profiled) {
-      results.add(contest.run(row, ""));
-      return;
-    }
+  private Result compare(Row row, boolean quick) {
+    return new Contest(machine, quick ? Contest.Pace.QUICK : Contest.Pace.THOROUGH).run(row, "");
+  }
+
+  private Result record(Row row) throws IOException {
     Recording recording = new Recording(machine, row.program());
-    results.add(contest.run(row, recording.options()));
+    Result result =
+        new Contest(machine, Contest.Pace.RECORDED).run(row.alone(), recording.options());
     System.out.println("== " + row.program());
     recording.print(System.out);
+    return result;
   }
 }

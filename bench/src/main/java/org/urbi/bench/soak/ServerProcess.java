@@ -72,6 +72,11 @@ final class ServerProcess implements AutoCloseable {
     return new Sample(heap, threads, names, resident());
   }
 
+  /** What its heap is full of: bytes by class. */
+  Map<String, Long> classes() throws IOException {
+    return java.classes();
+  }
+
   private static boolean comesAndGoes(String thread) {
     return thread.startsWith("Attach Listener")
         || thread.contains("CompilerThread")

@@ -23,6 +23,8 @@ public final class Soak {
   private static final double HEAP_GROWTH = 0.05;
   private static final long HEAP_SLACK = 3_000_000;
 
+  private static final int SHOWN_CLASSES = 25;
+
   private final int clients;
   private final long seed;
   private final SoakClient.Tally tally = new SoakClient.Tally();
@@ -60,12 +62,17 @@ public final class Soak {
       // Classes are loaded and buffers grow once: that is no leak.
       visit(server, WARM_UP_SECONDS, 0);
       ServerProcess.Sample before = server.sample();
+      Map<String, Long> classes = server.classes();
       say("warm        " + before);
       visit(server, minutes * 60, minutes);
       ServerProcess.Sample after = server.sample();
       say("afterwards  " + after);
       say(tally.toString());
-      return judge(before, after, server);
+      boolean met = judge(before, after, server);
+      if (!met) {
+        showGrowth(classes, server.classes());
+      }
+      return met;
     }
   }
 
@@ -134,6 +141,16 @@ public final class Soak {
       say("the server's log has %d lines, the last: %s".formatted(lines.size(), lines.getLast()));
     }
     return heap && threads && answers && failures;
+  }
+
+  private static void showGrowth(Map<String, Long> before, Map<String, Long> after) {
+    Map<String, Long> growth = new TreeMap<>(after);
+    growth.replaceAll((name, bytes) -> bytes - before.getOrDefault(name, 0L));
+    growth.entrySet().stream()
+        .sorted(Map.Entry.<String, Long>comparingByValue().reversed())
+        .limit(SHOWN_CLASSES)
+        .forEach(
+            entry -> say("%+10.1f kB  %s".formatted(entry.getValue() / 1e3, entry.getKey())));
   }
 
   private static String verdict(boolean met) {
