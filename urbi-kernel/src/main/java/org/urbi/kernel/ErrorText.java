@@ -43,7 +43,7 @@ final class ErrorText {
       Interpreter interpreter, Job job, UrbiLobby lobby, UrbiException exception) {
     Frame frame = Frame.top(interpreter, job, lobby, new FrameLayout());
     try {
-      return interpreter.asString(frame, exception.value()).replace("\n", "\n[:]");
+      return interpreter.asString(frame, exception.value());
     } catch (UrbiException e) {
       return "exception that cannot be shown";
     }

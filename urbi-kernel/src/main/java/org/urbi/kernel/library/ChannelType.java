@@ -31,7 +31,7 @@ final class ChannelType {
                   .interpreter()
                   .asString(
                       frame, frame.interpreter().send(frame, value, "asToplevelPrintable"));
-      output(frame, self).send(name(frame, self), text.replace("\n", "\n[:]"));
+      output(frame, self).send(name(frame, self), text);
     }
   }
 

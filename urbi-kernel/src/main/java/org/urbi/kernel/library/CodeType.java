@@ -38,6 +38,7 @@ final class CodeType {
   static String asString(Frame frame, UrbiObject self) {
     return switch (self) {
       case Function function -> Printer.print(function.source());
+      case ScriptCode script -> Printer.print(script.tree());
       case Code other -> "Code_" + ObjectType.uid(other);
       default -> "Code";
     };

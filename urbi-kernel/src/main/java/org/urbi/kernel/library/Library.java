@@ -148,6 +148,12 @@ public final class Library {
     global.addSlot(world.symbol("cerr"), channel(channel, "error", false));
     global.addSlot(world.symbol("clog"), channel(channel, "clog", true));
     global.addSlot(world.symbol("cout"), channel(channel, "output", true));
+    Symbol asList = world.symbol("asList");
+    values.stringProto.removeSlot(asList);
+    values.stringProto.addSlot(
+        asList,
+        new ScriptCode(
+            interpreter.prototypes().code.cloneShape(), "function () { split(\"\") }"));
     UrbiObject lobby = types.get("Lobby");
     lobby.setProtos(topLevel);
     lobby.addSlot(world.symbol("topLevel"), topLevel);

@@ -33,12 +33,7 @@ final class LobbyType {
   @Builtin(doc = "Sends a value as text, on a channel if one is given.")
   static void echo(Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
     String text = frame.interpreter().asString(frame, value);
-    output(frame, self).send(channel == null ? "" : channel, stars(text));
-  }
-
-  /** Each line of a message after the first is marked as such. */
-  private static String stars(String text) {
-    return "*** " + text.replace("\n", "\n[:]");
+    output(frame, self).send(channel == null ? "" : channel, "*** " + text);
   }
 
   @Builtin(doc = "Sends each member of a list as text, on a channel if one is given.")

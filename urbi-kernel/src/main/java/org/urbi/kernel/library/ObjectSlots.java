@@ -95,11 +95,10 @@ final class ObjectSlots {
   @Builtin(
       value = {"removeSlots", "removeLocalSlots"},
       doc = "Removes those of the object's own slots, if it has them.")
-  static UrbiObject removeSlots(Frame frame, UrbiObject self, UrbiObject... names) {
+  static void removeSlots(Frame frame, UrbiObject self, UrbiObject... names) {
     for (UrbiObject name : names) {
       self.removeSlot(symbol(self, frame.interpreter().asString(frame, name)));
     }
-    return self;
   }
 
   @Builtin(doc = "Whether the object itself has the slot.")

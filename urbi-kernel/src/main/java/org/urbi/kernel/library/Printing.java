@@ -81,7 +81,7 @@ final class Printing {
         List<UrbiObject> elements = tuple.elements();
         appendElements("(", elements, elements.size() == 1 ? ",)" : ")", repeated);
       }
-      case UrbiDictionary dictionary -> appendEntries(dictionary.entries(), repeated);
+      case UrbiDictionary dictionary -> appendEntries(dictionary.sorted(), repeated);
       default -> appendElements("[", ((UrbiList) container).elements(), "]", repeated);
     }
     if (!repeated) {
@@ -105,13 +105,14 @@ final class Printing {
     out.append(closing);
   }
 
-  private void appendEntries(Map<UrbiDictionary.Key, UrbiObject> entries, boolean repeated) {
+  private void appendEntries(
+      List<Map.Entry<UrbiDictionary.Key, UrbiObject>> entries, boolean repeated) {
     if (repeated || entries.isEmpty()) {
       out.append(repeated ? "[...]" : "[ => ]");
       return;
     }
     String separator = "[";
-    for (Map.Entry<UrbiDictionary.Key, UrbiObject> entry : List.copyOf(entries.entrySet())) {
+    for (Map.Entry<UrbiDictionary.Key, UrbiObject> entry : entries) {
       out.append(separator);
       separator = ", ";
       append(entry.getKey().value());

@@ -23,7 +23,7 @@ public final class Output {
   }
 
   /**
-   * Sends text on a channel. Each line of it after the first begins with {@code [:]}.
+   * Sends text on a channel; only its first line has the time stamp.
    *
    * @param channel empty for the one without a name
    */

@@ -201,7 +201,7 @@ public final class Shell {
       TagScope scope = shell.enter(lobby.connectionTag().state());
       try {
         UrbiObject value = runForeground(shell, compiled);
-        if (value != null && value != interpreter.values().voidObject) {
+        if (isShown(value)) {
           show(shell, compiled, value);
         }
         shell.yield();
@@ -234,6 +234,13 @@ public final class Shell {
     } finally {
       shell.leave(scope);
     }
+  }
+
+  /** The top level passes over void, and over nil. */
+  private boolean isShown(UrbiObject value) {
+    return value != null
+        && value != interpreter.values().voidObject
+        && value != interpreter.values().nil;
   }
 
   private void show(Job shell, Compilation.Compiled compiled, UrbiObject value) {

@@ -12,6 +12,11 @@ public final class DictionaryKey {
 
   private record TextKey(String text, UrbiObject value) implements UrbiDictionary.Key {
     @Override
+    public Comparable<?> rank() {
+      return text;
+    }
+
+    @Override
     public boolean equals(Object other) {
       return other instanceof TextKey key && text.equals(key.text);
     }
@@ -23,6 +28,11 @@ public final class DictionaryKey {
   }
 
   private record NumberKey(double number, UrbiObject value) implements UrbiDictionary.Key {
+    @Override
+    public Comparable<?> rank() {
+      return number;
+    }
+
     @Override
     public boolean equals(Object other) {
       return other instanceof NumberKey key && number == key.number;
@@ -37,6 +47,11 @@ public final class DictionaryKey {
   /** Any other object: asks it. */
   private record ObjectKey(Frame frame, int hash, UrbiObject value)
       implements UrbiDictionary.Key {
+    @Override
+    public Comparable<?> rank() {
+      return null;
+    }
+
     @Override
     public boolean equals(Object other) {
       return other instanceof ObjectKey key

@@ -1,6 +1,8 @@
 package org.urbi.kernel.object;
 
+import java.util.Comparator;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 
 /**
@@ -11,6 +13,27 @@ public final class UrbiDictionary extends UrbiObject {
   /** A key, with the equality of its value. */
   public interface Key {
     UrbiObject value();
+
+    /** Where strings and numbers stand among their likes; null for others. */
+    Comparable<?> rank();
+  }
+
+  /** Strings, then numbers, each in their order, then the other keys as they came. */
+  private static final Comparator<Map.Entry<Key, UrbiObject>> ORDER =
+      (a, b) -> {
+        Comparable<?> left = a.getKey().rank();
+        Comparable<?> right = b.getKey().rank();
+        if (left instanceof String s && right instanceof String t) {
+          return s.compareTo(t);
+        }
+        if (left instanceof Double x && right instanceof Double y) {
+          return x.compareTo(y);
+        }
+        return Integer.compare(group(left), group(right));
+      };
+
+  private static int group(Comparable<?> rank) {
+    return rank instanceof String ? 0 : rank instanceof Double ? 1 : 2;
   }
 
   private final LinkedHashMap<Key, UrbiObject> entries;
@@ -24,6 +47,12 @@ public final class UrbiDictionary extends UrbiObject {
   public Map<Key, UrbiObject> entries() {
     noteContentRead();
     return entries;
+  }
+
+  /** The entries in an order that does not depend on how they came. */
+  public List<Map.Entry<Key, UrbiObject>> sorted() {
+    noteContentRead();
+    return entries.entrySet().stream().sorted(ORDER).toList();
   }
 
   /** The entries, to be modified; call {@link #noteContentChange} when it is done. */
