@@ -37,7 +37,7 @@ final class ObjectSlots {
       value = {"getSlot", "getSlotValue"},
       doc = "The value of the slot, its own or inherited, not called.")
   static UrbiObject getSlot(Frame frame, UrbiObject self, String name) {
-    return frame.interpreter().get(frame, self, symbol(self, name));
+    return frame.interpreter().getRaw(self, symbol(self, name));
   }
 
   @Builtin(doc = "The value of the object's own slot.")

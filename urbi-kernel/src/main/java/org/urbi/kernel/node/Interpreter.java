@@ -168,6 +168,15 @@ public final class Interpreter {
     return value;
   }
 
+  /** The value of a slot as it is: neither called, nor computed by a getter. */
+  public UrbiObject getRaw(UrbiObject target, Symbol name) {
+    UrbiObject value = SlotLookup.findRaw(target, name);
+    if (value == null) {
+      throw errors.lookup(target, name.name());
+    }
+    return value;
+  }
+
   /** The value as a string of urbiscript, by its {@code asString}. */
   public String asString(Frame caller, UrbiObject value) {
     return text(caller, value, symbols.asString);
