@@ -118,6 +118,9 @@ final class Expressions {
     if (isScopeTag(message)) {
       return scopeTag(message, block);
     }
+    if (message.name().equals("redefinitionMode") && block.nearestScope() != null) {
+      block.nearestScope().setRedefines();
+    }
     if (message.target() == null) {
       Variable variable = block.find(message.name());
       if (variable != null) {

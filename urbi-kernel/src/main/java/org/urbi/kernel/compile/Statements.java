@@ -9,6 +9,7 @@ import org.urbi.kernel.node.Jumps;
 import org.urbi.kernel.node.Loops;
 import org.urbi.kernel.node.Matching;
 import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.Redefinition;
 import org.urbi.kernel.node.Sequences;
 import org.urbi.kernel.node.Try;
 import org.urbi.kernel.tag.ScopeTag;
@@ -142,6 +143,9 @@ final class Statements {
   /** The statements of a scope, in a block made for them. */
   Node scopeIn(Ast.Scope scope, Block inner, Seen seen) {
     Node body = sequence(scope.body(), inner, seen);
+    if (inner.redefines()) {
+      body = new Redefinition(scope.span(), body);
+    }
     Variable tag = inner.local(SCOPE_TAG);
     return tag == null ? body : new ScopeTag(scope.span(), compilation.place(tag, inner), body);
   }

@@ -44,6 +44,7 @@ public final class Scheduler {
   private Job running;
   private boolean stopped;
   private long sequence;
+  private final CycleStatistics statistics = new CycleStatistics();
 
   /**
    * @param uncaught told what a job, which nobody waits for, was left by
@@ -82,6 +83,11 @@ public final class Scheduler {
 
   public Timers timers() {
     return timers;
+  }
+
+  /** How long ticks take. */
+  public CycleStatistics statistics() {
+    return statistics;
   }
 
   /** The scope of code under no tag. */
@@ -237,7 +243,9 @@ public final class Scheduler {
 
   private void tick() {
     cycle++;
+    long before = now;
     now = Math.max(now, clock.now());
+    statistics.add(now - before);
     takeInbox();
     timers.fire(now);
     if (runnable.isEmpty()) {

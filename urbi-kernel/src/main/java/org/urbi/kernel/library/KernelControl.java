@@ -2,6 +2,7 @@ package org.urbi.kernel.library;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.Frame;
 
 /** What the library needs of the kernel around it. */
@@ -11,6 +12,12 @@ public interface KernelControl {
 
   /** Where source files are looked for, first to last. */
   List<Path> searchPath();
+
+  /** The lobbies of all connections, and those made by programs. */
+  List<UrbiLobby> lobbies();
+
+  /** A lobby without a connection of its own: its output goes where that of another one does. */
+  UrbiLobby createLobby(UrbiLobby creator);
 
   /** The kernel in which code runs. */
   static KernelControl of(Frame frame) {

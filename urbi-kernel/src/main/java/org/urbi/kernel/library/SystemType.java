@@ -18,8 +18,10 @@ final class SystemType {
   private SystemType() {}
 
   @Builtin(doc = "Waits for that many seconds; for ever when none is given.")
-  static void sleep(Frame frame, UrbiObject self, @Optional Double duration) {
+  static void sleep(
+      Frame frame, CallSite site, UrbiObject self, @Optional Double duration) {
     Job job = frame.job();
+    Activity.note(frame, site);
     if (duration == null || duration == Double.POSITIVE_INFINITY) {
       job.waitForWake();
       return;
