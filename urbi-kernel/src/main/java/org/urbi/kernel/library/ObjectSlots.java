@@ -66,6 +66,19 @@ final class ObjectSlots {
     return value;
   }
 
+  @Builtin(doc = "Replaces a slot; the value that it had is kept in a slot named name$old.")
+  static UrbiObject overrideSlot(Frame frame, UrbiObject self, String name, UrbiObject value) {
+    UrbiObject old = found(frame, self, name, self.lookup(symbol(self, name)));
+    replace(self, symbol(self, name + "$old"), old);
+    replace(self, symbol(self, name), value);
+    return value;
+  }
+
+  private static void replace(UrbiObject self, Symbol name, UrbiObject value) {
+    self.removeSlot(name);
+    self.addSlot(name, value);
+  }
+
   @Builtin(doc = "Creates a slot whose value is void.")
   static UrbiObject createSlot(Frame frame, UrbiObject self, String name) {
     UrbiObject nothing = frame.interpreter().values().voidObject;
@@ -89,15 +102,6 @@ final class ObjectSlots {
       throw frame.interpreter().errors().lookup(self, name);
     }
     return self;
-  }
-
-  @Builtin(
-      value = {"removeSlots", "removeLocalSlots"},
-      doc = "Removes those of the object's own slots, if it has them.")
-  static void removeSlots(Frame frame, UrbiObject self, UrbiObject... names) {
-    for (UrbiObject name : names) {
-      self.removeSlot(symbol(self, frame.interpreter().asString(frame, name)));
-    }
   }
 
   @Builtin(doc = "Whether the object itself has the slot.")
