@@ -7,12 +7,14 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.IntConsumer;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Inbox;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.JobThreads;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.library.Environment;
 import org.urbi.kernel.library.KernelControl;
 import org.urbi.kernel.library.Library;
 import org.urbi.kernel.lobby.Shell;
@@ -20,6 +22,7 @@ import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CorePrototypes;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.World;
+import org.urbi.kernel.outside.Outside;
 import org.urbi.kernel.tag.UrbiTag;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
@@ -33,6 +36,12 @@ public final class Kernel implements AutoCloseable, KernelControl {
   private final Scheduler scheduler;
   private final Interpreter interpreter;
   private final List<Path> searchPath;
+  private final Outside outside;
+  private final Environment environment = new Environment();
+  private final String programName;
+  private final List<String> arguments;
+  private final IntConsumer onHalt;
+  private final Runnable onReboot;
   private final Set<KernelConnection> connections = new LinkedHashSet<>();
   private final List<Runnable> onTermination = new CopyOnWriteArrayList<>();
   private final CompletableFuture<Integer> termination = new CompletableFuture<>();
@@ -47,6 +56,10 @@ public final class Kernel implements AutoCloseable, KernelControl {
     private List<Path> searchPath = List.of();
     private int stackSize;
     private long seed;
+    private String programName = "urbi";
+    private List<String> arguments = List.of();
+    private IntConsumer onHalt;
+    private Runnable onReboot;
 
     private Builder() {}
 
@@ -80,6 +93,25 @@ public final class Kernel implements AutoCloseable, KernelControl {
       return this;
     }
 
+    /** The path under which the program was called, and the arguments of the user's script. */
+    public Builder commandLine(String program, List<String> scriptArguments) {
+      programName = program;
+      arguments = List.copyOf(scriptArguments);
+      return this;
+    }
+
+    /** What {@code System._exit} does, with the exit status; by default the kernel just ends. */
+    public Builder onHalt(IntConsumer action) {
+      onHalt = action;
+      return this;
+    }
+
+    /** Has {@code System.reboot} end the kernel, after it has told so. */
+    public Builder onReboot(Runnable action) {
+      onReboot = action;
+      return this;
+    }
+
     /** Starts the kernel. */
     public Kernel start() {
       Kernel kernel = new Kernel(this);
@@ -98,6 +130,11 @@ public final class Kernel implements AutoCloseable, KernelControl {
     World world = new World();
     this.scheduler = new Scheduler(world, clock, builder.jobThreads, this::report);
     this.searchPath = builder.searchPath;
+    this.outside = new Outside(scheduler);
+    this.programName = builder.programName;
+    this.arguments = builder.arguments;
+    this.onHalt = builder.onHalt == null ? this::requestShutdown : builder.onHalt;
+    this.onReboot = builder.onReboot;
     var core =
         new CorePrototypes(
             world.values(),
@@ -140,6 +177,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
     for (KernelConnection connection : new ArrayList<>(connections)) {
       connection.finish();
     }
+    outside.close();
     onTermination.forEach(Runnable::run);
     termination.complete(status);
   }
@@ -243,6 +281,41 @@ public final class Kernel implements AutoCloseable, KernelControl {
     created.add(made[0]);
     made[0].shell().start();
     return made[0];
+  }
+
+  @Override
+  public String programName() {
+    return programName;
+  }
+
+  @Override
+  public List<String> arguments() {
+    return arguments;
+  }
+
+  @Override
+  public Environment environment() {
+    return environment;
+  }
+
+  @Override
+  public Outside outside() {
+    return outside;
+  }
+
+  @Override
+  public void halt(int exitStatus) {
+    onHalt.accept(exitStatus);
+  }
+
+  @Override
+  public boolean requestReboot() {
+    if (onReboot == null) {
+      return false;
+    }
+    onReboot.run();
+    requestShutdown(0);
+    return true;
   }
 
   // ------------------------------------------------------------------ errors

@@ -30,6 +30,7 @@ public final class Scheduler {
   private volatile UrbiObject interrupted;
   private final Inbox inbox = new Inbox();
   private final Timers timers = new Timers();
+  private final Pace pace = new Pace();
   private final JobThread.Factory threads;
   private final ArrayDeque<Job> runnable = new ArrayDeque<>();
   private final Set<Job> jobs = new LinkedHashSet<>();
@@ -88,6 +89,11 @@ public final class Scheduler {
   /** How long ticks take. */
   public CycleStatistics statistics() {
     return statistics;
+  }
+
+  /** How a simulated time passes while something real goes on. */
+  public Pace pace() {
+    return pace;
   }
 
   /** The scope of code under no tag. */
@@ -294,7 +300,11 @@ public final class Scheduler {
     long next = timers.next();
     if (clock.isReal()) {
       inbox.await(next == Long.MAX_VALUE ? Long.MAX_VALUE : next - clock.now());
-    } else if (next == Long.MAX_VALUE || timeHolders > 0) {
+    } else if (timeHolders > 0) {
+      inbox.await(Long.MAX_VALUE);
+    } else if (pace.isReal()) {
+      pace.idle(inbox, clock, next);
+    } else if (next == Long.MAX_VALUE) {
       inbox.await(Long.MAX_VALUE);
     } else if (!inbox.isFilled()) {
       clock.advanceTo(next);

@@ -68,7 +68,7 @@ final class PathType {
   }
 
   @Builtin(doc = "The path of the directory it is in.")
-  static UrbiObject dirname(UrbiPath self) {
+  static UrbiPath dirname(UrbiPath self) {
     int slash = self.text().lastIndexOf('/');
     return self.sibling(slash < 0 ? "." : slash == 0 ? "/" : self.text().substring(0, slash));
   }
