@@ -17,6 +17,7 @@ import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.library.Environment;
 import org.urbi.kernel.library.KernelControl;
 import org.urbi.kernel.library.Library;
+import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CorePrototypes;
 import org.urbi.kernel.node.Interpreter;
@@ -44,6 +45,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
   private final Set<KernelConnection> connections = new LinkedHashSet<>();
   private final List<Runnable> onTermination = new CopyOnWriteArrayList<>();
   private final CompletableFuture<Integer> termination = new CompletableFuture<>();
+  private final Set<UrbiLobby> created = new LinkedHashSet<>();
   private int status;
   private boolean stopping;
 
@@ -159,17 +161,16 @@ public final class Kernel implements AutoCloseable, KernelControl {
   public void requestShutdown(int exitStatus) {
     scheduler
         .inbox()
-        .post(
-            () -> {
-              if (!stopping) {
-                stopping = true;
-                status = exitStatus;
-                for (KernelConnection connection : new ArrayList<>(connections)) {
-                  connection.finish();
-                }
-                scheduler.stop();
-              }
-            });
+        .post(() -> {
+          if (!stopping) {
+            stopping = true;
+            status = exitStatus;
+            for (KernelConnection connection : new ArrayList<>(connections)) {
+              connection.finish();
+            }
+            scheduler.stop();
+          }
+        });
   }
 
   private void ended() {
@@ -282,6 +283,39 @@ public final class Kernel implements AutoCloseable, KernelControl {
     onReboot.run();
     requestShutdown(0);
     return true;
+  }
+
+  // ------------------------------------------------------------------ lobbies
+
+  @Override
+  public List<UrbiLobby> lobbies() {
+    List<UrbiLobby> all = new ArrayList<>();
+    for (KernelConnection connection : connections) {
+      all.add(connection.lobby());
+    }
+    all.addAll(created);
+    return all;
+  }
+
+  @Override
+  public UrbiLobby createLobby(UrbiLobby creator) {
+    UrbiLobby[] made = new UrbiLobby[1];
+    Shell.Listener listener =
+        new Shell.Listener() {
+          @Override
+          public void consumed() {}
+
+          @Override
+          public void finished() {
+            if (created.remove(made[0]) && !stopping) {
+              made[0].disconnected(interpreter);
+            }
+          }
+        };
+    made[0] = UrbiLobby.start(interpreter, creator.output()::write, listener);
+    created.add(made[0]);
+    made[0].shell().start();
+    return made[0];
   }
 
   // ------------------------------------------------------------------ errors

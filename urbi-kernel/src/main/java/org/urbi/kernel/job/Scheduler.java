@@ -45,6 +45,7 @@ public final class Scheduler {
   private Job running;
   private boolean stopped;
   private long sequence;
+  private final CycleStatistics statistics = new CycleStatistics();
 
   /**
    * @param uncaught told what a job, which nobody waits for, was left by
@@ -88,6 +89,11 @@ public final class Scheduler {
   /** How a simulated time passes while something real goes on. */
   public Pace pace() {
     return pace;
+  }
+
+  /** How long ticks take. */
+  public CycleStatistics statistics() {
+    return statistics;
   }
 
   /** The scope of code under no tag. */
@@ -200,14 +206,13 @@ public final class Scheduler {
    * @param whenEnded the last thing that it does
    */
   public Thread startLoop(Runnable whenEnded) {
-    return threads.startLoop(
-        () -> {
-          try {
-            loop();
-          } finally {
-            whenEnded.run();
-          }
-        });
+    return threads.startLoop(() -> {
+      try {
+        loop();
+      } finally {
+        whenEnded.run();
+      }
+    });
   }
 
   /** Ends the loop after this tick; on the kernel thread. */
@@ -244,7 +249,9 @@ public final class Scheduler {
 
   private void tick() {
     cycle++;
+    long before = now;
     now = Math.max(now, clock.now());
+    statistics.add(now - before);
     takeInbox();
     timers.fire(now);
     if (runnable.isEmpty()) {

@@ -4,7 +4,6 @@ import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
-
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.parse.SyntaxError;
 import org.urbi.lang.parse.UrbiParser;
@@ -20,8 +19,7 @@ final class Evaluation {
    * @param file the name by which errors call it, or null
    * @return the value of its last statement
    */
-  static UrbiObject eval(
-      Frame frame, CallSite site, UrbiObject target, String text, String file) {
+  static UrbiObject eval(Frame frame, CallSite site, UrbiObject target, String text, String file) {
     UrbiParser.Parsed parsed = UrbiParser.parse(Source.of(text, file));
     if (!parsed.errors().isEmpty()) {
       SyntaxError error = parsed.errors().getFirst();

@@ -2,6 +2,7 @@ package org.urbi.kernel.library;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.outside.Outside;
 
@@ -30,6 +31,12 @@ public interface KernelControl {
 
   /** Ends the kernel and starts another one in its place; false when nobody would do that. */
   boolean requestReboot();
+
+  /** The lobbies of all connections, and those made by programs. */
+  List<UrbiLobby> lobbies();
+
+  /** A lobby without a connection of its own: its output goes where that of another one does. */
+  UrbiLobby createLobby(UrbiLobby creator);
 
   /** The kernel in which code runs. */
   static KernelControl of(Frame frame) {
