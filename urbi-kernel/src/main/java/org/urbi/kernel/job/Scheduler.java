@@ -28,6 +28,7 @@ public final class Scheduler {
   private final World world;
   private final Clock clock;
   private volatile UrbiObject interrupted;
+  private volatile Thread loop;
   private final Inbox inbox = new Inbox();
   private final Timers timers = new Timers();
   private final Pace pace = new Pace();
@@ -86,14 +87,14 @@ public final class Scheduler {
     return timers;
   }
 
-  /** How a simulated time passes while something real goes on. */
-  public Pace pace() {
-    return pace;
-  }
-
   /** How long ticks take. */
   public CycleStatistics statistics() {
     return statistics;
+  }
+
+  /** How a simulated time passes while something real goes on. */
+  public Pace pace() {
+    return pace;
   }
 
   /** The scope of code under no tag. */
@@ -206,13 +207,22 @@ public final class Scheduler {
    * @param whenEnded the last thing that it does
    */
   public Thread startLoop(Runnable whenEnded) {
-    return threads.startLoop(() -> {
-      try {
-        loop();
-      } finally {
-        whenEnded.run();
-      }
-    });
+    return threads.startLoop(
+        () -> {
+          loop = Thread.currentThread();
+          try {
+            loop();
+          } finally {
+            whenEnded.run();
+          }
+        });
+  }
+
+  /** Whether the code that asks runs on the kernel thread, in a job or between them. */
+  public boolean isKernelThread() {
+    // Another thread may see an old job here, but never its own.
+    Job job = running;
+    return Thread.currentThread() == loop || (job != null && job.isCurrentThread());
   }
 
   /** Ends the loop after this tick; on the kernel thread. */

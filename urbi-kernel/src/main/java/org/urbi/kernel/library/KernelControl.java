@@ -14,6 +14,11 @@ public interface KernelControl {
   /** Where source files are looked for, first to last. */
   List<Path> searchPath();
 
+  /** The lobbies of all connections, and those made by programs. */
+  List<UrbiLobby> lobbies();
+
+  /** A lobby without a connection of its own: its output goes where that of another one does. */
+  UrbiLobby createLobby(UrbiLobby creator);
   /** The path under which the server was called. */
   String programName();
 
@@ -31,12 +36,6 @@ public interface KernelControl {
 
   /** Ends the kernel and starts another one in its place; false when nobody would do that. */
   boolean requestReboot();
-
-  /** The lobbies of all connections, and those made by programs. */
-  List<UrbiLobby> lobbies();
-
-  /** A lobby without a connection of its own: its output goes where that of another one does. */
-  UrbiLobby createLobby(UrbiLobby creator);
 
   /** The kernel in which code runs. */
   static KernelControl of(Frame frame) {

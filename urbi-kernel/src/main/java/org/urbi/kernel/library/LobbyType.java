@@ -78,7 +78,11 @@ final class LobbyType {
   @Builtin(doc = "Closes the connection.")
   static void quit(Frame frame, UrbiObject self) {
     UrbiLobby lobby = self instanceof UrbiLobby own && own.shell() != null ? own : of(frame);
-    lobby.shell().close();
+    if (lobby.shell() == null) {
+      lobby.connectionTag().state().stop(frame.interpreter().values().voidObject);
+    } else {
+      lobby.shell().close();
+    }
     frame.job().checkInjected();
   }
 
