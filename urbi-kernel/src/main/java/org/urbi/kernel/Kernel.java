@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Inbox;
@@ -15,6 +16,7 @@ import org.urbi.kernel.job.JobThreads;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.library.KernelControl;
 import org.urbi.kernel.library.Library;
+import org.urbi.kernel.library.LogLevel;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CorePrototypes;
@@ -36,6 +38,8 @@ public final class Kernel implements AutoCloseable, KernelControl {
   private final Set<KernelConnection> connections = new LinkedHashSet<>();
   private final List<Runnable> onTermination = new CopyOnWriteArrayList<>();
   private final CompletableFuture<Integer> termination = new CompletableFuture<>();
+  private final LogLevel logLevel;
+  private final Consumer<String> log;
   private final Set<UrbiLobby> created = new LinkedHashSet<>();
   private int status;
   private boolean stopping;
@@ -47,6 +51,8 @@ public final class Kernel implements AutoCloseable, KernelControl {
     private List<Path> searchPath = List.of();
     private int stackSize;
     private long seed;
+    private LogLevel logLevel = LogLevel.of(System.getenv("GD_LEVEL"));
+    private Consumer<String> log = System.err::println;
 
     private Builder() {}
 
@@ -80,6 +86,18 @@ public final class Kernel implements AutoCloseable, KernelControl {
       return this;
     }
 
+    /** How much of the log is shown; by default what GD_LEVEL in the environment says. */
+    public Builder logLevel(LogLevel most) {
+      logLevel = most;
+      return this;
+    }
+
+    /** Where the log goes, line by line; by default to the standard error stream. */
+    public Builder log(Consumer<String> to) {
+      log = to;
+      return this;
+    }
+
     /** Starts the kernel. */
     public Kernel start() {
       Kernel kernel = new Kernel(this);
@@ -98,6 +116,8 @@ public final class Kernel implements AutoCloseable, KernelControl {
     World world = new World();
     this.scheduler = new Scheduler(world, clock, builder.jobThreads, this::report);
     this.searchPath = builder.searchPath;
+    this.logLevel = builder.logLevel;
+    this.log = builder.log;
     var core =
         new CorePrototypes(
             world.values(),
@@ -211,6 +231,18 @@ public final class Kernel implements AutoCloseable, KernelControl {
   @Override
   public List<Path> searchPath() {
     return searchPath;
+  }
+
+  // ------------------------------------------------------------------ log
+
+  @Override
+  public LogLevel logLevel() {
+    return logLevel;
+  }
+
+  @Override
+  public void log(String line) {
+    log.accept(line);
   }
 
   // ------------------------------------------------------------------ lobbies

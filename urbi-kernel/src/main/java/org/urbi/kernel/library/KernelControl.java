@@ -19,6 +19,12 @@ public interface KernelControl {
   /** A lobby without a connection of its own: its output goes where that of another one does. */
   UrbiLobby createLobby(UrbiLobby creator);
 
+  /** How much of the log is shown. */
+  LogLevel logLevel();
+
+  /** Shows a line of the log to the administrator. */
+  void log(String line);
+
   /** The kernel in which code runs. */
   static KernelControl of(Frame frame) {
     return (KernelControl) frame.interpreter().host();
