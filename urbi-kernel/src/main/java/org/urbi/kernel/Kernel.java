@@ -8,6 +8,7 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.IntConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.urbi.kernel.embed.Embedding;
@@ -21,12 +22,15 @@ import org.urbi.kernel.job.Inbox;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.JobThreads;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.library.Environment;
 import org.urbi.kernel.library.KernelControl;
 import org.urbi.kernel.library.Library;
+import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CorePrototypes;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.World;
+import org.urbi.kernel.outside.Outside;
 import org.urbi.kernel.tag.UrbiTag;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
@@ -41,9 +45,16 @@ public final class Kernel implements AutoCloseable, KernelControl {
   private final Interpreter interpreter;
   private final Embedding embedding;
   private final List<Path> searchPath;
+  private final Outside outside;
+  private final Environment environment = new Environment();
+  private final String programName;
+  private final List<String> arguments;
+  private final IntConsumer onHalt;
+  private final Runnable onReboot;
   private final Set<KernelConnection> connections = new LinkedHashSet<>();
   private final List<Runnable> onTermination = new CopyOnWriteArrayList<>();
   private final CompletableFuture<Integer> termination = new CompletableFuture<>();
+  private final Set<UrbiLobby> created = new LinkedHashSet<>();
   private int status;
   private boolean stopping;
 
@@ -54,6 +65,10 @@ public final class Kernel implements AutoCloseable, KernelControl {
     private List<Path> searchPath = List.of();
     private int stackSize;
     private long seed;
+    private String programName = "urbi";
+    private List<String> arguments = List.of();
+    private IntConsumer onHalt;
+    private Runnable onReboot;
     private Consumer<String> output = text -> System.out.print(text);
 
     private Builder() {}
@@ -88,6 +103,25 @@ public final class Kernel implements AutoCloseable, KernelControl {
       return this;
     }
 
+    /** The path under which the program was called, and the arguments of the user's script. */
+    public Builder commandLine(String program, List<String> scriptArguments) {
+      programName = program;
+      arguments = List.copyOf(scriptArguments);
+      return this;
+    }
+
+    /** What {@code System._exit} does, with the exit status; by default the kernel just ends. */
+    public Builder onHalt(IntConsumer action) {
+      onHalt = action;
+      return this;
+    }
+
+    /** Has {@code System.reboot} end the kernel, after it has told so. */
+    public Builder onReboot(Runnable action) {
+      onReboot = action;
+      return this;
+    }
+
     /**
      * Where goes what code evaluated by {@link Kernel#eval} and its like sends to its lobby: whole
      * lines, in general, as a console would show them. By default {@code System.out}. It is called
@@ -116,6 +150,11 @@ public final class Kernel implements AutoCloseable, KernelControl {
     World world = new World();
     this.scheduler = new Scheduler(world, clock, builder.jobThreads, this::report);
     this.searchPath = builder.searchPath;
+    this.outside = new Outside(scheduler);
+    this.programName = builder.programName;
+    this.arguments = builder.arguments;
+    this.onHalt = builder.onHalt == null ? this::requestShutdown : builder.onHalt;
+    this.onReboot = builder.onReboot;
     var core =
         new CorePrototypes(
             world.values(),
@@ -143,23 +182,23 @@ public final class Kernel implements AutoCloseable, KernelControl {
   public void requestShutdown(int exitStatus) {
     scheduler
         .inbox()
-        .post(
-            () -> {
-              if (!stopping) {
-                stopping = true;
-                status = exitStatus;
-                for (KernelConnection connection : new ArrayList<>(connections)) {
-                  connection.finish();
-                }
-                scheduler.stop();
-              }
-            });
+        .post(() -> {
+          if (!stopping) {
+            stopping = true;
+            status = exitStatus;
+            for (KernelConnection connection : new ArrayList<>(connections)) {
+              connection.finish();
+            }
+            scheduler.stop();
+          }
+        });
   }
 
   private void ended() {
     for (KernelConnection connection : new ArrayList<>(connections)) {
       connection.finish();
     }
+    outside.close();
     embedding.kernelEnded();
     try {
       onTermination.forEach(Runnable::run);
@@ -322,6 +361,74 @@ public final class Kernel implements AutoCloseable, KernelControl {
   @Override
   public List<Path> searchPath() {
     return searchPath;
+  }
+
+  // ------------------------------------------------------------------ lobbies
+
+  @Override
+  public List<UrbiLobby> lobbies() {
+    List<UrbiLobby> all = new ArrayList<>();
+    for (KernelConnection connection : connections) {
+      all.add(connection.lobby());
+    }
+    all.addAll(created);
+    return all;
+  }
+
+  @Override
+  public UrbiLobby createLobby(UrbiLobby creator) {
+    UrbiLobby[] made = new UrbiLobby[1];
+    Shell.Listener listener =
+        new Shell.Listener() {
+          @Override
+          public void consumed() {}
+
+          @Override
+          public void finished() {
+            if (created.remove(made[0]) && !stopping) {
+              made[0].disconnected(interpreter);
+            }
+          }
+        };
+    made[0] = UrbiLobby.start(interpreter, creator.output()::write, listener);
+    created.add(made[0]);
+    made[0].shell().start();
+    return made[0];
+  }
+
+  @Override
+  public String programName() {
+    return programName;
+  }
+
+  @Override
+  public List<String> arguments() {
+    return arguments;
+  }
+
+  @Override
+  public Environment environment() {
+    return environment;
+  }
+
+  @Override
+  public Outside outside() {
+    return outside;
+  }
+
+  @Override
+  public void halt(int exitStatus) {
+    onHalt.accept(exitStatus);
+  }
+
+  @Override
+  public boolean requestReboot() {
+    if (onReboot == null) {
+      return false;
+    }
+    onReboot.run();
+    requestShutdown(0);
+    return true;
   }
 
   // ------------------------------------------------------------------ errors

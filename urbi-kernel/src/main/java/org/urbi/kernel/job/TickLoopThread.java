@@ -62,11 +62,10 @@ final class TickLoopThread implements JobThread, Executor {
       continuation = task;
     } else {
       // A timed park, a future or I/O inside a library call ended: that is news for the inbox.
-      factory.inbox.accept(
-          () -> {
-            continuation = task;
-            job.wakeFromOutside();
-          });
+      factory.inbox.accept(() -> {
+        continuation = task;
+        job.wakeFromOutside();
+      });
     }
   }
 

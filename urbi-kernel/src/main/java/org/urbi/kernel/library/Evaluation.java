@@ -4,7 +4,6 @@ import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
-
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.parse.SyntaxError;
 import org.urbi.lang.parse.UrbiParser;
