@@ -234,7 +234,7 @@ class EmbeddingThreadsTest {
     CompletableFuture<Object> spin = kernel.evalAsync("spinning; while| (true) {}");
     spinning.await();
     kernel.close();
-    assertThrows(CompletionException.class, spin::join);
+    assertEnded(assertThrows(CompletionException.class, spin::join).getCause());
   }
 
   @ParameterizedTest
