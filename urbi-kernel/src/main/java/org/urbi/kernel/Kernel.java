@@ -249,7 +249,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
   @Override
   public void close() {
     requestShutdown(0);
-    embedding.interrupt();
+    embedding.close();
     if (!scheduler.isKernelThread()) {
       awaitTermination();
     }
