@@ -274,7 +274,7 @@ public final class Scheduler {
     }
     runOnce();
     runEndOfTick();
-    if (!clock.isReal() && ++busyTicks >= BUSY_TICKS) {
+    if (!clock.isReal() && timeHolders == 0 && ++busyTicks >= BUSY_TICKS) {
       busyTicks = 0;
       clock.advanceTo(now + BUSY_STEP);
     }
