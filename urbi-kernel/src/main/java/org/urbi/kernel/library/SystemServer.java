@@ -19,9 +19,9 @@ import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.outside.ChildProcess;
+import org.urbi.lang.parse.Parsed;
 import org.urbi.lang.parse.UrbiParser;
 import org.urbi.lang.print.Printer;
-import org.urbi.lang.source.Source;
 
 /** The server as a program among others (manual, "System"). */
 @UrbiTypePart("System")
@@ -169,8 +169,8 @@ final class SystemServer {
       return "?";
     }
     String text = claim.span().text();
-    UrbiParser.Parsed parsed = UrbiParser.parse(Source.of(text, null));
-    return parsed.errors().isEmpty() ? Printer.print(parsed.program()) : text;
+    Parsed parsed = UrbiParser.parse(text, null);
+    return parsed.errors().isEmpty() ? Printer.print(parsed.sequence()) : text;
   }
 
   @Builtin(doc = "Throws an error unless an operator holds between two values; use assert.")
