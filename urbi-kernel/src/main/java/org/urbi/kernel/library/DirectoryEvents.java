@@ -58,7 +58,7 @@ final class DirectoryEvents implements DirectoryWatch.Listener {
     Scheduler scheduler = interpreter.scheduler();
     Job job = scheduler.running();
     try {
-      outside.await(job, () -> {
+      outside.awaitBriefly(job, () -> {
         outside.directories().watch(file, this);
         return null;
       });

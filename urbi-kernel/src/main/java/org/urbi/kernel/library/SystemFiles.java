@@ -117,6 +117,12 @@ final class SystemFiles {
     return Files.isRegularFile(here) ? here : null;
   }
 
+  /** The name of a file in messages: short when it is below the working directory. */
+  private static String shown(Frame frame, Path file) {
+    Path working = workingDirectory(frame);
+    return UrbiPath.encoded(file.startsWith(working) ? working.relativize(file) : file);
+  }
+
   /** By what a file is known, whatever the links that lead there. */
   private static Path key(Path file) {
     try {
@@ -149,8 +155,7 @@ final class SystemFiles {
               FileAccess.anyPath(frame).sibling(UrbiPath.encoded(path)),
               () -> Files.readString(path, StandardCharsets.ISO_8859_1));
       UrbiObject value =
-          Evaluation.eval(
-              frame, site, target == null ? self : target, text, UrbiPath.encoded(path));
+          Evaluation.eval(frame, site, target == null ? self : target, text, shown(frame, path));
       complete = true;
       return value;
     } finally {

@@ -19,6 +19,9 @@ import org.urbi.kernel.job.Scheduler;
  * kernel thread never waits, and everything that is to be closed when the kernel ends.
  */
 public final class Outside implements Closeable {
+  /** Some milliseconds of waiting without letting others run. */
+  private static final int SPINS = 200_000;
+
   private final Scheduler scheduler;
   private final ExecutorService threads =
       Executors.newCachedThreadPool(Thread.ofPlatform().daemon().name("urbi-outside-", 0).factory());
@@ -68,8 +71,19 @@ public final class Outside implements Closeable {
   private static final class Wait<T> {
     T value;
     Exception failure;
+    volatile boolean worked;
     boolean done;
     boolean abandoned;
+  }
+
+  /**
+   * Like {@link #await}, for work that takes less than the others would notice: as a rule none of
+   * them runs before it is done.
+   *
+   * @throws IOException as the work did
+   */
+  public <T> T awaitBriefly(Job job, Callable<T> work) throws IOException {
+    return await(job, work, SPINS);
   }
 
   /**
@@ -78,6 +92,10 @@ public final class Outside implements Closeable {
    * @throws IOException as the work did
    */
   public <T> T await(Job job, Callable<T> work) throws IOException {
+    return await(job, work, 0);
+  }
+
+  private <T> T await(Job job, Callable<T> work, int spins) throws IOException {
     Wait<T> wait = new Wait<>();
     scheduler.pace().begin();
     start(() -> {
@@ -86,6 +104,7 @@ public final class Outside implements Closeable {
       } catch (Exception e) {
         wait.failure = e;
       }
+      wait.worked = true;
       post(() -> {
         scheduler.pace().end();
         wait.done = true;
@@ -94,8 +113,11 @@ public final class Outside implements Closeable {
         }
       });
     });
+    for (int i = 0; i < spins && !wait.worked; i++) {
+      Thread.onSpinWait();
+    }
     try {
-      while (!wait.done) {
+      while (!wait.done && !(spins > 0 && wait.worked)) {
         job.waitForWake();
       }
     } finally {
