@@ -2,6 +2,7 @@ package org.urbi.kernel.outside;
 
 import java.io.Closeable;
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -21,6 +22,9 @@ import org.urbi.kernel.job.Scheduler;
 public final class Outside implements Closeable {
   /** Some milliseconds of waiting without letting others run. */
   private static final int SPINS = 200_000;
+
+  /** As long as it takes the JDK to begin to watch directories; once. */
+  private static final int WATCH_SPINS = 10_000_000;
 
   private final Scheduler scheduler;
   private final ExecutorService threads =
@@ -59,8 +63,24 @@ public final class Outside implements Closeable {
     start(() -> Thread.ofVirtual().start(task));
   }
 
-  /** Notices the files that come and go in directories. */
-  public synchronized DirectoryWatch directories() throws IOException {
+  /**
+   * Tells of the files that come and go in a directory from now on: nothing that happens later is
+   * missed.
+   *
+   * @throws IOException when there is no such directory, or the machine watches no more of them
+   */
+  public void watch(Job job, Path directory, DirectoryWatch.Listener listener)
+      throws IOException {
+    await(
+        job,
+        () -> {
+          directories().watch(directory, listener);
+          return null;
+        },
+        WATCH_SPINS);
+  }
+
+  private synchronized DirectoryWatch directories() throws IOException {
     if (directories == null) {
       directories = new DirectoryWatch(this);
     }
