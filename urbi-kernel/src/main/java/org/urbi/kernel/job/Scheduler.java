@@ -31,7 +31,7 @@ public final class Scheduler {
   private volatile Thread loop;
   private final Inbox inbox = new Inbox();
   private final Timers timers = new Timers();
-  private final Pace pace = new Pace();
+  private final Pace pace;
   private final JobThread.Factory threads;
   private final ArrayDeque<Job> runnable = new ArrayDeque<>();
   private final Set<Job> jobs = new LinkedHashSet<>();
@@ -55,6 +55,7 @@ public final class Scheduler {
       World world, Clock clock, JobThreads threads, BiConsumer<Job, Throwable> uncaught) {
     this.world = world;
     this.clock = clock;
+    this.pace = new Pace(clock);
     this.threads = threads.factory(inbox::post);
     this.uncaught = uncaught;
   }
@@ -313,7 +314,7 @@ public final class Scheduler {
     } else if (timeHolders > 0) {
       inbox.await(Long.MAX_VALUE);
     } else if (pace.isReal()) {
-      pace.idle(inbox, clock, next);
+      pace.idle(inbox, next);
     } else if (next == Long.MAX_VALUE) {
       inbox.await(Long.MAX_VALUE);
     } else if (!inbox.isFilled()) {

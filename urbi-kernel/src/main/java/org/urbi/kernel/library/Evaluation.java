@@ -1,12 +1,15 @@
 package org.urbi.kernel.library;
 
 import org.urbi.kernel.compile.Compilation;
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.parse.Parsed;
 import org.urbi.lang.parse.SyntaxError;
+import org.urbi.lang.parse.SyntaxWarning;
 import org.urbi.lang.parse.UrbiParser;
 
 /** Evaluates source text while code runs ({@code eval}, {@code load}). */
@@ -23,9 +26,18 @@ public final class Evaluation {
   public static UrbiObject eval(
       Frame frame, CallSite site, UrbiObject target, String text, String file) {
     Parsed parsed = UrbiParser.parse(text, file);
+    for (SyntaxWarning warning : parsed.warnings()) {
+      Warnings.inside(frame, site, warning.span().location() + ": " + warning.message());
+    }
     if (!parsed.errors().isEmpty()) {
       SyntaxError error = parsed.errors().getFirst();
-      throw frame.interpreter().errors().syntax(error, text);
+      UrbiException exception = frame.interpreter().errors().syntax(error, text);
+      if (site != null) {
+        // It happened at that place, inside of what is called here.
+        exception.locate(
+            site.calledSpan(), frame.nested(site, target, new FrameLayout()).backtrace());
+      }
+      throw exception;
     }
     return execute(frame, site, target, parsed.sequence());
   }
