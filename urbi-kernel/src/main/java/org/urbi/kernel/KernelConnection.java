@@ -29,27 +29,25 @@ final class KernelConnection implements Connection, Shell.Listener {
     pending.addAndGet(bytes.length());
     kernel
         .inbox()
-        .post(
-            () -> {
-              if (finished) {
-                pending.set(0);
-              } else {
-                lobby.shell().receive(bytes);
-              }
-            });
+        .post(() -> {
+          if (finished) {
+            pending.set(0);
+          } else {
+            lobby.shell().receive(bytes);
+          }
+        });
   }
 
   @Override
   public void end() {
     kernel
         .inbox()
-        .post(
-            () -> {
-              releaseTime();
-              if (!finished) {
-                lobby.shell().end();
-              }
-            });
+        .post(() -> {
+          releaseTime();
+          if (!finished) {
+            lobby.shell().end();
+          }
+        });
   }
 
   @Override
@@ -63,13 +61,12 @@ final class KernelConnection implements Connection, Shell.Listener {
     interruptRunning();
     kernel
         .inbox()
-        .post(
-            () -> {
-              if (!finished) {
-                lobby.shell().interrupt();
-                consumed();
-              }
-            });
+        .post(() -> {
+          if (!finished) {
+            lobby.shell().interrupt();
+            consumed();
+          }
+        });
   }
 
   /** Code that never lets others run cannot wait for the inbox. */

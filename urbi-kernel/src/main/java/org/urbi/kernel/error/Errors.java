@@ -2,7 +2,6 @@ package org.urbi.kernel.error;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
-import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.Values;
@@ -184,15 +183,15 @@ public final class Errors {
    */
   public UrbiException argumentNumber(
       String type, String routine, int index, String message, UrbiObject effective) {
-    String text = message + shown.show(effective);
     if (index == 0) {
-      return of(type, routine + ": " + text)
-          .with("routine", routine)
-          .with("effective", effective)
-          .build();
+      return badNumber(type, routine, message + "%s", effective);
     }
-    return argument(
-        routine, index, of(type, text).with("effective", effective).object());
+    UrbiObject cause =
+        of(type, message + shown.show(effective))
+            .with("fmt", message + "%s")
+            .with("effective", effective)
+            .object();
+    return argument(routine, index, cause);
   }
 
   /**
@@ -222,7 +221,8 @@ public final class Errors {
   }
 
   /** {@code routine: message} about a number. */
-  public UrbiException badNumber(String type, String routine, String message, UrbiFloat effective) {
+  public UrbiException badNumber(
+      String type, String routine, String message, UrbiObject effective) {
     return of(type, message)
         .with("routine", routine)
         .with("fmt", message)

@@ -120,6 +120,11 @@ public final class Job implements Runnable {
 
   // ------------------------------------------------------------------ life, on its own thread
 
+  /** Whether the code that asks is that of this job. */
+  boolean isCurrentThread() {
+    return thread.isCurrent();
+  }
+
   /** The body of the virtual thread. */
   @Override
   public void run() {

@@ -14,8 +14,7 @@ final class BadNumberException {
   private BadNumberException() {}
 
   @Builtin(doc = "Of that routine, with a format for the message, and the number.")
-  static void init(
-      UrbiObject self, UrbiObject routine, UrbiObject format, UrbiObject effective) {
+  static void init(UrbiObject self, UrbiObject routine, UrbiObject format, UrbiObject effective) {
     ExceptionType.set(self, "routine", routine);
     ExceptionType.set(self, "fmt", format);
     ExceptionType.set(self, "effective", effective);
@@ -23,8 +22,9 @@ final class BadNumberException {
 
   @Builtin(doc = "The routine, and what is wrong with the number.")
   static String asString(Frame frame, UrbiObject self) {
-    return ExceptionType.text(frame, self, "routine")
-        + ": "
+    String routine = ExceptionType.text(frame, self, "routine");
+    // An argument exception names the routine itself.
+    return (routine.isEmpty() ? "" : routine + ": ")
         + ExceptionType.text(frame, self, "fmt")
             .replace("%s", ExceptionType.text(frame, self, "effective"));
   }

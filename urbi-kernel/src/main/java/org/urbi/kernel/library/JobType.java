@@ -93,11 +93,10 @@ final class JobType {
     }
     boolean[] over = {false};
     self.job()
-        .onEnd(
-            () -> {
-              over[0] = true;
-              waiting.wake();
-            });
+        .onEnd(() -> {
+          over[0] = true;
+          waiting.wake();
+        });
     while (!over[0]) {
       Activity.note(frame, site);
       waiting.waitForWake();

@@ -96,11 +96,7 @@ final class SystemType {
   @Builtin(doc = "Throws the message unless the value is true.")
   static void assert_(Frame frame, UrbiObject self, UrbiObject value, String message) {
     if (!Truth.of(frame, value)) {
-      throw frame
-          .interpreter()
-          .errors()
-          .of("Assertion", "failed assertion: " + message)
-          .build();
+      throw frame.interpreter().errors().of("Assertion", "failed assertion: " + message).build();
     }
   }
 

@@ -110,7 +110,7 @@ public final class Slots {
     @Override
     public UrbiObject execute(Frame frame) {
       UrbiObject object = target.execute(frame);
-      UrbiObject value = lookup.find(frame, object);
+      UrbiObject value = SlotLookup.findRaw(object, lookup.name());
       if (value == null) {
         throw frame.located(
             frame.interpreter.errors().lookup(object, lookup.name().name()), span());

@@ -4,7 +4,10 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
 
-/** Numbers as urbiscript shows them: six significant digits, as {@code %g} does in C. */
+/**
+ * Numbers as urbiscript shows them: six significant digits, as {@code %g} does in C, but all the
+ * digits of integers (manual, "Float.asString").
+ */
 public final class FloatFormat {
   private static final int DIGITS = 6;
   private static final MathContext ROUND = new MathContext(DIGITS, RoundingMode.HALF_EVEN);
@@ -19,8 +22,8 @@ public final class FloatFormat {
       return value > 0 ? "inf" : "-inf";
     } else if (value == 0) {
       return 1 / value < 0 ? "-0" : "0";
-    } else if (value == (int) value && Math.abs(value) < 1_000_000) {
-      return Integer.toString((int) value);
+    } else if (value == (long) value && Math.abs(value) < 0x1p63) {
+      return Long.toString((long) value);
     }
     BigDecimal rounded = new BigDecimal(value).round(ROUND).stripTrailingZeros();
     int exponent = rounded.precision() - rounded.scale() - 1;
