@@ -68,13 +68,13 @@ public final class Kernel implements AutoCloseable, KernelControl {
     private List<Path> searchPath = List.of();
     private int stackSize;
     private long seed;
-    private LogLevel logLevel = LogLevel.of(System.getenv("GD_LEVEL"));
-    private Consumer<String> log = System.err::println;
     private String programName = "urbi";
     private List<String> arguments = List.of();
     private IntConsumer onHalt;
     private Runnable onReboot;
     private Consumer<String> output = text -> System.out.print(text);
+    private LogLevel logLevel = LogLevel.of(System.getenv("GD_LEVEL"));
+    private Consumer<String> log = System.err::println;
 
     private Builder() {}
 
@@ -108,18 +108,6 @@ public final class Kernel implements AutoCloseable, KernelControl {
       return this;
     }
 
-    /** How much of the log is shown; by default what GD_LEVEL in the environment says. */
-    public Builder logLevel(LogLevel most) {
-      logLevel = most;
-      return this;
-    }
-
-    /** Where the log goes, line by line; by default to the standard error stream. */
-    public Builder log(Consumer<String> to) {
-      log = to;
-      return this;
-    }
-
     /** The path under which the program was called, and the arguments of the user's script. */
     public Builder commandLine(String program, List<String> scriptArguments) {
       programName = program;
@@ -149,6 +137,18 @@ public final class Kernel implements AutoCloseable, KernelControl {
       return this;
     }
 
+    /** How much of the log is shown; by default what GD_LEVEL in the environment says. */
+    public Builder logLevel(LogLevel most) {
+      logLevel = most;
+      return this;
+    }
+
+    /** Where the log goes, line by line; by default to the standard error stream. */
+    public Builder log(Consumer<String> to) {
+      log = to;
+      return this;
+    }
+
     /** Starts the kernel. */
     public Kernel start() {
       Kernel kernel = new Kernel(this);
@@ -167,13 +167,13 @@ public final class Kernel implements AutoCloseable, KernelControl {
     World world = new World();
     this.scheduler = new Scheduler(world, clock, builder.jobThreads, this::report);
     this.searchPath = builder.searchPath;
-    this.logLevel = builder.logLevel;
-    this.log = builder.log;
     this.outside = new Outside(scheduler);
     this.programName = builder.programName;
     this.arguments = builder.arguments;
     this.onHalt = builder.onHalt == null ? this::requestShutdown : builder.onHalt;
     this.onReboot = builder.onReboot;
+    this.logLevel = builder.logLevel;
+    this.log = builder.log;
     var core =
         new CorePrototypes(
             world.values(),
@@ -249,7 +249,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
   @Override
   public void close() {
     requestShutdown(0);
-    embedding.interrupt();
+    embedding.close();
     if (!scheduler.isKernelThread()) {
       awaitTermination();
     }

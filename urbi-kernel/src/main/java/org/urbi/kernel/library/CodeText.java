@@ -4,7 +4,6 @@ import java.util.List;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.parse.UrbiParser;
 import org.urbi.lang.print.Printer;
-import org.urbi.lang.source.Source;
 import org.urbi.lang.source.Span;
 
 /** The text of a piece of code, as the interpreter prints code. */
@@ -13,7 +12,7 @@ final class CodeText {
 
   /** The code written there; of a scope, what is in it. */
   static String of(Span span) {
-    Ast.Sequence program = UrbiParser.parse(Source.of(span.text(), null)).program();
+    Ast.Sequence program = UrbiParser.parse(span.text(), null).sequence();
     List<Ast> statements = program.statements();
     return Printer.print(
         statements.size() == 1 && statements.getFirst() instanceof Ast.Scope scope

@@ -46,7 +46,7 @@ final class CodeType {
   @Builtin(doc = "The text of the code of the function, without its arguments.")
   static String bodyString(Frame frame, UrbiObject self) {
     return self instanceof Function function
-        ? Printer.print(function.source().body().body())
+        ? Printer.printBody(function.source().body())
         : "";
   }
 
