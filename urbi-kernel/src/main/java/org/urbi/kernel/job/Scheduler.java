@@ -34,11 +34,13 @@ public final class Scheduler {
   private final Pace pace;
   private final JobThread.Factory threads;
   private final ArrayDeque<Job> runnable = new ArrayDeque<>();
+  private final ArrayDeque<Job> ahead = new ArrayDeque<>();
   private final Set<Job> jobs = new LinkedHashSet<>();
   private final TagScope rootScope = new TagScope();
   private final List<Runnable> endOfTick = new ArrayList<>();
   private final BiConsumer<Job, Throwable> uncaught;
   private int spins;
+  private long passed;
   private int busyTicks;
   private long now;
   private long cycle;
@@ -75,9 +77,9 @@ public final class Scheduler {
     return clock;
   }
 
-  /** The number of ticks so far. */
+  /** The number of ticks so far, with those that had nobody else to run and were left out. */
   public long cycle() {
-    return cycle;
+    return cycle + passed;
   }
 
   public Inbox inbox() {
@@ -143,6 +145,15 @@ public final class Scheduler {
     return start(new Job(this, body, nextName(prefix), lobby, scope, null, shift));
   }
 
+  /** Like {@link #startDetached}, but of the jobs of the next tick it is the first. */
+  public Job startAhead(UrbiObject lobby, TagScope scope, String prefix, Job.Body body) {
+    long shift = running == null ? 0 : running.timeShift();
+    Job job = new Job(this, body, nextName(prefix), lobby, scope, null, shift);
+    jobs.add(job);
+    ahead.add(job);
+    return job;
+  }
+
   private Job start(Job job) {
     jobs.add(job);
     runnable.add(job);
@@ -173,7 +184,7 @@ public final class Scheduler {
 
   /** Whether a job that can go on had better let others run. */
   boolean hasOthers() {
-    if (!runnable.isEmpty() || inbox.isFilled()) {
+    if (!runnable.isEmpty() || !ahead.isEmpty() || inbox.isFilled()) {
       spins = 0;
       return true;
     }
@@ -181,6 +192,7 @@ public final class Scheduler {
       spins = 0;
       return true;
     }
+    passed++;
     return false;
   }
 
@@ -265,6 +277,9 @@ public final class Scheduler {
     statistics.add(now - before);
     takeInbox();
     timers.fire(now);
+    while (!ahead.isEmpty()) {
+      runnable.addFirst(ahead.poll());
+    }
     if (runnable.isEmpty()) {
       runEndOfTick();
       busyTicks = 0;
