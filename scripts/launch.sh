@@ -29,7 +29,7 @@ fi
 . "$root/scripts/flags.sh"
 class_path "$root/$dist"
 cache=
-[ -f "$root/$dist/$main.aot" ] && cache=-XX:AOTCache=$root/$dist/$main.aot
+[ -f "$root/$dist/urbi.aot" ] && cache=-XX:AOTCache=$root/$dist/urbi.aot
 typing=false
 [ -t 0 ] && typing=true
 # shellcheck disable=SC2086

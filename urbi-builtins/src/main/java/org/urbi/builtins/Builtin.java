@@ -11,8 +11,8 @@ import java.lang.annotation.Target;
  * <p>Its parameters, in this order: optionally the {@code Frame} of the caller; optionally the
  * {@code CallSite}; the target, {@code UrbiObject} or a subclass of it; the arguments. An argument
  * is an {@code UrbiObject} or a subclass of it, or {@code double}, {@code int}, {@code long},
- * {@code boolean}, {@code String}, which are unwrapped. Trailing ones may be {@link Optional}: these
- * are null when absent, so that numbers are boxed. The last may be {@code UrbiObject...}.
+ * {@code boolean}, {@code String}, which are unwrapped. Trailing ones may be {@link Optional}:
+ * these are null when absent, so that numbers are boxed. The last may be {@code UrbiObject...}.
  *
  * <p>It returns an {@code UrbiObject}, nothing ({@code void} in urbiscript too), {@code double},
  * {@code int}, {@code long}, {@code boolean}, {@code String}, or a collection of objects, which

@@ -73,9 +73,7 @@ public final class BuiltinProcessor extends AbstractProcessor {
     for (Declaration part : all) {
       if (part.isPart() && all.stream().noneMatch(d -> !d.isPart() && d.type.equals(part.type))) {
         error(
-            processingEnv
-                .getElementUtils()
-                .getTypeElement(part.packageName + "." + part.className),
+            processingEnv.getElementUtils().getTypeElement(part.packageName + "." + part.className),
             "no class declares the type " + part.type);
       }
     }

@@ -61,8 +61,7 @@ final class Declaration {
       if (lazy) {
         return lazyMin;
       }
-      return (int)
-          arguments.stream().filter(p -> !p.optional() && p.kind() != Kind.REST).count();
+      return (int) arguments.stream().filter(p -> !p.optional() && p.kind() != Kind.REST).count();
     }
 
     /** The most arguments; -1 when there may be any number. */
@@ -80,8 +79,7 @@ final class Declaration {
       }
       List<String> shown = new ArrayList<>();
       for (Parameter p : arguments) {
-        shown.add(
-            p.name() + (p.optional() ? "?" : "") + (p.kind() == Kind.REST ? "..." : ""));
+        shown.add(p.name() + (p.optional() ? "?" : "") + (p.kind() == Kind.REST ? "..." : ""));
       }
       return shown.isEmpty() ? "" : "(" + String.join(", ", shown) + ")";
     }

@@ -77,12 +77,11 @@ final class DeclarationReader {
 
   private boolean makesPrototype(TypeElement type) {
     return ElementFilter.methodsIn(type.getEnclosedElements()).stream()
-        .anyMatch(
-            m ->
-                m.getSimpleName().contentEquals("newPrototype")
-                    && m.getModifiers().contains(Modifier.STATIC)
-                    && m.getParameters().size() == 1
-                    && isNamed(m.getParameters().getFirst().asType(), Kernel.WORLD));
+        .anyMatch(m ->
+            m.getSimpleName().contentEquals("newPrototype")
+                && m.getModifiers().contains(Modifier.STATIC)
+                && m.getParameters().size() == 1
+                && isNamed(m.getParameters().getFirst().asType(), Kernel.WORLD));
   }
 
   private void checkDoc(Element at, String doc) {
@@ -117,7 +116,8 @@ final class DeclarationReader {
     }
     List<? extends VariableElement> parameters = method.getParameters();
     int next = 0;
-    boolean frame = next < parameters.size() && isNamed(parameters.get(next).asType(), Kernel.FRAME);
+    boolean frame =
+        next < parameters.size() && isNamed(parameters.get(next).asType(), Kernel.FRAME);
     next += frame ? 1 : 0;
     boolean site =
         next < parameters.size() && isNamed(parameters.get(next).asType(), Kernel.CALL_SITE);
@@ -259,13 +259,11 @@ final class DeclarationReader {
   }
 
   private boolean isCollectionOfObjects(TypeMirror type) {
-    TypeElement collection =
-        environment.getElementUtils().getTypeElement("java.util.Collection");
+    TypeElement collection = environment.getElementUtils().getTypeElement("java.util.Collection");
     List<? extends TypeMirror> elements = ((DeclaredType) type).getTypeArguments();
     return environment
             .getTypeUtils()
-            .isAssignable(
-                type, environment.getTypeUtils().getDeclaredType(collection))
+            .isAssignable(type, environment.getTypeUtils().getDeclaredType(collection))
         && elements.size() == 1
         && isObject(elements.getFirst());
   }

@@ -195,7 +195,8 @@ final class TableWriter {
     line("public final class " + Kernel.INDEX_NAME + " {");
     line("  private " + Kernel.INDEX_NAME + "() {}");
     line("");
-    line("  /** New tables of all types; the parts of a type follow the class that declares it. */");
+    line(
+        "  /** New tables of all types; the parts of a type follow the class that declares it. */");
     line("  public static " + Kernel.TABLE + "[] all() {");
     line("    return new " + Kernel.TABLE + "[] {");
     for (Declaration type : types) {

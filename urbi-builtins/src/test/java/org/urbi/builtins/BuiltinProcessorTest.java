@@ -61,8 +61,7 @@ class BuiltinProcessorTest {
     }
 
     Object call(int index, Object self, Object... arguments) throws Exception {
-      Object frame =
-          loader.loadClass("org.urbi.kernel.node.Frame").getConstructor().newInstance();
+      Object frame = loader.loadClass("org.urbi.kernel.node.Frame").getConstructor().newInstance();
       Class<?> object = loader.loadClass("org.urbi.kernel.object.UrbiObject");
       Object array = Array.newInstance(object, arguments.length);
       for (int i = 0; i < arguments.length; i++) {
@@ -138,8 +137,7 @@ class BuiltinProcessorTest {
   void checksTheTypesOfTheTargetAndOfTheArguments() throws Exception {
     Loaded t =
         new Loaded(
-            compileMethod(
-                "@Builtin(doc = \"x.\") static void f(UrbiFloat self, UrbiFloat a) {}"),
+            compileMethod("@Builtin(doc = \"x.\") static void f(UrbiFloat self, UrbiFloat a) {}"),
             "NumberTypeTable");
     Object n = t.number(3);
     assertEquals(

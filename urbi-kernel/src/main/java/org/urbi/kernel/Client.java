@@ -10,4 +10,9 @@ public interface Client {
 
   /** Some of the input that was sent has been taken: {@link Connection#pendingInput} went down. */
   default void inputConsumed() {}
+
+  /** The Internet address at the other end; empty when there is none. */
+  default String remoteAddress() {
+    return "";
+  }
 }

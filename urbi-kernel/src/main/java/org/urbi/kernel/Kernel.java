@@ -4,21 +4,33 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.IntConsumer;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.urbi.kernel.embed.Embedding;
+import org.urbi.kernel.embed.JavaValues;
+import org.urbi.kernel.embed.Listening;
+import org.urbi.kernel.embed.UrbiError;
+import org.urbi.kernel.embed.UrbiValue;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Inbox;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.JobThreads;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.library.Environment;
 import org.urbi.kernel.library.KernelControl;
 import org.urbi.kernel.library.Library;
+import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CorePrototypes;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.World;
+import org.urbi.kernel.outside.Outside;
 import org.urbi.kernel.tag.UrbiTag;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
@@ -31,10 +43,18 @@ import org.urbi.kernel.time.VirtualClock;
 public final class Kernel implements AutoCloseable, KernelControl {
   private final Scheduler scheduler;
   private final Interpreter interpreter;
+  private final Embedding embedding;
   private final List<Path> searchPath;
+  private final Outside outside;
+  private final Environment environment = new Environment();
+  private final String programName;
+  private final List<String> arguments;
+  private final IntConsumer onHalt;
+  private final Runnable onReboot;
   private final Set<KernelConnection> connections = new LinkedHashSet<>();
   private final List<Runnable> onTermination = new CopyOnWriteArrayList<>();
   private final CompletableFuture<Integer> termination = new CompletableFuture<>();
+  private final Set<UrbiLobby> created = new LinkedHashSet<>();
   private int status;
   private boolean stopping;
 
@@ -45,6 +65,11 @@ public final class Kernel implements AutoCloseable, KernelControl {
     private List<Path> searchPath = List.of();
     private int stackSize;
     private long seed;
+    private String programName = "urbi";
+    private List<String> arguments = List.of();
+    private IntConsumer onHalt;
+    private Runnable onReboot;
+    private Consumer<String> output = text -> System.out.print(text);
 
     private Builder() {}
 
@@ -78,6 +103,35 @@ public final class Kernel implements AutoCloseable, KernelControl {
       return this;
     }
 
+    /** The path under which the program was called, and the arguments of the user's script. */
+    public Builder commandLine(String program, List<String> scriptArguments) {
+      programName = program;
+      arguments = List.copyOf(scriptArguments);
+      return this;
+    }
+
+    /** What {@code System._exit} does, with the exit status; by default the kernel just ends. */
+    public Builder onHalt(IntConsumer action) {
+      onHalt = action;
+      return this;
+    }
+
+    /** Has {@code System.reboot} end the kernel, after it has told so. */
+    public Builder onReboot(Runnable action) {
+      onReboot = action;
+      return this;
+    }
+
+    /**
+     * Where goes what code evaluated by {@link Kernel#eval} and its like sends to its lobby: whole
+     * lines, in general, as a console would show them. By default {@code System.out}. It is called
+     * on a thread of its own.
+     */
+    public Builder output(Consumer<String> consumer) {
+      output = Objects.requireNonNull(consumer);
+      return this;
+    }
+
     /** Starts the kernel. */
     public Kernel start() {
       Kernel kernel = new Kernel(this);
@@ -96,6 +150,11 @@ public final class Kernel implements AutoCloseable, KernelControl {
     World world = new World();
     this.scheduler = new Scheduler(world, clock, builder.jobThreads, this::report);
     this.searchPath = builder.searchPath;
+    this.outside = new Outside(scheduler);
+    this.programName = builder.programName;
+    this.arguments = builder.arguments;
+    this.onHalt = builder.onHalt == null ? this::requestShutdown : builder.onHalt;
+    this.onReboot = builder.onReboot;
     var core =
         new CorePrototypes(
             world.values(),
@@ -107,6 +166,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
       interpreter.limitDepth(builder.stackSize * CALLS_PER_KIBIBYTE);
     }
     Library.install(interpreter);
+    embedding = new Embedding(interpreter, builder.output, this::isStopping);
   }
 
   /** How many nested calls a kibibyte of stack stands for. */
@@ -122,29 +182,38 @@ public final class Kernel implements AutoCloseable, KernelControl {
   public void requestShutdown(int exitStatus) {
     scheduler
         .inbox()
-        .post(
-            () -> {
-              if (!stopping) {
-                stopping = true;
-                status = exitStatus;
-                for (KernelConnection connection : new ArrayList<>(connections)) {
-                  connection.finish();
-                }
-                scheduler.stop();
-              }
-            });
+        .post(() -> {
+          if (!stopping) {
+            stopping = true;
+            status = exitStatus;
+            for (KernelConnection connection : new ArrayList<>(connections)) {
+              connection.finish();
+            }
+            scheduler.stop();
+          }
+        });
   }
 
   private void ended() {
     for (KernelConnection connection : new ArrayList<>(connections)) {
       connection.finish();
     }
-    onTermination.forEach(Runnable::run);
-    termination.complete(status);
+    outside.close();
+    embedding.kernelEnded();
+    try {
+      onTermination.forEach(Runnable::run);
+    } finally {
+      termination.complete(status);
+    }
   }
 
-  /** Waits for the end of the kernel, and returns its exit status. */
+  /**
+   * Waits for the end of the kernel, and returns its exit status.
+   *
+   * @throws IllegalStateException on the kernel thread
+   */
   public int awaitTermination() {
+    embedding.awaitEnd(termination::join);
     return termination.join();
   }
 
@@ -157,11 +226,94 @@ public final class Kernel implements AutoCloseable, KernelControl {
     onTermination.add(action);
   }
 
-  /** Ends the kernel, and waits for the end. */
+  /** Ends the kernel, and waits for the end; except on the kernel thread. */
   @Override
   public void close() {
     requestShutdown(0);
-    awaitTermination();
+    embedding.interrupt();
+    if (!scheduler.isKernelThread()) {
+      awaitTermination();
+    }
+  }
+
+  // ------------------------------------------------------------------ embedding
+
+  /**
+   * Evaluates source text, and waits. It runs as a job in the lobby of this program: what it
+   * defines there can be used later, and it may sleep while others run. Like all the methods below
+   * it may be called from any thread but the kernel's own.
+   *
+   * @return the value of the last statement; {@link JavaValues} says what becomes of values
+   * @throws UrbiError if the text does not parse, or an exception is not caught
+   * @throws IllegalStateException on the kernel thread, or when the kernel has ended; as {@link
+   *     java.util.concurrent.CancellationException} if the job was stopped, or the calling thread
+   *     interrupted, which stops it
+   */
+  public Object eval(String source) {
+    return embedding.eval(source);
+  }
+
+  /**
+   * Evaluates source text, and waits.
+   *
+   * @param type what the value is wanted as: see {@link JavaValues#as}; {@code byte[]} is the bytes
+   *     of a String, {@link UrbiValue} a handle on any object
+   * @throws ClassCastException if the value cannot be one
+   */
+  public <T> T eval(String source, Class<T> type) {
+    return embedding.eval(source, null, null, type);
+  }
+
+  /**
+   * Evaluates source text, without waiting; may be called on the kernel thread, too. What depends
+   * on the future is executed elsewhere. To cancel the future stops the job.
+   */
+  public CompletableFuture<Object> evalAsync(String source) {
+    return embedding.evalAsync(source);
+  }
+
+  /**
+   * Calls a function with Java values, and waits.
+   *
+   * @param function its name in the lobby, or a path: {@code robot.arm.move}
+   * @throws IllegalArgumentException if urbiscript has nothing like an argument
+   */
+  public Object call(String function, Object... arguments) {
+    return embedding.call(function, arguments);
+  }
+
+  /**
+   * Gives urbiscript a function written in Java: everywhere, as a slot of {@code Global}, or by a
+   * dotted name as that of another object. It is called on the kernel thread, and the kernel waits
+   * for it. What it throws is an exception of urbiscript.
+   */
+  public void define(String name, Function<? super List<Object>, ?> function) {
+    embedding.define(name, function);
+  }
+
+  /**
+   * Listens to an event. The listener gets the payload of each emission, one after the other, on a
+   * thread that it may block.
+   *
+   * @param expression evaluated once, to an event or what has {@code asEvent}
+   */
+  public Listening onEvent(String expression, Consumer<? super List<Object>> listener) {
+    return embedding.onEvent(expression, listener);
+  }
+
+  /**
+   * Listens to the changes of a slot, as {@code watch} does. The listener gets each new value, one
+   * after the other, on a thread that it may block.
+   *
+   * @param slot its name in the lobby, a path, or any expression to watch
+   */
+  public Listening onChange(String slot, Consumer<Object> listener) {
+    return embedding.onChange(slot, listener);
+  }
+
+  /** What the methods above stand on, for those who need more. */
+  public Embedding embedding() {
+    return embedding;
   }
 
   // ------------------------------------------------------------------ connections
@@ -209,6 +361,74 @@ public final class Kernel implements AutoCloseable, KernelControl {
   @Override
   public List<Path> searchPath() {
     return searchPath;
+  }
+
+  // ------------------------------------------------------------------ lobbies
+
+  @Override
+  public List<UrbiLobby> lobbies() {
+    List<UrbiLobby> all = new ArrayList<>();
+    for (KernelConnection connection : connections) {
+      all.add(connection.lobby());
+    }
+    all.addAll(created);
+    return all;
+  }
+
+  @Override
+  public UrbiLobby createLobby(UrbiLobby creator) {
+    UrbiLobby[] made = new UrbiLobby[1];
+    Shell.Listener listener =
+        new Shell.Listener() {
+          @Override
+          public void consumed() {}
+
+          @Override
+          public void finished() {
+            if (created.remove(made[0]) && !stopping) {
+              made[0].disconnected(interpreter);
+            }
+          }
+        };
+    made[0] = UrbiLobby.start(interpreter, creator.output()::write, listener);
+    created.add(made[0]);
+    made[0].shell().start();
+    return made[0];
+  }
+
+  @Override
+  public String programName() {
+    return programName;
+  }
+
+  @Override
+  public List<String> arguments() {
+    return arguments;
+  }
+
+  @Override
+  public Environment environment() {
+    return environment;
+  }
+
+  @Override
+  public Outside outside() {
+    return outside;
+  }
+
+  @Override
+  public void halt(int exitStatus) {
+    onHalt.accept(exitStatus);
+  }
+
+  @Override
+  public boolean requestReboot() {
+    if (onReboot == null) {
+      return false;
+    }
+    onReboot.run();
+    requestShutdown(0);
+    return true;
   }
 
   // ------------------------------------------------------------------ errors

@@ -1,12 +1,9 @@
 package org.urbi.kernel;
 
 import java.util.concurrent.atomic.AtomicInteger;
-import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
-import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
-import org.urbi.kernel.tag.UrbiTag;
 
 /** A connection: its methods post to the inbox, the rest runs on the kernel thread. */
 final class KernelConnection implements Connection, Shell.Listener {
@@ -32,27 +29,25 @@ final class KernelConnection implements Connection, Shell.Listener {
     pending.addAndGet(bytes.length());
     kernel
         .inbox()
-        .post(
-            () -> {
-              if (finished) {
-                pending.set(0);
-              } else {
-                lobby.shell().receive(bytes);
-              }
-            });
+        .post(() -> {
+          if (finished) {
+            pending.set(0);
+          } else {
+            lobby.shell().receive(bytes);
+          }
+        });
   }
 
   @Override
   public void end() {
     kernel
         .inbox()
-        .post(
-            () -> {
-              releaseTime();
-              if (!finished) {
-                lobby.shell().end();
-              }
-            });
+        .post(() -> {
+          releaseTime();
+          if (!finished) {
+            lobby.shell().end();
+          }
+        });
   }
 
   @Override
@@ -66,13 +61,12 @@ final class KernelConnection implements Connection, Shell.Listener {
     interruptRunning();
     kernel
         .inbox()
-        .post(
-            () -> {
-              if (!finished) {
-                lobby.shell().interrupt();
-                consumed();
-              }
-            });
+        .post(() -> {
+          if (!finished) {
+            lobby.shell().interrupt();
+            consumed();
+          }
+        });
   }
 
   /** Code that never lets others run cannot wait for the inbox. */
@@ -101,13 +95,8 @@ final class KernelConnection implements Connection, Shell.Listener {
       client.closed();
       return;
     }
-    Interpreter interpreter = kernel.interpreter();
-    UrbiObject prototype = interpreter.world().prototype("Lobby");
-    long number = kernel.scheduler().nextNumber();
-    UrbiTag tag = UrbiTag.named(interpreter, "Lobby_" + number);
-    UrbiLobby made = new UrbiLobby(prototype.cloneShape(), tag);
-    made.attach(new Output(kernel.scheduler(), client::output));
-    made.attach(new Shell(interpreter, made, this));
+    UrbiLobby made = UrbiLobby.start(kernel.interpreter(), client::output, this);
+    made.setRemoteAddress(client.remoteAddress());
     lobby = made;
     kernel.add(this);
     if (holdsTime) {
@@ -115,6 +104,11 @@ final class KernelConnection implements Connection, Shell.Listener {
       kernel.scheduler().holdTime();
     }
     made.shell().start();
+  }
+
+  /** Its lobby; null before it is open. */
+  UrbiLobby lobby() {
+    return lobby;
   }
 
   private void releaseTime() {
@@ -146,6 +140,9 @@ final class KernelConnection implements Connection, Shell.Listener {
       if (lobby != null) {
         lobby.shell().close();
         lobby.output().close();
+        if (!kernel.isStopping()) {
+          lobby.disconnected(kernel.interpreter());
+        }
       }
       client.closed();
     }

@@ -18,8 +18,7 @@ class SourceTextTest {
 
   @Test
   void aFileIsFramedByItsName() {
-    assertEquals(
-        "//#push 1 \"a\\\"b\\\\c.u\"\n1;\n//#pop\n", SourceText.framed("a\"b\\c.u", "1;"));
+    assertEquals("//#push 1 \"a\\\"b\\\\c.u\"\n1;\n//#pop\n", SourceText.framed("a\"b\\c.u", "1;"));
   }
 
   @Test

@@ -76,8 +76,7 @@ public final class Arguments {
   }
 
   /** {@code routine: argument 1: expected integer, got 0.5}. */
-  public static UrbiException notInteger(
-      Frame caller, CallSite site, int place, UrbiObject given) {
+  public static UrbiException notInteger(Frame caller, CallSite site, int place, UrbiObject given) {
     return caller
         .interpreter()
         .errors()
@@ -91,11 +90,7 @@ public final class Arguments {
         .interpreter()
         .errors()
         .argumentNumber(
-            "BadInteger",
-            site.calledName(),
-            place,
-            "expected non-negative integer, got ",
-            given);
+            "BadInteger", site.calledName(), place, "expected non-negative integer, got ", given);
   }
 
   /** The text of a String. */
@@ -112,8 +107,6 @@ public final class Arguments {
 
   /** The arguments from an index on, as a new array. */
   public static UrbiObject[] rest(UrbiObject[] arguments, int from) {
-    return arguments.length <= from
-        ? NONE
-        : Arrays.copyOfRange(arguments, from, arguments.length);
+    return arguments.length <= from ? NONE : Arrays.copyOfRange(arguments, from, arguments.length);
   }
 }

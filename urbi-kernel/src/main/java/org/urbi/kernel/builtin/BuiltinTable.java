@@ -18,13 +18,7 @@ public abstract class BuiltinTable {
    * @param formals the arguments as the documentation shows them; empty when there are none
    */
   public record Entry(
-      String name,
-      int min,
-      int max,
-      boolean lazy,
-      boolean setter,
-      String formals,
-      String doc) {}
+      String name, int min, int max, boolean lazy, boolean setter, String formals, String doc) {}
 
   private final String type;
   private final String doc;

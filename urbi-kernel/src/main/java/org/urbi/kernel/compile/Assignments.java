@@ -109,16 +109,14 @@ final class Assignments {
                   interpreter().world().symbol(message.name()),
                   interpreter().world().symbol(message.name() + "="));
           case Ast.Message message -> {
-            Variable variable =
-                message.target() == null ? block.find(message.name()) : null;
+            Variable variable = message.target() == null ? block.find(message.name()) : null;
             yield variable == null
                 ? new InPlace.Slot(
                     target(message.target(), message.span(), block),
                     Slots.lookup(interpreter(), message.name()),
                     message.span())
                 : new InPlace.OfVariable(
-                    compilation.read(span, variable, block),
-                    compilation.place(variable, block));
+                    compilation.read(span, variable, block), compilation.place(variable, block));
           }
           case Ast.Property property ->
               new InPlace.OfProperty(
@@ -137,10 +135,8 @@ final class Assignments {
     var body = new Ast.Message(span, null, "<value>", null, span);
     Block writer = block.construct();
     Variable value = compilation.declare(writer, "<value>", trajectory);
-    Node write =
-        assignment(new Ast.Assignment(span, trajectory.target(), body), writer);
-    String[] names =
-        trajectory.modifiers().stream().map(Ast.Modifier::name).toArray(String[]::new);
+    Node write = assignment(new Ast.Assignment(span, trajectory.target(), body), writer);
+    String[] names = trajectory.modifiers().stream().map(Ast.Modifier::name).toArray(String[]::new);
     Node[] values =
         trajectory.modifiers().stream()
             .map(modifier -> operand(modifier.value(), block))

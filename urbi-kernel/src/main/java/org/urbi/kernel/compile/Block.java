@@ -10,6 +10,7 @@ final class Block {
   private final int region;
   private final boolean slots;
   private final boolean scope;
+  private boolean redefines;
   private final Map<String, Variable> variables = new LinkedHashMap<>();
 
   private Block(Block parent, Unit unit, int region, boolean slots, boolean scope) {
@@ -75,6 +76,15 @@ final class Block {
       block = block.parent;
     }
     return block;
+  }
+
+  /** Code of this scope asks for {@code redefinitionMode}. */
+  void setRedefines() {
+    redefines = true;
+  }
+
+  boolean redefines() {
+    return redefines;
   }
 
   void add(String name, Variable variable) {

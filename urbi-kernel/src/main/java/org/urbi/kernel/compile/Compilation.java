@@ -83,9 +83,7 @@ public final class Compilation {
   /** Reads a variable from a block. */
   Node read(Span span, Variable variable, Block block) {
     int index = indexFrom(variable, block);
-    return variable.shared()
-        ? new Variables.Shared(span, index)
-        : new Variables.Local(span, index);
+    return variable.shared() ? new Variables.Shared(span, index) : new Variables.Local(span, index);
   }
 
   private int indexFrom(Variable variable, Block block) {

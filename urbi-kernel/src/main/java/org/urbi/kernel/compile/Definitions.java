@@ -71,7 +71,11 @@ final class Definitions {
     Span span = definition.span();
     if (name.target() != null || block.declaresSlots()) {
       return named(
-          name, definition, span, block, compilation.functions.compile(definition.function(), block));
+          name,
+          definition,
+          span,
+          block,
+          compilation.functions.compile(definition.function(), block));
     }
     // A local function can call itself: it must see its own name.
     Variables.Place place = declare(block, name.name(), definition);
@@ -91,30 +95,20 @@ final class Definitions {
     Span span = definition.span();
     Node object =
         new ClassNodes.Package(
-            span,
-            target(name.target(), span, block),
-            interpreter(),
-            name.name());
+            span, target(name.target(), span, block), interpreter(), name.name());
     return new ClassNodes.WithBody(
         span,
         object,
         compilation.statements.scopeIn(definition.body(), block.target(), Seen.NOTHING));
   }
 
-  private Node withBody(
-      Ast.Message name,
-      Ast key,
-      Ast.Scope body,
-      Block block,
-      Node object) {
+  private Node withBody(Ast.Message name, Ast key, Ast.Scope body, Block block, Node object) {
     Node declared = named(name, key, key.span(), block, object);
     if (body == null) {
       return declared;
     }
     return new ClassNodes.WithBody(
-        key.span(),
-        declared,
-        compilation.statements.scopeIn(body, block.target(), Seen.NOTHING));
+        key.span(), declared, compilation.statements.scopeIn(body, block.target(), Seen.NOTHING));
   }
 
   Node enumDefinition(Ast.EnumDefinition definition, Block block) {

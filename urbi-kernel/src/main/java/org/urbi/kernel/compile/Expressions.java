@@ -82,8 +82,7 @@ final class Expressions {
               emit.duration() == null ? null : operand(emit.duration(), block));
       case Ast.Watch watch ->
           new WatchExpression(
-              watch.span(),
-              operand(watch.expression(), block.job(compilation.newRegion())));
+              watch.span(), operand(watch.expression(), block.job(compilation.newRegion())));
       case Ast.Declaration declaration -> definitions.declaration(declaration, block);
       case Ast.FunctionDefinition definition -> definitions.function(definition, block);
       case Ast.ClassDefinition definition -> definitions.classDefinition(definition, block);
@@ -119,6 +118,9 @@ final class Expressions {
     if (isScopeTag(message)) {
       return scopeTag(message, block);
     }
+    if (message.name().equals("redefinitionMode") && block.nearestScope() != null) {
+      block.nearestScope().setRedefines();
+    }
     if (message.target() == null) {
       Variable variable = block.find(message.name());
       if (variable != null) {
@@ -130,8 +132,7 @@ final class Expressions {
     }
     Node target = message.target() == null ? null : operand(message.target(), block);
     Node[] arguments = message.arguments() == null ? null : all(message.arguments(), block);
-    var sent =
-        new Message(span, Slots.lookup(interpreter(), message.name()), target, arguments);
+    var sent = new Message(span, Slots.lookup(interpreter(), message.name()), target, arguments);
     if (target != null && arguments != null && arguments.length == 1) {
       Node computed = Operator.make(span, target, arguments[0], sent, interpreter());
       if (computed != null) {
@@ -158,8 +159,7 @@ final class Expressions {
   private Node scopeTag(Ast.Message message, Block block) {
     Block scope = block.nearestScope();
     if (scope == null) {
-      return new Message(
-          message.span(), Slots.lookup(interpreter(), "connectionTag"), null, null);
+      return new Message(message.span(), Slots.lookup(interpreter(), "connectionTag"), null, null);
     }
     Variable variable = scope.local(Statements.SCOPE_TAG);
     if (variable == null) {
@@ -205,8 +205,7 @@ final class Expressions {
           block.declaresSlots()
               ? new Pattern.SlotBinding(symbol(binding.name()))
               : new Pattern.Binding(
-                  compilation.place(
-                      compilation.declare(block, binding.name(), binding), block));
+                  compilation.place(compilation.declare(block, binding.name(), binding), block));
       case Ast.ListLiteral list -> elements(list.elements(), block, false);
       case Ast.TupleLiteral tuple -> elements(tuple.elements(), block, true);
       case Ast.DictionaryLiteral dictionary -> {
@@ -216,8 +215,7 @@ final class Expressions {
           keys.add(operand(entry.key(), block));
           patterns.add(pattern(entry.value(), block));
         }
-        yield new Pattern.Entries(
-            keys.toArray(Node[]::new), patterns.toArray(Pattern[]::new));
+        yield new Pattern.Entries(keys.toArray(Node[]::new), patterns.toArray(Pattern[]::new));
       }
       default -> new Pattern.Equal(operand(ast, block));
     };
@@ -225,8 +223,7 @@ final class Expressions {
 
   private Pattern elements(List<Ast> elements, Block block, boolean tuple) {
     return new Pattern.Elements(
-        elements.stream().map(element -> pattern(element, block)).toArray(Pattern[]::new),
-        tuple);
+        elements.stream().map(element -> pattern(element, block)).toArray(Pattern[]::new), tuple);
   }
 
   /** The claim of an assertion. */
@@ -242,9 +239,7 @@ final class Expressions {
           null,
           message.target() == null ? null : operand(message.target(), block),
           symbol(message.name()),
-          message.arguments() == null
-              ? List.of()
-              : List.of(all(message.arguments(), block)));
+          message.arguments() == null ? List.of() : List.of(all(message.arguments(), block)));
     }
     return new Assertion.Claim(text, operand(ast, block), null, null, List.of());
   }

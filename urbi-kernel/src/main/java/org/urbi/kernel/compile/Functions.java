@@ -35,8 +35,7 @@ final class Functions {
             allPlain(cells) ? null : cells,
             unit.usesCall || formals == null);
     body.setCode(code);
-    return new Literals.Closure(
-        function.span(), body, unit.capturedFrom(), function.closure());
+    return new Literals.Closure(function.span(), body, unit.capturedFrom(), function.closure());
   }
 
   /** Gives each parameter its place among the locals, in order; then the shared ones a cell. */
@@ -50,8 +49,7 @@ final class Functions {
       boolean shared = compilation.isShared(formal);
       cells[i] = shared ? unit.layout().addCell() : -1;
       block.add(
-          formal.name(),
-          new Variable(unit, block.region(), formal, shared, shared ? cells[i] : i));
+          formal.name(), new Variable(unit, block.region(), formal, shared, shared ? cells[i] : i));
     }
     return cells;
   }

@@ -50,11 +50,7 @@ final class Handlers {
       if (!local && !compilation.expressions.isScopeTag(message)) {
         Node target = compile(message.target(), block);
         return new ImplicitTag(
-            tag.span(),
-            compilation.interpreter(),
-            target,
-            message.name(),
-            compile(tag, block));
+            tag.span(), compilation.interpreter(), target, message.name(), compile(tag, block));
       }
     }
     return compile(tag, block);
@@ -106,10 +102,7 @@ final class Handlers {
             () -> leave == null ? null : new Conditional.Control(ast.span(), tag, leave),
             true);
     return new Conditional.Watched(
-        ast.span(),
-        place,
-        watchdog,
-        compilation.statements.compile(body, inner, seen));
+        ast.span(), place, watchdog, compilation.statements.compile(body, inner, seen));
   }
 
   // ------------------------------------------------------------------ conditions
@@ -126,8 +119,14 @@ final class Handlers {
 
   Node at(Ast.At at, Block block) {
     Block inner = block.job(compilation.newRegion());
-    return at(at, at.condition(), block, inner, () -> handler(at.body(), inner),
-        () -> handler(at.onLeave(), inner), at.sync());
+    return at(
+        at,
+        at.condition(),
+        block,
+        inner,
+        () -> handler(at.body(), inner),
+        () -> handler(at.onLeave(), inner),
+        at.sync());
   }
 
   /** The clauses are compiled after the patterns of the condition, whose variables they see. */
@@ -144,13 +143,11 @@ final class Handlers {
       case Ast.WhenEmitted emitted -> {
         Node event = compile(emitted.event(), block);
         EventFilter filter = filter(emitted, inner);
-        yield new AtEvent(
-            ast.span(), event, filter, duration, body.get(), onLeave.get(), sync);
+        yield new AtEvent(ast.span(), event, filter, duration, body.get(), onLeave.get(), sync);
       }
       case Ast.WhenTrue holds -> {
         Node expression = compile(holds.expression(), inner);
-        yield new AtCondition(
-            ast.span(), expression, duration, body.get(), onLeave.get(), sync);
+        yield new AtCondition(ast.span(), expression, duration, body.get(), onLeave.get(), sync);
       }
     };
   }

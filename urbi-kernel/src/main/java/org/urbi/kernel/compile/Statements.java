@@ -9,6 +9,7 @@ import org.urbi.kernel.node.Jumps;
 import org.urbi.kernel.node.Loops;
 import org.urbi.kernel.node.Matching;
 import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.Redefinition;
 import org.urbi.kernel.node.Sequences;
 import org.urbi.kernel.node.Try;
 import org.urbi.kernel.tag.ScopeTag;
@@ -62,20 +63,18 @@ final class Statements {
       case Ast.Continue jump -> new Jumps.OfLoop(jump.span(), false, seen != Seen.NOTHING);
       case Ast.Throw jump ->
           new Jumps.Throw(
-              jump.span(), jump.value() == null ? null : compile(jump.value(), block, Seen.NOTHING));
+              jump.span(),
+              jump.value() == null ? null : compile(jump.value(), block, Seen.NOTHING));
       case Ast.Try statement -> tryCatch(statement, block, seen);
       case Ast.Assert statement -> assertion(statement, block);
-      case Ast.Tagged tagged ->
-          compilation.handlers.tagged(tagged, block, seen);
+      case Ast.Tagged tagged -> compilation.handlers.tagged(tagged, block, seen);
       case Ast.At at -> compilation.handlers.at(at, block);
       case Ast.Whenever whenever -> compilation.handlers.whenever(whenever, block);
       case Ast.WaitUntil wait -> compilation.handlers.waitUntil(wait, block);
       case Ast.Every every -> compilation.handlers.every(every, block, seen);
       case Ast.Timeout timeout -> compilation.handlers.timeout(timeout, block, seen);
-      case Ast.StopIf watched ->
-          compilation.handlers.stopIf(watched, block, seen);
-      case Ast.FreezeIf watched ->
-          compilation.handlers.freezeIf(watched, block, seen);
+      case Ast.StopIf watched -> compilation.handlers.stopIf(watched, block, seen);
+      case Ast.FreezeIf watched -> compilation.handlers.freezeIf(watched, block, seen);
       default -> compilation.expressions.compile(ast, block);
     };
   }
@@ -96,9 +95,7 @@ final class Statements {
       return new Sequences.Parallel(
           sequence.span(),
           sequence.statements().stream()
-              .map(
-                  ast ->
-                      compile(ast, block.jobOf(compilation.newRegion()), Seen.ALL))
+              .map(ast -> compile(ast, block.jobOf(compilation.newRegion()), Seen.ALL))
               .toArray(Node[]::new));
     }
     List<Node> statements = new ArrayList<>();
@@ -146,10 +143,11 @@ final class Statements {
   /** The statements of a scope, in a block made for them. */
   Node scopeIn(Ast.Scope scope, Block inner, Seen seen) {
     Node body = sequence(scope.body(), inner, seen);
+    if (inner.redefines()) {
+      body = new Redefinition(scope.span(), body);
+    }
     Variable tag = inner.local(SCOPE_TAG);
-    return tag == null
-        ? body
-        : new ScopeTag(scope.span(), compilation.place(tag, inner), body);
+    return tag == null ? body : new ScopeTag(scope.span(), compilation.place(tag, inner), body);
   }
 
   // ------------------------------------------------------------------ control flow
@@ -203,14 +201,13 @@ final class Statements {
     Node value = compile(statement.value(), block, Seen.NOTHING);
     Matching.Case[] cases =
         statement.cases().stream()
-            .map(
-                one -> {
-                  Block inner = block.construct();
-                  return new Matching.Case(
-                      compilation.expressions.pattern(one.pattern(), inner),
-                      one.guard() == null ? null : compile(one.guard(), inner, Seen.NOTHING),
-                      sequence(one.body(), inner.scope(), seen));
-                })
+            .map(one -> {
+              Block inner = block.construct();
+              return new Matching.Case(
+                  compilation.expressions.pattern(one.pattern(), inner),
+                  one.guard() == null ? null : compile(one.guard(), inner, Seen.NOTHING),
+                  sequence(one.body(), inner.scope(), seen));
+            })
             .toArray(Matching.Case[]::new);
     Node otherwise =
         statement.defaultClause() == null
@@ -223,25 +220,22 @@ final class Statements {
     Node body = scope(statement.body(), block, seen);
     Try.Clause[] clauses =
         statement.catches().stream()
-            .map(
-                one -> {
-                  Block inner = block.construct();
-                  return new Try.Clause(
-                      one.pattern() == null
-                          ? null
-                          : compilation.expressions.pattern(one.pattern(), inner),
-                      one.guard() == null ? null : compile(one.guard(), inner, Seen.NOTHING),
-                      scope(one.body(), inner, seen));
-                })
+            .map(one -> {
+              Block inner = block.construct();
+              return new Try.Clause(
+                  one.pattern() == null
+                      ? null
+                      : compilation.expressions.pattern(one.pattern(), inner),
+                  one.guard() == null ? null : compile(one.guard(), inner, Seen.NOTHING),
+                  scope(one.body(), inner, seen));
+            })
             .toArray(Try.Clause[]::new);
     return new Try(
         statement.span(),
         body,
         clauses,
         statement.elseClause() == null ? null : scope(statement.elseClause(), block, seen),
-        statement.finallyClause() == null
-            ? null
-            : scope(statement.finallyClause(), block, seen));
+        statement.finallyClause() == null ? null : scope(statement.finallyClause(), block, seen));
   }
 
   private Node assertion(Ast.Assert statement, Block block) {
@@ -252,7 +246,6 @@ final class Statements {
           new Assertion(claim.span(), compilation.expressions.claim(claim, block.construct())));
       yields.add(false);
     }
-    return chain(
-        new Ast.Sequence(statement.span(), statement.claims(), List.of()), claims, yields);
+    return chain(new Ast.Sequence(statement.span(), statement.claims(), List.of()), claims, yields);
   }
 }

@@ -19,14 +19,11 @@ final class Events {
     }
     var interpreter = frame.interpreter();
     UrbiObject converter = value.lookup(interpreter.world().symbol("asEvent"));
-    if (converter != null
-        && interpreter.send(frame, value, "asEvent") instanceof UrbiEvent event) {
+    if (converter != null && interpreter.send(frame, value, "asEvent") instanceof UrbiEvent event) {
       return event;
     }
     throw frame.located(
-        interpreter
-            .errors()
-            .argumentType("?", 0, value, interpreter.prototypes().event, "Event"),
+        interpreter.errors().argumentType("?", 0, value, interpreter.prototypes().event, "Event"),
         expression.span());
   }
 }

@@ -60,8 +60,7 @@ final class Handler {
       return;
     }
     Detached detached = new Detached(code);
-    Job job =
-        trigger.scheduler().startDetached(home.job().lobby(), scope, "at", detached);
+    Job job = trigger.scheduler().startDetached(home.job().lobby(), scope, "at", detached);
     detached.frame = frame.fork(job, false);
   }
 

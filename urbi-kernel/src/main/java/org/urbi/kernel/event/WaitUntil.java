@@ -20,8 +20,7 @@ public final class WaitUntil extends Node {
    * @param event the event; null when it is an expression
    * @param duration how long it must hold, or null
    */
-  public WaitUntil(
-      Span span, Node expression, Node event, EventFilter filter, Node duration) {
+  public WaitUntil(Span span, Node expression, Node event, EventFilter filter, Node duration) {
     super(span);
     this.expression = expression;
     this.event = event;

@@ -97,8 +97,7 @@ public final class Whenever extends Node {
               }
             }
           };
-      Job job =
-          home.job().scheduler().startDetached(home.job().lobby(), scope, "whenever", code);
+      Job job = home.job().scheduler().startDetached(home.job().lobby(), scope, "whenever", code);
       code.frame = variables.fork(job, false);
     }
   }
@@ -186,8 +185,7 @@ public final class Whenever extends Node {
       } else {
         var scheduler = emitter.scheduler();
         accepted.put(
-            emission,
-            scheduler.timers().add(scheduler.now() + hold, () -> run(emission, matched)));
+            emission, scheduler.timers().add(scheduler.now() + hold, () -> run(emission, matched)));
       }
     }
 

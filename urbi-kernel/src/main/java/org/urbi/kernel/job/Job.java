@@ -58,6 +58,12 @@ public final class Job implements Runnable {
   /** The urbiscript object that shows this job; made by the library when asked for. */
   public UrbiObject object;
 
+  /** What it was doing when it last began to wait, for the library to show; may be null. */
+  public Object activity;
+
+  /** How many scopes there are around in which slots may be defined again. */
+  public int redefinitions;
+
   Job(
       Scheduler scheduler,
       Body body,
@@ -113,6 +119,11 @@ public final class Job implements Runnable {
   }
 
   // ------------------------------------------------------------------ life, on its own thread
+
+  /** Whether the code that asks is that of this job. */
+  boolean isCurrentThread() {
+    return thread.isCurrent();
+  }
 
   /** The body of the virtual thread. */
   @Override

@@ -28,8 +28,10 @@ public final class Scheduler {
   private final World world;
   private final Clock clock;
   private volatile UrbiObject interrupted;
+  private volatile Thread loop;
   private final Inbox inbox = new Inbox();
   private final Timers timers = new Timers();
+  private final Pace pace = new Pace();
   private final JobThread.Factory threads;
   private final ArrayDeque<Job> runnable = new ArrayDeque<>();
   private final Set<Job> jobs = new LinkedHashSet<>();
@@ -44,6 +46,7 @@ public final class Scheduler {
   private Job running;
   private boolean stopped;
   private long sequence;
+  private final CycleStatistics statistics = new CycleStatistics();
 
   /**
    * @param uncaught told what a job, which nobody waits for, was left by
@@ -82,6 +85,16 @@ public final class Scheduler {
 
   public Timers timers() {
     return timers;
+  }
+
+  /** How long ticks take. */
+  public CycleStatistics statistics() {
+    return statistics;
+  }
+
+  /** How a simulated time passes while something real goes on. */
+  public Pace pace() {
+    return pace;
   }
 
   /** The scope of code under no tag. */
@@ -196,12 +209,20 @@ public final class Scheduler {
   public Thread startLoop(Runnable whenEnded) {
     return threads.startLoop(
         () -> {
+          loop = Thread.currentThread();
           try {
             loop();
           } finally {
             whenEnded.run();
           }
         });
+  }
+
+  /** Whether the code that asks runs on the kernel thread, in a job or between them. */
+  public boolean isKernelThread() {
+    // Another thread may see an old job here, but never its own.
+    Job job = running;
+    return Thread.currentThread() == loop || (job != null && job.isCurrentThread());
   }
 
   /** Ends the loop after this tick; on the kernel thread. */
@@ -238,7 +259,9 @@ public final class Scheduler {
 
   private void tick() {
     cycle++;
+    long before = now;
     now = Math.max(now, clock.now());
+    statistics.add(now - before);
     takeInbox();
     timers.fire(now);
     if (runnable.isEmpty()) {
@@ -287,7 +310,11 @@ public final class Scheduler {
     long next = timers.next();
     if (clock.isReal()) {
       inbox.await(next == Long.MAX_VALUE ? Long.MAX_VALUE : next - clock.now());
-    } else if (next == Long.MAX_VALUE || timeHolders > 0) {
+    } else if (timeHolders > 0) {
+      inbox.await(Long.MAX_VALUE);
+    } else if (pace.isReal()) {
+      pace.idle(inbox, clock, next);
+    } else if (next == Long.MAX_VALUE) {
       inbox.await(Long.MAX_VALUE);
     } else if (!inbox.isFilled()) {
       clock.advanceTo(next);

@@ -44,12 +44,11 @@ public final class TagState {
     List<Job> jobs = jobs();
     int[] left = {jobs.size()};
     for (Job job : jobs) {
-      job.onEnd(
-          () -> {
-            if (--left[0] == 0) {
-              action.run();
-            }
-          });
+      job.onEnd(() -> {
+        if (--left[0] == 0) {
+          action.run();
+        }
+      });
     }
   }
 

@@ -62,11 +62,10 @@ final class TickLoopThread implements JobThread, Executor {
       continuation = task;
     } else {
       // A timed park, a future or I/O inside a library call ended: that is news for the inbox.
-      factory.inbox.accept(
-          () -> {
-            continuation = task;
-            job.wakeFromOutside();
-          });
+      factory.inbox.accept(() -> {
+        continuation = task;
+        job.wakeFromOutside();
+      });
     }
   }
 
@@ -92,6 +91,11 @@ final class TickLoopThread implements JobThread, Executor {
     if (!resumed) {
       throw new IllegalStateException("a job cannot wait inside a native call");
     }
+  }
+
+  @Override
+  public boolean isCurrent() {
+    return Thread.currentThread() == thread;
   }
 
   /** Makes the threads of one kernel. */
@@ -120,6 +124,8 @@ final class TickLoopThread implements JobThread, Executor {
     @Override
     public Thread startLoop(Runnable body) {
       Thread thread = new Thread(null, body, "urbi-kernel", STACK_BYTES);
+      // As virtual threads are: a kernel that nobody waits for keeps no program from its end.
+      thread.setDaemon(true);
       loop = thread;
       thread.start();
       return thread;

@@ -14,8 +14,7 @@ final class ArgumentException {
   private ArgumentException() {}
 
   @Builtin(doc = "Of that routine, the argument at that index, for that reason.")
-  static void init(
-      UrbiObject self, UrbiObject routine, UrbiObject index, UrbiObject exception) {
+  static void init(UrbiObject self, UrbiObject routine, UrbiObject index, UrbiObject exception) {
     ExceptionType.set(self, "routine", routine);
     ExceptionType.set(self, "index", index);
     ExceptionType.set(self, "exception", exception);

@@ -14,8 +14,7 @@ final class BadNumberException {
   private BadNumberException() {}
 
   @Builtin(doc = "Of that routine, with a format for the message, and the number.")
-  static void init(
-      UrbiObject self, UrbiObject routine, UrbiObject format, UrbiObject effective) {
+  static void init(UrbiObject self, UrbiObject routine, UrbiObject format, UrbiObject effective) {
     ExceptionType.set(self, "routine", routine);
     ExceptionType.set(self, "fmt", format);
     ExceptionType.set(self, "effective", effective);

@@ -51,11 +51,6 @@ final class CallMessageType {
     String name = frame.interpreter().asString(frame, slot(frame, self, "message"));
     return frame
         .interpreter()
-        .send(
-            frame,
-            site,
-            slot(frame, self, "target"),
-            self.world().symbol(name),
-            arguments);
+        .send(frame, site, slot(frame, self, "target"), self.world().symbol(name), arguments);
   }
 }

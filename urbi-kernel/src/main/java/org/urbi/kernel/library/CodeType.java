@@ -46,9 +46,7 @@ final class CodeType {
 
   @Builtin(doc = "The text of the code of the function, without its arguments.")
   static String bodyString(Frame frame, UrbiObject self) {
-    return self instanceof Function function
-        ? Printer.print(function.source().body())
-        : "";
+    return self instanceof Function function ? Printer.print(function.source().body()) : "";
   }
 
   @Builtin(

@@ -13,8 +13,8 @@ import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.Values;
 
 /**
- * Compares values by the operators of urbiscript; directly, where they are plain numbers or
- * strings whose operators are those of the library.
+ * Compares values by the operators of urbiscript; directly, where they are plain numbers or strings
+ * whose operators are those of the library.
  */
 final class Comparison {
   private Comparison() {}
@@ -65,9 +65,7 @@ final class Comparison {
         Truth.of(caller, caller.interpreter().call(caller, site, function, self, a, b));
   }
 
-  /**
-   * Whether a sequence of elements equals another one, two by two.
-   */
+  /** Whether a sequence of elements equals another one, two by two. */
   static boolean equal(Frame caller, List<UrbiObject> a, List<UrbiObject> b) {
     if (a.size() != b.size()) {
       return false;
@@ -100,8 +98,8 @@ final class Comparison {
   }
 
   /**
-   * A sorted copy. What comes neither before nor after another one stays where it was, whatever
-   * the order, even one that contradicts itself.
+   * A sorted copy. What comes neither before nor after another one stays where it was, whatever the
+   * order, even one that contradicts itself.
    */
   static List<UrbiObject> sorted(List<UrbiObject> elements, Order order) {
     UrbiObject[] from = elements.toArray(UrbiObject[]::new);
@@ -123,8 +121,7 @@ final class Comparison {
     int left = start;
     int right = middle;
     for (int i = start; i < end; i++) {
-      boolean takeRight =
-          left >= middle || right < end && order.less(from[right], from[left]);
+      boolean takeRight = left >= middle || right < end && order.less(from[right], from[left]);
       to[i] = takeRight ? from[right++] : from[left++];
     }
   }

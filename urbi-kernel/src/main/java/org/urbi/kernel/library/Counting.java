@@ -33,9 +33,6 @@ final class Counting {
 
   /** {@code routine: invalid index: 3}. */
   static RuntimeException invalidIndex(Frame caller, CallSite site, int index) {
-    return caller
-        .interpreter()
-        .errors()
-        .primitive(site.calledName(), "invalid index: " + index);
+    return caller.interpreter().errors().primitive(site.calledName(), "invalid index: " + index);
   }
 }

@@ -14,8 +14,7 @@ final class DateParser {
               + "(?: (\\d{1,2})(?:[:.](\\d{1,2})(?:[:.](\\d{1,2})(?:[:.,](\\d{1,6}))?)?)?)?");
 
   private static final List<String> MONTHS =
-      List.of(
-          "jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec");
+      List.of("jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec");
 
   private DateParser() {}
 

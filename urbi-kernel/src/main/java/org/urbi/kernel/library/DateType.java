@@ -26,8 +26,7 @@ final class DateType {
   }
 
   private static UrbiDate date(Frame caller, long microseconds) {
-    return new UrbiDate(
-        caller.interpreter().world().prototype("Date").cloneShape(), microseconds);
+    return new UrbiDate(caller.interpreter().world().prototype("Date").cloneShape(), microseconds);
   }
 
   /** The time of this tick, in microseconds since the Epoch. */
@@ -81,8 +80,7 @@ final class DateType {
       doc = "The Duration from another date to this one, or the date so many seconds earlier.")
   static UrbiObject minus(Frame caller, CallSite site, UrbiDate self, UrbiObject that) {
     if (that instanceof UrbiDate other) {
-      return DurationType.duration(
-          caller, (self.microseconds() - other.microseconds()) / 1e6);
+      return DurationType.duration(caller, (self.microseconds() - other.microseconds()) / 1e6);
     }
     double seconds = Arguments.number(caller, site, 1, that);
     return date(caller, self.microseconds() - microseconds(seconds));

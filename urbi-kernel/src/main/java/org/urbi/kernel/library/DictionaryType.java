@@ -41,10 +41,7 @@ final class DictionaryType {
   static UrbiObject init(
       Frame caller, CallSite site, UrbiDictionary self, UrbiObject... keysAndValues) {
     if (keysAndValues.length % 2 != 0) {
-      throw caller
-          .interpreter()
-          .errors()
-          .primitive(site.calledName(), "odd number of arguments");
+      throw caller.interpreter().errors().primitive(site.calledName(), "odd number of arguments");
     }
     for (int i = 0; i < keysAndValues.length; i += 2) {
       set(caller, self, keysAndValues[i], keysAndValues[i + 1]);
@@ -99,8 +96,7 @@ final class DictionaryType {
       // The order of the entries makes no difference.
       code +=
           UrbiHash.mix(
-              Hashing.code(caller, entry.getKey().value()),
-              Hashing.code(caller, entry.getValue()));
+              Hashing.code(caller, entry.getKey().value()), Hashing.code(caller, entry.getValue()));
     }
     return Hashing.hash(caller, code);
   }
@@ -158,8 +154,7 @@ final class DictionaryType {
   }
 
   @Builtin(doc = "Sets the value of a key; returns the target.")
-  static UrbiObject set(
-      Frame caller, UrbiDictionary self, UrbiObject key, UrbiObject value) {
+  static UrbiObject set(Frame caller, UrbiDictionary self, UrbiObject key, UrbiObject value) {
     UrbiDictionary.Key found = DictionaryKey.of(caller, key);
     UrbiObject before = self.modify().put(found, value);
     self.noteContentChange();
@@ -168,8 +163,7 @@ final class DictionaryType {
   }
 
   @Builtin(value = "[]=", doc = "Sets the value of a key; returns the value.")
-  static UrbiObject setAt(
-      Frame caller, UrbiDictionary self, UrbiObject key, UrbiObject value) {
+  static UrbiObject setAt(Frame caller, UrbiDictionary self, UrbiObject key, UrbiObject value) {
     set(caller, self, key, value);
     return value;
   }

@@ -20,8 +20,7 @@ final class DurationType {
 
   /** A new duration, in seconds. */
   static UrbiFloat duration(Frame caller, double seconds) {
-    return new UrbiFloat(
-        caller.interpreter().world().prototype("Duration").cloneShape(), seconds);
+    return new UrbiFloat(caller.interpreter().world().prototype("Duration").cloneShape(), seconds);
   }
 
   @Builtin(value = "new", doc = "A duration of so many seconds; of none without an argument.")

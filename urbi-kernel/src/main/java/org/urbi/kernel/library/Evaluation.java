@@ -4,23 +4,23 @@ import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
-
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.parse.SyntaxError;
 import org.urbi.lang.parse.UrbiParser;
 import org.urbi.lang.source.Source;
 
 /** Evaluates source text while code runs ({@code eval}, {@code load}). */
-final class Evaluation {
+public final class Evaluation {
   private Evaluation() {}
 
   /**
    * Evaluates a whole text on a target.
    *
+   * @param site where it is called; null when Java code does
    * @param file the name by which errors call it, or null
    * @return the value of its last statement
    */
-  static UrbiObject eval(
+  public static UrbiObject eval(
       Frame frame, CallSite site, UrbiObject target, String text, String file) {
     UrbiParser.Parsed parsed = UrbiParser.parse(Source.of(text, file));
     if (!parsed.errors().isEmpty()) {

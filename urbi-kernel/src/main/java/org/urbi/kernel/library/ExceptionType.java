@@ -9,7 +9,10 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 
 /** Errors, and what they have in common (manual, "Exception"). */
-@UrbiType(value = "Exception", doc = "An error, with a message.")
+@UrbiType(
+    value = "Exception",
+    protos = {"Object", "Traceable"},
+    doc = "An error, with a message.")
 final class ExceptionType {
   private ExceptionType() {}
 
@@ -43,9 +46,6 @@ final class ExceptionType {
 
   @Builtin(doc = "The type and the message, as the console shows it.")
   static String asPrintable(Frame frame, UrbiObject self) {
-    return text(frame, self, "fullType")
-        + " `"
-        + frame.interpreter().asString(frame, self)
-        + "'";
+    return text(frame, self, "fullType") + " `" + frame.interpreter().asString(frame, self) + "'";
   }
 }

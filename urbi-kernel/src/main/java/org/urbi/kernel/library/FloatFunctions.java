@@ -123,9 +123,7 @@ final class FloatFunctions {
           .badNumber(
               "NegativeNumber",
               site.calledName(),
-              "unexpected "
-                  + Printing.printable(caller, self)
-                  + ", expected non-negative number",
+              "unexpected " + Printing.printable(caller, self) + ", expected non-negative number",
               self);
     }
     return caller.interpreter().world().randomness().below(self.value());

@@ -138,7 +138,9 @@ final class FloatType {
     return self;
   }
 
-  @Builtin(value = {"asString", "asPrintable"}, doc = "The number in decimal.")
+  @Builtin(
+      value = {"asString", "asPrintable"},
+      doc = "The number in decimal.")
   static String asString(UrbiFloat self) {
     return FloatFormat.format(self.value());
   }

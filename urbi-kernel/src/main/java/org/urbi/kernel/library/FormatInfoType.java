@@ -13,8 +13,7 @@ final class FormatInfoType {
   private FormatInfoType() {}
 
   static UrbiObject newPrototype(World world) {
-    return new UrbiFormatInfo(
-        world.values().object.cloneShape(), UrbiFormatInfo.Format.DEFAULT);
+    return new UrbiFormatInfo(world.values().object.cloneShape(), UrbiFormatInfo.Format.DEFAULT);
   }
 
   @Builtin(doc = "Makes it the format that the pattern says.")

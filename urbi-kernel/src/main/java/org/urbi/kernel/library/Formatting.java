@@ -104,10 +104,7 @@ final class Formatting {
       exponent = rounded.precision() - rounded.scale() - 1;
     }
     String mantissa =
-        rounded
-            .movePointLeft(exponent)
-            .setScale(precision, RoundingMode.HALF_EVEN)
-            .toPlainString();
+        rounded.movePointLeft(exponent).setScale(precision, RoundingMode.HALF_EVEN).toPlainString();
     return mantissa + exponent(exponent);
   }
 

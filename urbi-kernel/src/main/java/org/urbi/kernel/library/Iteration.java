@@ -74,8 +74,7 @@ final class Iteration {
     UrbiObject result = value;
     for (UrbiObject element : List.copyOf(elements)) {
       result =
-          notVoid(
-              caller, caller.interpreter().call(caller, site, action, self, result, element));
+          notVoid(caller, caller.interpreter().call(caller, site, action, self, result, element));
     }
     return result;
   }

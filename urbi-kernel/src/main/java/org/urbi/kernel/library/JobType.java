@@ -3,8 +3,11 @@ package org.urbi.kernel.library;
 import java.util.List;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.lobby.Output;
+import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
@@ -12,7 +15,7 @@ import org.urbi.kernel.object.World;
 /** Light threads (manual, "Job"). */
 @UrbiType(
     value = "Job",
-    protos = {"Object"},
+    protos = {"Object", "Traceable"},
     doc = "A light thread of execution.")
 final class JobType {
   private JobType() {}
@@ -65,31 +68,31 @@ final class JobType {
   }
 
   @Builtin(doc = "Ends the job.")
-  static void terminate(Frame frame, UrbiJob self) {
+  static void terminate(Frame frame, CallSite site, UrbiJob self) {
     if (self.job() != null) {
       self.job().terminate();
       if (self.job() == frame.job()) {
         frame.job().checkInjected();
       } else {
-        waitForTermination(frame, self);
+        waitForTermination(frame, site, self);
       }
     }
   }
 
   @Builtin(doc = "Waits until the job has ended.")
-  static void waitForTermination(Frame frame, UrbiJob self) {
+  static void waitForTermination(Frame frame, CallSite site, UrbiJob self) {
     Job waiting = frame.job();
     if (self.job() == null) {
       return;
     }
     boolean[] over = {false};
     self.job()
-        .onEnd(
-            () -> {
-              over[0] = true;
-              waiting.wake();
-            });
+        .onEnd(() -> {
+          over[0] = true;
+          waiting.wake();
+        });
     while (!over[0]) {
+      Activity.note(frame, site);
       waiting.waitForWake();
     }
   }
@@ -102,5 +105,53 @@ final class JobType {
   @Builtin(doc = "How many seconds it has been frozen in all.")
   static double timeShift(UrbiJob self) {
     return self.job() == null ? 0 : Durations.seconds(self.job().timeShift());
+  }
+
+  @Builtin(
+      value = {"clone", "new"},
+      doc = "Not possible: a job cannot be copied.")
+  static UrbiObject clone(Frame frame, CallSite site, UrbiObject self) {
+    throw frame
+        .interpreter()
+        .errors()
+        .primitive(site.calledName(), "`Job' objects cannot be cloned");
+  }
+
+  private static List<UrbiException.Call> calls(Frame frame, UrbiJob self) {
+    if (self.job() == null) {
+      return List.of();
+    }
+    return self.job() == frame.job() ? frame.backtrace() : Activity.backtrace(self.job());
+  }
+
+  @Builtin(doc = "The calls that are going on in the job, innermost first.")
+  static UrbiObject backtrace(Frame frame, UrbiJob self) {
+    return StackFrameType.list(frame.interpreter().world(), calls(frame, self));
+  }
+
+  @Builtin(doc = "Tells the state of the job: its status, its tags, its calls.")
+  static void dumpState(Frame frame, UrbiJob self) {
+    Output output = LobbyType.of(frame).output();
+    output.send("", "*** Job: " + name(self));
+    output.send("", "***   State: " + status(self));
+    output.send("", "***   Tags:");
+    for (UrbiObject tag : tags(self)) {
+      output.send("", "***     " + frame.interpreter().asString(frame, tag));
+    }
+    output.send("", "***   Backtrace:");
+    for (UrbiException.Call call : calls(frame, self)) {
+      if (call.name() != null) {
+        output.send(
+            "",
+            "***     "
+                + (call.span() == null ? "" : call.span().location() + ": ")
+                + call.name());
+      }
+    }
+  }
+
+  @Builtin(doc = "Says whether what this job does concerns the others; of no effect here.")
+  static void setSideEffectFree(UrbiJob self, UrbiObject value) {
+    // Jobs are run in a fixed order, whatever they do.
   }
 }

@@ -2,7 +2,9 @@ package org.urbi.kernel.library;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.outside.Outside;
 
 /** What the library needs of the kernel around it. */
 public interface KernelControl {
@@ -11,6 +13,29 @@ public interface KernelControl {
 
   /** Where source files are looked for, first to last. */
   List<Path> searchPath();
+
+  /** The lobbies of all connections, and those made by programs. */
+  List<UrbiLobby> lobbies();
+
+  /** A lobby without a connection of its own: its output goes where that of another one does. */
+  UrbiLobby createLobby(UrbiLobby creator);
+  /** The path under which the server was called. */
+  String programName();
+
+  /** The arguments of the user's script. */
+  List<String> arguments();
+
+  /** The variables of the environment. */
+  Environment environment();
+
+  /** The rest of the machine. */
+  Outside outside();
+
+  /** Ends the whole program at once, with that exit status; nothing is closed. */
+  void halt(int status);
+
+  /** Ends the kernel and starts another one in its place; false when nobody would do that. */
+  boolean requestReboot();
 
   /** The kernel in which code runs. */
   static KernelControl of(Frame frame) {

@@ -157,8 +157,11 @@ public final class Library {
     UrbiObject lobby = types.get("Lobby");
     lobby.setProtos(topLevel);
     lobby.addSlot(world.symbol("topLevel"), topLevel);
+    lobby.addSlot(world.symbol("onDisconnect"), interpreter.prototypes().event.cloned());
+    channel.addSlot(world.symbol("warning"), channel(channel, "warning", false));
     types.get("System").addSlot(world.symbol("period"), values.number(0.02));
     types.get("Exception.Lookup").addSlot(world.symbol("fixSpelling"), values.trueObject);
+    types.get("UVar").addSlot(world.symbol("hookChanged"), values.trueObject);
     types.get("Exception").addSlot(world.symbol("message"), values.string("<no message>"));
   }
 
@@ -173,12 +176,11 @@ public final class Library {
 
   private void errors() {
     Errors errors = interpreter.errors();
-    types.forEach(
-        (name, type) -> {
-          if (name.startsWith("Exception.")) {
-            errors.declare(name.substring("Exception.".length()), type);
-          }
-        });
+    types.forEach((name, type) -> {
+      if (name.startsWith("Exception.")) {
+        errors.declare(name.substring("Exception.".length()), type);
+      }
+    });
     interpreter.setDescriber(this::describe);
   }
 
@@ -186,9 +188,10 @@ public final class Library {
   private void describe(UrbiException exception) {
     UrbiObject value = exception.value();
     if (value.isA(types.get("Exception")) && exception.isLocated()) {
-      String place =
-          exception.span() == null ? "" : exception.span().location().toString();
-      ExceptionType.set(value, "location", values.string(place));
+      if (exception.span() != null) {
+        OwnSlots.put(value, "location", LocationType.make(world, exception.span()));
+      }
+      OwnSlots.put(value, "backtrace", StackFrameType.list(world, exception.backtrace()));
     }
   }
 }

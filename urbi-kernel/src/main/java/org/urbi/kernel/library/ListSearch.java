@@ -49,8 +49,7 @@ final class ListSearch {
   }
 
   @Builtin(doc = "Whether the elements match those of a pattern, by the match of handler.")
-  static boolean matchAgainst(
-      Frame caller, UrbiList self, UrbiObject handler, UrbiObject pattern) {
+  static boolean matchAgainst(Frame caller, UrbiList self, UrbiObject handler, UrbiObject pattern) {
     return pattern instanceof UrbiList other
         && matchAll(caller, self.elements(), handler, other.elements());
   }
@@ -72,8 +71,7 @@ final class ListSearch {
   }
 
   /** Whether the handler of a match, a {@code Pattern}, says that a value matches a pattern. */
-  static boolean matches(
-      Frame caller, UrbiObject handler, UrbiObject pattern, UrbiObject value) {
+  static boolean matches(Frame caller, UrbiObject handler, UrbiObject pattern, UrbiObject value) {
     return Truth.of(
         caller, caller.interpreter().send(caller, handler, "matchPattern", pattern, value));
   }

@@ -78,8 +78,7 @@ final class ListType {
   }
 
   @Builtin(value = "[]=", doc = "Replaces the element at an index; returns the value.")
-  static UrbiObject set(
-      Frame caller, CallSite site, UrbiList self, int index, UrbiObject value) {
+  static UrbiObject set(Frame caller, CallSite site, UrbiList self, int index, UrbiObject value) {
     ArrayList<UrbiObject> elements = self.modify();
     elements.set(Counting.index(caller, site, index, elements.size()), value);
     self.noteContentChange();
@@ -116,7 +115,8 @@ final class ListType {
     return caller.interpreter().errors().primitive(site.calledName(), message);
   }
 
-  @Builtin(doc = "The elements from begin to end, which is excluded; negatives number from the end.")
+  @Builtin(
+      doc = "The elements from begin to end, which is excluded; negatives number from the end.")
   static List<UrbiObject> range(
       Frame caller, CallSite site, UrbiList self, int begin, @Optional UrbiObject end) {
     int from = begin;
@@ -155,8 +155,7 @@ final class ListType {
   }
 
   @Builtin(doc = "Inserts an element before the one at an index; returns the target.")
-  static UrbiObject insert(
-      Frame caller, CallSite site, UrbiList self, int where, UrbiObject what) {
+  static UrbiObject insert(Frame caller, CallSite site, UrbiList self, int where, UrbiObject what) {
     ArrayList<UrbiObject> elements = self.modify();
     if (where < 0 || where >= elements.size()) {
       throw Counting.invalidIndex(caller, site, where);
@@ -281,7 +280,8 @@ final class ListType {
     return reversed;
   }
 
-  @Builtin(doc = "Their asString one after the other, with sep between them, within prefix, suffix.")
+  @Builtin(
+      doc = "Their asString one after the other, with sep between them, within prefix, suffix.")
   static String join(
       Frame caller,
       UrbiList self,

@@ -1,15 +1,17 @@
 package org.urbi.kernel.library;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
-import org.urbi.kernel.tag.UrbiTag;
 
 /** The environment of a connection (manual, "Lobby"). */
 @UrbiType(
@@ -65,7 +67,7 @@ final class LobbyType {
 
   @Builtin(doc = "The tag of all the code that runs for this lobby.")
   static UrbiObject connectionTag(Frame frame, UrbiObject self) {
-    return of(frame).connectionTag();
+    return own(frame, self).connectionTag();
   }
 
   @Builtin(doc = "How many bytes have been sent to the client.")
@@ -76,17 +78,66 @@ final class LobbyType {
   @Builtin(doc = "Closes the connection.")
   static void quit(Frame frame, UrbiObject self) {
     UrbiLobby lobby = self instanceof UrbiLobby own && own.shell() != null ? own : of(frame);
-    lobby.shell().close();
+    if (lobby.shell() == null) {
+      lobby.connectionTag().state().stop(frame.interpreter().values().voidObject);
+    } else {
+      lobby.shell().close();
+    }
     frame.job().checkInjected();
+  }
+
+  @Builtin(
+      value = {"clone", "new"},
+      doc = "Not possible: lobbies are created.")
+  static UrbiObject clone(Frame frame, CallSite site, UrbiObject self) {
+    throw frame
+        .interpreter()
+        .errors()
+        .primitive(site.calledName(), "`Lobby' objects cannot be cloned");
+  }
+
+  @Builtin(doc = "A fresh lobby, whose output goes to this connection.")
+  static UrbiObject create(Frame frame, UrbiObject self) {
+    return KernelControl.of(frame).createLobby(of(frame));
+  }
+
+  @Builtin(doc = "The lobbies that are alive, the prototype of lobbies included.")
+  static List<UrbiObject> instances(Frame frame, UrbiObject self) {
+    List<UrbiObject> all = new ArrayList<>();
+    all.add(self.world().prototype("Lobby"));
+    all.addAll(KernelControl.of(frame).lobbies());
+    return all;
+  }
+
+  @Builtin(doc = "How many bytes have come from the client.")
+  static double bytesReceived(Frame frame, UrbiObject self) {
+    return own(frame, self).shell().bytesReceived();
+  }
+
+  @Builtin(doc = "Executes text as if the client had sent it.")
+  static void receive(Frame frame, UrbiObject self, String value) {
+    own(frame, self).shell().receive(value);
+  }
+
+  @Builtin(doc = "Sends a value as text to all lobbies, on a channel if one is given.")
+  static void wall(Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
+    for (UrbiLobby lobby : KernelControl.of(frame).lobbies()) {
+      echo(frame, lobby, value, channel);
+    }
+  }
+
+  @Builtin(doc = "The Internet address of the client; empty when there is none.")
+  static String remoteIP(Frame frame, UrbiObject self) {
+    return own(frame, self).remoteAddress();
+  }
+
+  /** The target; for the prototype, the lobby for which code runs. */
+  static UrbiLobby own(Frame frame, UrbiObject self) {
+    return self instanceof UrbiLobby lobby && lobby.isInstance() ? lobby : of(frame);
   }
 
   /** The prototype, which is no connection itself. */
   static UrbiObject newPrototype(World world) {
     return new UrbiLobby(world.values().object.cloneShape(), null);
-  }
-
-  /** A tag for the code of a lobby. */
-  static UrbiTag tag(UrbiObject lobby) {
-    return ((UrbiLobby) lobby).connectionTag();
   }
 }

@@ -1,10 +1,10 @@
 package org.urbi.kernel.library;
 
 import java.util.LinkedHashMap;
-import java.util.Map;
 import java.util.List;
-import java.util.TreeSet;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeSet;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.node.DictionaryKey;
@@ -37,7 +37,7 @@ final class ObjectSlots {
       value = {"getSlot", "getSlotValue"},
       doc = "The value of the slot, its own or inherited, not called.")
   static UrbiObject getSlot(Frame frame, UrbiObject self, String name) {
-    return frame.interpreter().get(frame, self, symbol(self, name));
+    return frame.interpreter().getRaw(self, symbol(self, name));
   }
 
   @Builtin(doc = "The value of the object's own slot.")
@@ -62,9 +62,21 @@ final class ObjectSlots {
   @Builtin(doc = "Creates a constant slot with a value; returns the value.")
   static UrbiObject setConstSlot(Frame frame, UrbiObject self, String name, UrbiObject value) {
     SlotUpdate.create(frame, self, symbol(self, name), value);
-    SlotUpdate.setConstant(
-        self, symbol(self, name), frame.interpreter().values().trueObject, true);
+    SlotUpdate.setConstant(self, symbol(self, name), frame.interpreter().values().trueObject, true);
     return value;
+  }
+
+  @Builtin(doc = "Replaces a slot; the value that it had is kept in a slot named name$old.")
+  static UrbiObject overrideSlot(Frame frame, UrbiObject self, String name, UrbiObject value) {
+    UrbiObject old = found(frame, self, name, self.lookup(symbol(self, name)));
+    replace(self, symbol(self, name + "$old"), old);
+    replace(self, symbol(self, name), value);
+    return value;
+  }
+
+  private static void replace(UrbiObject self, Symbol name, UrbiObject value) {
+    self.removeSlot(name);
+    self.addSlot(name, value);
   }
 
   @Builtin(doc = "Creates a slot whose value is void.")
@@ -90,15 +102,6 @@ final class ObjectSlots {
       throw frame.interpreter().errors().lookup(self, name);
     }
     return self;
-  }
-
-  @Builtin(
-      value = {"removeSlots", "removeLocalSlots"},
-      doc = "Removes those of the object's own slots, if it has them.")
-  static void removeSlots(Frame frame, UrbiObject self, UrbiObject... names) {
-    for (UrbiObject name : names) {
-      self.removeSlot(symbol(self, frame.interpreter().asString(frame, name)));
-    }
   }
 
   @Builtin(doc = "Whether the object itself has the slot.")
@@ -141,9 +144,7 @@ final class ObjectSlots {
   }
 
   private static List<UrbiObject> strings(UrbiObject self, Set<String> names) {
-    return names.stream()
-        .<UrbiObject>map(name -> self.world().values().string(name))
-        .toList();
+    return names.stream().<UrbiObject>map(name -> self.world().values().string(name)).toList();
   }
 
   @Builtin(doc = "Copies a slot of this object to a new one with the same value.")
@@ -200,11 +201,10 @@ final class ObjectSlots {
     SlotData data = holder.slotData(symbol(self, slot));
     Map<UrbiDictionary.Key, UrbiObject> all = new LinkedHashMap<>();
     if (data != null) {
-      data.properties.forEach(
-          (name, value) -> {
-            UrbiString key = self.world().values().string(name);
-            all.put(DictionaryKey.of(frame, key), value);
-          });
+      data.properties.forEach((name, value) -> {
+        UrbiString key = self.world().values().string(name);
+        all.put(DictionaryKey.of(frame, key), value);
+      });
     }
     return self.world().values().dictionary(all);
   }

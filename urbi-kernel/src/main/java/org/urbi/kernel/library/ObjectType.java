@@ -110,9 +110,7 @@ final class ObjectType {
       doc = "A clone, initialized by its method init with these arguments.")
   static UrbiObject newOf(Frame frame, CallSite site, UrbiObject self, UrbiObject... arguments) {
     UrbiObject made = frame.interpreter().send(frame, self, "clone");
-    frame
-        .interpreter()
-        .send(frame, site, made, frame.interpreter().symbols().init, arguments);
+    frame.interpreter().send(frame, site, made, frame.interpreter().symbols().init, arguments);
     return made;
   }
 
@@ -235,9 +233,7 @@ final class ObjectType {
 
   @Builtin(doc = "Prints the object on the lobby, on that channel.")
   static void print(Frame frame, UrbiObject self) {
-    LobbyType.of(frame)
-        .output()
-        .send("", "*** " + frame.interpreter().asPrintable(frame, self));
+    LobbyType.of(frame).output().send("", "*** " + frame.interpreter().asPrintable(frame, self));
   }
 
   @Builtin(doc = "Shows the prototypes and the slots; also the inherited ones when deep.")
@@ -254,8 +250,7 @@ final class ObjectType {
       for (UrbiObject ancestor : allProtos(self)) {
         if (ancestor != self) {
           output.send(
-              "",
-              "*** ** Slots from " + frame.interpreter().asPrintable(frame, ancestor) + ":");
+              "", "*** ** Slots from " + frame.interpreter().asPrintable(frame, ancestor) + ":");
           listSlots(frame, ancestor, "***   ");
         }
       }

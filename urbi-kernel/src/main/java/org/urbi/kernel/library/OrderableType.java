@@ -11,8 +11,7 @@ import org.urbi.kernel.object.UrbiObject;
 final class OrderableType {
   private OrderableType() {}
 
-  private static boolean holds(
-      Frame caller, UrbiObject left, String operator, UrbiObject right) {
+  private static boolean holds(Frame caller, UrbiObject left, String operator, UrbiObject right) {
     return Truth.of(caller, caller.interpreter().send(caller, left, operator, right));
   }
 

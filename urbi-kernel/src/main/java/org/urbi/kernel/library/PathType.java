@@ -24,8 +24,7 @@ final class PathType {
   private PathType() {}
 
   static UrbiObject newPrototype(World world) {
-    return new UrbiPath(
-        world.values().object.cloneShape(), "/", new UrbiPath.WorkingDirectory());
+    return new UrbiPath(world.values().object.cloneShape(), "/", new UrbiPath.WorkingDirectory());
   }
 
   private static UrbiException error(Frame caller, CallSite site, String message) {
@@ -69,10 +68,9 @@ final class PathType {
   }
 
   @Builtin(doc = "The path of the directory it is in.")
-  static UrbiObject dirname(UrbiPath self) {
+  static UrbiPath dirname(UrbiPath self) {
     int slash = self.text().lastIndexOf('/');
-    return self.sibling(
-        slash < 0 ? "." : slash == 0 ? "/" : self.text().substring(0, slash));
+    return self.sibling(slash < 0 ? "." : slash == 0 ? "/" : self.text().substring(0, slash));
   }
 
   @Builtin(value = "/", doc = "The path of rhs, a relative Path or String, in this directory.")

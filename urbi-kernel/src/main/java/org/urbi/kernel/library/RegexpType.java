@@ -40,13 +40,11 @@ final class RegexpType {
     }
   }
 
-  private static UrbiException invalid(
-      Frame caller, CallSite site, String text, String reason) {
+  private static UrbiException invalid(Frame caller, CallSite site, String text, String reason) {
     return caller
         .interpreter()
         .errors()
-        .primitive(
-            site.calledName(), "invalid regular expression `" + text + "': " + reason);
+        .primitive(site.calledName(), "invalid regular expression `" + text + "': " + reason);
   }
 
   @Builtin(doc = "The regular expression, to be shown.")
@@ -88,10 +86,7 @@ final class RegexpType {
   static String get(Frame caller, CallSite site, UrbiRegexp self, int n) {
     List<String> groups = self.matches();
     if (n < 0 || n >= groups.size()) {
-      throw caller
-          .interpreter()
-          .errors()
-          .primitive(site.calledName(), "out of bound index: " + n);
+      throw caller.interpreter().errors().primitive(site.calledName(), "out of bound index: " + n);
     }
     return groups.get(n);
   }

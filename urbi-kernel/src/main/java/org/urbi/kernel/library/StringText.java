@@ -23,7 +23,8 @@ final class StringText {
 
   // ------------------------------------------------------------------ splitting
 
-  @Builtin(doc = "The parts between separators: in at most lim cuts, with the separators if keepSep.")
+  @Builtin(
+      doc = "The parts between separators: in at most lim cuts, with the separators if keepSep.")
   static List<UrbiObject> split(
       Frame caller,
       CallSite site,

@@ -51,8 +51,7 @@ final class StringType {
   static double asFloat(Frame caller, CallSite site, UrbiString self) {
     Double number = parseNumber(self.value());
     if (number == null) {
-      throw error(
-          caller, site, "cannot convert to float: " + StringEscape.quote(self.value()));
+      throw error(caller, site, "cannot convert to float: " + StringEscape.quote(self.value()));
     }
     return number;
   }
@@ -172,8 +171,7 @@ final class StringType {
   }
 
   @Builtin(value = "[]", doc = "The characters from an index to another one, which is excluded.")
-  static String get(
-      Frame caller, CallSite site, UrbiString self, int from, @Optional Integer to) {
+  static String get(Frame caller, CallSite site, UrbiString self, int from, @Optional Integer to) {
     int[] bounds = bounds(caller, site, self.value(), from, to);
     return self.value().substring(bounds[0], bounds[1]);
   }
@@ -196,8 +194,7 @@ final class StringType {
   }
 
   /** Where a range begins and ends; without an end it has one character. */
-  private static int[] bounds(
-      Frame caller, CallSite site, String text, int from, Integer to) {
+  private static int[] bounds(Frame caller, CallSite site, String text, int from, Integer to) {
     int size = text.length();
     if (to == null) {
       int index = Counting.index(caller, site, from, size);
@@ -215,8 +212,7 @@ final class StringType {
   }
 
   @Builtin(doc = "The target with all that is from replaced by to.")
-  static String replace(
-      Frame caller, CallSite site, UrbiString self, String from, String to) {
+  static String replace(Frame caller, CallSite site, UrbiString self, String from, String to) {
     if (from.isEmpty()) {
       throw error(caller, site, "cannot replace the empty string");
     }

@@ -14,8 +14,7 @@ final class SyntaxException {
   private SyntaxException() {}
 
   @Builtin(doc = "At that place, with that message, in that text.")
-  static void init(
-      UrbiObject self, UrbiObject location, UrbiObject message, UrbiObject input) {
+  static void init(UrbiObject self, UrbiObject location, UrbiObject message, UrbiObject input) {
     ExceptionType.set(self, "loc", location);
     ExceptionType.set(self, "message", message);
     ExceptionType.set(self, "input", input);

@@ -21,22 +21,14 @@ final class SystemFiles {
 
   @Builtin(doc = "Evaluates a source file found in the search path, and returns its last value.")
   static UrbiObject load(
-      Frame frame,
-      CallSite site,
-      UrbiObject self,
-      UrbiObject file,
-      @Optional UrbiObject target) {
+      Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
     String name = frame.interpreter().asString(frame, file);
     return evaluate(frame, site, self, found(frame, name), target);
   }
 
   @Builtin(doc = "Evaluates a source file, and returns its last value.")
   static UrbiObject loadFile(
-      Frame frame,
-      CallSite site,
-      UrbiObject self,
-      UrbiObject file,
-      @Optional UrbiObject target) {
+      Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
     String name = frame.interpreter().asString(frame, file);
     Path path = path(frame, name);
     if (!Files.isRegularFile(path)) {
@@ -47,11 +39,7 @@ final class SystemFiles {
 
   @Builtin(doc = "Evaluates a source file if it is found, and says so on a channel.")
   static UrbiObject maybeLoad(
-      Frame frame,
-      CallSite site,
-      UrbiObject self,
-      UrbiObject file,
-      @Optional UrbiObject channel) {
+      Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject channel) {
     String name = frame.interpreter().asString(frame, file);
     Path path = search(frame, name);
     if (path == null) {
@@ -60,11 +48,7 @@ final class SystemFiles {
     if (channel != null) {
       frame
           .interpreter()
-          .send(
-              frame,
-              channel,
-              "<<",
-              frame.interpreter().values().string("loading file: " + path));
+          .send(frame, channel, "<<", frame.interpreter().values().string("loading file: " + path));
     }
     return evaluate(frame, site, self, path, null);
   }
@@ -139,12 +123,8 @@ final class SystemFiles {
     try {
       text = Files.readString(path, StandardCharsets.ISO_8859_1);
     } catch (IOException e) {
-      throw frame
-          .interpreter()
-          .errors()
-          .primitive(site.calledName(), "cannot read file: " + path);
+      throw frame.interpreter().errors().primitive(site.calledName(), "cannot read file: " + path);
     }
-    return Evaluation.eval(
-        frame, site, target == null ? self : target, text, path.toString());
+    return Evaluation.eval(frame, site, target == null ? self : target, text, path.toString());
   }
 }

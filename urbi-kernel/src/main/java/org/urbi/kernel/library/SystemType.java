@@ -18,8 +18,10 @@ final class SystemType {
   private SystemType() {}
 
   @Builtin(doc = "Waits for that many seconds; for ever when none is given.")
-  static void sleep(Frame frame, UrbiObject self, @Optional Double duration) {
+  static void sleep(
+      Frame frame, CallSite site, UrbiObject self, @Optional Double duration) {
     Job job = frame.job();
+    Activity.note(frame, site);
     if (duration == null || duration == Double.POSITIVE_INFINITY) {
       job.waitForWake();
       return;
@@ -94,11 +96,7 @@ final class SystemType {
   @Builtin(doc = "Throws the message unless the value is true.")
   static void assert_(Frame frame, UrbiObject self, UrbiObject value, String message) {
     if (!Truth.of(frame, value)) {
-      throw frame
-          .interpreter()
-          .errors()
-          .of("Assertion", "failed assertion: " + message)
-          .build();
+      throw frame.interpreter().errors().of("Assertion", "failed assertion: " + message).build();
     }
   }
 

@@ -3,7 +3,11 @@ package org.urbi.kernel.library;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.event.Emission;
+import org.urbi.kernel.event.Subscription;
 import org.urbi.kernel.event.UrbiEvent;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
@@ -25,9 +29,14 @@ final class TagType {
   }
 
   @Builtin(doc = "The tag as text: Tag<name>.")
-  static String asString(UrbiTag self) {
-    UrbiObject name = self.localSlot(self.world().symbol("name"));
-    return name instanceof UrbiString text ? "Tag<" + text.value() + ">" : "Tag";
+  static String asString(Frame frame, UrbiTag self) {
+    if (self == frame.interpreter().prototypes().tag) {
+      return "Tag";
+    }
+    UrbiObject name = self.lookup(self.world().symbol("name"));
+    return name instanceof UrbiString text
+        ? "Tag<" + text.value() + ">"
+        : ObjectType.asString(frame, self);
   }
 
   private static UrbiObject result(Frame frame, UrbiObject result) {
@@ -73,7 +82,7 @@ final class TagType {
   }
 
   @Builtin(doc = "An event emitted each time code enters the tag.")
-  static UrbiObject enter(Frame frame, UrbiTag self) {
+  static UrbiEvent enter(Frame frame, UrbiTag self) {
     if (self.enterEvent() == null) {
       self.setEnterEvent((UrbiEvent) frame.interpreter().prototypes().event.cloned());
     }
@@ -81,10 +90,39 @@ final class TagType {
   }
 
   @Builtin(doc = "An event emitted each time code leaves the tag.")
-  static UrbiObject leave(Frame frame, UrbiTag self) {
+  static UrbiEvent leave(Frame frame, UrbiTag self) {
     if (self.leaveEvent() == null) {
       self.setLeaveEvent((UrbiEvent) frame.interpreter().prototypes().event.cloned());
     }
     return self.leaveEvent();
+  }
+
+  @Builtin(doc = "A tag under this one which tells when code enters it.")
+  static UrbiObject begin(Frame frame, UrbiTag self) {
+    UrbiTag told = (UrbiTag) self.cloned();
+    enter(frame, told).subscribe(new Teller(self, ": begin"), frame.job());
+    return told;
+  }
+
+  @Builtin(doc = "A tag under this one which tells when code leaves it.")
+  static UrbiObject end(Frame frame, UrbiTag self) {
+    UrbiTag told = (UrbiTag) self.cloned();
+    leave(frame, told).subscribe(new Teller(self, ": end"), frame.job());
+    return told;
+  }
+
+  /** Tells of each emission of an event. */
+  private record Teller(UrbiTag tag, String what) implements Subscription {
+    @Override
+    public void begin(Emission emission, Job emitter) {
+      UrbiObject name = tag.lookup(tag.world().symbol("name"));
+      String text = name instanceof UrbiString known ? known.value() : "tag";
+      ((UrbiLobby) emitter.lobby()).output().send("", "*** " + text + what);
+    }
+
+    @Override
+    public void end(Emission emission, Job emitter) {
+      // Entering and leaving last no time.
+    }
   }
 }

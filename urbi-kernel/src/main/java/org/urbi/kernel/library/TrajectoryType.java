@@ -76,9 +76,7 @@ final class TrajectoryType {
       } else if (has("smooth")) {
         double duration = positive("smooth");
         double from = current();
-        along(
-            duration,
-            t -> from + (target - from) * (1 - Math.cos(Math.PI * t / duration)) / 2);
+        along(duration, t -> from + (target - from) * (1 - Math.cos(Math.PI * t / duration)) / 2);
       } else if (has("time")) {
         if (isAdaptive()) {
           adapt(positive("time"));
@@ -98,10 +96,7 @@ final class TrajectoryType {
         double sign = Math.signum(target - from);
         along(Math.sqrt(2 * way / acceleration), t -> from + sign * acceleration * t * t / 2);
       } else {
-        throw frame
-            .interpreter()
-            .errors()
-            .primitive("TrajectoryGenerator", "unknown trajectory");
+        throw frame.interpreter().errors().primitive("TrajectoryGenerator", "unknown trajectory");
       }
     }
 

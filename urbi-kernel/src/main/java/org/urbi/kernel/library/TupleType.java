@@ -60,8 +60,7 @@ final class TupleType {
   }
 
   @Builtin(value = "[]=", doc = "Replaces the member at an index; returns the value.")
-  static UrbiObject set(
-      Frame caller, CallSite site, UrbiTuple self, int index, UrbiObject value) {
+  static UrbiObject set(Frame caller, CallSite site, UrbiTuple self, int index, UrbiObject value) {
     self.set(Counting.index(caller, site, index, self.size()), value);
     return value;
   }

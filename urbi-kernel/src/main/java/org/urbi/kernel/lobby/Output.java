@@ -54,11 +54,10 @@ public final class Output {
       flush();
     } else if (!registered) {
       registered = true;
-      scheduler.atEndOfTick(
-          () -> {
-            registered = false;
-            flush();
-          });
+      scheduler.atEndOfTick(() -> {
+        registered = false;
+        flush();
+      });
     }
   }
 

@@ -52,8 +52,7 @@ public final class Shell {
     job =
         interpreter
             .scheduler()
-            .startDetached(
-                lobby, interpreter.scheduler().rootScope(), "shell", this::run);
+            .startDetached(lobby, interpreter.scheduler().rootScope(), "shell", this::run);
   }
 
   /** Takes input. */
@@ -188,7 +187,9 @@ public final class Shell {
                 scope,
                 "shell",
                 other ->
-                    compiled.code().execute(Frame.top(interpreter, other, lobby, compiled.layout())));
+                    compiled
+                        .code()
+                        .execute(Frame.top(interpreter, other, lobby, compiled.layout())));
       } finally {
         shell.leave(scope);
       }
@@ -245,7 +246,8 @@ public final class Shell {
 
   private void show(Job shell, Compilation.Compiled compiled, UrbiObject value) {
     Frame frame = Frame.top(interpreter, shell, lobby, compiled.layout());
-    interpreter.send(frame, interpreter.get(frame, lobby, interpreter.world().symbol("topLevel")), "<<", value);
+    interpreter.send(
+        frame, interpreter.get(frame, lobby, interpreter.world().symbol("topLevel")), "<<", value);
   }
 
   private void show(SyntaxError error) {

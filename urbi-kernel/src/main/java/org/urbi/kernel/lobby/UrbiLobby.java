@@ -1,5 +1,8 @@
 package org.urbi.kernel.lobby;
 
+import java.util.function.Consumer;
+import org.urbi.kernel.event.UrbiEvent;
+import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.node.SlotUpdate;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
@@ -10,6 +13,7 @@ public final class UrbiLobby extends UrbiObject implements SlotUpdate.Redefinabl
   private final UrbiTag connectionTag;
   private Output output;
   private Shell shell;
+  private String remoteAddress = "";
 
   /**
    * @param connectionTag labels all the code executed for this lobby
@@ -40,5 +44,45 @@ public final class UrbiLobby extends UrbiObject implements SlotUpdate.Redefinabl
   /** Executes its input; null when it has none. */
   public Shell shell() {
     return shell;
+  }
+
+  /** The Internet address at the other end; empty when there is none. */
+  public String remoteAddress() {
+    return remoteAddress;
+  }
+
+  public void setRemoteAddress(String address) {
+    remoteAddress = address;
+  }
+
+  /** Whether it is a lobby at all, and not the prototype of lobbies. */
+  public boolean isInstance() {
+    return output != null;
+  }
+
+  /** Makes a lobby, which begins to execute what it is sent. */
+  public static UrbiLobby start(
+      Interpreter interpreter, Consumer<String> client, Shell.Listener listener) {
+    UrbiObject prototype = interpreter.world().prototype("Lobby");
+    long number = interpreter.scheduler().nextNumber();
+    UrbiTag tag = UrbiTag.named(interpreter, "Lobby_" + number);
+    UrbiLobby made = new UrbiLobby(prototype.cloneShape(), tag);
+    made.attach(new Output(interpreter.scheduler(), client));
+    made.attach(new Shell(interpreter, made, listener));
+    return made;
+  }
+
+  /** Tells those who listen to {@code Lobby.onDisconnect} that this one is no longer connected. */
+  public void disconnected(Interpreter interpreter) {
+    UrbiObject event =
+        interpreter
+            .world()
+            .prototype("Lobby")
+            .localSlot(interpreter.world().symbol("onDisconnect"));
+    if (event instanceof UrbiEvent told && told.hasSubscribers()) {
+      var scheduler = interpreter.scheduler();
+      scheduler.startDetached(
+          this, scheduler.rootScope(), "shell", job -> told.emit(job, false, this));
+    }
   }
 }

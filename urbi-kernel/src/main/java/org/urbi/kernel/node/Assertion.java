@@ -14,8 +14,8 @@ import org.urbi.lang.source.Span;
 public final class Assertion extends Node {
   private static final Map<String, String> OPPOSITES =
       Map.of(
-          "==", "!=", "!=", "==", "===", "!==", "!==", "===", "<", ">=", "<=", ">", ">", "<=",
-          ">=", "<", "~=", "!~=", "in", "not in");
+          "==", "!=", "!=", "==", "===", "!==", "!==", "===", "<", ">=", "<=", ">", ">", "<=", ">=",
+          "<", "~=", "!~=", "in", "not in");
 
   /** The claim, taken apart so that the message can show the values of its parts. */
   public record Claim(String text, Node whole, Node target, Symbol message, List<Node> arguments) {}
@@ -43,8 +43,7 @@ public final class Assertion extends Node {
       }
       return interpreter.values().voidObject;
     }
-    UrbiObject target =
-        claim.target == null ? frame.self : Arguments.notVoid(frame, claim.target);
+    UrbiObject target = claim.target == null ? frame.self : Arguments.notVoid(frame, claim.target);
     Recorder recorder = new Recorder(claim, span());
     UrbiObject value = recorder.send(frame, target);
     if (!Truth.of(frame, value)) {

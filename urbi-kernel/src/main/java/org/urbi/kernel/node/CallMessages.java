@@ -47,11 +47,9 @@ public final class CallMessages {
       }
     }
     message.addSlot(world.symbol("target"), frame.self);
+    message.addSlot(world.symbol("sender"), frame.caller == null ? frame.self : frame.caller.self);
     message.addSlot(
-        world.symbol("sender"), frame.caller == null ? frame.self : frame.caller.self);
-    message.addSlot(
-        world.symbol("code"),
-        frame.function == null ? interpreter.values().nil : frame.function);
+        world.symbol("code"), frame.function == null ? interpreter.values().nil : frame.function);
     message.addSlot(
         world.symbol("message"),
         interpreter.values().string(frame.calledAs() == null ? "" : frame.calledAs()));

@@ -8,8 +8,7 @@ final class Calls {
   private Calls() {}
 
   /** Calls a function or a primitive with arguments that are still code. */
-  static UrbiObject call(
-      Frame frame, CallSite site, Code code, UrbiObject self, Node[] arguments) {
+  static UrbiObject call(Frame frame, CallSite site, Code code, UrbiObject self, Node[] arguments) {
     if (code instanceof Function function) {
       Formals formals = function.formals();
       if (formals == null) {

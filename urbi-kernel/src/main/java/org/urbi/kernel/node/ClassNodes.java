@@ -144,8 +144,7 @@ public final class ClassNodes {
     @Override
     public UrbiObject execute(Frame frame) {
       var values = interpreter.values();
-      UrbiObject names =
-          values.list(members.stream().map(values::string).toList());
+      UrbiObject names = values.list(members.stream().map(values::string).toList());
       return interpreter.send(
           frame, interpreter.prototypes.enumeration, "new", values.string(name), names);
     }

@@ -28,9 +28,7 @@ public final class Conditionals {
       if (condition.test(frame)) {
         return thenClause.execute(frame);
       }
-      return elseClause == null
-          ? frame.interpreter.values().voidObject
-          : elseClause.execute(frame);
+      return elseClause == null ? frame.interpreter.values().voidObject : elseClause.execute(frame);
     }
   }
 

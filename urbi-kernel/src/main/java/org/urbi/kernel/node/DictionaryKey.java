@@ -45,8 +45,7 @@ public final class DictionaryKey {
   }
 
   /** Any other object: asks it. */
-  private record ObjectKey(Frame frame, int hash, UrbiObject value)
-      implements UrbiDictionary.Key {
+  private record ObjectKey(Frame frame, int hash, UrbiObject value) implements UrbiDictionary.Key {
     @Override
     public Comparable<?> rank() {
       return null;

@@ -159,8 +159,7 @@ public final class ForEach extends Node implements CallSite {
     }
 
     @Override
-    public UrbiObject call(
-        Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
+    public UrbiObject call(Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
       if (arguments.length != 1) {
         throw caller.interpreter.errors().arity(site.calledName(), arguments.length, 1, 1);
       }

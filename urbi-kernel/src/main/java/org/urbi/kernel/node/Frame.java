@@ -162,6 +162,26 @@ public final class Frame {
         activation);
   }
 
+  /**
+   * The same activation in a job which outlives it.
+   *
+   * @param how the call that started the job, for its backtrace
+   */
+  public Frame detach(Job other, CallSite how) {
+    return new Frame(
+        interpreter,
+        other,
+        depth,
+        keepsCaller(false) ? caller : null,
+        keepsCaller(false) ? site : how,
+        self,
+        function,
+        locals.clone(),
+        cells.clone(),
+        captured,
+        activation);
+  }
+
   /** A job that outlives its caller must not keep it alive, unless it can ask for it. */
   private boolean keepsCaller(boolean waited) {
     return waited || (function != null && function.usesCall());

@@ -57,9 +57,7 @@ public final class InPlace extends Node implements CallSite {
       if (value == null) {
         throw frame.interpreter.errors().lookup(parts[0], lookup.name().name());
       }
-      return value instanceof Code code
-          ? frame.interpreter.call(frame, code, parts[0])
-          : value;
+      return value instanceof Code code ? frame.interpreter.call(frame, code, parts[0]) : value;
     }
 
     @Override
@@ -145,8 +143,7 @@ public final class InPlace extends Node implements CallSite {
   /**
    * @param operand null for the postfix operators
    */
-  public InPlace(
-      Span span, Interpreter interpreter, Access access, String operator, Node operand) {
+  public InPlace(Span span, Interpreter interpreter, Access access, String operator, Node operand) {
     super(span);
     this.access = access;
     this.operator = interpreter.world().symbol(operator);
@@ -189,9 +186,7 @@ public final class InPlace extends Node implements CallSite {
   }
 
   private UrbiObject successor(Frame frame, UrbiObject before) {
-    if (before instanceof UrbiFloat number
-        && before.shape() == values.floatShape
-        && isIntact()) {
+    if (before instanceof UrbiFloat number && before.shape() == values.floatShape && isIntact()) {
       return values.number(number.value() + sign);
     }
     return frame.interpreter.send(frame, this, before, operator);

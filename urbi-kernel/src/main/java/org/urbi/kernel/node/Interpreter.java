@@ -45,8 +45,7 @@ public final class Interpreter {
   private Object host;
   int maximumDepth;
 
-  public Interpreter(
-      World world, Scheduler scheduler, Errors errors, CorePrototypes prototypes) {
+  public Interpreter(World world, Scheduler scheduler, Errors errors, CorePrototypes prototypes) {
     this.world = world;
     this.values = world.values();
     this.scheduler = scheduler;
@@ -143,8 +142,7 @@ public final class Interpreter {
   }
 
   /** Sends a message. */
-  public UrbiObject send(
-      Frame caller, UrbiObject target, String message, UrbiObject... arguments) {
+  public UrbiObject send(Frame caller, UrbiObject target, String message, UrbiObject... arguments) {
     return send(caller, new JavaSite(message), target, world.symbol(message), arguments);
   }
 
@@ -164,6 +162,15 @@ public final class Interpreter {
   /** The value of a slot, not called if it is a function. */
   public UrbiObject get(Frame caller, UrbiObject target, Symbol name) {
     UrbiObject value = SlotLookup.find(caller, target, name);
+    if (value == null) {
+      throw errors.lookup(target, name.name());
+    }
+    return value;
+  }
+
+  /** The value of a slot as it is: neither called, nor computed by a getter. */
+  public UrbiObject getRaw(UrbiObject target, Symbol name) {
+    UrbiObject value = SlotLookup.findRaw(target, name);
     if (value == null) {
       throw errors.lookup(target, name.name());
     }

@@ -21,8 +21,7 @@ public final class Loops {
      * @param condition null when there is none: endless
      * @param step done after each turn, or null
      */
-    public Sequential(
-        Span span, Flavor flavor, Node init, Node condition, Node step, Node body) {
+    public Sequential(Span span, Flavor flavor, Node init, Node condition, Node step, Node body) {
       super(span);
       this.init = init;
       this.condition = condition;
@@ -88,20 +87,19 @@ public final class Loops {
     public UrbiObject execute(Frame frame) {
       UrbiObject nothing = frame.interpreter.values().voidObject;
       try (Background group = new Background(frame.job)) {
-        group.guard(
-            () -> {
-              if (init != null) {
-                init.execute(frame);
-              }
-              while (condition == null || condition.test(frame)) {
-                group.start(frame, body);
-                frame.job.yield();
-                if (step != null) {
-                  step.execute(frame);
-                }
-              }
-              return nothing;
-            });
+        group.guard(() -> {
+          if (init != null) {
+            init.execute(frame);
+          }
+          while (condition == null || condition.test(frame)) {
+            group.start(frame, body);
+            frame.job.yield();
+            if (step != null) {
+              step.execute(frame);
+            }
+          }
+          return nothing;
+        });
         group.join();
       } catch (Leave.Break leave) {
         // One of the turns has ended the whole loop.

@@ -14,6 +14,9 @@ public final class Properties {
 
   /** The property, or null. */
   public static UrbiObject find(Frame frame, UrbiObject target, Symbol slot, String property) {
+    if (target instanceof SlotProxy proxy && target.shape().indexOf(slot) < 0) {
+      return proxy.property(frame, slot, property);
+    }
     UrbiObject holder = holder(frame, target, slot);
     if (property.equals("changed")) {
       return changed(frame, holder, slot);
@@ -44,6 +47,10 @@ public final class Properties {
   /** Sets a property, and does what the system's own properties do. */
   public static void set(
       Frame frame, UrbiObject target, Symbol slot, String property, UrbiObject value) {
+    if (target instanceof SlotProxy proxy && target.shape().indexOf(slot) < 0) {
+      proxy.setProperty(frame, slot, property, value);
+      return;
+    }
     UrbiObject holder = holder(frame, target, slot);
     SlotData data = holder.ensureSlotData(slot);
     data.properties.put(property, value);
@@ -58,8 +65,7 @@ public final class Properties {
   }
 
   /** Removes a property; null when there was none. */
-  public static UrbiObject remove(
-      Frame frame, UrbiObject target, Symbol slot, String property) {
+  public static UrbiObject remove(Frame frame, UrbiObject target, Symbol slot, String property) {
     UrbiObject holder = holder(frame, target, slot);
     SlotData data = holder.slotData(slot);
     if (data == null) {

@@ -109,8 +109,23 @@ final class SlotLookup {
     return read(frame, target, holder, name);
   }
 
-  private static UrbiObject read(
-      Frame frame, UrbiObject target, UrbiObject holder, Symbol name) {
+  /** The value of a slot, or null, as it is: no getter is called. */
+  static UrbiObject findRaw(UrbiObject target, Symbol name) {
+    UrbiObject holder = target.locate(name);
+    if (holder == null) {
+      target.noteStructureRead();
+      return null;
+    }
+    if (target.world().tracker != null && !(holder.localSlot(name) instanceof Code)) {
+      if (holder != target) {
+        target.noteStructureRead();
+      }
+      holder.noteSlotRead(name);
+    }
+    return holder.localSlot(name);
+  }
+
+  private static UrbiObject read(Frame frame, UrbiObject target, UrbiObject holder, Symbol name) {
     SlotData data = holder.slotData(name);
     if (data != null && data.getter != null) {
       return frame.interpreter.call(frame, data.getter, target);

@@ -24,7 +24,7 @@ public final class SlotUpdate {
    */
   public static void create(Frame frame, UrbiObject target, Symbol name, UrbiObject value) {
     if (target.shape().indexOf(name) >= 0) {
-      if (!(target instanceof Redefinable)) {
+      if (!(target instanceof Redefinable) && frame.job.redefinitions == 0) {
         throw frame.interpreter.errors().redefinition(name.name());
       }
       target.removeSlot(name);
@@ -46,6 +46,10 @@ public final class SlotUpdate {
       } else {
         target.setSlotAt(index, value);
       }
+      return;
+    }
+    if (target instanceof SlotProxy proxy) {
+      proxy.updateSlot(frame, name, value);
       return;
     }
     UrbiObject holder = target.locate(name);

@@ -22,8 +22,7 @@ public final class Slots {
      * @param value null for void
      * @param type the type that it must have, or null
      */
-    public Declare(
-        Span span, Node target, Symbol name, Node value, boolean constant, Node type) {
+    public Declare(Span span, Node target, Symbol name, Node value, boolean constant, Node type) {
       super(span);
       this.target = target;
       this.name = name;
@@ -42,8 +41,7 @@ public final class Slots {
         }
         SlotUpdate.create(frame, object, name, initial);
         if (constant) {
-          SlotUpdate.setConstant(
-              object, name, frame.interpreter.values().trueObject, true);
+          SlotUpdate.setConstant(object, name, frame.interpreter.values().trueObject, true);
         }
         return initial;
       } catch (UrbiException e) {
@@ -71,16 +69,19 @@ public final class Slots {
     public UrbiObject execute(Frame frame) {
       UrbiObject object = target.execute(frame);
       UrbiObject assigned = Arguments.notVoid(frame, value);
-      assign(frame, object, assigned);
-      return assigned;
+      return assign(frame, object, assigned);
     }
 
-    void assign(Frame frame, UrbiObject object, UrbiObject assigned) {
+    /** Returns the value of the assignment. */
+    UrbiObject assign(Frame frame, UrbiObject object, UrbiObject assigned) {
       if (object.shape() == knownShape) {
         object.setSlotAt(knownIndex, assigned);
-        return;
+        return assigned;
       }
       try {
+        if (object instanceof SlotProxy proxy && object.shape().indexOf(name) < 0) {
+          return proxy.updateSlot(frame, name, assigned);
+        }
         SlotUpdate.assign(frame, object, name, assigned);
       } catch (UrbiException e) {
         throw frame.located(e, span());
@@ -91,6 +92,7 @@ public final class Slots {
         knownShape = shape;
         knownIndex = index;
       }
+      return assigned;
     }
   }
 
@@ -108,7 +110,7 @@ public final class Slots {
     @Override
     public UrbiObject execute(Frame frame) {
       UrbiObject object = target.execute(frame);
-      UrbiObject value = lookup.find(frame, object);
+      UrbiObject value = SlotLookup.findRaw(object, lookup.name());
       if (value == null) {
         throw frame.located(
             frame.interpreter.errors().lookup(object, lookup.name().name()), span());

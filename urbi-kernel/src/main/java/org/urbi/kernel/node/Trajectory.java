@@ -96,8 +96,7 @@ public final class Trajectory extends Node implements CallSite {
     }
 
     @Override
-    public UrbiObject call(
-        Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
+    public UrbiObject call(Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
       Frame frame = home.in(caller.job);
       if (!writes) {
         return variable.execute(frame);

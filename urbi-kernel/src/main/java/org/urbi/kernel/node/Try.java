@@ -56,8 +56,7 @@ public final class Try extends Node {
       return handle(frame, e);
     } catch (StackOverflowError e) {
       return handle(
-          frame,
-          frame.located(frame.interpreter.errors().scheduling("stack exhausted"), span()));
+          frame, frame.located(frame.interpreter.errors().scheduling("stack exhausted"), span()));
     }
     return elseClause == null || frame.completion != null ? value : elseClause.execute(frame);
   }

@@ -136,9 +136,7 @@ public final class Variables {
 
   /** The initial value of a variable: void when there is none, but void itself is refused. */
   static UrbiObject initialValue(Frame frame, Node value) {
-    return value == null
-        ? frame.interpreter.values().voidObject
-        : Arguments.notVoid(frame, value);
+    return value == null ? frame.interpreter.values().voidObject : Arguments.notVoid(frame, value);
   }
 
   /** {@code x = value}. */

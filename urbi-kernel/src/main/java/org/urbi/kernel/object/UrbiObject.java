@@ -261,8 +261,7 @@ public class UrbiObject {
   }
 
   public final void removeProto(UrbiObject proto) {
-    setProtos(
-        Arrays.stream(shape.protos).filter(p -> p != proto).toArray(UrbiObject[]::new));
+    setProtos(Arrays.stream(shape.protos).filter(p -> p != proto).toArray(UrbiObject[]::new));
   }
 
   /** Whether that object is this one or among its ancestors. */

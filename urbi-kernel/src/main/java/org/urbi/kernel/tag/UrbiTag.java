@@ -18,9 +18,14 @@ public final class UrbiTag extends UrbiObject {
     this.state = new TagState(this);
   }
 
+  /** A clone of a type of tags is a tag of that type, a clone of a tag stands under it. */
   @Override
   public UrbiObject cloned() {
-    return new UrbiTag(cloneShape());
+    UrbiTag clone = new UrbiTag(cloneShape());
+    if (localSlot(world().symbol("type")) == null) {
+      clone.parent = this;
+    }
+    return clone;
   }
 
   /** A fresh tag with that name. */
@@ -37,10 +42,6 @@ public final class UrbiTag extends UrbiObject {
   /** The tag which this one stands under, or null: whoever controls it controls this one too. */
   public UrbiTag parent() {
     return parent;
-  }
-
-  public void setParent(UrbiTag other) {
-    parent = other;
   }
 
   /** Emitted when code enters; null when nobody has asked for it. */

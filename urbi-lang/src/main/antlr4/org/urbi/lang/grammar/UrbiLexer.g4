@@ -107,7 +107,7 @@ RBRACKET: ']';
 LBRACE: '{';
 RBRACE: '}';
 
-FLOAT: NUMBER | '0x' HEX (HEX | '_')*;
+FLOAT: NUMBER | '0x' HEX ('_'* HEX)*;
 ANGLE: NUMBER ('deg' | 'rad' | 'grad');
 DURATION: (NUMBER ('ms' | 's' | 'm' | 'min' | 'h' | 'd'))+;
 BAD_TOKEN: NUMBER LETTER (LETTER | DIGIT)*;
@@ -130,7 +130,7 @@ COMMENT: '/*' { comment(); } -> skip;
 BAD_CHARACTER: .;
 
 fragment NUMBER: DIGITS ('.' DIGITS)? ([eE] [+\-]? DIGITS)?;
-fragment DIGITS: DIGIT (DIGIT | '_')*;
+fragment DIGITS: DIGIT ('_'* DIGIT)*;
 fragment DIGIT: [0-9];
 fragment HEX: [0-9a-fA-F];
 fragment LETTER: [a-zA-Z_$];

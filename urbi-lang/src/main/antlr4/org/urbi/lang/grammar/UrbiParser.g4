@@ -113,4 +113,5 @@ argument: expression (COLON body)?;
 argumentList: argument (COMMA argument)* COMMA?;
 arguments: LPAREN argumentList? RPAREN;
 formals: LPAREN (formal (COMMA formal)* COMMA?)? RPAREN;
-formal: VAR? identifier (LBRACKET RBRACKET)? (COLON path)? (ASSIGN expression)?;
+formal: VAR? identifier (LBRACKET RBRACKET)? (COLON type)? (ASSIGN expression (COLON type)?)?;
+type: primary (DOT selector)*;

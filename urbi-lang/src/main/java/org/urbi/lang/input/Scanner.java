@@ -11,6 +11,8 @@ final class Scanner {
       Set.of("at", "every", "for", "foreach", "loop", "whenever", "while");
   private static final Set<String> HEADS = Set.of("for", "foreach", "if", "while");
 
+  private static final String CLASS = "class";
+
   private enum State {
     CODE,
     SLASH,
@@ -46,6 +48,10 @@ final class Scanner {
   /** Whether an apostrophe here would be a derivative's, not a quote. */
   private boolean afterName;
 
+  /** In the head of a class outside brackets; its prototypes are separated by commas. */
+  private boolean classHead;
+
+  private boolean prototypes;
   private boolean blank = true;
 
   /** Whether nothing but blanks and comments was seen since the last end. */
@@ -172,6 +178,7 @@ final class Scanner {
     blank = false;
     if (isWord(c)) {
       if (wordEnded || flavorTaken) {
+        followClass(c);
         forget();
       }
       // No keyword is that long.
@@ -183,6 +190,7 @@ final class Scanner {
     } else if (c == ';' || c == ',' || c == '|' || c == '&') {
       return separator(c);
     }
+    followClass(c);
     boolean head = c == '(' && HEADS.contains(word.toString());
     forget();
     switch (c) {
@@ -208,16 +216,18 @@ final class Scanner {
       flavorTaken = true;
       return false;
     }
+    followClass(c);
     forget();
     char open = brackets.isEmpty() ? '\0' : brackets.charAt(brackets.length() - 1);
     boolean ends =
         switch (c) {
           case ';' -> open != '{' && open != 'f';
-          case ',' -> open == '\0';
+          case ',' -> open == '\0' && !prototypes;
           default -> false;
         };
     if (ends) {
       brackets.setLength(0);
+      classHead = false;
       blank = true;
     }
     return ends;
@@ -241,6 +251,19 @@ final class Scanner {
     };
   }
 
+  /** Follows the head of a class, when a word has ended with something else than a blank. */
+  private void followClass(char c) {
+    if (brackets.isEmpty() && CLASS.contentEquals(word)) {
+      classHead = true;
+    }
+    if (c == ':' && classHead) {
+      prototypes = true;
+    } else if (c == '{' || c == ';') {
+      classHead = false;
+      prototypes = false;
+    }
+  }
+
   private void forget() {
     word.setLength(0);
     wordEnded = false;
@@ -248,7 +271,10 @@ final class Scanner {
   }
 
   private static boolean isWord(char c) {
-    return c >= 'a' && c <= 'z' || c >= 'A' && c <= 'Z' || c >= '0' && c <= '9' || c == '_'
+    return c >= 'a' && c <= 'z'
+        || c >= 'A' && c <= 'Z'
+        || c >= '0' && c <= '9'
+        || c == '_'
         || c == '$';
   }
 }

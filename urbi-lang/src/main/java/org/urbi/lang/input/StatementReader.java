@@ -163,8 +163,7 @@ public final class StatementReader {
 
   private Item parse(boolean terminated) {
     var source =
-        new Source(
-            text.substring(begin, at), firstColumn, lines.toArray(Source.Line[]::new));
+        new Source(text.substring(begin, at), firstColumn, lines.toArray(Source.Line[]::new));
     UrbiParser.Parsed parsed = UrbiParser.parse(source);
     if (!parsed.errors().isEmpty()) {
       return new Item.Errors(parsed.errors());

@@ -80,8 +80,7 @@ final class Control {
       case ContinueStatementContext c -> new Ast.Continue(span);
       case TryStatementContext c -> trying(c, span);
       case AssertStatementContext c ->
-          new Ast.Assert(
-              span, false, c.argument().stream().map(expressions::argument).toList());
+          new Ast.Assert(span, false, c.argument().stream().map(expressions::argument).toList());
       case AssertBlockContext c ->
           new Ast.Assert(
               span,
@@ -103,8 +102,7 @@ final class Control {
               c.scope() == null ? null : primaries.scope(c.scope()));
       case PackageStatementContext c ->
           new Ast.PackageDefinition(span, primaries.place(c.path()), primaries.scope(c.scope()));
-      case ImportStatementContext c ->
-          imported(c, span);
+      case ImportStatementContext c -> imported(c, span);
       case EnumStatementContext c ->
           new Ast.EnumDefinition(span, primaries.place(c.path()), names(c.identifier()));
       case GetStatementContext c ->
@@ -159,8 +157,7 @@ final class Control {
     boolean absent =
         bodies.isEmpty()
             || word != null
-                && bodies.getFirst().getStart().getTokenIndex()
-                    > word.getSymbol().getTokenIndex();
+                && bodies.getFirst().getStart().getTokenIndex() > word.getSymbol().getTokenIndex();
     return body(absent ? null : bodies.getFirst(), before);
   }
 
@@ -267,8 +264,7 @@ final class Control {
     boolean all = false;
     for (CatchClauseContext c : context.catchClause()) {
       if (all) {
-        errors.add(
-            errors.span(c), "catch: exception already caught by a previous clause");
+        errors.add(errors.span(c), "catch: exception already caught by a previous clause");
       }
       Ast pattern = c.expression().isEmpty() ? null : expressions.pattern(c.expression(0));
       Ast guard = c.IF() == null ? null : expressions.value(c.expression(1));

@@ -90,9 +90,7 @@ final class Escapes {
     value.append(text, at, end);
     at = end;
     if (!take(')')) {
-      char c = peek();
-      at = Math.min(at + 1, text.length() - 1);
-      error("unexpected '" + c + "' for closing \\B, expected ')'");
+      error("unexpected '" + peek() + "' for closing \\B, expected ')'");
     }
   }
 

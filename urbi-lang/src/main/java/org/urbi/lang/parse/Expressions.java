@@ -129,8 +129,7 @@ final class Expressions {
       checked(left);
     }
     return switch (context) {
-      case SlotExpressionContext slot ->
-          primaries.slot(span, left, slot.selector().getStart());
+      case SlotExpressionContext slot -> primaries.slot(span, left, slot.selector().getStart());
       case AccessExpressionContext access ->
           new Ast.SlotAccess(span, left, Literals.name(access.selector().getStart()));
       case PropertyExpressionContext property -> property(property, left, span);
@@ -141,8 +140,7 @@ final class Expressions {
               left,
               "[]",
               arguments(subscript.argumentList()),
-              errors.span(
-                  subscript.LBRACKET().getSymbol(), subscript.RBRACKET().getSymbol()));
+              errors.span(subscript.LBRACKET().getSymbol(), subscript.RBRACKET().getSymbol()));
       case PostfixExpressionContext postfix -> {
         lvalue(left);
         yield new Ast.Postfix(span, left, postfix.op.getText());
@@ -153,8 +151,7 @@ final class Expressions {
               left,
               emit.arguments() == null ? null : arguments(emit.arguments().argumentList()),
               emit.expression().size() < 2 ? null : value(emit.expression(1)));
-      case BinaryExpressionContext binary ->
-          binary(span, left, binary.op, binary.expression(1));
+      case BinaryExpressionContext binary -> binary(span, left, binary.op, binary.expression(1));
       case ComparisonContext comparison ->
           binary(span, left, comparison.op, comparison.expression(1));
       case MembershipContext membership -> membership(membership, left, span);
@@ -226,8 +223,7 @@ final class Expressions {
     // Anything may be assigned to: it is a pattern then.
     List<Ast.Modifier> modifiers = new ArrayList<>();
     for (ModifierContext modifier : context.modifier()) {
-      modifiers.add(
-          new Ast.Modifier(modifier.MODIFIER().getText(), value(modifier.expression())));
+      modifiers.add(new Ast.Modifier(modifier.MODIFIER().getText(), value(modifier.expression())));
     }
     Ast value = context.expression().size() < 2 ? null : value(context.expression(1));
     if (value instanceof Ast.Declaration declaration) {
@@ -257,7 +253,9 @@ final class Expressions {
   }
 
   private Ast checked(Ast ast) {
-    if (patterns == 0 && ast instanceof Ast.Declaration declaration && declaration.value() == null) {
+    if (patterns == 0
+        && ast instanceof Ast.Declaration declaration
+        && declaration.value() == null) {
       misplaced(declaration);
     }
     return ast;
@@ -272,9 +270,7 @@ final class Expressions {
   }
 
   List<Ast> arguments(ArgumentListContext context) {
-    return context == null
-        ? List.of()
-        : context.argument().stream().map(this::argument).toList();
+    return context == null ? List.of() : context.argument().stream().map(this::argument).toList();
   }
 
   /** The patterns of an event's payload. */

@@ -29,8 +29,7 @@ final class Primaries {
     return switch (context) {
       case FloatLiteralContext c -> new Ast.FloatLiteral(span, Literals.number(c.getText()));
       case AngleLiteralContext c -> new Ast.FloatLiteral(span, Literals.angle(c.getText()));
-      case DurationLiteralContext c ->
-          new Ast.FloatLiteral(span, Literals.duration(c.DURATION()));
+      case DurationLiteralContext c -> new Ast.FloatLiteral(span, Literals.duration(c.DURATION()));
       case StringLiteralContext c -> new Ast.StringLiteral(span, Literals.string(c.STRING()));
       case ThisPrimaryContext c -> new Ast.This(span);
       case CallPrimaryContext c -> call(span);
@@ -45,9 +44,7 @@ final class Primaries {
               span,
               path(c.path()),
               "new",
-              c.arguments() == null
-                  ? null
-                  : expressions.arguments(c.arguments().argumentList()),
+              c.arguments() == null ? null : expressions.arguments(c.arguments().argumentList()),
               errors.span(c.NEW().getSymbol()));
       case DeclarationContext c -> declaration(c, span);
       case FunctionPrimaryContext c -> function(c, span);
@@ -144,9 +141,7 @@ final class Primaries {
       }
       if (!entries.isEmpty() && !elements.isEmpty()) {
         Token at =
-            element.FAT_ARROW() == null
-                ? element.getStop()
-                : element.FAT_ARROW().getSymbol();
+            element.FAT_ARROW() == null ? element.getStop() : element.FAT_ARROW().getSymbol();
         errors.add(errors.span(at), "unexpected " + at.getText());
         break;
       }
@@ -208,8 +203,7 @@ final class Primaries {
         }
         case ArgumentListContext c -> {
           Span span = place.span().to(errors.span(c));
-          place =
-              new Ast.Message(span, place, "[]", expressions.arguments(c), errors.span(c));
+          place = new Ast.Message(span, place, "[]", expressions.arguments(c), errors.span(c));
         }
         case ParserRuleContext c -> {}
         case org.antlr.v4.runtime.tree.TerminalNode word -> before = word.getSymbol();
@@ -262,9 +256,17 @@ final class Primaries {
               Literals.name(formal.identifier().getStart()),
               value,
               variadic,
-              formal.path() == null ? null : path(formal.path())));
+              formal.type().isEmpty() ? null : type(formal.type(0))));
     }
     return List.copyOf(formals);
+  }
+
+  private Ast type(TypeContext context) {
+    Ast type = primary(context.primary());
+    for (SelectorContext selector : context.selector()) {
+      type = name(selector.getStart(), type);
+    }
+    return type;
   }
 
   Ast.Scope scope(ScopeContext context) {

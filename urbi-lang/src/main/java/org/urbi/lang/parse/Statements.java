@@ -41,8 +41,7 @@ final class Statements {
         default -> {}
       }
     }
-    return new Ast.Sequence(
-        errors.span(context), List.copyOf(statements), List.copyOf(separators));
+    return new Ast.Sequence(errors.span(context), List.copyOf(statements), List.copyOf(separators));
   }
 
   private Ast parallel(ParallelContext context) {
@@ -56,7 +55,10 @@ final class Statements {
   }
 
   private Ast chain(
-      ParserRuleContext context, List<Ast> parts, List<TerminalNode> separators, Ast.Flavor flavor) {
+      ParserRuleContext context,
+      List<Ast> parts,
+      List<TerminalNode> separators,
+      Ast.Flavor flavor) {
     if (separators.isEmpty()) {
       return parts.getFirst();
     }

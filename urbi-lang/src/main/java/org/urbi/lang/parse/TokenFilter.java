@@ -57,9 +57,18 @@ final class TokenFilter {
           UrbiLexer.RPAREN,
           UrbiLexer.STRING,
           UrbiLexer.THIS);
+
   private static final Set<String> MODIFIERS =
       Set.of(
-          "accel", "adaptive", "ampli", "cos", "getPhase", "phase", "sin", "smooth", "speed",
+          "accel",
+          "adaptive",
+          "ampli",
+          "cos",
+          "getPhase",
+          "phase",
+          "sin",
+          "smooth",
+          "speed",
           "time");
 
   /** An open bracket: whether it heads a statement, and the colon it waits for (or 0). */

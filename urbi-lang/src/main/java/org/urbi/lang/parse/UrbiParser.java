@@ -153,8 +153,7 @@ public final class UrbiParser {
         case UrbiLexer.BAD_CHARACTER ->
             errors.add(span, "invalid character: `" + visible(token.getText().charAt(0)) + "'");
         case UrbiLexer.BAD_STRING -> errors.add(span, "unterminated string");
-        case UrbiLexer.RESERVED ->
-            errors.add(span, "reserved symbol: `" + token.getText() + "'");
+        case UrbiLexer.RESERVED -> errors.add(span, "reserved symbol: `" + token.getText() + "'");
         case UrbiLexer.STRING -> Escapes.check(token.getText(), span, errors);
         default -> {}
       }
@@ -178,8 +177,6 @@ public final class UrbiParser {
     }
     errors.add(
         errors.span(at),
-        at.getType() == Token.EOF
-            ? "unexpected end of command"
-            : "unexpected " + at.getText());
+        at.getType() == Token.EOF ? "unexpected end of command" : "unexpected " + at.getText());
   }
 }

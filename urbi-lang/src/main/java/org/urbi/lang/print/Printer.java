@@ -28,15 +28,19 @@ public final class Printer {
   /** The claim of an assertion: its comparison is shown as it was written. */
   public static String claim(Ast ast) {
     if (ast instanceof Ast.Message m && m.arguments() != null && m.arguments().size() == 1) {
-      String argument = print(m.arguments().getFirst());
+      String argument = operand(m.arguments().getFirst());
       if (m.target() != null && COMPARISONS.contains(m.name())) {
-        return print(m.target()) + ' ' + m.name() + ' ' + argument;
+        return operand(m.target()) + ' ' + m.name() + ' ' + argument;
       } else if (m.target() != null && isMembership(m)) {
         String word = m.name().equals("has") ? " in " : " not in ";
-        return argument + word + print(m.target());
+        return argument + word + operand(m.target());
       }
     }
     return print(ast);
+  }
+
+  private static String operand(Ast ast) {
+    return isOpen(ast) ? '(' + print(ast) + ')' : print(ast);
   }
 
   /** Whether {@code in} was written: its argument comes first. */
@@ -56,8 +60,8 @@ public final class Printer {
       case Ast.This a -> out.append("this");
       case Ast.CallMessage a -> out.append("call");
       case Ast.Message a -> message(a);
-      case Ast.And a -> pair(a.left(), " && ", a.right());
-      case Ast.Or a -> pair(a.left(), " || ", a.right());
+      case Ast.And a -> logic(a.left(), " && ", a.right());
+      case Ast.Or a -> logic(a.left(), " || ", a.right());
       case Ast.SlotAccess a -> {
         if (a.target() != null) {
           tree(a.target());
@@ -213,10 +217,8 @@ public final class Printer {
 
   private void slot(Ast target, String name) {
     if (target != null) {
-      boolean open = isOpen(target);
-      out.append(open ? "(" : "");
-      tree(target);
-      out.append(open ? ")." : ".");
+      closed(target, isOpen(target));
+      out.append('.');
     }
     out.append(Names.name(name));
   }
@@ -233,6 +235,21 @@ public final class Printer {
       case Ast.Tagged a -> true;
       default -> false;
     };
+  }
+
+  private void closed(Ast ast, boolean parentheses) {
+    out.append(parentheses ? "(" : "");
+    tree(ast);
+    out.append(parentheses ? ")" : "");
+  }
+
+  /** Operands of {@code &&} and {@code ||}; these may stand in each other, to the left. */
+  private void logic(Ast left, String word, Ast right) {
+    boolean or = word.contains("|");
+    boolean chain = left instanceof Ast.And || or && left instanceof Ast.Or;
+    closed(left, !chain && isOpen(left));
+    out.append(word);
+    closed(right, isOpen(right) && !(or && right instanceof Ast.And));
   }
 
   private void pair(Ast left, String word, Ast right) {

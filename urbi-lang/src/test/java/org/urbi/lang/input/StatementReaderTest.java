@@ -23,6 +23,7 @@ class StatementReaderTest {
       //#pop
       x'd; 'a;b';
         ;
+      class A : B, C { x, y }, class D,
       bar
       """;
 
@@ -67,7 +68,9 @@ class StatementReaderTest {
             "7.1-3 x.'\\'d' SEMICOLON",
             "7.6-10 'a;b' SEMICOLON",
             "8.3  SEMICOLON",
-            "9.1-3 bar null"),
+            "9.1-23 class A: B, C\n{\n  x,\n  y\n} COMMA",
+            "9.26-32 class D COMMA",
+            "10.1-3 bar null"),
         read(TEXT, TEXT.length()));
   }
 

@@ -3,7 +3,7 @@ package org.urbi.server.cli;
 import java.io.FileDescriptor;
 import java.io.FileInputStream;
 import java.io.PrintStream;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
@@ -20,14 +20,17 @@ import org.urbi.server.console.TerminalSession;
 final class LocalConsole implements AutoCloseable {
   private final Settings settings;
   private final Kernel kernel;
-  private final Function<Client, Connection> lobbies;
+  private final BiFunction<Client, Boolean, Connection> lobbies;
   private final Screen screen;
   private final TerminalSession terminal;
   private final Console console;
   private Connection connection;
 
   LocalConsole(
-      Settings settings, Kernel kernel, Function<Client, Connection> lobbies, PrintStream out) {
+      Settings settings,
+      Kernel kernel,
+      BiFunction<Client, Boolean, Connection> lobbies,
+      PrintStream out) {
     this.settings = settings;
     this.kernel = kernel;
     this.lobbies = lobbies;
@@ -48,7 +51,7 @@ final class LocalConsole implements AutoCloseable {
     if (settings.text().isEmpty() && settings.input() == Settings.Input.NONE) {
       return;
     }
-    connection = lobbies.apply(console);
+    connection = lobbies.apply(console, settings.holdsTime());
     connection.send(settings.text());
     switch (settings.input()) {
       case NONE -> inputEnded();
@@ -62,7 +65,8 @@ final class LocalConsole implements AutoCloseable {
   }
 
   private void readStream() {
-    new PipeInput(new FileInputStream(FileDescriptor.in), console, connection).run();
+    boolean all = settings.fast() && settings.holdsTime();
+    new PipeInput(new FileInputStream(FileDescriptor.in), console, connection, all).run();
     inputEnded();
   }
 

@@ -58,9 +58,13 @@ final class Server {
     }
   }
 
-  /** Connects a client as every client is: with a banner, and after {@code local.u}. */
-  private Connection connect(Client client) {
-    Connection connection = kernel.connect(client);
+  /**
+   * Connects a client as every client is: with a banner, and after {@code local.u}.
+   *
+   * @param holdsTime whether a simulated time waits for the end of this client's input
+   */
+  private Connection connect(Client client, boolean holdsTime) {
+    Connection connection = kernel.connect(client, holdsTime);
     if (!settings.quiet()) {
       connection.send("lobby.banner|;");
     }
@@ -75,7 +79,8 @@ final class Server {
     }
     try {
       ConsoleServer server =
-          new ConsoleServer(address, this::connect, Limits.DEFAULT, settings.trace());
+          new ConsoleServer(
+              address, client -> connect(client, false), Limits.DEFAULT, settings.trace());
       writePortFile(server.port());
       if (!settings.quiet()) {
         settings.trace().log("listening on " + settings.host() + ":" + server.port());

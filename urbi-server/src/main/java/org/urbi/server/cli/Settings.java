@@ -46,6 +46,14 @@ record Settings(
     return port != NO_PORT;
   }
 
+  /**
+   * Whether a simulated time waits for the end of the input, so that the run depends on the input
+   * alone and not on when it arrives; somebody at a terminal wants to see it pass.
+   */
+  boolean holdsTime() {
+    return !keepsServing() && input != Input.SESSION;
+  }
+
   /** Whether something may still happen once the console's lobby has nothing to do. */
   boolean keepsServing() {
     return hasPort() || modules && input != Input.SESSION;

@@ -35,7 +35,7 @@ final class StartFiles {
     path.find("global.u", "URBI.INI", "CLIENT.INI")
         .ifPresent(file -> {
           System system = new System(err);
-          Connection connection = kernel.connect(system);
+          Connection connection = kernel.connect(system, false);
           connection.send(SourceText.file(file.toString()));
           connection.send("lobby.send(\"\", \"" + LOADED + "\");\n");
           if (!system.awaitLoaded()) {

@@ -20,7 +20,7 @@ public final class UrbiCommand {
   private final PrintStream out;
   private final PrintStream err;
 
-  private UrbiCommand(PrintStream out, PrintStream err) {
+  UrbiCommand(PrintStream out, PrintStream err) {
     this.out = out;
     this.err = err;
   }
@@ -30,7 +30,7 @@ public final class UrbiCommand {
     System.exit(status);
   }
 
-  private int run(String[] args) {
+  int run(String... args) {
     Program program =
         new Program(
             "urbi", "Runs an Urbi server: a script, an interactive session, a network port.");

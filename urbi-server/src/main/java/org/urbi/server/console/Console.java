@@ -1,5 +1,6 @@
 package org.urbi.server.console;
 
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
@@ -10,7 +11,7 @@ public final class Console implements Client {
 
   private final Consumer<String> screen;
   private final Runnable whenClosed;
-  private final Object consumed = new Object();
+  private volatile Thread sender;
   private volatile boolean open = true;
 
   /**
@@ -28,12 +29,12 @@ public final class Console implements Client {
   }
 
   /** Waits until the kernel has taken most of what was sent, or the lobby is over. */
-  public void awaitInputConsumed(Connection connection) throws InterruptedException {
-    synchronized (consumed) {
-      while (open && connection.pendingInput() > PENDING_INPUT) {
-        consumed.wait();
-      }
+  public void awaitInputConsumed(Connection connection) {
+    sender = Thread.currentThread();
+    while (open && connection.pendingInput() > PENDING_INPUT) {
+      LockSupport.park(this);
     }
+    sender = null;
   }
 
   @Override
@@ -43,9 +44,7 @@ public final class Console implements Client {
 
   @Override
   public void inputConsumed() {
-    synchronized (consumed) {
-      consumed.notifyAll();
-    }
+    LockSupport.unpark(sender);
   }
 
   @Override

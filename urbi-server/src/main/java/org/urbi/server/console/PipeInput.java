@@ -12,11 +12,17 @@ public final class PipeInput {
   private final InputStream stream;
   private final Console console;
   private final Connection connection;
+  private final boolean all;
 
-  public PipeInput(InputStream stream, Console console, Connection connection) {
+  /**
+   * @param all whether to read on however much the kernel has not taken: it may be waiting for the
+   *     end of the input
+   */
+  public PipeInput(InputStream stream, Console console, Connection connection, boolean all) {
     this.stream = stream;
     this.console = console;
     this.connection = connection;
+    this.all = all;
   }
 
   /** Reads up to the end of the stream or of the lobby, whichever is first. */
@@ -25,12 +31,12 @@ public final class PipeInput {
     try {
       for (int n = stream.read(chunk); n >= 0 && console.isOpen(); n = stream.read(chunk)) {
         connection.send(new String(chunk, 0, n, StandardCharsets.ISO_8859_1));
-        console.awaitInputConsumed(connection);
+        if (!all) {
+          console.awaitInputConsumed(connection);
+        }
       }
     } catch (IOException e) {
       // A terminal that went away or a closed descriptor: nothing more will come.
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
     }
   }
 }

@@ -3,20 +3,28 @@ package org.urbi.server.console;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.locks.LockSupport;
 
 /**
  * Writes what lobbies say to a stream from a thread of its own, so that the kernel does not wait
  * for a slow pipe, and many short lines become one write. Only a reader that is late by more than
  * {@link #LIMIT} bytes makes it wait: what goes to a file or a pipe is never dropped.
+ *
+ * <p>There is no lock in it: the kernel may be within a job when it adds, and a job that waits for
+ * a lock would let others run.
  */
 public final class StandardOutput implements Screen {
-  private static final int LIMIT = 16 << 20;
+  private static final long LIMIT = 16L << 20;
 
   private final OutputStream stream;
   private final Thread writer;
-  private StringBuilder waiting = new StringBuilder();
-  private boolean closed;
-  private boolean broken;
+  private final Queue<String> waiting = new ConcurrentLinkedQueue<>();
+  private final AtomicLong size = new AtomicLong();
+  private volatile boolean closed;
+  private volatile boolean broken;
 
   public StandardOutput(OutputStream stream) {
     this.stream = stream;
@@ -25,23 +33,22 @@ public final class StandardOutput implements Screen {
   }
 
   @Override
-  public synchronized void add(String bytes) {
-    while (waiting.length() > LIMIT && !broken) {
-      await();
+  public void add(String bytes) {
+    while (size.get() > LIMIT && !broken) {
+      Thread.onSpinWait();
     }
     if (!broken) {
-      waiting.append(bytes);
-      notifyAll();
+      waiting.add(bytes);
+      if (size.getAndAdd(bytes.length()) == 0) {
+        LockSupport.unpark(writer);
+      }
     }
   }
 
-  /** Waits until everything has been written. */
   @Override
   public void close() {
-    synchronized (this) {
-      closed = true;
-      notifyAll();
-    }
+    closed = true;
+    LockSupport.unpark(writer);
     boolean interrupted = false;
     while (writer.isAlive()) {
       try {
@@ -56,39 +63,25 @@ public final class StandardOutput implements Screen {
   }
 
   private void write() {
+    StringBuilder together = new StringBuilder();
     try {
-      for (String bytes = next(); bytes != null; bytes = next()) {
-        stream.write(bytes.getBytes(StandardCharsets.ISO_8859_1));
-        stream.flush();
+      while (true) {
+        boolean last = closed;
+        for (String bytes = waiting.poll(); bytes != null; bytes = waiting.poll()) {
+          together.append(bytes);
+        }
+        if (!together.isEmpty()) {
+          stream.write(together.toString().getBytes(StandardCharsets.ISO_8859_1));
+          stream.flush();
+          size.addAndGet(-together.length());
+          together = new StringBuilder();
+        } else if (last) {
+          return;
+        } else if (size.get() == 0) {
+          LockSupport.park();
+        }
       }
     } catch (IOException e) {
-      synchronized (this) {
-        broken = true;
-        notifyAll();
-      }
-    }
-  }
-
-  private synchronized String next() {
-    while (waiting.isEmpty()) {
-      if (closed) {
-        return null;
-      }
-      await();
-    }
-    String bytes = waiting.toString();
-    if (waiting.capacity() > LIMIT) {
-      waiting = new StringBuilder();
-    }
-    waiting.setLength(0);
-    notifyAll();
-    return bytes;
-  }
-
-  private void await() {
-    try {
-      wait();
-    } catch (InterruptedException e) {
       broken = true;
     }
   }

@@ -72,7 +72,7 @@ public final class TerminalSession implements AutoCloseable {
         console.awaitInputConsumed(connection);
       } catch (UserInterruptException e) {
         interrupt.run();
-      } catch (EndOfFileException | InterruptedException e) {
+      } catch (EndOfFileException e) {
         return;
       }
     }

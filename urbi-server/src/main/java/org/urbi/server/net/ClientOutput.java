@@ -6,12 +6,18 @@ import io.netty.channel.ChannelFuture;
 import io.netty.channel.ChannelFutureListener;
 import io.netty.channel.socket.DuplexChannel;
 import java.nio.charset.StandardCharsets;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
 
 /**
  * What waits to be sent to one client. The kernel adds and goes on, the network thread takes all
  * that has come together and sends it in one piece. A client that does not read what it asked for
- * is let go once the limit has been passed, since the kernel waits for nobody.
+ * is let go once the limit has been passed, since the kernel waits for nobody. There is no lock:
+ * the kernel may be within a job when it adds, and a job that waits for a lock would let others
+ * run.
  */
 final class ClientOutput {
   /** How long a client that was said goodbye may take to read the rest and to hang up. */
@@ -20,10 +26,10 @@ final class ClientOutput {
   private final Channel channel;
   private final long limit;
   private final Runnable overflow;
-  private final StringBuilder waiting = new StringBuilder();
-  private long unsent;
-  private boolean scheduled;
-  private boolean closed;
+  private final Queue<String> waiting = new ConcurrentLinkedQueue<>();
+  private final AtomicLong unsent = new AtomicLong();
+  private final AtomicBoolean scheduled = new AtomicBoolean();
+  private final AtomicBoolean closed = new AtomicBoolean();
 
   /**
    * @param limit how many bytes may wait before the next one is too much
@@ -37,56 +43,41 @@ final class ClientOutput {
 
   /** Adds bytes, one for each character; any thread, never waits. */
   void add(String bytes) {
-    boolean tooMuch;
-    synchronized (this) {
-      if (closed) {
-        return;
-      }
-      tooMuch = unsent > limit;
-      if (tooMuch) {
-        closed = true;
-        waiting.setLength(0);
-      } else {
-        waiting.append(bytes);
-        unsent += bytes.length();
-        if (scheduled) {
-          return;
-        }
-        scheduled = true;
-      }
+    if (closed.get()) {
+      return;
     }
-    if (tooMuch) {
-      overflow.run();
-      channel.close();
-    } else {
+    if (unsent.get() > limit) {
+      if (closed.compareAndSet(false, true)) {
+        waiting.clear();
+        overflow.run();
+        channel.close();
+      }
+      return;
+    }
+    unsent.addAndGet(bytes.length());
+    waiting.add(bytes);
+    if (scheduled.compareAndSet(false, true)) {
       channel.eventLoop().execute(this::flush);
     }
   }
 
   /** Sends what is left, then says goodbye; any thread. Nothing can be added any more. */
   void finish() {
-    synchronized (this) {
-      if (closed) {
-        return;
-      }
-      closed = true;
+    if (closed.compareAndSet(false, true)) {
+      channel.eventLoop().execute(this::farewell);
     }
-    channel.eventLoop().execute(this::farewell);
   }
 
   private ChannelFuture flush() {
-    byte[] bytes;
-    synchronized (this) {
-      scheduled = false;
-      bytes = waiting.toString().getBytes(StandardCharsets.ISO_8859_1);
-      waiting.setLength(0);
+    scheduled.set(false);
+    StringBuilder together = new StringBuilder();
+    for (String bytes = waiting.poll(); bytes != null; bytes = waiting.poll()) {
+      together.append(bytes);
     }
-    ChannelFuture sent = channel.writeAndFlush(Unpooled.wrappedBuffer(bytes));
-    return sent.addListener(done -> {
-      synchronized (this) {
-        unsent -= bytes.length;
-      }
-    });
+    byte[] bytes = together.toString().getBytes(StandardCharsets.ISO_8859_1);
+    return channel
+        .writeAndFlush(Unpooled.wrappedBuffer(bytes))
+        .addListener(done -> unsent.addAndGet(-bytes.length));
   }
 
   /**

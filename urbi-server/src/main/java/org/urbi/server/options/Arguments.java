@@ -1,24 +1,29 @@
 package org.urbi.server.options;
 
 import java.util.List;
-import picocli.CommandLine.ParseResult;
 
 /** A command line that was understood. */
 public final class Arguments {
-  private final ParseResult parsed;
+  private final Reading reading;
 
-  Arguments(ParseResult parsed) {
-    this.parsed = parsed;
+  Arguments(Reading reading) {
+    this.reading = reading;
   }
 
   /** Whether the option was given. */
   public boolean has(String option) {
-    return parsed.hasMatchedOption(option);
+    return reading.options().stream().anyMatch(seen -> seen.option().names().contains(option));
   }
 
-  /** The value of the option, or another one if it was not given. */
+  /** The last value of the option, or another one if it was not given. */
   public String value(String option, String otherwise) {
-    return parsed.matchedOptionValue(option, otherwise);
+    String value = otherwise;
+    for (Reading.Occurrence seen : reading.options()) {
+      if (seen.option().names().contains(option)) {
+        value = seen.value();
+      }
+    }
+    return value;
   }
 
   /**
@@ -55,6 +60,6 @@ public final class Arguments {
 
   /** The arguments that are not options, in order. */
   public List<String> rest() {
-    return parsed.matchedPositionalValue(0, List.of());
+    return List.copyOf(reading.rest());
   }
 }

@@ -8,6 +8,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -18,14 +19,18 @@ class ProgramTest {
   private final ByteArrayOutputStream err = new ByteArrayOutputStream();
   private String seen;
 
-  private int run(String... args) {
+  private Program program() {
     return new Program("tool", "A tool.")
         .flag("A flag.", "-q", "--quiet")
         .option("N", "A number.", "-n", "--number")
         .each("E", "An expression.", value -> order.add("e:" + value), "-e", "--expression")
         .each("F", "A file.", value -> order.add("f:" + value), "-f", "--file")
         .arguments("[FILE]", "A file.")
-        .stopAtArgument()
+        .stopAtArgument();
+  }
+
+  private int run(String... args) {
+    return program()
         .run(
             args,
             new PrintStream(out, true, StandardCharsets.UTF_8),
@@ -85,5 +90,61 @@ class ProgramTest {
   void versionNamesTheProgram() {
     assertEquals(0, run("--version"));
     assertTrue(out.toString(StandardCharsets.UTF_8).matches("(?s)tool version \\d+\\.\\d+.*"));
+  }
+
+  /** Whatever the quick reader understands it understands as picocli does. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "",
+        "-q",
+        "--quiet",
+        "-n 3",
+        "-n3",
+        "-n=3",
+        "-n -1",
+        "-n-1",
+        "--number=3",
+        "--number 3",
+        "--number=",
+        "--number=a=b",
+        "-e 1; -f x -e 2;",
+        "-e=1;",
+        "-e --help",
+        "-e -q",
+        "-q -q",
+        "-n 1 -n 2",
+        "x",
+        "x -q",
+        "-q x y z",
+        "-q x -h --bogus -n",
+        "-e1;",
+        "-e"
+      })
+  void bothReadersAgree(String line) {
+    String[] args = line.isEmpty() ? new String[0] : line.split(" ");
+    Program program = program();
+    Optional<Reading> quick = program.readQuickly(args);
+    if (quick.isPresent()) {
+      Reading full = program.readFully(args, System.out).orElseThrow();
+      assertEquals(values(full), values(quick.get()));
+      assertEquals(full.rest(), quick.get().rest());
+    } else {
+      assertTrue(line.equals("-e"), line);
+    }
+  }
+
+  private static List<String> values(Reading reading) {
+    return reading.options().stream()
+        .filter(seen -> seen.option().hasValue())
+        .map(seen -> seen.option().names() + seen.value())
+        .toList();
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {"-qe", "--quiet=yes", "--bogus", "-x", "--", "-h", "--version", "--num=3", "-"})
+  void whatIsNotPlainIsLeftToTheFullReader(String argument) {
+    assertTrue(program().readQuickly(argument).isEmpty());
   }
 }

@@ -1,0 +1,20 @@
+heard = 0
+
+
+def handler():
+    global heard
+    heard += 1
+
+
+ring = [handler] * 100
+
+
+def bench():
+    global heard
+    heard = 0
+    i = 0
+    while i < 100:
+        for handler in ring:
+            handler()
+        i += 1
+    return heard

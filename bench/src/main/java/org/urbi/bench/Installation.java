@@ -1,0 +1,72 @@
+package org.urbi.bench;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** What this machine has to run programs with. */
+final class Installation {
+  private final Path root = Path.of(System.getProperty("bench.root", ".")).toAbsolutePath();
+  private final List<String> flags =
+      List.of(System.getProperty("bench.jvm.flags", "").strip().split("\\s+"));
+  private final Map<Language, String> interpreters = new EnumMap<>(Language.class);
+
+  Installation() {
+    for (Language language : List.of(Language.PYTHON, Language.LUA)) {
+      language.interpreter().ifPresent(path -> interpreters.put(language, path));
+    }
+  }
+
+  /** Where the programs are. */
+  Path programs() {
+    return root.resolve("bench/programs");
+  }
+
+  /** Where the results go. */
+  Path results() {
+    return root.resolve("bench/results");
+  }
+
+  /** The program {@code ./urbi}. */
+  String urbi() {
+    return root.resolve("urbi").toString();
+  }
+
+  /** The program {@code java} which runs this. */
+  static String java() {
+    return Path.of(System.getProperty("java.home"), "bin", "java").toString();
+  }
+
+  /** The interpreter of a language, if there is one. */
+  Optional<String> interpreter(Language language) {
+    return Optional.ofNullable(interpreters.get(language));
+  }
+
+  /** How to run a class of this module on a machine with the flags of {@code ./urbi}. */
+  List<String> javaCommand(Class<?> main, String... arguments) {
+    List<String> command = new ArrayList<>(List.of(java()));
+    flags.stream().filter(flag -> !flag.isEmpty()).forEach(command::add);
+    command.addAll(List.of("-cp", System.getProperty("java.class.path"), main.getName()));
+    command.addAll(List.of(arguments));
+    return command;
+  }
+
+  /** What was found, one line each. */
+  List<String> description() {
+    List<String> lines = new ArrayList<>();
+    lines.add("Java " + Runtime.version() + ", " + System.getProperty("os.name") + ", "
+        + Runtime.getRuntime().availableProcessors() + " processors");
+    lines.add(
+        interpreter(Language.PYTHON)
+            .map(path -> Language.version(path, "--version"))
+            .orElse("CPython 3 is not installed: its column is left out"));
+    lines.add(
+        interpreter(Language.LUA)
+            .map(path -> Language.version(path, "-v"))
+            .orElse("Lua 5.4 is not installed: its column is left out"));
+    return lines;
+  }
+}

@@ -1,0 +1,39 @@
+package org.urbi.bench;
+
+import java.util.List;
+import java.util.Map;
+
+/**
+ * A line of the table.
+ *
+ * @param name what {@code --only} calls it
+ * @param title what was measured
+ * @param figures the medians, in the unit
+ * @param samples what they are the medians of; may be empty
+ * @param note why something is missing, or empty
+ */
+record Result(
+    String name,
+    String title,
+    Unit unit,
+    Map<Language, Double> figures,
+    Map<Language, List<Double>> samples,
+    Target target,
+    String note) {
+
+  /** How many times what another language needs, or null. */
+  Double ratioTo(Language other) {
+    Double own = figures.get(Language.URBISCRIPT);
+    Double its = figures.get(other);
+    return own == null || its == null || its == 0 ? null : own / its;
+  }
+
+  /** What has become of the target. */
+  String verdict() {
+    if (target instanceof Target.None) {
+      return "";
+    }
+    Boolean met = target.met(figures);
+    return met == null ? "unknown" : met ? "met" : "MISSED";
+  }
+}

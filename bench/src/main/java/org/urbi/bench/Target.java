@@ -1,0 +1,54 @@
+package org.urbi.bench;
+
+import java.util.Map;
+
+/** What a row of the table has to reach. */
+sealed interface Target {
+  /** Whether the figures reach it; null when that cannot be told on this machine. */
+  Boolean met(Map<Language, Double> figures);
+
+  /** How the table names it. */
+  String text();
+
+  /** At most so many times what another language needs. */
+  record Ratio(Language to, double most) implements Target {
+    @Override
+    public Boolean met(Map<Language, Double> figures) {
+      Double other = figures.get(to);
+      Double own = figures.get(Language.URBISCRIPT);
+      return other == null || own == null ? null : own <= most * other;
+    }
+
+    @Override
+    public String text() {
+      return "<= %.1f x %s".formatted(most, to.label());
+    }
+  }
+
+  /** At most so much, in the unit of the row. */
+  record Absolute(double most, Unit unit) implements Target {
+    @Override
+    public Boolean met(Map<Language, Double> figures) {
+      Double own = figures.get(Language.URBISCRIPT);
+      return own == null ? null : own <= most;
+    }
+
+    @Override
+    public String text() {
+      return "<= " + unit.text(most);
+    }
+  }
+
+  /** Nothing: the row is there to be looked at. */
+  record None() implements Target {
+    @Override
+    public Boolean met(Map<Language, Double> figures) {
+      return null;
+    }
+
+    @Override
+    public String text() {
+      return "";
+    }
+  }
+}

@@ -1,0 +1,2 @@
+/** Small benchmarks for JMH: what one thing costs. */
+package org.urbi.bench.jmh;

@@ -1,0 +1,180 @@
+package org.urbi.bench.soak;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.TimeUnit;
+import org.urbi.server.options.Arguments;
+import org.urbi.server.options.Failure;
+import org.urbi.server.options.Program;
+
+/**
+ * Lets many clients come to a server, type, flood, make mistakes and vanish, and looks whether the
+ * server's heap and threads are afterwards where they were. What the clients do depends on the seed
+ * alone, how it interleaves does not.
+ */
+public final class Soak {
+  private static final int WARM_UP_SECONDS = 30;
+  private static final int SETTLE_SECONDS = 8;
+  private static final double HEAP_GROWTH = 0.05;
+  private static final long HEAP_SLACK = 3_000_000;
+
+  private static final int SHOWN_CLASSES = 25;
+
+  private final int clients;
+  private final long seed;
+  private final SoakClient.Tally tally = new SoakClient.Tally();
+
+  private Soak(int clients, long seed) {
+    this.clients = clients;
+    this.seed = seed;
+  }
+
+  public static void main(String[] args) {
+    Program program =
+        new Program("bench/soak", "Runs a server with clients that come, misbehave and vanish.")
+            .option("N", "For how many minutes (default: 10, at most 600).", "--minutes")
+            .option("S", "Where the random numbers begin (default: 1).", "--seed")
+            .option("N", "How many clients at a time (default: 50).", "--clients");
+    System.exit(program.run(args, System.out, System.err, Soak::start));
+  }
+
+  private static int start(Arguments arguments) {
+    int minutes = arguments.number("--minutes", 10, 1, 600);
+    Soak soak =
+        new Soak(
+            arguments.number("--clients", 50, 1, 1_000),
+            arguments.number("--seed", 1, 0, Integer.MAX_VALUE));
+    try {
+      return soak.run(Path.of(System.getProperty("bench.root", ".")), minutes) ? 0 : 1;
+    } catch (IOException e) {
+      throw Failure.of(String.valueOf(e.getMessage()));
+    }
+  }
+
+  private boolean run(Path root, int minutes) throws IOException {
+    try (ServerProcess server = new ServerProcess(root)) {
+      say("fresh       " + server.sample());
+      // Classes are loaded and buffers grow once: that is no leak.
+      visit(server, WARM_UP_SECONDS, 0);
+      ServerProcess.Sample before = server.sample();
+      Map<String, Long> classes = server.classes();
+      say("warm        " + before);
+      visit(server, minutes * 60, minutes);
+      ServerProcess.Sample after = server.sample();
+      say("afterwards  " + after);
+      say(tally.toString());
+      boolean met = judge(before, after, server);
+      if (!met) {
+        showGrowth(classes, server.classes());
+      }
+      return met;
+    }
+  }
+
+  /** Lets the clients come for some time, and waits until the last has gone. */
+  private void visit(ServerProcess server, int seconds, int round) throws IOException {
+    List<SoakClient> all = new ArrayList<>();
+    List<Thread> threads = new ArrayList<>();
+    for (int i = 0; i < clients; i++) {
+      SoakClient client = new SoakClient(server.port(), seed * 1_000_003 + round + i * 31L, tally);
+      all.add(client);
+      threads.add(Thread.ofVirtual().start(client));
+    }
+    long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(seconds);
+    long next = System.nanoTime() + TimeUnit.MINUTES.toNanos(1);
+    int minute = 0;
+    while (System.nanoTime() < end && server.isAlive()) {
+      pause(200);
+      if (System.nanoTime() > next && System.nanoTime() < end) {
+        next += TimeUnit.MINUTES.toNanos(1);
+        say("%-11s %s   answer in %d ms   %s"
+            .formatted(++minute + " min", server.sample(), answerTime(server), tally));
+      }
+    }
+    all.forEach(SoakClient::leave);
+    for (Thread thread : threads) {
+      try {
+        thread.join();
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      }
+    }
+    pause(SETTLE_SECONDS * 1000L);
+  }
+
+  private static long answerTime(ServerProcess server) throws IOException {
+    try (Visit visit = new Visit(server.port())) {
+      long start = System.nanoTime();
+      visit.check();
+      return (System.nanoTime() - start) / 1_000_000;
+    }
+  }
+
+  private boolean judge(
+      ServerProcess.Sample before, ServerProcess.Sample after, ServerProcess server)
+      throws IOException {
+    long growth = after.heap() - before.heap();
+    double allowed = Math.max(HEAP_SLACK, before.heap() * HEAP_GROWTH);
+    boolean heap = growth <= allowed;
+    boolean threads = before.threads() == after.threads();
+    boolean answers = server.isAlive() && answerTime(server) >= 0;
+    say(
+        "heap        %+.2f MB, allowed %+.2f MB: %s"
+            .formatted(growth / 1e6, allowed / 1e6, verdict(heap)));
+    say(
+        "threads     %d, before %d: %s"
+            .formatted(after.threads(), before.threads(), verdict(threads)));
+    if (!threads) {
+      say("            " + difference(before.threadNames(), after.threadNames()));
+    }
+    say("answers     " + verdict(answers));
+    boolean failures = tally.failures.get() == 0;
+    say("failures    " + tally.failures.get() + ": " + verdict(failures));
+    String log = Files.readString(server.log());
+    if (!log.isBlank()) {
+      List<String> lines = log.lines().toList();
+      say("the server's log has %d lines, the last: %s".formatted(lines.size(), lines.getLast()));
+    }
+    return heap && threads && answers && failures;
+  }
+
+  private static void showGrowth(Map<String, Long> before, Map<String, Long> after) {
+    Map<String, Long> growth = new TreeMap<>(after);
+    growth.replaceAll((name, bytes) -> bytes - before.getOrDefault(name, 0L));
+    growth.entrySet().stream()
+        .sorted(Map.Entry.<String, Long>comparingByValue().reversed())
+        .limit(SHOWN_CLASSES)
+        .forEach(
+            entry -> say("%+10.1f kB  %s".formatted(entry.getValue() / 1e3, entry.getKey())));
+  }
+
+  private static String verdict(boolean met) {
+    return met ? "met" : "MISSED";
+  }
+
+  private static Map<String, Integer> difference(
+      Map<String, Integer> before, Map<String, Integer> after) {
+    Map<String, Integer> difference = new TreeMap<>(after);
+    before.forEach((name, count) -> difference.merge(name, -count, Integer::sum));
+    difference.values().removeIf(count -> count == 0);
+    return difference;
+  }
+
+  private static void say(String line) {
+    System.out.println(line);
+  }
+
+  /** Waits so many milliseconds. */
+  static void pause(long milliseconds) {
+    try {
+      Thread.sleep(milliseconds);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

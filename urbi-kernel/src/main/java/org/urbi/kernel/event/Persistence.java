@@ -1,0 +1,83 @@
+package org.urbi.kernel.event;
+
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.TagScope;
+import org.urbi.kernel.job.Timers;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.SlotUpdate;
+import org.urbi.kernel.node.Truth;
+import org.urbi.kernel.object.UrbiObject;
+
+/** Whether an expression has been true for some time (manual, "Control", {@code persist}). */
+public final class Persistence implements Watch.Listener, TagScope.Attachment {
+  private final Frame home;
+  private final TagScope scope;
+  private final UrbiObject shown;
+  private final long hold;
+  private Watch watch;
+  private Timers.Timer timer;
+
+  private Persistence(Frame home, long hold, UrbiObject shown) {
+    this.home = home;
+    this.scope = home.job().scope();
+    this.hold = hold;
+    this.shown = shown;
+  }
+
+  /**
+   * Watches an expression under the tags of the code around.
+   *
+   * @param hold for how many nanoseconds it is to be true
+   * @param shown the object whose slot {@code val} says so
+   */
+  public static void watch(Frame frame, Node expression, long hold, UrbiObject shown) {
+    Frame home = frame.fork(frame.job(), false);
+    var persistence = new Persistence(home, hold, shown);
+    persistence.watch = new Watch(home, expression, persistence);
+    persistence.scope.add(persistence);
+    persistence.evaluated(persistence.watch.evaluate(frame.job()), frame.job());
+  }
+
+  @Override
+  public void evaluated(UrbiObject value, Job evaluator) {
+    if (!Truth.of(home.in(evaluator), value)) {
+      cancel();
+      set(evaluator, false);
+    } else if (hold == 0) {
+      set(evaluator, true);
+    } else if (timer == null) {
+      var scheduler = evaluator.scheduler();
+      timer = scheduler.timers().add(scheduler.now() + hold, this::timeIsUp);
+    }
+  }
+
+  private void timeIsUp() {
+    home.job()
+        .scheduler()
+        .startDetached(home.job().lobby(), scope, "persist", job -> set(job, true));
+  }
+
+  private void set(Job job, boolean holds) {
+    Frame frame = home.in(job);
+    SlotUpdate.assign(
+        frame,
+        shown,
+        shown.world().symbol("val"),
+        frame.interpreter().values().bool(holds));
+  }
+
+  private void cancel() {
+    if (timer != null) {
+      timer.cancel();
+      timer = null;
+    }
+  }
+
+  @Override
+  public void stopped() {
+    cancel();
+    watch.close();
+    scope.remove(this);
+  }
+}

@@ -1,0 +1,69 @@
+package org.urbi.kernel.library;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.UrbiTypePart;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.CycleStatistics;
+import org.urbi.kernel.node.DictionaryKey;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiDictionary;
+import org.urbi.kernel.object.UrbiObject;
+
+/** What the server does, and what its code is doing (manual, "System"). */
+@UrbiTypePart("System")
+final class SystemJobs {
+  private SystemJobs() {}
+
+  @Builtin(doc = "Shows the calls that are going on, on the channel backtrace.")
+  static void backtrace(Frame frame, UrbiObject self) {
+    for (UrbiException.Call call : frame.backtrace()) {
+      if (call.name() != null) {
+        String place = call.span() == null ? "" : " (" + call.span().location() + ")";
+        LobbyType.of(frame).output().send("backtrace", call.name() + place);
+      }
+    }
+  }
+
+  @Builtin(doc = "The lobbies that are alive, the prototype of lobbies included.")
+  static List<UrbiObject> lobbies(Frame frame, UrbiObject self) {
+    return LobbyType.instances(frame, self.world().prototype("Lobby"));
+  }
+
+  @Builtin(doc = "The lobby for which this code runs.")
+  static UrbiObject lobby(Frame frame, UrbiObject self) {
+    return LobbyType.of(frame);
+  }
+
+  @Builtin(doc = "How many cycles there were since resetStats, and how many seconds they took.")
+  static UrbiObject stats(Frame frame, UrbiObject self) {
+    CycleStatistics statistics = frame.job().scheduler().statistics();
+    Map<UrbiDictionary.Key, UrbiObject> entries = new LinkedHashMap<>();
+    put(frame, entries, "cycles", statistics.count());
+    put(frame, entries, "cyclesMin", statistics.minimum());
+    put(frame, entries, "cyclesMean", statistics.mean());
+    put(frame, entries, "cyclesMax", statistics.maximum());
+    put(frame, entries, "cyclesVariance", statistics.variance());
+    put(frame, entries, "cyclesStdDev", Math.sqrt(statistics.variance()));
+    return frame.interpreter().values().dictionary(entries);
+  }
+
+  private static void put(
+      Frame frame, Map<UrbiDictionary.Key, UrbiObject> entries, String name, double value) {
+    entries.put(
+        DictionaryKey.of(frame, frame.interpreter().values().string(name)),
+        frame.interpreter().values().number(value));
+  }
+
+  @Builtin(doc = "Begins to count the cycles anew.")
+  static void resetStats(Frame frame, UrbiObject self) {
+    frame.job().scheduler().statistics().reset();
+  }
+
+  @Builtin(doc = "Lets slots be defined again until the end of the scope.")
+  static void redefinitionMode(Frame frame, UrbiObject self) {
+    frame.job().redefinitions++;
+  }
+}

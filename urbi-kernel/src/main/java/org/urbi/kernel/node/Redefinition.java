@@ -1,0 +1,27 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Span;
+
+/**
+ * A scope whose code asks for {@code redefinitionMode}, which ends with the scope (manual,
+ * "System").
+ */
+public final class Redefinition extends Node {
+  private final Node body;
+
+  public Redefinition(Span span, Node body) {
+    super(span);
+    this.body = body;
+  }
+
+  @Override
+  public UrbiObject execute(Frame frame) {
+    int before = frame.job.redefinitions;
+    try {
+      return body.execute(frame);
+    } finally {
+      frame.job.redefinitions = before;
+    }
+  }
+}

@@ -1,0 +1,113 @@
+package org.urbi.kernel.outside;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.urbi.kernel.job.Job;
+
+/** A running program: its pipes, and its end. On the kernel thread. */
+public final class ChildProcess {
+  /** Shells and the JDK add this to the number of the signal that ended a program. */
+  private static final int SIGNALED = 128;
+
+  private static final int LAST_SIGNAL = 64;
+
+  private final Waiters waiters = new Waiters();
+  private final Process process;
+  private final PipeSink in;
+  private final PipeSource out;
+  private final PipeSource err;
+  private Integer status;
+
+  private ChildProcess(Outside outside, Process process) {
+    this.process = process;
+    in = new PipeSink(outside, process.getOutputStream(), false);
+    out = new PipeSource(outside, process.getInputStream());
+    err = new PipeSource(outside, process.getErrorStream());
+    outside.scheduler().pace().begin();
+    process.onExit().thenRun(() -> outside.post(() -> {
+      outside.scheduler().pace().end();
+      status = process.exitValue();
+      waiters.wake();
+    }));
+  }
+
+  /**
+   * Starts a program while the job waits.
+   *
+   * @throws IOException when there is no such program, or it cannot be run
+   */
+  public static ChildProcess start(
+      Outside outside, Job job, List<String> command, Path directory, Map<String, String> env)
+      throws IOException {
+    return new ChildProcess(
+        outside, outside.await(job, () -> builder(command, directory, env).start()));
+  }
+
+  /**
+   * Runs a program which has the input and the output of this one, and returns its status.
+   *
+   * @throws IOException when there is no such program, or it cannot be run
+   */
+  public static int run(
+      Outside outside, Job job, List<String> command, Path directory, Map<String, String> env)
+      throws IOException {
+    return outside.await(job, () -> builder(command, directory, env).inheritIO().start().waitFor());
+  }
+
+  private static ProcessBuilder builder(
+      List<String> command, Path directory, Map<String, String> env) {
+    ProcessBuilder builder = new ProcessBuilder(command);
+    File folder = directory.toFile();
+    if (!folder.equals(new File("").getAbsoluteFile())) {
+      builder.directory(folder);
+    }
+    builder.environment().clear();
+    builder.environment().putAll(env);
+    return builder;
+  }
+
+  public PipeSink in() {
+    return in;
+  }
+
+  public PipeSource out() {
+    return out;
+  }
+
+  public PipeSource err() {
+    return err;
+  }
+
+  public boolean isRunning() {
+    return status == null;
+  }
+
+  /** The job waits until the program has ended. */
+  public void join(Job job) {
+    waiters.await(job, () -> status != null);
+  }
+
+  /** Ends the program; it is not asked. */
+  public void kill() {
+    process.destroyForcibly();
+  }
+
+  /** The status with which it ended; 0 for one that was ended by a signal. */
+  public int exitStatus() {
+    return signal() == 0 ? status : 0;
+  }
+
+  /** The signal by which it was ended, or 0. */
+  public int signal() {
+    return signal(status);
+  }
+
+  /** The signal that a status of the JDK stands for, or 0. */
+  public static int signal(int status) {
+    int signal = status - SIGNALED;
+    return signal > 0 && signal <= LAST_SIGNAL ? signal : 0;
+  }
+}

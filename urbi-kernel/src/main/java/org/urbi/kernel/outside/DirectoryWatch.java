@@ -1,0 +1,157 @@
+package org.urbi.kernel.outside;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.file.ClosedWatchServiceException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.FileSystems;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardWatchEventKinds;
+import java.nio.file.WatchEvent;
+import java.nio.file.WatchKey;
+import java.nio.file.WatchService;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+
+/** Notices the files that are created in directories and deleted from them. */
+public final class DirectoryWatch implements Closeable {
+  /** Told of what happens in a directory, on the kernel thread. */
+  public interface Listener {
+    void created(String name);
+
+    void deleted(String name);
+  }
+
+  private static final class Watched {
+    final Path directory;
+    final List<Listener> listeners = new ArrayList<>();
+    final Set<String> known;
+
+    Watched(Path directory) throws IOException {
+      this.directory = directory;
+      this.known = names(directory);
+    }
+  }
+
+  private final Outside outside;
+  private final WatchService service;
+  private final Map<WatchKey, Watched> watched = new LinkedHashMap<>();
+
+  DirectoryWatch(Outside outside) throws IOException {
+    this.outside = outside;
+    service = FileSystems.getDefault().newWatchService();
+    outside.opened(this);
+    outside.start(this::listen);
+  }
+
+  /**
+   * Tells of what happens in a directory from now on; from any thread but that of the kernel.
+   *
+   * @throws IOException when there is no such directory, or the machine watches no more of them
+   */
+  public void watch(Path directory, Listener listener) throws IOException {
+    WatchKey key =
+        directory.register(
+            service, StandardWatchEventKinds.ENTRY_CREATE, StandardWatchEventKinds.ENTRY_DELETE);
+    synchronized (watched) {
+      Watched known = watched.get(key);
+      if (known == null) {
+        known = new Watched(directory);
+        watched.put(key, known);
+      }
+      known.listeners.add(listener);
+    }
+  }
+
+  private void listen() {
+    try {
+      while (true) {
+        WatchKey key = service.take();
+        List<WatchEvent<?>> events = key.pollEvents();
+        tell(key, events);
+        if (!key.reset()) {
+          synchronized (watched) {
+            watched.remove(key);
+          }
+        }
+      }
+    } catch (ClosedWatchServiceException e) {
+      // The kernel has ended.
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private void tell(WatchKey key, List<WatchEvent<?>> events) {
+    synchronized (watched) {
+      Watched at = watched.get(key);
+      if (at == null) {
+        return;
+      }
+      for (WatchEvent<?> event : events) {
+        if (event.kind() == StandardWatchEventKinds.OVERFLOW) {
+          compare(at);
+        } else {
+          String name = event.context().toString();
+          boolean created = event.kind() == StandardWatchEventKinds.ENTRY_CREATE;
+          tell(at, name, created);
+        }
+      }
+    }
+  }
+
+  private static Set<String> names(Path directory) throws IOException {
+    Set<String> names = new TreeSet<>();
+    try (DirectoryStream<Path> files = Files.newDirectoryStream(directory)) {
+      files.forEach(file -> names.add(file.getFileName().toString()));
+    }
+    return names;
+  }
+
+  /** Too much has happened to be told of one by one: looks what has changed. */
+  private void compare(Watched at) {
+    Set<String> now;
+    try {
+      now = names(at.directory);
+    } catch (IOException e) {
+      now = Set.of();
+    }
+    for (String name : new TreeSet<>(at.known)) {
+      if (!now.contains(name)) {
+        tell(at, name, false);
+      }
+    }
+    for (String name : now) {
+      if (!at.known.contains(name)) {
+        tell(at, name, true);
+      }
+    }
+  }
+
+  private void tell(Watched at, String name, boolean created) {
+    if (created) {
+      at.known.add(name);
+    } else {
+      at.known.remove(name);
+    }
+    for (Listener listener : at.listeners) {
+      outside.post(() -> {
+        if (created) {
+          listener.created(name);
+        } else {
+          listener.deleted(name);
+        }
+      });
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    service.close();
+  }
+}

@@ -1,0 +1,181 @@
+package org.urbi.kernel.outside;
+
+import java.io.BufferedReader;
+import java.io.Closeable;
+import java.io.FileInputStream;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.SocketAddress;
+import java.net.UnknownHostException;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.channels.SocketChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.function.Consumer;
+import org.urbi.kernel.job.Job;
+
+/** Makes connections, and listens for them. */
+public final class Network {
+  private static final int MAXIMUM_PORT = 65_535;
+  private static final Path SERVICES = Path.of("/etc/services");
+
+  private Network() {}
+
+  /** A connection with its two ends. */
+  public record Connected(Link link, InetSocketAddress local, InetSocketAddress remote) {}
+
+  /** A place where connections come in, until it is closed. */
+  public record Listening(InetSocketAddress local, Closeable place) {}
+
+  /**
+   * Connects to a host while the job waits.
+   *
+   * @param port a number, or the name of a service
+   * @throws IOException when it cannot be reached; the message says why
+   */
+  public static Connected connect(Outside outside, Job job, String host, String port)
+      throws IOException {
+    SocketChannel channel = outside.await(job, () -> SocketChannel.open(address(host, port)));
+    return connected(outside, channel);
+  }
+
+  private static Connected connected(Outside outside, SocketChannel channel) throws IOException {
+    channel.socket().setTcpNoDelay(true);
+    Link link =
+        new Link(
+            outside,
+            channel.socket().getInputStream(),
+            channel.socket().getOutputStream(),
+            channel,
+            true);
+    return new Connected(
+        link, internet(channel.getLocalAddress()), internet(channel.getRemoteAddress()));
+  }
+
+  private static InetSocketAddress internet(SocketAddress address) {
+    return (InetSocketAddress) address;
+  }
+
+  /**
+   * Listens for connections.
+   *
+   * @param port a number, 0 for any that is free, or the name of a service
+   * @param listener told of each connection, on the kernel thread
+   * @throws IOException when it is not possible; the message says why
+   */
+  public static Listening listen(
+      Outside outside, Job job, String host, String port, Consumer<Connected> listener)
+      throws IOException {
+    ServerSocketChannel place =
+        outside.await(job, () -> {
+          ServerSocketChannel made = ServerSocketChannel.open();
+          try {
+            return made.bind(address(host, port));
+          } catch (IOException | RuntimeException e) {
+            made.close();
+            throw e;
+          }
+        });
+    outside.opened(place);
+    outside.scheduler().pace().begin();
+    outside.startVirtual(() -> accept(outside, place, listener));
+    return new Listening(internet(place.getLocalAddress()), place);
+  }
+
+  private static void accept(
+      Outside outside, ServerSocketChannel place, Consumer<Connected> listener) {
+    try {
+      while (place.isOpen()) {
+        SocketChannel channel = place.accept();
+        outside.post(() -> {
+          try {
+            listener.accept(connected(outside, channel));
+          } catch (IOException e) {
+            // It was closed before it could be used.
+            Outside.closeQuietly(channel);
+          }
+        });
+      }
+    } catch (IOException e) {
+      // Nobody listens any more.
+    } finally {
+      outside.closed(place);
+      outside.post(() -> outside.scheduler().pace().end());
+    }
+  }
+
+  private static InetSocketAddress address(String host, String port) throws IOException {
+    InetAddress address;
+    try {
+      address = InetAddress.getByName(host);
+    } catch (UnknownHostException e) {
+      throw new IOException("unknown host: " + host, e);
+    }
+    return new InetSocketAddress(address, port(port));
+  }
+
+  private static int port(String name) throws IOException {
+    if (!name.isEmpty() && name.chars().allMatch(Character::isDigit)) {
+      int port = name.length() > 5 ? MAXIMUM_PORT + 1 : Integer.parseInt(name);
+      if (port > MAXIMUM_PORT) {
+        throw new IOException("invalid port: " + name);
+      }
+      return port;
+    }
+    return service(name);
+  }
+
+  /** The port of a service that the machine knows by name. */
+  private static int service(String name) throws IOException {
+    try (BufferedReader lines = Files.newBufferedReader(SERVICES, StandardCharsets.ISO_8859_1)) {
+      for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+        String[] words = line.replaceFirst("#.*", "").trim().split("\\s+");
+        for (int i = 0; i < words.length && words.length > 1; i++) {
+          if (i != 1 && words[i].equals(name) && words[1].endsWith("/tcp")) {
+            return Integer.parseInt(words[1].substring(0, words[1].indexOf('/')));
+          }
+        }
+      }
+    } catch (NoSuchFileException e) {
+      // Then there are no names.
+    }
+    throw new IOException("service not found: " + name);
+  }
+
+  /**
+   * Opens a serial line while the job waits.
+   *
+   * @throws IOException when it cannot be opened or has no such speed; the message says why
+   */
+  public static Link serial(Outside outside, Job job, Path device, int baudRate)
+      throws IOException {
+    return outside.await(job, () -> {
+      // The line has to be raw before the first byte comes.
+      Process stty =
+          new ProcessBuilder(
+                  "stty", "-F", device.toString(), "raw", "-echo", Integer.toString(baudRate))
+              .redirectErrorStream(true)
+              .start();
+      stty.getOutputStream().close();
+      String message = new String(stty.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+      try {
+        if (stty.waitFor() != 0) {
+          throw new IOException(message.strip());
+        }
+      } catch (InterruptedException e) {
+        throw new IOException(e);
+      }
+      FileInputStream in = new FileInputStream(device.toFile());
+      FileOutputStream out = new FileOutputStream(device.toFile(), true);
+      Closeable both = () -> {
+        out.close();
+        in.close();
+      };
+      return new Link(outside, in, out, both, false);
+    });
+  }
+}

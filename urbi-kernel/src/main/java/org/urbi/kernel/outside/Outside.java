@@ -1,0 +1,153 @@
+package org.urbi.kernel.outside;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Set;
+import java.util.WeakHashMap;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Scheduler;
+
+/**
+ * What one kernel has to do with the machine around it: threads for what takes time, so that the
+ * kernel thread never waits, and everything that is to be closed when the kernel ends.
+ */
+public final class Outside implements Closeable {
+  private final Scheduler scheduler;
+  private final ExecutorService threads =
+      Executors.newCachedThreadPool(Thread.ofPlatform().daemon().name("urbi-outside-", 0).factory());
+  private final Set<Closeable> open = Collections.newSetFromMap(new WeakHashMap<>());
+  private DirectoryWatch directories;
+  private boolean closed;
+
+  public Outside(Scheduler scheduler) {
+    this.scheduler = scheduler;
+  }
+
+  public Scheduler scheduler() {
+    return scheduler;
+  }
+
+  /** Has something done on the kernel thread. */
+  public void post(Runnable message) {
+    scheduler.inbox().post(message);
+  }
+
+  /** Runs something that may wait for long inside the operating system. */
+  public void start(Runnable task) {
+    try {
+      threads.execute(task);
+    } catch (RejectedExecutionException e) {
+      // The kernel has ended.
+    }
+  }
+
+  /**
+   * Runs something that waits for the network. A virtual thread that is started by a job would run
+   * on the kernel thread; hence the detour.
+   */
+  public void startVirtual(Runnable task) {
+    start(() -> Thread.ofVirtual().start(task));
+  }
+
+  /** Notices the files that come and go in directories. */
+  public synchronized DirectoryWatch directories() throws IOException {
+    if (directories == null) {
+      directories = new DirectoryWatch(this);
+    }
+    return directories;
+  }
+
+  /** What one job waits for. */
+  private static final class Wait<T> {
+    T value;
+    Exception failure;
+    boolean done;
+    boolean abandoned;
+  }
+
+  /**
+   * Has work done on a thread of its own while the job waits, and the others go on.
+   *
+   * @throws IOException as the work did
+   */
+  public <T> T await(Job job, Callable<T> work) throws IOException {
+    Wait<T> wait = new Wait<>();
+    scheduler.pace().begin();
+    start(() -> {
+      try {
+        wait.value = work.call();
+      } catch (Exception e) {
+        wait.failure = e;
+      }
+      post(() -> {
+        scheduler.pace().end();
+        wait.done = true;
+        if (!wait.abandoned) {
+          job.wake();
+        }
+      });
+    });
+    try {
+      while (!wait.done) {
+        job.waitForWake();
+      }
+    } finally {
+      wait.abandoned = true;
+    }
+    return switch (wait.failure) {
+      case null -> wait.value;
+      case IOException e -> throw e;
+      case RuntimeException e -> throw e;
+      default -> throw new IOException(wait.failure);
+    };
+  }
+
+  // ------------------------------------------------------------------ the end
+
+  /** Something is open: it is closed with the kernel, unless nobody knows it any more. */
+  public void opened(Closeable resource) {
+    synchronized (open) {
+      if (!closed) {
+        open.add(resource);
+        return;
+      }
+    }
+    closeQuietly(resource);
+  }
+
+  /** It is closed. */
+  public void closed(Closeable resource) {
+    synchronized (open) {
+      open.remove(resource);
+    }
+  }
+
+  /** Closes everything; the kernel has ended. */
+  @Override
+  public void close() {
+    List<Closeable> left;
+    synchronized (open) {
+      closed = true;
+      left = new ArrayList<>(open);
+      open.clear();
+    }
+    left.forEach(Outside::closeQuietly);
+    threads.shutdown();
+  }
+
+  /** Closes what nobody can be told of any more. */
+  static void closeQuietly(Closeable resource) {
+    try {
+      resource.close();
+    } catch (IOException e) {
+      // There is nobody to tell.
+    }
+  }
+}

@@ -1,0 +1,105 @@
+package org.urbi.kernel.outside;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.ArrayDeque;
+import java.util.Arrays;
+import org.urbi.kernel.job.Job;
+
+/**
+ * The bytes of a pipe, or of anything else that lets its readers wait. A thread reads ahead, so far
+ * as memory allows; so the program at the other end of a pipe can go on, and end.
+ */
+public final class PipeSource implements ByteSource {
+  private static final int CHUNK = 1 << 13;
+
+  /** How much is read before somebody wants it. */
+  private static final int AHEAD = 1 << 24;
+
+  private final Outside outside;
+  private final InputStream in;
+  private final Waiters waiters = new Waiters();
+  private final ArrayDeque<byte[]> chunks = new ArrayDeque<>();
+  private int position;
+  private boolean ended;
+  private IOException failure;
+
+  /** How much is waiting; guarded by this object, which tells the thread to go on. */
+  private int ahead;
+
+  private boolean closed;
+
+  /** Reads from now on. */
+  public PipeSource(Outside outside, InputStream in) {
+    this.outside = outside;
+    this.in = in;
+    outside.start(this::readAhead);
+  }
+
+  private void readAhead() {
+    try (in) {
+      byte[] buffer = new byte[CHUNK];
+      int read;
+      while (hasRoom() && (read = in.read(buffer)) >= 0) {
+        byte[] chunk = Arrays.copyOf(buffer, read);
+        synchronized (this) {
+          ahead += read;
+        }
+        outside.post(() -> {
+          chunks.add(chunk);
+          waiters.wake();
+        });
+      }
+      outside.post(() -> end(null));
+    } catch (IOException e) {
+      outside.post(() -> end(e));
+    }
+  }
+
+  private synchronized boolean hasRoom() {
+    try {
+      while (ahead >= AHEAD && !closed) {
+        wait();
+      }
+    } catch (InterruptedException e) {
+      return false;
+    }
+    return !closed;
+  }
+
+  private void end(IOException because) {
+    ended = true;
+    failure = because;
+    waiters.wake();
+  }
+
+  @Override
+  public int read(Job job) throws IOException {
+    waiters.await(job, () -> !chunks.isEmpty() || ended);
+    byte[] first = chunks.peek();
+    if (first == null) {
+      if (failure != null) {
+        throw failure;
+      }
+      return -1;
+    }
+    int next = first[position++] & 0xff;
+    if (position == first.length) {
+      chunks.poll();
+      position = 0;
+      synchronized (this) {
+        ahead -= first.length;
+        notifyAll();
+      }
+    }
+    return next;
+  }
+
+  @Override
+  public synchronized void close() {
+    closed = true;
+    notifyAll();
+    // What the thread waits for may never come: somebody else closes the pipe under it.
+    outside.start(() -> Outside.closeQuietly(in));
+  }
+}

@@ -1,0 +1,17 @@
+package org.urbi.server.options;
+
+import java.util.List;
+import java.util.function.Consumer;
+
+/**
+ * An option of a program.
+ *
+ * @param names with their dashes, at least one
+ * @param label what stands for its value in the help, or null if it has none
+ * @param taker takes each value in the order of the command line
+ */
+record Option(List<String> names, String label, String description, Consumer<String> taker) {
+  boolean hasValue() {
+    return label != null;
+  }
+}

@@ -1,0 +1,18 @@
+package org.urbi.server.options;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** What a command line says: options in their order, then the other arguments. */
+record Reading(List<Occurrence> options, List<String> rest) {
+  /**
+   * An option on the command line.
+   *
+   * @param value null if it has none
+   */
+  record Occurrence(Option option, String value) {}
+
+  Reading() {
+    this(new ArrayList<>(), new ArrayList<>());
+  }
+}
