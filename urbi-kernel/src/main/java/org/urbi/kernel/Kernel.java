@@ -25,6 +25,7 @@ import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.library.Environment;
 import org.urbi.kernel.library.KernelControl;
 import org.urbi.kernel.library.Library;
+import org.urbi.kernel.library.LogLevel;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CorePrototypes;
@@ -54,6 +55,8 @@ public final class Kernel implements AutoCloseable, KernelControl {
   private final Set<KernelConnection> connections = new LinkedHashSet<>();
   private final List<Runnable> onTermination = new CopyOnWriteArrayList<>();
   private final CompletableFuture<Integer> termination = new CompletableFuture<>();
+  private final LogLevel logLevel;
+  private final Consumer<String> log;
   private final Set<UrbiLobby> created = new LinkedHashSet<>();
   private int status;
   private boolean stopping;
@@ -70,6 +73,8 @@ public final class Kernel implements AutoCloseable, KernelControl {
     private IntConsumer onHalt;
     private Runnable onReboot;
     private Consumer<String> output = text -> System.out.print(text);
+    private LogLevel logLevel = LogLevel.of(System.getenv("GD_LEVEL"));
+    private Consumer<String> log = System.err::println;
 
     private Builder() {}
 
@@ -132,6 +137,18 @@ public final class Kernel implements AutoCloseable, KernelControl {
       return this;
     }
 
+    /** How much of the log is shown; by default what GD_LEVEL in the environment says. */
+    public Builder logLevel(LogLevel most) {
+      logLevel = most;
+      return this;
+    }
+
+    /** Where the log goes, line by line; by default to the standard error stream. */
+    public Builder log(Consumer<String> to) {
+      log = to;
+      return this;
+    }
+
     /** Starts the kernel. */
     public Kernel start() {
       Kernel kernel = new Kernel(this);
@@ -155,6 +172,8 @@ public final class Kernel implements AutoCloseable, KernelControl {
     this.arguments = builder.arguments;
     this.onHalt = builder.onHalt == null ? this::requestShutdown : builder.onHalt;
     this.onReboot = builder.onReboot;
+    this.logLevel = builder.logLevel;
+    this.log = builder.log;
     var core =
         new CorePrototypes(
             world.values(),
@@ -230,7 +249,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
   @Override
   public void close() {
     requestShutdown(0);
-    embedding.interrupt();
+    embedding.close();
     if (!scheduler.isKernelThread()) {
       awaitTermination();
     }
@@ -361,6 +380,18 @@ public final class Kernel implements AutoCloseable, KernelControl {
   @Override
   public List<Path> searchPath() {
     return searchPath;
+  }
+
+  // ------------------------------------------------------------------ log
+
+  @Override
+  public LogLevel logLevel() {
+    return logLevel;
+  }
+
+  @Override
+  public void log(String line) {
+    log.accept(line);
   }
 
   // ------------------------------------------------------------------ lobbies

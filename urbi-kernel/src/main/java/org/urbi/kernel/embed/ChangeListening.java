@@ -9,8 +9,8 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.tag.UrbiTag;
+import org.urbi.lang.parse.Parsed;
 import org.urbi.lang.parse.UrbiParser;
-import org.urbi.lang.source.Source;
 
 /** A {@code watch} of an expression (manual, "watch"); each new value is handed over. */
 final class ChangeListening implements Embedding.Task<Listening> {
@@ -27,12 +27,12 @@ final class ChangeListening implements Embedding.Task<Listening> {
   @Override
   public Listening run(Frame frame) {
     Interpreter interpreter = frame.interpreter();
-    UrbiParser.Parsed parsed = UrbiParser.parse(Source.of(expression, null));
+    Parsed parsed = UrbiParser.parse(expression, null);
     if (!parsed.errors().isEmpty()) {
       throw interpreter.errors().syntax(parsed.errors().getFirst(), expression);
     }
-    var compiled = Compilation.compile(interpreter, parsed.program());
-    var watch = new WatchExpression(parsed.program().span(), compiled.code());
+    var compiled = Compilation.compile(interpreter, parsed.sequence());
+    var watch = new WatchExpression(parsed.sequence().span(), compiled.code());
     // The tag is there to end the watch.
     TagState tag = ((UrbiTag) interpreter.prototypes().tag.cloned()).state();
     TagScope scope = frame.job().enter(tag);

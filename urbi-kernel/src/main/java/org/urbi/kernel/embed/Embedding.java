@@ -45,6 +45,7 @@ public final class Embedding {
   private final Set<Request<?>> pending = ConcurrentHashMap.newKeySet();
   private final AtomicInteger waitingForEnd = new AtomicInteger();
   private volatile boolean used;
+  private volatile boolean closing;
   private volatile boolean over;
   private volatile UrbiLobby lobby;
   private int running;
@@ -71,7 +72,7 @@ public final class Embedding {
   }
 
   boolean isStopping() {
-    return stopping.getAsBoolean();
+    return closing || stopping.getAsBoolean();
   }
 
   static IllegalStateException ended() {
@@ -335,7 +336,8 @@ public final class Embedding {
   }
 
   /** Makes way for the end of the kernel, in spite of code that never lets others run. */
-  public void interrupt() {
+  public void close() {
+    closing = true;
     UrbiLobby of = lobby;
     if (of != null) {
       scheduler.interrupt(of);

@@ -58,8 +58,8 @@ final class JavaFunction extends BuiltinTable {
     } catch (UrbiException | Unwinding e) {
       throw e;
     } catch (UrbiError e) {
-      if (e.getCause() instanceof UrbiException original) {
-        throw original;
+      if (e.original() != null) {
+        throw e.original();
       }
       throw failure(caller, e);
     } catch (RuntimeException e) {

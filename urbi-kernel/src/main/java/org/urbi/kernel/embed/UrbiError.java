@@ -1,6 +1,7 @@
 package org.urbi.kernel.embed;
 
 import java.util.List;
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.lang.source.Location;
 
 /**
@@ -26,10 +27,16 @@ public final class UrbiError extends RuntimeException {
   private final transient Location location;
   private final transient List<Call> backtrace;
   private final transient Object value;
+  private final transient UrbiException original;
 
   UrbiError(
-      String message, Location location, List<Call> backtrace, Object value, Throwable cause) {
-    super(message, cause);
+      String message,
+      Location location,
+      List<Call> backtrace,
+      Object value,
+      UrbiException original) {
+    super(message);
+    this.original = original;
     this.location = location;
     this.backtrace = List.copyOf(backtrace);
     this.value = value;
@@ -38,7 +45,16 @@ public final class UrbiError extends RuntimeException {
 
   /** The same error, in the thread that waits for the evaluation. */
   UrbiError here() {
-    return new UrbiError(getMessage(), location, backtrace, value, getCause());
+    UrbiError same = new UrbiError(getMessage(), location, backtrace, value, original);
+    if (getCause() != null) {
+      same.initCause(getCause());
+    }
+    return same;
+  }
+
+  /** The exception of urbiscript that it stands for; null for an error of Java. */
+  UrbiException original() {
+    return original;
   }
 
   private StackTraceElement[] withCalls(StackTraceElement[] java) {

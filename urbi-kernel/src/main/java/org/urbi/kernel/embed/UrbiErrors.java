@@ -32,7 +32,9 @@ final class UrbiErrors {
   }
 
   private static UrbiError simple(String message, Throwable cause) {
-    return new UrbiError(message, null, List.of(), null, cause);
+    UrbiError error = new UrbiError(message, null, List.of(), null, null);
+    error.initCause(cause);
+    return error;
   }
 
   private static UrbiError thrown(Embedding embedding, Frame frame, UrbiException exception) {

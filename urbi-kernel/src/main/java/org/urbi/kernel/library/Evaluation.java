@@ -5,9 +5,9 @@ import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.ast.Ast;
+import org.urbi.lang.parse.Parsed;
 import org.urbi.lang.parse.SyntaxError;
 import org.urbi.lang.parse.UrbiParser;
-import org.urbi.lang.source.Source;
 
 /** Evaluates source text while code runs ({@code eval}, {@code load}). */
 public final class Evaluation {
@@ -22,12 +22,12 @@ public final class Evaluation {
    */
   public static UrbiObject eval(
       Frame frame, CallSite site, UrbiObject target, String text, String file) {
-    UrbiParser.Parsed parsed = UrbiParser.parse(Source.of(text, file));
+    Parsed parsed = UrbiParser.parse(text, file);
     if (!parsed.errors().isEmpty()) {
       SyntaxError error = parsed.errors().getFirst();
       throw frame.interpreter().errors().syntax(error, text);
     }
-    return execute(frame, site, target, parsed.program());
+    return execute(frame, site, target, parsed.sequence());
   }
 
   /** Executes statements one after the other, as the top level does. */

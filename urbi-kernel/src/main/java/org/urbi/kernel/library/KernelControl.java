@@ -37,6 +37,12 @@ public interface KernelControl {
   /** Ends the kernel and starts another one in its place; false when nobody would do that. */
   boolean requestReboot();
 
+  /** How much of the log is shown. */
+  LogLevel logLevel();
+
+  /** Shows a line of the log to the administrator. */
+  void log(String line);
+
   /** The kernel in which code runs. */
   static KernelControl of(Frame frame) {
     return (KernelControl) frame.interpreter().host();

@@ -96,9 +96,9 @@ public final class UrbiScriptEngine extends AbstractScriptEngine
   @Override
   public Object eval(String script, ScriptContext in) throws ScriptException {
     writer = in.getWriter();
-    String file = in.getAttribute(ScriptEngine.FILENAME) instanceof String name ? name : null;
-    Bindings variables = in.getBindings(ScriptContext.ENGINE_SCOPE);
     try {
+      String file = in.getAttribute(ScriptEngine.FILENAME) instanceof String name ? name : null;
+      Bindings variables = in.getBindings(ScriptContext.ENGINE_SCOPE);
       inherit(in.getBindings(ScriptContext.GLOBAL_SCOPE));
       if (variables instanceof SlotBindings own) {
         return evaluate(script, file, own.object());
