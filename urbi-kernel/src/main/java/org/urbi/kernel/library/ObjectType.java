@@ -28,7 +28,9 @@ import org.urbi.kernel.object.Values;
 final class ObjectType {
   private ObjectType() {}
 
-  @Builtin(doc = "The target; void does not answer to it.")
+  @Builtin(
+      value = {"acceptVoid", "unacceptVoid"},
+      doc = "The target, which is not void.")
   static UrbiObject acceptVoid(UrbiObject self) {
     return self;
   }
