@@ -6,6 +6,7 @@ import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.event.Persistence;
+import org.urbi.kernel.event.WaitUntil;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.node.CallSite;
@@ -45,6 +46,17 @@ final class ControlType {
 
   /** How a job was started, for its backtrace. */
   private record Started(String calledName, Span calledSpan) implements CallSite {}
+
+  @Builtin(
+      value = {"waituntil"},
+      lazy = true,
+      min = 1,
+      max = 1,
+      doc = "Waits until an expression is true, as the construct of that name does.")
+  static void waitUntil(Frame frame, CallSite site, UrbiObject self) {
+    Node condition = site.argumentNodes()[0];
+    new WaitUntil(condition.span(), condition, null, null, null).execute(frame);
+  }
 
   /** Starts a job that runs with the variables of a frame and outlives it. */
   static Job start(Frame frame, TagScope scope, Consumer<Frame> action) {

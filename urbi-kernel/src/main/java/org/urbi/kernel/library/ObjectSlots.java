@@ -66,10 +66,12 @@ final class ObjectSlots {
     return value;
   }
 
-  @Builtin(doc = "Replaces a slot; the value that it had is kept in a slot named name$old.")
-  static UrbiObject overrideSlot(Frame frame, UrbiObject self, String name, UrbiObject value) {
-    UrbiObject old = found(frame, self, name, self.lookup(symbol(self, name)));
-    replace(self, symbol(self, name + "$old"), old);
+  @Builtin(doc = "Sets a slot; a value that it had is kept in a slot named name$old.")
+  static UrbiObject overrideSlot(UrbiObject self, String name, UrbiObject value) {
+    UrbiObject old = self.lookup(symbol(self, name));
+    if (old != null) {
+      replace(self, symbol(self, name + "$old"), old);
+    }
     replace(self, symbol(self, name), value);
     return value;
   }
