@@ -161,11 +161,6 @@ final class ObjectType {
     self.setProtos(protos.elements().toArray(UrbiObject[]::new));
   }
 
-  @Builtin(value = "protos", setter = true, doc = "Replaces the prototypes.")
-  static void assignProtos(UrbiObject self, UrbiList protos) {
-    setProtos(self, protos);
-  }
-
   @Builtin(doc = "The identifier of the object, unique in this kernel.")
   static String uid(UrbiObject self) {
     return "0x" + Long.toHexString(self.uid());
