@@ -9,17 +9,23 @@ import java.nio.file.StandardCopyOption;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
+import org.urbi.lang.input.StatementReader;
+import org.urbi.server.SourceText;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
 import org.urbi.server.options.Failure;
 
 /** One run of {@code urbi}: the kernel, what is connected to it, and their end. */
 final class Server {
+  private static final String BANNER = SourceText.framed("banner", "lobby.banner;");
+
   private final Settings settings;
   private final PrintStream out;
   private final PrintStream err;
   private final StartFiles startFiles;
   private Kernel kernel;
+  private volatile LocalConsole console;
+  private volatile boolean rebooting;
 
   Server(Settings settings, PrintStream out, PrintStream err) {
     this.settings = settings;
@@ -28,18 +34,24 @@ final class Server {
     startFiles = new StartFiles(settings.searchPath());
   }
 
+  /** Whether the run ended because the script wants another one. */
+  boolean isRebooting() {
+    return rebooting;
+  }
+
   /** Runs until the kernel has been shut down, and returns its exit status. */
   int run() {
-    Kernel.Builder builder =
+    warmUpParser();
+    kernel =
         Kernel.builder()
             .virtualTime(settings.fast())
-            .searchPath(settings.searchPath().directories());
-    if (settings.stackSize() > 0) {
-      builder.stackSize(settings.stackSize());
-    }
-    kernel = builder.start();
+            .searchPath(settings.searchPath().directories())
+            .stackSize(settings.stackSize())
+            .commandLine(System.getProperty("urbi.program", "urbi"), settings.arguments())
+            .onReboot(() -> rebooting = true)
+            .onHalt(this::halt)
+            .start();
     ConsoleServer network = null;
-    LocalConsole console = null;
     try {
       startFiles.loadGlobal(kernel, err);
       network = settings.hasPort() ? listen() : null;
@@ -59,6 +71,29 @@ final class Server {
   }
 
   /**
+   * Parses something while the kernel starts: the grammar's tables are made at first use, which
+   * takes about as long as the kernel takes to start.
+   */
+  private static void warmUpParser() {
+    Thread.ofPlatform()
+        .daemon()
+        .name("urbi-parser-warm-up")
+        .start(() -> {
+          StatementReader reader = new StatementReader();
+          reader.feed("echo(\"\");");
+          reader.next();
+        });
+  }
+
+  /** Ends the process at once; only what has been printed is still shown. */
+  private void halt(int status) {
+    if (console != null) {
+      console.close();
+    }
+    Runtime.getRuntime().halt(status);
+  }
+
+  /**
    * Connects a client as every client is: with a banner, and after {@code local.u}.
    *
    * @param holdsTime whether a simulated time waits for the end of this client's input
@@ -66,7 +101,7 @@ final class Server {
   private Connection connect(Client client, boolean holdsTime) {
     Connection connection = kernel.connect(client, holdsTime);
     if (!settings.quiet()) {
-      connection.send("lobby.banner|;");
+      connection.send(BANNER);
     }
     startFiles.local().ifPresent(connection::send);
     return connection;

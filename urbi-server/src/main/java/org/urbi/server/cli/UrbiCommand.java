@@ -75,7 +75,14 @@ public final class UrbiCommand {
       out.println(SearchPath.root());
       return 0;
     }
-    return new Server(settings(arguments), out, err).run();
+    Settings settings = settings(arguments);
+    Server server;
+    int status;
+    do {
+      server = new Server(settings, out, err);
+      status = server.run();
+    } while (server.isRebooting());
+    return status;
   }
 
   private Settings settings(Arguments arguments) {
@@ -96,6 +103,7 @@ public final class UrbiCommand {
     }
     StringBuilder text = new StringBuilder();
     modules.forEach(module -> text.append(SourceText.loadModule(module)));
+    SourceText.append(text, inputs.text());
     String portFile = arguments.value("--port-file", null);
     return new Settings(
         trace(arguments),
@@ -107,7 +115,7 @@ public final class UrbiCommand {
         port,
         portFile == null ? null : Path.of(portFile),
         !modules.isEmpty(),
-        text.append(inputs.text()).toString(),
+        text.toString(),
         input,
         rest.isEmpty() ? List.of() : rest.subList(1, rest.size()));
   }
