@@ -33,6 +33,7 @@ final class Contest {
    */
   record Pace(long warmUp, long atMost, int rounds) {
     static final Pace THOROUGH = new Pace(4_000_000_000L, 15_000_000_000L, 15);
+
     /** For those who want to see where the time goes. */
     static final Pace RECORDED = new Pace(4_000_000_000L, 5_000_000_000L, 150);
 
@@ -64,8 +65,7 @@ final class Contest {
     try {
       for (Language language : languages) {
         try {
-          Optional<Guest> guest =
-              Guest.start(machine, language, row.program(), urbiOptions);
+          Optional<Guest> guest = Guest.start(machine, language, row.program(), urbiOptions);
           guest.ifPresent(started -> entries.add(new Entry(started)));
         } catch (Guest.Failure e) {
           notes.add(language.label() + ": " + e.getMessage());
@@ -97,8 +97,7 @@ final class Contest {
     void take() throws Guest.Failure;
   }
 
-  private static void attempt(
-      Entry entry, List<Entry> entries, List<String> notes, Step step) {
+  private static void attempt(Entry entry, List<Entry> entries, List<String> notes, Step step) {
     try {
       step.take();
     } catch (Guest.Failure e) {

@@ -57,8 +57,14 @@ final class Installation {
   /** What was found, one line each. */
   List<String> description() {
     List<String> lines = new ArrayList<>();
-    lines.add("Java " + Runtime.version() + ", " + System.getProperty("os.name") + ", "
-        + Runtime.getRuntime().availableProcessors() + " processors");
+    lines.add(
+        "Java "
+            + Runtime.version()
+            + ", "
+            + System.getProperty("os.name")
+            + ", "
+            + Runtime.getRuntime().availableProcessors()
+            + " processors");
     lines.add(
         interpreter(Language.PYTHON)
             .map(path -> Language.version(path, "--version"))

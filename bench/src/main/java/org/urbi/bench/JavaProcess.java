@@ -12,13 +12,9 @@ import java.util.regex.Pattern;
 
 /** Another Java virtual machine on this computer, asked through {@code jcmd}. */
 public final class JavaProcess {
-  /** As in {@code tenured generation   total 174784K, used 2345K [0x…}; not the metaspace. */
-  private static final Pattern GENERATION =
-      Pattern.compile("(?m)^\\s*(?!Metaspace)\\S.*total\\D*\\d+K, used (\\d+)K");
-
   private static final Pattern THREAD = Pattern.compile("(?m)^\"([^\"]*)\"");
 
-  /** As in {@code    1:   3406   397840  [B (java.base@25)}. */
+  /** As in {@code 1: 3406 397840 [B (java.base@25)}. */
   private static final Pattern CLASS =
       Pattern.compile("(?m)^\\s*\\d+:\\s+\\d+\\s+(\\d+)\\s+(\\S+)");
 
@@ -28,16 +24,14 @@ public final class JavaProcess {
     this.pid = pid;
   }
 
-  /** How many bytes of its heap are in use after a full collection. */
+  /**
+   * How many bytes of its heap live objects take: what a collection reports as used has the gaps
+   * between them in it, too.
+   */
   public long usedHeap() throws IOException {
+    // The first one finds what the next one can free.
     jcmd("GC.run");
-    jcmd("GC.run");
-    Matcher generation = GENERATION.matcher(jcmd("GC.heap_info"));
-    long kibibytes = 0;
-    while (generation.find()) {
-      kibibytes += Long.parseLong(generation.group(1));
-    }
-    return kibibytes << 10;
+    return classes().values().stream().mapToLong(Long::longValue).sum();
   }
 
   /** The names of its platform threads with their numbers, in the order of the names. */
@@ -68,8 +62,7 @@ public final class JavaProcess {
     line.addAll(List.of(command));
     Process process = new ProcessBuilder(line).redirectErrorStream(true).start();
     process.getOutputStream().close();
-    String answer =
-        new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    String answer = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     try {
       if (process.waitFor() != 0) {
         throw new IOException("jcmd " + String.join(" ", command) + ": " + answer.strip());

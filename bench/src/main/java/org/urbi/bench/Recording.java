@@ -52,7 +52,9 @@ final class Recording {
         + ",dumponexit=true -XX:FlightRecorderOptions=stackdepth=64";
   }
 
-  /** Prints the methods that were seen most often at the top of the stack, and what is allocated. */
+  /**
+   * Prints the methods that were seen most often at the top of the stack, and what is allocated.
+   */
   void print(PrintStream out) throws IOException {
     Map<String, Long> methods = new HashMap<>();
     Map<String, Long> lines = new HashMap<>();
@@ -73,7 +75,8 @@ final class Recording {
             lines.merge(name(top) + ":" + top.getLineNumber(), 1L, Long::sum);
           }
           case "jdk.ObjectAllocationSample" ->
-              classes.merge(event.getClass("objectClass").getName(), event.getLong("weight"), Long::sum);
+              classes.merge(
+                  event.getClass("objectClass").getName(), event.getLong("weight"), Long::sum);
           case "jdk.GarbageCollection" -> collecting += event.getDuration("sumOfPauses").toMillis();
           default -> {}
         }
@@ -97,8 +100,7 @@ final class Recording {
     counts.entrySet().stream()
         .sorted(Map.Entry.<String, Long>comparingByValue().reversed())
         .limit(SHOWN)
-        .forEach(
-            entry ->
-                out.printf("%5.1f %%  %s%n", 100.0 * entry.getValue() / total, entry.getKey()));
+        .forEach(entry ->
+            out.printf("%5.1f %%  %s%n", 100.0 * entry.getValue() / total, entry.getKey()));
   }
 }

@@ -20,8 +20,7 @@ record Row(
     Target target) {
 
   private static final List<Language> SCRIPTS = List.of(Language.PYTHON, Language.LUA);
-  private static final List<Language> ALL =
-      List.of(Language.PYTHON, Language.LUA, Language.BARE);
+  private static final List<Language> ALL = List.of(Language.PYTHON, Language.LUA, Language.BARE);
   private static final Target PYTHON = new Target.Ratio(Language.PYTHON, 1);
   private static final Target NONE = new Target.None();
 
@@ -53,7 +52,12 @@ record Row(
         program("dictionary", "1e5 dictionary updates", NONE),
         program("try", "1e4 try/catch", NONE),
         new Row("semicolon", "; alone", 1_000_000, true, List.of(), atMost(20)),
-        new Row("switch", "switch among 100 jobs", 100_000, true, ALL,
+        new Row(
+            "switch",
+            "switch among 100 jobs",
+            100_000,
+            true,
+            ALL,
             new Target.Ratio(Language.BARE, 1.5)),
         new Row("spawn", "for& of 1e4 jobs", 1, false, ALL, atMost(60e6)),
         new Row("event-1", "event, 1 handler", 10_000, false, SCRIPTS, atMost(2e3)),

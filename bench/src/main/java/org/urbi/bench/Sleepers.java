@@ -37,15 +37,11 @@ final class Sleepers {
     String note = String.join("; ", notes);
     return List.of(
         new Result(NAME, "1e5 asleep: heap", Unit.MEMORY, heap, Map.of(), target, note),
-        new Result(
-            NAME, "1e5 asleep: resident", Unit.MEMORY, resident, Map.of(), target, note));
+        new Result(NAME, "1e5 asleep: resident", Unit.MEMORY, resident, Map.of(), target, note));
   }
 
   private void measure(
-      Language language,
-      String options,
-      Map<Language, Double> heap,
-      Map<Language, Double> resident)
+      Language language, String options, Map<Language, Double> heap, Map<Language, Double> resident)
       throws IOException, Guest.Failure {
     Optional<Guest> started = Guest.start(machine, language, NAME, options);
     if (started.isEmpty()) {

@@ -78,11 +78,10 @@ public final class Startup {
       measure(List.copyOf(candidates.values()), runs);
       Map<Language, Double> first = new EnumMap<>(Language.class);
       Map<Language, Double> total = new EnumMap<>(Language.class);
-      candidates.forEach(
-          (language, candidate) -> {
-            first.put(language, candidate.firstOutput());
-            total.put(language, candidate.total());
-          });
+      candidates.forEach((language, candidate) -> {
+        first.put(language, candidate.firstOutput());
+        total.put(language, candidate.total());
+      });
       return List.of(
           row("hello: first output", first, new Target.None(), ""),
           row("hello: whole process", total, TARGET, ""));
@@ -102,15 +101,12 @@ public final class Startup {
         Language.URBISCRIPT,
         new Candidate("./urbi", machine.urbi(), "-q", "-e", URBI, "-e", "shutdown;"));
     Optional<String> python = machine.interpreter(Language.PYTHON);
-    python.ifPresent(
-        path ->
-            candidates.put(
-                Language.PYTHON, new Candidate("CPython", path, "-c", "print('Hello, World!')")));
+    python.ifPresent(path ->
+        candidates.put(
+            Language.PYTHON, new Candidate("CPython", path, "-c", "print('Hello, World!')")));
     Optional<String> lua = machine.interpreter(Language.LUA);
-    lua.ifPresent(
-        path ->
-            candidates.put(
-                Language.LUA, new Candidate("Lua", path, "-e", "print('Hello, World!')")));
+    lua.ifPresent(path ->
+        candidates.put(Language.LUA, new Candidate("Lua", path, "-e", "print('Hello, World!')")));
     candidates.put(
         Language.BARE,
         new Candidate("java Hello", Installation.java(), "-cp", hello().toString(), "Hello"));

@@ -32,8 +32,7 @@ public final class WholePrograms {
             .flag("Run urbiscript alone, and print where the time goes.", "--profile")
             .flag("List the names of the programs.", "--list");
     System.exit(
-        program.run(
-            args, System.out, System.err, given -> new WholePrograms().start(given, only)));
+        program.run(args, System.out, System.err, given -> new WholePrograms().start(given, only)));
   }
 
   private int start(Arguments arguments, Set<String> only) {

@@ -4,10 +4,18 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.IntConsumer;
+import org.urbi.kernel.embed.Embedding;
+import org.urbi.kernel.embed.JavaValues;
+import org.urbi.kernel.embed.Listening;
+import org.urbi.kernel.embed.UrbiError;
+import org.urbi.kernel.embed.UrbiValue;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Inbox;
@@ -17,6 +25,8 @@ import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.library.Environment;
 import org.urbi.kernel.library.KernelControl;
 import org.urbi.kernel.library.Library;
+import org.urbi.kernel.library.LoadedFiles;
+import org.urbi.kernel.library.LogLevel;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CorePrototypes;
@@ -35,9 +45,11 @@ import org.urbi.kernel.time.VirtualClock;
 public final class Kernel implements AutoCloseable, KernelControl {
   private final Scheduler scheduler;
   private final Interpreter interpreter;
+  private final Embedding embedding;
   private final List<Path> searchPath;
   private final Outside outside;
   private final Environment environment = new Environment();
+  private final LoadedFiles loadedFiles = new LoadedFiles();
   private final String programName;
   private final List<String> arguments;
   private final IntConsumer onHalt;
@@ -45,6 +57,8 @@ public final class Kernel implements AutoCloseable, KernelControl {
   private final Set<KernelConnection> connections = new LinkedHashSet<>();
   private final List<Runnable> onTermination = new CopyOnWriteArrayList<>();
   private final CompletableFuture<Integer> termination = new CompletableFuture<>();
+  private final LogLevel logLevel;
+  private final Consumer<String> log;
   private final Set<UrbiLobby> created = new LinkedHashSet<>();
   private int status;
   private boolean stopping;
@@ -60,6 +74,9 @@ public final class Kernel implements AutoCloseable, KernelControl {
     private List<String> arguments = List.of();
     private IntConsumer onHalt;
     private Runnable onReboot;
+    private Consumer<String> output = text -> System.out.print(text);
+    private LogLevel logLevel = LogLevel.of(System.getenv("GD_LEVEL"));
+    private Consumer<String> log = System.err::println;
 
     private Builder() {}
 
@@ -112,6 +129,28 @@ public final class Kernel implements AutoCloseable, KernelControl {
       return this;
     }
 
+    /**
+     * Where goes what code evaluated by {@link Kernel#eval} and its like sends to its lobby: whole
+     * lines, in general, as a console would show them. By default {@code System.out}. It is called
+     * on a thread of its own.
+     */
+    public Builder output(Consumer<String> consumer) {
+      output = Objects.requireNonNull(consumer);
+      return this;
+    }
+
+    /** How much of the log is shown; by default what GD_LEVEL in the environment says. */
+    public Builder logLevel(LogLevel most) {
+      logLevel = most;
+      return this;
+    }
+
+    /** Where the log goes, line by line; by default to the standard error stream. */
+    public Builder log(Consumer<String> to) {
+      log = to;
+      return this;
+    }
+
     /** Starts the kernel. */
     public Kernel start() {
       Kernel kernel = new Kernel(this);
@@ -135,6 +174,8 @@ public final class Kernel implements AutoCloseable, KernelControl {
     this.arguments = builder.arguments;
     this.onHalt = builder.onHalt == null ? this::requestShutdown : builder.onHalt;
     this.onReboot = builder.onReboot;
+    this.logLevel = builder.logLevel;
+    this.log = builder.log;
     var core =
         new CorePrototypes(
             world.values(),
@@ -146,6 +187,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
       interpreter.limitDepth(builder.stackSize * CALLS_PER_KIBIBYTE);
     }
     Library.install(interpreter);
+    embedding = new Embedding(interpreter, builder.output, this::isStopping);
   }
 
   /** How many nested calls a kibibyte of stack stands for. */
@@ -159,18 +201,22 @@ public final class Kernel implements AutoCloseable, KernelControl {
 
   @Override
   public void requestShutdown(int exitStatus) {
-    scheduler
-        .inbox()
-        .post(() -> {
-          if (!stopping) {
-            stopping = true;
-            status = exitStatus;
-            for (KernelConnection connection : new ArrayList<>(connections)) {
-              connection.finish();
-            }
-            scheduler.stop();
-          }
-        });
+    if (scheduler.isKernelThread()) {
+      shutDown(exitStatus);
+    } else {
+      scheduler.inbox().post(() -> shutDown(exitStatus));
+    }
+  }
+
+  private void shutDown(int exitStatus) {
+    if (!stopping) {
+      stopping = true;
+      status = exitStatus;
+      for (KernelConnection connection : new ArrayList<>(connections)) {
+        connection.finish();
+      }
+      scheduler.stop();
+    }
   }
 
   private void ended() {
@@ -178,12 +224,21 @@ public final class Kernel implements AutoCloseable, KernelControl {
       connection.finish();
     }
     outside.close();
-    onTermination.forEach(Runnable::run);
-    termination.complete(status);
+    embedding.kernelEnded();
+    try {
+      onTermination.forEach(Runnable::run);
+    } finally {
+      termination.complete(status);
+    }
   }
 
-  /** Waits for the end of the kernel, and returns its exit status. */
+  /**
+   * Waits for the end of the kernel, and returns its exit status.
+   *
+   * @throws IllegalStateException on the kernel thread
+   */
   public int awaitTermination() {
+    embedding.awaitEnd(termination::join);
     return termination.join();
   }
 
@@ -196,11 +251,94 @@ public final class Kernel implements AutoCloseable, KernelControl {
     onTermination.add(action);
   }
 
-  /** Ends the kernel, and waits for the end. */
+  /** Ends the kernel, and waits for the end; except on the kernel thread. */
   @Override
   public void close() {
     requestShutdown(0);
-    awaitTermination();
+    embedding.close();
+    if (!scheduler.isKernelThread()) {
+      awaitTermination();
+    }
+  }
+
+  // ------------------------------------------------------------------ embedding
+
+  /**
+   * Evaluates source text, and waits. It runs as a job in the lobby of this program: what it
+   * defines there can be used later, and it may sleep while others run. Like all the methods below
+   * it may be called from any thread but the kernel's own.
+   *
+   * @return the value of the last statement; {@link JavaValues} says what becomes of values
+   * @throws UrbiError if the text does not parse, or an exception is not caught
+   * @throws IllegalStateException on the kernel thread, or when the kernel has ended; as {@link
+   *     java.util.concurrent.CancellationException} if the job was stopped, or the calling thread
+   *     interrupted, which stops it
+   */
+  public Object eval(String source) {
+    return embedding.eval(source);
+  }
+
+  /**
+   * Evaluates source text, and waits.
+   *
+   * @param type what the value is wanted as: see {@link JavaValues#as}; {@code byte[]} is the bytes
+   *     of a String, {@link UrbiValue} a handle on any object
+   * @throws ClassCastException if the value cannot be one
+   */
+  public <T> T eval(String source, Class<T> type) {
+    return embedding.eval(source, null, null, type);
+  }
+
+  /**
+   * Evaluates source text, without waiting; may be called on the kernel thread, too. What depends
+   * on the future is executed elsewhere. To cancel the future stops the job.
+   */
+  public CompletableFuture<Object> evalAsync(String source) {
+    return embedding.evalAsync(source);
+  }
+
+  /**
+   * Calls a function with Java values, and waits.
+   *
+   * @param function its name in the lobby, or a path: {@code robot.arm.move}
+   * @throws IllegalArgumentException if urbiscript has nothing like an argument
+   */
+  public Object call(String function, Object... arguments) {
+    return embedding.call(function, arguments);
+  }
+
+  /**
+   * Gives urbiscript a function written in Java: everywhere, as a slot of {@code Global}, or by a
+   * dotted name as that of another object. It is called on the kernel thread, and the kernel waits
+   * for it. What it throws is an exception of urbiscript.
+   */
+  public void define(String name, Function<? super List<Object>, ?> function) {
+    embedding.define(name, function);
+  }
+
+  /**
+   * Listens to an event. The listener gets the payload of each emission, one after the other, on a
+   * thread that it may block.
+   *
+   * @param expression evaluated once, to an event or what has {@code asEvent}
+   */
+  public Listening onEvent(String expression, Consumer<? super List<Object>> listener) {
+    return embedding.onEvent(expression, listener);
+  }
+
+  /**
+   * Listens to the changes of a slot, as {@code watch} does. The listener gets each new value, one
+   * after the other, on a thread that it may block.
+   *
+   * @param slot its name in the lobby, a path, or any expression to watch
+   */
+  public Listening onChange(String slot, Consumer<Object> listener) {
+    return embedding.onChange(slot, listener);
+  }
+
+  /** What the methods above stand on, for those who need more. */
+  public Embedding embedding() {
+    return embedding;
   }
 
   // ------------------------------------------------------------------ connections
@@ -250,6 +388,18 @@ public final class Kernel implements AutoCloseable, KernelControl {
     return searchPath;
   }
 
+  // ------------------------------------------------------------------ log
+
+  @Override
+  public LogLevel logLevel() {
+    return logLevel;
+  }
+
+  @Override
+  public void log(String line) {
+    log.accept(line);
+  }
+
   // ------------------------------------------------------------------ lobbies
 
   @Override
@@ -291,6 +441,11 @@ public final class Kernel implements AutoCloseable, KernelControl {
   @Override
   public List<String> arguments() {
     return arguments;
+  }
+
+  @Override
+  public LoadedFiles loadedFiles() {
+    return loadedFiles;
   }
 
   @Override

@@ -7,7 +7,9 @@ import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
 
-/** A kernel in real time with one connection, on which a statement is sent and its value awaited. */
+/**
+ * A kernel in real time with one connection, on which a statement is sent and its value awaited.
+ */
 final class Session implements AutoCloseable {
   private static final int PATIENCE_SECONDS = 60;
 

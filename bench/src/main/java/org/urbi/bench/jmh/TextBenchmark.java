@@ -13,6 +13,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
+import org.urbi.lang.input.Item;
 import org.urbi.lang.input.StatementReader;
 
 /** From text to tree, and from text to answer. */
@@ -61,11 +62,11 @@ public class TextBenchmark {
   /** As the kernel reads: statement by statement. */
   @Benchmark
   public int parseHundredLines() {
-    StatementReader reader = new StatementReader();
+    StatementReader reader = new StatementReader(null);
     reader.feed(PROGRAM);
     int statements = 0;
     for (var item = reader.next(); item != null; item = reader.next()) {
-      if (item instanceof StatementReader.Item.Errors errors) {
+      if (item instanceof Item.Invalid errors) {
         throw new IllegalStateException(errors.errors().getFirst().message());
       }
       statements++;

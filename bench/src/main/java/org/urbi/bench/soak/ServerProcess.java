@@ -18,11 +18,11 @@ final class ServerProcess implements AutoCloseable {
   private final int port;
 
   /** What a look at the server has shown. */
-  record Sample(long heap, int threads, Map<String, Integer> threadNames, long resident) {
+  record Sample(long heap, int threads, Map<String, Integer> threadNames, int jobs, long resident) {
     @Override
     public String toString() {
-      return "heap %6.1f MB   %d threads   resident %6.1f MB"
-          .formatted(heap / 1e6, threads, resident / 1e6);
+      return "heap %6.1f MB   %d threads   %4d jobs   resident %6.1f MB"
+          .formatted(heap / 1e6, threads, jobs, resident / 1e6);
     }
   }
 
@@ -64,12 +64,16 @@ final class ServerProcess implements AutoCloseable {
 
   /** Collects its garbage and looks at what is left. */
   Sample sample() throws IOException {
+    int jobs;
+    try (Visit visit = new Visit(port)) {
+      jobs = visit.askNumber("Job.jobs.size");
+    }
     long heap = java.usedHeap();
     TreeMap<String, Integer> names = java.threads();
     // These come and go with looking at them, and with the work of the compiler.
     names.keySet().removeIf(ServerProcess::comesAndGoes);
     int threads = names.values().stream().mapToInt(Integer::intValue).sum();
-    return new Sample(heap, threads, names, resident());
+    return new Sample(heap, threads, names, jobs, resident());
   }
 
   /** What its heap is full of: bytes by class. */

@@ -92,8 +92,9 @@ public final class Soak {
       pause(200);
       if (System.nanoTime() > next && System.nanoTime() < end) {
         next += TimeUnit.MINUTES.toNanos(1);
-        say("%-11s %s   answer in %d ms   %s"
-            .formatted(++minute + " min", server.sample(), answerTime(server), tally));
+        say(
+            "%-11s %s   answer in %d ms   %s"
+                .formatted(++minute + " min", server.sample(), answerTime(server), tally));
       }
     }
     all.forEach(SoakClient::leave);
@@ -122,6 +123,8 @@ public final class Soak {
     double allowed = Math.max(HEAP_SLACK, before.heap() * HEAP_GROWTH);
     boolean heap = growth <= allowed;
     boolean threads = before.threads() == after.threads();
+    boolean jobs = before.jobs() == after.jobs();
+    say("jobs        %d, before %d: %s".formatted(after.jobs(), before.jobs(), verdict(jobs)));
     boolean answers = server.isAlive() && answerTime(server) >= 0;
     say(
         "heap        %+.2f MB, allowed %+.2f MB: %s"
@@ -140,7 +143,7 @@ public final class Soak {
       List<String> lines = log.lines().toList();
       say("the server's log has %d lines, the last: %s".formatted(lines.size(), lines.getLast()));
     }
-    return heap && threads && answers && failures;
+    return heap && threads && jobs && answers && failures;
   }
 
   private static void showGrowth(Map<String, Long> before, Map<String, Long> after) {
@@ -149,8 +152,7 @@ public final class Soak {
     growth.entrySet().stream()
         .sorted(Map.Entry.<String, Long>comparingByValue().reversed())
         .limit(SHOWN_CLASSES)
-        .forEach(
-            entry -> say("%+10.1f kB  %s".formatted(entry.getValue() / 1e3, entry.getKey())));
+        .forEach(entry -> say("%+10.1f kB  %s".formatted(entry.getValue() / 1e3, entry.getKey())));
   }
 
   private static String verdict(boolean met) {

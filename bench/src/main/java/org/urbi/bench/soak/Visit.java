@@ -42,8 +42,8 @@ final class Visit implements AutoCloseable {
     }
   }
 
-  /** Reads up to and with a line that ends so. */
-  void expect(String end) throws IOException {
+  /** Reads up to and with a line that ends so, and returns it. */
+  String expect(String end) throws IOException {
     String last = "";
     StringBuilder line = new StringBuilder();
     while (true) {
@@ -55,7 +55,7 @@ final class Visit implements AutoCloseable {
       if (c == '\n') {
         last = line.toString();
         if (last.endsWith(end)) {
-          return;
+          return last;
         }
         line.setLength(0);
       } else {
@@ -69,6 +69,13 @@ final class Visit implements AutoCloseable {
     String word = "word" + ThreadLocalRandom.current().nextInt(1_000_000);
     send("\"" + word + "\";\n");
     expect(" \"" + word + "\"");
+  }
+
+  /** The value of an expression, a whole number. */
+  int askNumber(String expression) throws IOException {
+    send("\"is \" + (" + expression + ") + \" indeed\";\n");
+    String answer = expect(" indeed\"");
+    return Integer.parseInt(answer.replaceAll(".*\"is (\\d+) indeed\"", "$1"));
   }
 
   /** Sends no more, and reads to the end. */

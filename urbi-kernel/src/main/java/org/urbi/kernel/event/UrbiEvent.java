@@ -14,7 +14,7 @@ import org.urbi.kernel.object.UrbiObject;
 public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
   private final Set<Subscription> subscriptions = new LinkedHashSet<>();
   private final Set<Emission> lasting = new LinkedHashSet<>();
-  private Runnable onSubscribe;
+  private Runnable subscribed;
 
   public UrbiEvent(Shape shape) {
     super(shape);
@@ -30,20 +30,26 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
     return !subscriptions.isEmpty();
   }
 
-  /** Has something done each time somebody begins to listen. */
-  public void setOnSubscribe(Runnable action) {
-    onSubscribe = action;
-  }
-
-  /** Listens from now on; hears at once of the emissions that last. */
+  /**
+   * Listens from now on; hears at once of the emissions that last. The event in the slot {@code
+   * onSubscribe}, if there is one, is emitted.
+   */
   public void subscribe(Subscription subscription, Job job) {
     subscriptions.add(subscription);
     for (Emission emission : new ArrayList<>(lasting)) {
       emission.begin(subscription, job);
     }
-    if (onSubscribe != null) {
-      onSubscribe.run();
+    if (subscribed != null) {
+      subscribed.run();
     }
+    if (lookup(world().symbol("onSubscribe")) instanceof UrbiEvent told) {
+      told.emit(job, false);
+    }
+  }
+
+  /** Has the library do something each time somebody begins to listen. */
+  public void setOnSubscribe(Runnable action) {
+    subscribed = action;
   }
 
   public void unsubscribe(Subscription subscription) {

@@ -52,6 +52,11 @@ final class BatonThread implements JobThread {
     }
   }
 
+  @Override
+  public boolean isCurrent() {
+    return Thread.currentThread() == thread;
+  }
+
   /** Makes the threads of one kernel. */
   static final class Factory implements JobThread.Factory {
     /** The stack of a virtual thread of the JDK is limited by that of its carrier. */

@@ -120,6 +120,11 @@ public final class Job implements Runnable {
 
   // ------------------------------------------------------------------ life, on its own thread
 
+  /** Whether the code that asks is that of this job. */
+  boolean isCurrentThread() {
+    return thread.isCurrent();
+  }
+
   /** The body of the virtual thread. */
   @Override
   public void run() {
@@ -242,6 +247,11 @@ public final class Job implements Runnable {
     if (injected instanceof TagStop stop && stop.scope() == left) {
       injected = null;
     }
+  }
+
+  /** A scope under a tag, for other jobs; to be {@linkplain TagScope#end ended}. */
+  public TagScope branch(TagState tag, TagScope around) {
+    return new TagScope(tag, around, null);
   }
 
   private void moveTo(TagScope other) {

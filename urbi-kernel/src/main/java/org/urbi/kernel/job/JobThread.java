@@ -15,6 +15,9 @@ interface JobThread {
    */
   void suspend();
 
+  /** Whether the code that asks is that of the job. */
+  boolean isCurrent();
+
   /** Makes the threads of one kernel. */
   interface Factory {
     JobThread create(Job job);

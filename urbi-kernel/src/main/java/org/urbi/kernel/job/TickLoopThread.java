@@ -93,6 +93,11 @@ final class TickLoopThread implements JobThread, Executor {
     }
   }
 
+  @Override
+  public boolean isCurrent() {
+    return Thread.currentThread() == thread;
+  }
+
   /** Makes the threads of one kernel. */
   static final class Factory implements JobThread.Factory {
     /** Deep recursion costs stack of this thread; the system gives it page by page. */
@@ -119,6 +124,8 @@ final class TickLoopThread implements JobThread, Executor {
     @Override
     public Thread startLoop(Runnable body) {
       Thread thread = new Thread(null, body, "urbi-kernel", STACK_BYTES);
+      // As virtual threads are: a kernel that nobody waits for keeps no program from its end.
+      thread.setDaemon(true);
       loop = thread;
       thread.start();
       return thread;

@@ -9,13 +9,12 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Function;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
-import org.urbi.kernel.object.UrbiString;
 import org.urbi.lang.print.Printer;
 
 /** Functions written in urbiscript (manual, "Code"). */
 @UrbiType(
     value = "Code",
-    protos = {"Executable"},
+    protos = {"Comparable", "Executable"},
     doc = "A function written in urbiscript.")
 final class CodeType {
   private CodeType() {}
@@ -27,7 +26,7 @@ final class CodeType {
       throw frame
           .interpreter()
           .errors()
-          .primitive("apply", "list of arguments must begin with this");
+          .primitive("apply", "argument list must begin with `this'");
     }
     return frame
         .interpreter()
@@ -46,18 +45,19 @@ final class CodeType {
 
   @Builtin(doc = "The text of the code of the function, without its arguments.")
   static String bodyString(Frame frame, UrbiObject self) {
-    return self instanceof Function function ? Printer.print(function.source().body()) : "";
+    return self instanceof Function function
+        ? Printer.printBody(function.source().body())
+        : "";
   }
 
   @Builtin(
       value = {"=="},
-      doc = "Whether both are the same function.")
+      doc = "Whether both have the same text, and have captured the same variables.")
   static boolean equal(UrbiObject self, UrbiObject other) {
-    return self == other;
-  }
-
-  /** The prototype of functions is a function without effect. */
-  static UrbiString text(UrbiObject self, String text) {
-    return self.world().values().string(text);
+    return self == other
+        || self instanceof Function mine
+            && other instanceof Function its
+            && mine.capturesAs(its)
+            && Printer.print(mine.source()).equals(Printer.print(its.source()));
   }
 }

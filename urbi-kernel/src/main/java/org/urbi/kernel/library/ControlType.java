@@ -6,10 +6,12 @@ import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.event.Persistence;
+import org.urbi.kernel.event.WaitUntil;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.LoopJobs;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
@@ -25,7 +27,7 @@ final class ControlType {
       max = 1,
       doc = "Evaluates its argument in a job of its own, under the current tags.")
   static UrbiObject detach(Frame frame, CallSite site, UrbiObject self) {
-    return background(frame, site, frame.job().scope());
+    return background(frame, site, LoopJobs.scope(frame));
   }
 
   @Builtin(
@@ -46,6 +48,17 @@ final class ControlType {
   /** How a job was started, for its backtrace. */
   private record Started(String calledName, Span calledSpan) implements CallSite {}
 
+  @Builtin(
+      value = {"waituntil"},
+      lazy = true,
+      min = 1,
+      max = 1,
+      doc = "Waits until an expression is true, as the construct of that name does.")
+  static void waitUntil(Frame frame, CallSite site, UrbiObject self) {
+    Node condition = site.argumentNodes()[0];
+    new WaitUntil(condition.span(), condition, null, null, null).execute(frame);
+  }
+
   /** Starts a job that runs with the variables of a frame and outlives it. */
   static Job start(Frame frame, TagScope scope, Consumer<Frame> action) {
     return start(frame, null, scope, action);
@@ -63,7 +76,7 @@ final class ControlType {
           }
         };
     Job job =
-        frame.job().scheduler().startDetached(frame.job().lobby(), scope, "shell", body);
+        frame.job().scheduler().startAhead(frame.job().lobby(), scope, "shell", body);
     body.forked = how == null ? frame.fork(job, false) : frame.detach(job, how);
     return job;
   }

@@ -4,26 +4,27 @@ import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
-import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.ClassNodes;
 import org.urbi.kernel.node.Frame;
-import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 
 /** Enumeration types (manual, "Enumeration"). */
-@UrbiType(value = "Enumeration", doc = "A type with a finite set of values.")
+@UrbiType(
+    value = "Enumeration",
+    protos = {"RangeIterable", "Container"},
+    doc = "A type with a finite set of values.")
 final class EnumerationType {
   private EnumerationType() {}
 
   @Builtin(doc = "Makes the type of that name, with values of these names.")
   static void init(Frame frame, UrbiObject self, String name, UrbiList names) {
     ClassNodes.nameType(frame.interpreter(), self, name);
+    OwnSlots.put(self, "name", self.world().values().string(name));
     List<UrbiObject> values = new ArrayList<>();
-    Symbol valueName = self.world().symbol("name");
     for (UrbiObject each : names.elements()) {
       UrbiObject value = self.cloned();
-      value.addSlot(valueName, each);
+      value.addSlot(frame.interpreter().symbols().asString, each);
       values.add(value);
       self.addSlot(self.world().symbol(frame.interpreter().asString(frame, each)), value);
     }
@@ -40,21 +41,18 @@ final class EnumerationType {
     return (UrbiList) values;
   }
 
-  @Builtin(
-      value = {"each"},
-      doc = "Calls a function with each value, one after the other.")
-  static void each(Frame frame, CallSite site, UrbiObject self, UrbiObject action) {
-    for (UrbiObject value : List.copyOf(values(frame, self).elements())) {
-      frame.interpreter().call(frame, site, action, self, value);
-      frame.job().yield();
-    }
+  @Builtin(doc = "The list of the values.")
+  static UrbiObject asList(Frame frame, UrbiObject self) {
+    return values(frame, self);
   }
 
-  @Builtin(doc = "The name of a value, or of the type.")
+  @Builtin(doc = "Whether that is one of the values.")
+  static boolean has(Frame frame, UrbiObject self, UrbiObject value) {
+    return values(frame, self).elements().contains(value);
+  }
+
+  @Builtin(doc = "The name of the type; values have their own.")
   static String asString(Frame frame, UrbiObject self) {
-    UrbiObject name = self.localSlot(self.world().symbol("name"));
-    return name == null
-        ? frame.interpreter().asString(frame, frame.interpreter().send(frame, self, "type"))
-        : frame.interpreter().asString(frame, name);
+    return frame.interpreter().asString(frame, OwnSlots.get(frame, self, "type"));
   }
 }

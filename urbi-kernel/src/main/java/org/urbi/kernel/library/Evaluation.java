@@ -1,31 +1,57 @@
 package org.urbi.kernel.library;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.urbi.kernel.compile.Compilation;
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.ast.Ast;
+import org.urbi.lang.parse.Parsed;
 import org.urbi.lang.parse.SyntaxError;
+import org.urbi.lang.parse.SyntaxWarning;
 import org.urbi.lang.parse.UrbiParser;
-import org.urbi.lang.source.Source;
 
 /** Evaluates source text while code runs ({@code eval}, {@code load}). */
-final class Evaluation {
+public final class Evaluation {
   private Evaluation() {}
 
   /**
    * Evaluates a whole text on a target.
    *
+   * @param site where it is called; null when Java code does
    * @param file the name by which errors call it, or null
    * @return the value of its last statement
    */
-  static UrbiObject eval(Frame frame, CallSite site, UrbiObject target, String text, String file) {
-    UrbiParser.Parsed parsed = UrbiParser.parse(Source.of(text, file));
-    if (!parsed.errors().isEmpty()) {
-      SyntaxError error = parsed.errors().getFirst();
-      throw frame.interpreter().errors().syntax(error, text);
+  public static UrbiObject eval(
+      Frame frame, CallSite site, UrbiObject target, String text, String file) {
+    Parsed parsed = UrbiParser.parse(text, file);
+    for (SyntaxWarning warning : parsed.warnings()) {
+      Warnings.at(frame, site, warning.span(), warning.message());
     }
-    return execute(frame, site, target, parsed.program());
+    if (!parsed.errors().isEmpty()) {
+      throw syntax(frame, site, parsed.errors().getFirst(), text);
+    }
+    return execute(frame, site, target, parsed.sequence());
+  }
+
+  /** The message tells the place in the text, the calls tell who wanted it evaluated. */
+  private static UrbiException syntax(
+      Frame frame, CallSite site, SyntaxError error, String text) {
+    UrbiException exception = frame.interpreter().errors().syntax(error, text);
+    List<UrbiException.Call> calls = new ArrayList<>();
+    calls.add(new UrbiException.Call(site.calledName(), site.calledSpan()));
+    calls.addAll(frame.backtrace());
+    exception.locate(null, calls);
+    if (site.calledSpan() != null) {
+      OwnSlots.put(
+          exception.value(),
+          "location",
+          LocationType.make(frame.interpreter().world(), site.calledSpan()));
+    }
+    return exception;
   }
 
   /** Executes statements one after the other, as the top level does. */

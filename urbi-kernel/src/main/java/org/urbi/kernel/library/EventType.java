@@ -14,6 +14,11 @@ import org.urbi.kernel.object.UrbiObject;
 final class EventType {
   private EventType() {}
 
+  /** The slot {@code onSubscribe} is there, so that it can be assigned. */
+  static void fill(UrbiObject prototype) {
+    OwnSlots.put(prototype, "onSubscribe", prototype.world().values().voidObject);
+  }
+
   @Builtin(doc = "The event itself.")
   static UrbiObject asEvent(UrbiEvent self) {
     return self;

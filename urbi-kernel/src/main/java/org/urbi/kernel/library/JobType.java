@@ -11,6 +11,7 @@ import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
+import org.urbi.kernel.tag.UrbiTag;
 
 /** Light threads (manual, "Job"). */
 @UrbiType(
@@ -63,8 +64,13 @@ final class JobType {
         ? List.of()
         : self.job().scope().tags().stream()
             .map(state -> (UrbiObject) state.owner())
-            .filter(tag -> tag != null)
+            .filter(tag -> tag != null && isKnown(tag))
             .toList();
+  }
+
+  /** Tags without a name are those which constructs of the language use. */
+  private static boolean isKnown(UrbiObject tag) {
+    return tag.getClass() != UrbiTag.class || tag.lookup(tag.world().symbol("name")) != null;
   }
 
   @Builtin(doc = "Ends the job.")

@@ -19,11 +19,15 @@ public interface KernelControl {
 
   /** A lobby without a connection of its own: its output goes where that of another one does. */
   UrbiLobby createLobby(UrbiLobby creator);
+
   /** The path under which the server was called. */
   String programName();
 
   /** The arguments of the user's script. */
   List<String> arguments();
+
+  /** The source files that were loaded. */
+  LoadedFiles loadedFiles();
 
   /** The variables of the environment. */
   Environment environment();
@@ -36,6 +40,12 @@ public interface KernelControl {
 
   /** Ends the kernel and starts another one in its place; false when nobody would do that. */
   boolean requestReboot();
+
+  /** How much of the log is shown. */
+  LogLevel logLevel();
+
+  /** Shows a line of the log to the administrator. */
+  void log(String line);
 
   /** The kernel in which code runs. */
   static KernelControl of(Frame frame) {

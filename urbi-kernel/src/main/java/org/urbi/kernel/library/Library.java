@@ -154,6 +154,7 @@ public final class Library {
         asList,
         new ScriptCode(
             interpreter.prototypes().code.cloneShape(), "function () { split(\"\") }"));
+    EventType.fill(types.get("Event"));
     UrbiObject lobby = types.get("Lobby");
     lobby.setProtos(topLevel);
     lobby.addSlot(world.symbol("topLevel"), topLevel);

@@ -6,6 +6,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.lobby.Output;
+import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -78,7 +79,11 @@ final class LobbyType {
   @Builtin(doc = "Closes the connection.")
   static void quit(Frame frame, UrbiObject self) {
     UrbiLobby lobby = self instanceof UrbiLobby own && own.shell() != null ? own : of(frame);
-    lobby.shell().close();
+    if (lobby.shell() == null) {
+      lobby.connectionTag().state().stop(frame.interpreter().values().voidObject);
+    } else {
+      lobby.shell().close();
+    }
     frame.job().checkInjected();
   }
 
@@ -107,12 +112,16 @@ final class LobbyType {
 
   @Builtin(doc = "How many bytes have come from the client.")
   static double bytesReceived(Frame frame, UrbiObject self) {
-    return own(frame, self).shell().bytesReceived();
+    Shell shell = own(frame, self).shell();
+    return shell == null ? 0 : shell.bytesReceived();
   }
 
   @Builtin(doc = "Executes text as if the client had sent it.")
   static void receive(Frame frame, UrbiObject self, String value) {
-    own(frame, self).shell().receive(value);
+    Shell shell = own(frame, self).shell();
+    if (shell != null) {
+      shell.receive(value);
+    }
   }
 
   @Builtin(doc = "Sends a value as text to all lobbies, on a channel if one is given.")

@@ -19,4 +19,9 @@ final class PrimitiveType {
   static UrbiObject apply(Frame frame, CallSite site, UrbiObject self, UrbiList arguments) {
     return CodeType.apply(frame, site, self, arguments);
   }
+
+  @Builtin(doc = "The primitive itself.")
+  static UrbiObject asPrimitive(UrbiObject self) {
+    return self;
+  }
 }

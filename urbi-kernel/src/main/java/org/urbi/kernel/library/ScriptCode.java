@@ -9,7 +9,6 @@ import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.parse.UrbiParser;
-import org.urbi.lang.source.Source;
 
 /**
  * A function of the library written in urbiscript. It is parsed when it is first called or shown,
@@ -28,7 +27,7 @@ final class ScriptCode extends Code {
   /** The function as a tree, for printing. */
   Ast.Function tree() {
     if (tree == null) {
-      Ast.Sequence program = UrbiParser.parse(Source.of(text, null)).program();
+      Ast.Sequence program = UrbiParser.parse(text, null).sequence();
       tree = (Ast.Function) program.statements().getFirst();
     }
     return tree;

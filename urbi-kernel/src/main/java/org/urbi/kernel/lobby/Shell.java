@@ -11,8 +11,10 @@ import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.tag.UrbiTag;
 import org.urbi.lang.ast.Ast;
+import org.urbi.lang.input.Item;
 import org.urbi.lang.input.StatementReader;
 import org.urbi.lang.parse.SyntaxError;
+import org.urbi.lang.parse.SyntaxWarning;
 
 /**
  * The top level of a lobby: a job that executes the statements of the input one after the other,
@@ -21,6 +23,9 @@ import org.urbi.lang.parse.SyntaxError;
 public final class Shell {
   /** What the shell tells its connection. */
   public interface Listener {
+    /** The shell begins, or ceases, to wait for more input. */
+    default void starving(boolean begins) {}
+
     /** Input has been executed. */
     void consumed();
 
@@ -31,7 +36,7 @@ public final class Shell {
   private final Interpreter interpreter;
   private final UrbiLobby lobby;
   private final Listener listener;
-  private final StatementReader reader = new StatementReader();
+  private StatementReader reader = new StatementReader(null);
   private final StringBuilder received = new StringBuilder();
   private Job job;
   private UrbiTag foregroundTag;
@@ -70,11 +75,6 @@ public final class Shell {
     wake();
   }
 
-  /** Whether the shell has nothing to execute until more input comes. */
-  public boolean isStarving() {
-    return waiting && !ended && received.isEmpty();
-  }
-
   /** Whether the input so far ends within a statement. */
   public boolean isIncomplete() {
     return reader.pending();
@@ -91,7 +91,6 @@ public final class Shell {
 
   private void wake() {
     if (waiting) {
-      waiting = false;
       job.wake();
     }
   }
@@ -99,7 +98,7 @@ public final class Shell {
   /** Ends the statement in the foreground and forgets the input behind it. */
   public void interrupt() {
     received.setLength(0);
-    reader.reset();
+    reader = new StatementReader(null);
     if (busy) {
       UrbiObject nothing = interpreter.values().voidObject;
       foregroundTag.state().stop(nothing);
@@ -124,13 +123,14 @@ public final class Shell {
   private void run(Job shell) {
     try {
       while (!closed) {
-        StatementReader.Item item = nextItem(shell);
+        Item item = nextItem(shell);
         if (item == null) {
           break;
         }
+        item.warnings().forEach(this::show);
         switch (item) {
-          case StatementReader.Item.Statement statement -> execute(shell, statement);
-          case StatementReader.Item.Errors errors -> errors.errors().forEach(this::show);
+          case Item.Statement statement -> execute(shell, statement);
+          case Item.Invalid invalid -> invalid.errors().forEach(this::show);
         }
       }
       if (!closed) {
@@ -141,9 +141,9 @@ public final class Shell {
     }
   }
 
-  private StatementReader.Item nextItem(Job shell) {
+  private Item nextItem(Job shell) {
     while (!closed) {
-      StatementReader.Item item = reader.next();
+      Item item = reader.next();
       if (item != null) {
         return item;
       }
@@ -156,7 +156,13 @@ public final class Shell {
         return null;
       } else {
         waiting = true;
-        shell.waitForWake();
+        listener.starving(true);
+        try {
+          shell.waitForWake();
+        } finally {
+          waiting = false;
+          listener.starving(false);
+        }
       }
     }
     return null;
@@ -169,10 +175,10 @@ public final class Shell {
     }
   }
 
-  private void execute(Job shell, StatementReader.Item.Statement statement) {
+  private void execute(Job shell, Item.Statement statement) {
     Compilation.Compiled compiled;
     try {
-      compiled = Compilation.compile(interpreter, statement.ast());
+      compiled = Compilation.compile(interpreter, statement.tree());
     } catch (UrbiException e) {
       interpreter.report(shell, e);
       return;
@@ -212,7 +218,7 @@ public final class Shell {
         }
       } catch (Unwinding unwinding) {
         // A return or a break that has nothing to leave.
-      } catch (UrbiException | StackOverflowError e) {
+      } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
         interpreter.report(shell, e);
       } finally {
         shell.leave(scope);
@@ -248,6 +254,10 @@ public final class Shell {
     Frame frame = Frame.top(interpreter, shell, lobby, compiled.layout());
     interpreter.send(
         frame, interpreter.get(frame, lobby, interpreter.world().symbol("topLevel")), "<<", value);
+  }
+
+  private void show(SyntaxWarning warning) {
+    lobby.output().send("warning", "!!! " + warning.span().location() + ": " + warning.message());
   }
 
   private void show(SyntaxError error) {

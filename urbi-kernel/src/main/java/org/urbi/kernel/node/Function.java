@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import java.util.Arrays;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.ast.Ast;
@@ -57,6 +58,11 @@ public final class Function extends Code {
   /** The text, for printing. */
   public Ast.Function source() {
     return body.source;
+  }
+
+  /** Whether the other one has captured the same variables, and the same target. */
+  public boolean capturesAs(Function other) {
+    return boundSelf == other.boundSelf && Arrays.equals(captured, other.captured);
   }
 
   FrameLayout layout() {

@@ -1,5 +1,6 @@
 package org.urbi.kernel.tag;
 
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.TagStop;
@@ -53,8 +54,11 @@ public final class Tagged extends Node {
       return tag.state().blockedValue();
     }
     TagScope scope = job.enter(tag.state());
+    boolean entered = false;
     try {
       job.holdIfFrozen();
+      tag.entering(frame);
+      entered = true;
       if (tag.enterEvent() != null) {
         tag.enterEvent().emit(job, true);
       }
@@ -63,12 +67,23 @@ public final class Tagged extends Node {
       if (stop.scope() != scope) {
         throw stop;
       }
-      return stop.value();
+      return stopped(frame, tag, stop.value(), body);
     } finally {
       job.leave(scope);
+      if (entered) {
+        tag.left(frame);
+      }
       if (tag.leaveEvent() != null) {
         tag.leaveEvent().emit(job, true);
       }
+    }
+  }
+
+  private static UrbiObject stopped(Frame frame, UrbiTag tag, UrbiObject value, Node body) {
+    try {
+      return tag.stopped(frame, value);
+    } catch (UrbiException e) {
+      throw frame.located(e, body.span());
     }
   }
 }

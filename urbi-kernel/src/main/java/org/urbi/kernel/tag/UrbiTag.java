@@ -2,12 +2,13 @@ package org.urbi.kernel.tag;
 
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.TagState;
+import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
 /** A tag (manual, "Tag"): labels code in order to control it. */
-public final class UrbiTag extends UrbiObject {
+public class UrbiTag extends UrbiObject {
   private final TagState state;
   private UrbiTag parent;
   private UrbiEvent enter;
@@ -35,7 +36,18 @@ public final class UrbiTag extends UrbiObject {
     return tag;
   }
 
-  public TagState state() {
+  /** Code has entered and is about to be executed; types of tags do here what they are for. */
+  protected void entering(Frame frame) {}
+
+  /** Code that has {@linkplain #entering entered} leaves, for whatever reason. */
+  protected void left(Frame frame) {}
+
+  /** The value of code that the tag has stopped. */
+  protected UrbiObject stopped(Frame frame, UrbiObject value) {
+    return value;
+  }
+
+  public final TagState state() {
     return state;
   }
 

@@ -130,9 +130,7 @@ public sealed interface Ast {
    */
   record FunctionDefinition(Span span, Message name, Function function) implements Ast {}
 
-  /**
-   * {@code get name() {…}} and {@code set name(var v) {…}}; the function's name is {@code name}.
-   */
+  /** {@code get name() {…}} and {@code set name(var v) {…}}; the function's name is {@code name}. */
   record Accessor(Span span, boolean setter, Message name, Function function) implements Ast {}
 
   /**
@@ -167,7 +165,8 @@ public sealed interface Ast {
    * Statements and their separators. {@code separators} has as many elements as {@code statements},
    * or one less: a last statement without separator. A trailing {@code |} or {@code &} is followed
    * by an explicit empty {@link Scope}. Sequences nest by precedence: {@code ;} and {@code ,}
-   * weakest and mixed in one sequence, then {@code &}, then {@code |}.
+   * weakest and mixed in one sequence, then {@code |}, then {@code &}, the strongest (tutorial,
+   * "Parallelism operators").
    */
   record Sequence(Span span, List<Ast> statements, List<Flavor> separators) implements Ast {}
 
@@ -213,7 +212,8 @@ public sealed interface Ast {
   record Throw(Span span, Ast value) implements Ast {}
 
   /** {@code elseClause} and {@code finallyClause} may be null. */
-  record Try(Span span, Scope body, List<Catch> catches, Scope elseClause, Scope finallyClause)
+  record Try(
+      Span span, Scope body, List<Catch> catches, Scope elseClause, Scope finallyClause)
       implements Ast {}
 
   /** {@code catch (pattern if guard) {…}}; pattern and guard may be null. */

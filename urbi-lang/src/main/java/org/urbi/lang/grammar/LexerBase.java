@@ -1,70 +1,233 @@
 package org.urbi.lang.grammar;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
 import org.antlr.v4.runtime.CharStream;
-import org.antlr.v4.runtime.IntStream;
 import org.antlr.v4.runtime.Lexer;
+import org.antlr.v4.runtime.Token;
 
-/** The words that count: strings with verbatim bytes, and comments that nest. */
+/** The part of the scanner that a grammar cannot say: see {@code UrbiscriptLexer.g4}. */
 public abstract class LexerBase extends Lexer {
+  private static final Set<String> DERIVATIVES = Set.of("d", "dd", "e", "n", "in", "out");
+  private static final String OPERATOR_CHARACTERS = "+-*/%^<>=!~&|";
+
+  private final List<LexicalIssue> issues = new ArrayList<>();
+  private final TextStream stream;
+  private Object value;
+  private int previous;
+  private int depth;
+  private boolean separatorDue;
+  private int endOfName = -1;
+
   protected LexerBase(CharStream input) {
     super(input);
+    this.stream = (TextStream) input;
   }
 
-  /** Goes to the end of a string, its opening quote being read. */
-  protected void string() {
-    while (true) {
-      int c = read();
-      if (c == IntStream.EOF) {
-        setType(UrbiLexer.BAD_STRING);
-        return;
-      } else if (c == '"') {
-        return;
-      } else if (c == '\\' && read() == 'B') {
-        blob();
-      }
+  /** What was wrong or is deprecated, in the order of the text. */
+  public List<LexicalIssue> issues() {
+    return issues;
+  }
+
+  @Override
+  public Token nextToken() {
+    if (separatorDue) {
+      separatorDue = false;
+      int at = stream.index();
+      previous = UrbiscriptLexer.SEMICOLON;
+      return new UrbiToken(
+          _tokenFactorySourcePair, UrbiscriptLexer.SEMICOLON, 0, at, at - 1, ";");
     }
+    return super.nextToken();
   }
 
-  /** Goes over {@code (size)(bytes)}; stays where it stops to look like that. */
-  private void blob() {
-    int at = 1;
-    if (_input.LA(at) != '(') {
+  @Override
+  public Token emit() {
+    var token =
+        new UrbiToken(
+            _tokenFactorySourcePair, _type, _channel, _tokenStartCharIndex, stream.index() - 1,
+            value);
+    value = null;
+    previous = _type;
+    switch (_type) {
+      case UrbiscriptLexer.LPAREN, UrbiscriptLexer.LBRACE, UrbiscriptLexer.LBRACKET -> depth++;
+      case UrbiscriptLexer.RPAREN, UrbiscriptLexer.RBRACE, UrbiscriptLexer.RBRACKET -> depth--;
+      // A binary literal typed at top level is a statement of its own: nothing ends it but itself.
+      case UrbiscriptLexer.BINARY -> separatorDue = depth == 0;
+      default -> {}
+    }
+    emit(token);
+    return token;
+  }
+
+  /** A word was read: finds which. */
+  protected final void word() {
+    String word = matched();
+    if (word.equals("operator") && operatorName() || word.equals("BIN") && binary()) {
       return;
     }
-    long size = 0;
-    at++;
-    while (_input.LA(at) >= '0' && _input.LA(at) <= '9') {
-      size = Math.min(size * 10 + _input.LA(at) - '0', Integer.MAX_VALUE);
+    if (Keywords.reserved(word)) {
+      error(_tokenStartCharIndex, stream.index(), "reserved symbol: `" + word + "'");
+    } else if (Keywords.ignored(word)) {
+      if (word.equals("static") || word.equals("internal")) {
+        warn("`" + word + "' is deprecated");
+      }
+      skip();
+      return;
+    } else if (word.equals("foreach") || word.equals("loopn")) {
+      warn("`" + word + "' is deprecated, use `for'");
+    }
+    _type = Keywords.token(word);
+    endOfName = Keywords.keyword(word) ? -1 : stream.index();
+  }
+
+  /** A number was read, with its unit if any. */
+  protected final void number() {
+    String text = matched();
+    Numbers.Value number = Numbers.parse(text);
+    if (number == Numbers.INVALID) {
+      error(_tokenStartCharIndex, stream.index(), "invalid token: `" + text + "'");
+    } else if (text.charAt(text.length() - 1) == 'm') {
+      warn("`" + text + "' is deprecated, use `" + text + "in'");
+    }
+    value = number.value();
+    _type = number.duration() ? UrbiscriptLexer.DURATION : UrbiscriptLexer.NUMBER;
+  }
+
+  /** The opening quote of a string was read: reads the rest. */
+  protected final void string() {
+    quote('"', "string");
+  }
+
+  /** The opening quote of a name was read: reads the rest. */
+  protected final void quoted() {
+    if (_tokenStartCharIndex == endOfName) {
+      derived();
+      return;
+    }
+    quote('\'', "identifier");
+  }
+
+  /** The beginning of a comment was read: reads the rest. Comments nest. */
+  protected final void comment() {
+    String text = stream.text();
+    int at = stream.index();
+    int nesting = 1;
+    while (nesting > 0 && at < stream.end()) {
+      char c = text.charAt(at++);
+      if (at < stream.end() && c == '*' && text.charAt(at) == '/') {
+        nesting--;
+        at++;
+      } else if (at < stream.end() && c == '/' && text.charAt(at) == '*') {
+        nesting++;
+        at++;
+      }
+    }
+    stream.seek(at);
+    if (nesting > 0) {
+      error(_tokenStartCharIndex, at, "unexpected end of file in a comment");
+    }
+  }
+
+  /** A character was read that cannot start a token. */
+  protected final void unknown() {
+    char c = stream.text().charAt(_tokenStartCharIndex);
+    error(
+        _tokenStartCharIndex, stream.index(), "invalid character: `" + Unprintable.show(c) + "'");
+    _type = UrbiscriptLexer.INVALID;
+  }
+
+  /** What directly follows a name is not the opening quote of another: {@code x'd}. */
+  private void derived() {
+    String text = stream.text();
+    int at = stream.index();
+    if (at < stream.end() && text.charAt(at) == '\'') {
+      at++;
+    } else {
+      while (at < stream.end() && 'a' <= text.charAt(at) && text.charAt(at) <= 'z') {
+        at++;
+      }
+      if (!DERIVATIVES.contains(text.substring(stream.index(), at))) {
+        at = stream.index();
+      }
+    }
+    stream.seek(at);
+    _type = UrbiscriptLexer.DERIVED;
+  }
+
+  private void quote(char quote, String what) {
+    int begin = _tokenStartCharIndex;
+    var escapes =
+        new Escapes(
+            stream.text(),
+            stream.index(),
+            stream.end(),
+            quote,
+            (end, message) -> error(begin, end, message));
+    boolean closed = escapes.read();
+    stream.seek(escapes.position());
+    if (!closed) {
+      error(begin, escapes.position(), "unexpected end of file in a " + what);
+    }
+    value = escapes.value();
+  }
+
+  /** {@code operator +} after a dot or {@code function}: the name {@code '+'}. */
+  private boolean operatorName() {
+    if (previous != UrbiscriptLexer.DOT && previous != UrbiscriptLexer.FUNCTION) {
+      return false;
+    }
+    String text = stream.text();
+    int at = stream.index();
+    while (at < stream.end() && text.charAt(at) == ' ') {
       at++;
     }
-    if (at == 2 || _input.LA(at) != ')' || _input.LA(at + 1) != '(') {
-      return;
+    int begin = at;
+    while (at < stream.end() && OPERATOR_CHARACTERS.indexOf(text.charAt(at)) >= 0) {
+      at++;
     }
-    for (long i = 0; i < at + 1 + size && read() != IntStream.EOF; i++) {}
+    if (at == begin && (text.startsWith("()", at) || text.startsWith("[]", at))) {
+      at += text.startsWith("[]=", at) ? 3 : 2;
+    } else if (at == begin && text.startsWith("new", at)) {
+      at += 3;
+    }
+    if (at == begin || at > stream.end()) {
+      return false;
+    }
+    value = text.substring(begin, at);
+    stream.seek(at);
+    _type = UrbiscriptLexer.QUOTED;
+    return true;
   }
 
-  /** Goes to the end of a comment, its opening being read. */
-  protected void comment() {
-    int depth = 1;
-    while (depth > 0) {
-      int c = read();
-      if (c == IntStream.EOF) {
-        return;
-      } else if (c == '/' && _input.LA(1) == '*') {
-        read();
-        depth++;
-      } else if (c == '*' && _input.LA(1) == '/') {
-        read();
-        depth--;
-      }
+  /** {@code BIN size keywords;data}. */
+  private boolean binary() {
+    String text = stream.text();
+    BinaryHeader header = BinaryHeader.read(text, stream.index(), stream.end());
+    if (header == null) {
+      return false;
     }
+    int data = header.data();
+    int last = (int) Math.min(stream.end(), (long) data + header.size());
+    if (last - data < header.size()) {
+      error(_tokenStartCharIndex, last, "unexpected end of file in binary data");
+    }
+    value = new BinaryLiteral(header.keywords(), text.substring(data, last));
+    stream.seek(last);
+    _type = UrbiscriptLexer.BINARY;
+    return true;
   }
 
-  private int read() {
-    int c = _input.LA(1);
-    if (c != IntStream.EOF) {
-      _input.consume();
-    }
-    return c;
+  private String matched() {
+    return stream.text().substring(_tokenStartCharIndex, stream.index());
+  }
+
+  private void error(int begin, int end, String message) {
+    issues.add(new LexicalIssue(begin, end, "syntax error: " + message, false));
+  }
+
+  private void warn(String message) {
+    issues.add(new LexicalIssue(_tokenStartCharIndex, stream.index(), message, true));
   }
 }

@@ -2,74 +2,30 @@ package org.urbi.lang.grammar;
 
 import org.antlr.v4.runtime.Parser;
 import org.antlr.v4.runtime.ParserRuleContext;
-import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.TokenStream;
 
-/** A parser that refuses to nest without end. */
+/** Bounds the depth of what is parsed, since the parser is recursive. */
 public abstract class ParserBase extends Parser {
-  private int depth;
-  private int limit = Integer.MAX_VALUE;
+  /** How many rules may be open at once: some three hundred nested scopes. */
+  static final int MAXIMUM_DEPTH = 3000;
+
+  private int open;
 
   protected ParserBase(TokenStream input) {
     super(input);
   }
 
-  /** Sets how many rules may be inside each other; some four make a pair of parentheses. */
-  public void limit(int rules) {
-    limit = rules;
-  }
-
   @Override
-  public void reset() {
-    super.reset();
-    depth = 0;
-  }
-
-  @Override
-  public void enterRule(ParserRuleContext context, int state, int rule) {
-    deeper();
-    super.enterRule(context, state, rule);
+  public void enterRule(ParserRuleContext context, int state, int ruleIndex) {
+    super.enterRule(context, state, ruleIndex);
+    if (++open > MAXIMUM_DEPTH) {
+      throw new NestingException(_input.LT(1));
+    }
   }
 
   @Override
   public void exitRule() {
+    open--;
     super.exitRule();
-    depth--;
-  }
-
-  @Override
-  public void enterRecursionRule(ParserRuleContext context, int state, int rule, int precedence) {
-    deeper();
-    super.enterRecursionRule(context, state, rule, precedence);
-  }
-
-  @Override
-  public void unrollRecursionContexts(ParserRuleContext parent) {
-    super.unrollRecursionContexts(parent);
-    depth--;
-  }
-
-  private void deeper() {
-    depth++;
-    if (depth > limit) {
-      throw new TooDeep(getCurrentToken());
-    }
-  }
-
-  /** Thrown where the nesting is too deep. */
-  public static final class TooDeep extends RuntimeException {
-    private static final long serialVersionUID = 1;
-
-    private final transient Token token;
-
-    TooDeep(Token token) {
-      super("nesting too deep", null, false, false);
-      this.token = token;
-    }
-
-    /** The first word that is too deep. */
-    public Token token() {
-      return token;
-    }
   }
 }

@@ -1,188 +1,131 @@
 package org.urbi.lang.input;
 
-import java.util.ArrayDeque;
-import java.util.ArrayList;
-import java.util.Deque;
 import java.util.List;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.urbi.lang.ast.Ast;
+import org.urbi.lang.parse.Parsed;
 import org.urbi.lang.parse.SyntaxError;
 import org.urbi.lang.parse.UrbiParser;
 import org.urbi.lang.source.Source;
+import org.urbi.lang.source.Span;
+import org.urbi.lang.text.LineTable;
+import org.urbi.lang.text.Splitter;
 
 /**
- * Turns text that arrives piece by piece into statements, each as soon as its separator is there.
- * Lines and columns go on from one statement to the next; synclines change them (manual,
- * "Synclines").
+ * Reads statements from a stream of characters that comes in pieces of any size, as in an
+ * interactive session (manual, "Statement Separators").
+ *
+ * <p>A statement is complete with its {@code ;} or {@code ,}. A syntax error costs the statement in
+ * which it is, up to its separator, and no other. The time that it takes is linear in what is fed,
+ * however it is cut into pieces. Not thread-safe.
  */
 public final class StatementReader {
-  /** What was read. */
-  public sealed interface Item {
-    /**
-     * A statement.
-     *
-     * @param separator null when the input ended without one
-     */
-    record Statement(Ast ast, Ast.Flavor separator) implements Item {}
-
-    /** A statement that is none. */
-    record Errors(List<SyntaxError> errors) implements Item {}
-  }
-
-  private record Place(String file, int number) {}
-
-  private static final Pattern SYNCLINE =
-      Pattern.compile("//#(line|push|pop)(?:\\s+(\\d{1,9}))?(?:\\s+\"(.*)\")?\\s*");
-
-  /** What was read and handed out is dropped when there is that much of it. */
-  private static final int COMPACT = 1 << 16;
-
-  private final StringBuilder text = new StringBuilder();
-  private Scanner scanner = new Scanner();
-  private final Deque<Place> pushed = new ArrayDeque<>();
-  private final List<Source.Line> lines = new ArrayList<>();
-
-  /** Where the statement begins, or -1 before its first character. */
-  private int begin = -1;
-
-  private int at;
-  private int firstColumn;
+  private final LineTable lines;
+  private final Splitter splitter;
+  private final int maximumSize;
+  private final StringBuilder buffer = new StringBuilder();
+  private int start;
+  private int position;
+  private boolean discarding;
   private boolean ended;
-  private String file;
-  private int number = 1;
-  private int column = 1;
-  private int lineBegin;
-  private boolean lineBeginsInCode = true;
 
-  /** Adds text. */
-  public void feed(String chunk) {
-    text.append(chunk);
+  /** A reader without limit to the size of a statement. */
+  public StatementReader(String file) {
+    this(file, Integer.MAX_VALUE);
   }
 
-  /** Tells that there will be no more text. */
+  /**
+   * @param file the name that locations show, or null
+   * @param maximumSize the length, in characters, beyond which a statement is refused
+   */
+  public StatementReader(String file, int maximumSize) {
+    this.lines = new LineTable(file, 1);
+    this.splitter = new Splitter(lines);
+    this.maximumSize = maximumSize;
+  }
+
+  /** Adds input: each {@code char} is a byte, from 0 to 255. */
+  public void feed(String chunk) {
+    if (ended) {
+      throw new IllegalStateException("input after its end");
+    }
+    // Moving what is left each time would be quadratic when many statements wait.
+    if (start > buffer.length() / 2) {
+      buffer.delete(0, start);
+      position -= start;
+      start = 0;
+    }
+    buffer.append(chunk);
+  }
+
+  /** Tells that no more input comes. */
   public void end() {
     ended = true;
   }
 
-  /** Forgets the statement that has begun, and all the text behind it. */
-  public void reset() {
-    text.setLength(0);
-    at = 0;
-    begin = -1;
-    lineBegin = 0;
-    lineBeginsInCode = true;
-    scanner = new Scanner();
-  }
-
-  /** Whether there is a beginning of a statement, or text still to be read. */
-  public boolean pending() {
-    return !scanner.isBlank() || !scanner.inCode() || at < text.length();
-  }
-
-  /** The next statement, or null when more text is needed. */
+  /** The next statement or its errors; null when more input is needed. */
   public Item next() {
-    while (at < text.length()) {
-      if (step(text.charAt(at))) {
-        Item item = parse(true);
-        begin = -1;
-        if (item != null) {
-          compact();
-          return item;
-        }
+    while (position < buffer.length()) {
+      position = splitter.scan(buffer, position, buffer.length(), start);
+      boolean complete = splitter.separator() != null;
+      if (discarding) {
+        discarding = !complete;
+        drop();
+      } else if (position - start > maximumSize) {
+        discarding = !complete;
+        return tooLong();
+      } else if (complete) {
+        return item();
       }
     }
-    compact();
     return null;
   }
 
-  /** What is left after the last separator of a text that ended, or null. */
+  /** Whether the input stops in the middle of a statement or of a comment. */
+  public boolean pending() {
+    return discarding || splitter.pending();
+  }
+
+  /**
+   * What is left of the input, for which no separator came, parsed as if a {@code ;} had followed;
+   * null when there are only white space and comments. To call after {@link #end} and the last
+   * {@link #next}, once.
+   */
   public Item rest() {
-    if (!ended || begin < 0) {
+    if (discarding || start == position || !splitter.pending()) {
       return null;
     }
-    Item item = parse(false);
-    begin = -1;
-    return item;
+    String text = buffer.substring(start);
+    Source source = lines.cut(text);
+    start = position;
+    Parsed parsed = UrbiParser.parse(source, 0, text.length());
+    return result(parsed, Ast.Flavor.SEMICOLON);
   }
 
-  private boolean step(char c) {
-    if (begin < 0 && !(c == ' ' || c >= '\t' && c <= '\r')) {
-      begin = at;
-      firstColumn = column;
-      lines.clear();
-      lines.add(new Source.Line(0, file, number));
-    }
-    boolean end = scanner.take(c);
-    at++;
-    column++;
-    if (c == '\n') {
-      number++;
-      column = 1;
-      syncline();
-      lineBegin = at;
-      lineBeginsInCode = scanner.inCode();
-      if (begin >= 0) {
-        if (scanner.isBlank() && lineBeginsInCode) {
-          // Only comments so far: the statement is still to begin.
-          begin = -1;
-        } else {
-          lines.add(new Source.Line(at - begin, file, number));
-        }
-      }
-    }
-    return end;
+  private static Item result(Parsed parsed, Ast.Flavor separator) {
+    return parsed.valid()
+        ? new Item.Statement(parsed.tree(), separator, parsed.warnings())
+        : new Item.Invalid(parsed.errors(), parsed.warnings());
   }
 
-  /** Follows the line that just ended, if it is a syncline. */
-  private void syncline() {
-    if (!lineBeginsInCode
-        || at - lineBegin < 6
-        || text.charAt(lineBegin) != '/'
-        || text.charAt(lineBegin + 2) != '#') {
-      return;
-    }
-    Matcher matcher = SYNCLINE.matcher(text.substring(lineBegin, at));
-    if (!matcher.matches()) {
-      return;
-    }
-    if (matcher.group(1).equals("pop")) {
-      if (!pushed.isEmpty()) {
-        Place place = pushed.pop();
-        file = place.file();
-        number = place.number();
-      }
-    } else if (matcher.group(2) != null) {
-      if (matcher.group(1).equals("push")) {
-        pushed.push(new Place(file, number));
-      }
-      number = Integer.parseInt(matcher.group(2));
-      file = matcher.group(3) == null ? file : matcher.group(3);
-    }
+  private Item item() {
+    String text = buffer.substring(start, position);
+    Source source = lines.cut(text);
+    start = position;
+    Parsed parsed = UrbiParser.parseStatement(source, 0, text.length());
+    return result(parsed, parsed.separator());
   }
 
-  private Item parse(boolean terminated) {
-    var source =
-        new Source(text.substring(begin, at), firstColumn, lines.toArray(Source.Line[]::new));
-    UrbiParser.Parsed parsed = UrbiParser.parse(source);
-    if (!parsed.errors().isEmpty()) {
-      return new Item.Errors(parsed.errors());
-    }
-    Ast.Sequence program = parsed.program();
-    if (program.statements().isEmpty()) {
-      return null;
-    }
-    Ast ast = program.statements().size() == 1 ? program.statements().getFirst() : program;
-    return new Item.Statement(ast, terminated ? program.separators().getLast() : null);
+  private Item tooLong() {
+    String text = buffer.substring(start, position);
+    Source source = lines.cut(text);
+    start = position;
+    String message = "syntax error: statement longer than " + maximumSize + " characters";
+    return new Item.Invalid(
+        List.of(new SyntaxError(new Span(source, 0, text.length()), message)), List.of());
   }
 
-  private void compact() {
-    int keep = Math.min(lineBegin, begin < 0 ? at : begin);
-    if (keep >= COMPACT || keep == text.length()) {
-      text.delete(0, keep);
-      at -= keep;
-      lineBegin -= keep;
-      begin = begin < 0 ? -1 : begin - keep;
-    }
+  private void drop() {
+    lines.skip(position - start);
+    start = position;
   }
 }

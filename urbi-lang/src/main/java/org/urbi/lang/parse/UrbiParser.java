@@ -1,182 +1,118 @@
 package org.urbi.lang.parse;
 
+import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicReference;
-import org.antlr.v4.runtime.BaseErrorListener;
-import org.antlr.v4.runtime.CharStreams;
 import org.antlr.v4.runtime.CommonTokenStream;
-import org.antlr.v4.runtime.ListTokenSource;
-import org.antlr.v4.runtime.RecognitionException;
-import org.antlr.v4.runtime.Recognizer;
-import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.atn.PredictionMode;
+import org.antlr.v4.runtime.misc.ParseCancellationException;
 import org.urbi.lang.ast.Ast;
-import org.urbi.lang.grammar.ParserBase;
-import org.urbi.lang.grammar.UrbiLexer;
+import org.urbi.lang.grammar.LexicalIssue;
+import org.urbi.lang.grammar.NestingException;
+import org.urbi.lang.grammar.TextStream;
+import org.urbi.lang.grammar.UrbiscriptLexer;
+import org.urbi.lang.grammar.UrbiscriptParser;
+import org.urbi.lang.text.Sources;
 import org.urbi.lang.source.Source;
 import org.urbi.lang.source.Span;
 
-/** From text to tree. */
+/**
+ * Turns a text into a syntax tree (manual, "Syntax").
+ *
+ * <p>Bad input of any kind and any size yields errors, never an exception.
+ */
 public final class UrbiParser {
-  /**
-   * What a text is.
-   *
-   * @param program empty when there are errors
-   */
-  public record Parsed(Ast.Sequence program, List<SyntaxError> errors) {}
-
-  private static final class Failure extends RuntimeException {
-    private static final long serialVersionUID = 1;
-    private final transient Token token;
-
-    Failure(Token token) {
-      super("syntax error", null, false, false);
-      this.token = token;
-    }
-  }
-
-  private static final BaseErrorListener FAIL =
-      new BaseErrorListener() {
-        @Override
-        public void syntaxError(
-            Recognizer<?, ?> recognizer,
-            Object symbol,
-            int line,
-            int column,
-            String message,
-            RecognitionException e) {
-          throw new Failure((Token) symbol);
-        }
-      };
-
   private UrbiParser() {}
 
-  /** Rules inside each other that any thread's stack has room for. */
-  private static final int SHALLOW = 500;
-
-  /** Rules inside each other that there may be, and the bytes of stack for them. */
-  private static final int DEEP = 8000;
-
-  private static final long STACK = 64L << 20;
-
-  /** Parses a whole text; never throws. */
-  public static Parsed parse(Source source) {
-    try {
-      return parse(source, SHALLOW);
-    } catch (ParserBase.TooDeep e) {
-      return parseDeep(source);
-    }
+  /**
+   * Parses a complete text, the last statement of which needs no separator.
+   *
+   * @param file the name that locations show, or null
+   * @return a {@link Ast.Sequence}, or errors
+   */
+  public static Parsed parse(String text, String file) {
+    return parse(Sources.of(text, file), 0, text.length());
   }
 
-  /** What nests deeply is parsed where there is room for it. */
-  private static Parsed parseDeep(Source source) {
-    var parsed = new AtomicReference<Parsed>();
-    Runnable work =
-        () -> {
-          try {
-            parsed.set(parse(source, DEEP));
-          } catch (ParserBase.TooDeep e) {
-            var errors = new Errors(source);
-            errors.add(errors.span(e.token()), "nesting too deep");
-            parsed.set(failed(source, errors));
-          }
-        };
-    var thread = new Thread(null, work, "urbi-parser", STACK);
-    thread.setDaemon(true);
-    thread.start();
-    boolean interrupted = false;
-    while (parsed.get() == null && thread.isAlive()) {
-      try {
-        thread.join();
-      } catch (InterruptedException e) {
-        interrupted = true;
+  /** Parses a part of a text as if it were a complete one. */
+  public static Parsed parse(Source source, int begin, int end) {
+    return new Run(source, begin, end, false).parse();
+  }
+
+  /** Parses a part of a text that must be exactly one statement and its separator. */
+  public static Parsed parseStatement(Source source, int begin, int end) {
+    return new Run(source, begin, end, true).parse();
+  }
+
+  /** One text being parsed. */
+  private static final class Run {
+    private final Source source;
+    private final boolean single;
+    private final UrbiscriptLexer lexer;
+    private final CommonTokenStream tokens;
+    private final List<SyntaxWarning> warnings = new ArrayList<>();
+    private Ast.Flavor separator;
+
+    Run(Source source, int begin, int end, boolean single) {
+      this.source = source;
+      this.single = single;
+      this.lexer = new UrbiscriptLexer(new TextStream(source.text(), begin, end));
+      this.tokens = new CommonTokenStream(lexer);
+    }
+
+    Parsed parse() {
+      tokens.fill();
+      List<SyntaxError> errors = new ArrayList<>();
+      for (LexicalIssue issue : lexer.issues()) {
+        Span span = new Span(source, issue.begin(), issue.end());
+        if (issue.warning()) {
+          warnings.add(new SyntaxWarning(span, issue.message()));
+        } else {
+          errors.add(new SyntaxError(span, issue.message()));
+        }
       }
-    }
-    if (interrupted) {
-      Thread.currentThread().interrupt();
-    }
-    return parsed.get();
-  }
-
-  private static Parsed parse(Source source, int limit) {
-    var errors = new Errors(source);
-    List<? extends Token> tokens = tokens(source, errors);
-    if (!errors.isEmpty()) {
-      return failed(source, errors);
-    }
-    TokenFilter.filter(tokens);
-    try {
-      var stream = new CommonTokenStream(new ListTokenSource(tokens));
-      var parser = new org.urbi.lang.grammar.UrbiParser(stream);
-      parser.limit(limit);
-      parser.removeErrorListeners();
-      parser.addErrorListener(FAIL);
-      var program = program(parser);
-      Ast.Sequence sequence = new Statements(errors).sequence(program.sequence());
+      Ast tree = null;
       if (errors.isEmpty()) {
-        return new Parsed(sequence, List.of());
+        try {
+          tree = tree();
+        } catch (SyntaxFailure failure) {
+          errors.add(failure.error());
+        } catch (NestingException tooDeep) {
+          errors.add(TokenNames.failure(source, tooDeep.token(), tooDeep.getMessage()).error());
+        } catch (ParseCancellationException stop) {
+          errors.add(TokenNames.unexpected(source, Bail.offender(stop)).error());
+        }
       }
-    } catch (Failure failure) {
-      unexpected(failure.token, tokens, errors);
-    } catch (Expressions.TooLong e) {
-      errors.add(e.span(), "nesting too deep");
+      return new Parsed(tree, separator, List.copyOf(errors), List.copyOf(warnings));
     }
-    return failed(source, errors);
-  }
 
-  /** The fast prediction first; what it refuses, the complete one decides. */
-  private static org.urbi.lang.grammar.UrbiParser.ProgramContext program(
-      org.urbi.lang.grammar.UrbiParser parser) {
-    try {
-      parser.getInterpreter().setPredictionMode(PredictionMode.SLL);
-      return parser.program();
-    } catch (Failure e) {
-      parser.reset();
-      parser.getInterpreter().setPredictionMode(PredictionMode.LL);
-      return parser.program();
-    }
-  }
-
-  private static Parsed failed(Source source, Errors errors) {
-    return new Parsed(
-        new Ast.Sequence(new Span(source, 0, 0), List.of(), List.of()), errors.sorted());
-  }
-
-  private static List<? extends Token> tokens(Source source, Errors errors) {
-    var lexer = new UrbiLexer(CharStreams.fromString(source.text()));
-    lexer.removeErrorListeners();
-    List<? extends Token> tokens = lexer.getAllTokens();
-    for (Token token : tokens) {
-      Span span = errors.span(token);
-      switch (token.getType()) {
-        case UrbiLexer.BAD_TOKEN -> errors.add(span, "invalid token: `" + token.getText() + "'");
-        case UrbiLexer.BAD_CHARACTER ->
-            errors.add(span, "invalid character: `" + visible(token.getText().charAt(0)) + "'");
-        case UrbiLexer.BAD_STRING -> errors.add(span, "unterminated string");
-        case UrbiLexer.RESERVED -> errors.add(span, "reserved symbol: `" + token.getText() + "'");
-        case UrbiLexer.STRING -> Escapes.check(token.getText(), span, errors);
-        default -> {}
+    private Ast tree() {
+      try {
+        return tree(PredictionMode.SLL);
+      } catch (ParseCancellationException stop) {
+        // Either an error, or one of the rare texts for which the fast mode is not enough.
+        warnings.clear();
+        lexer.issues().stream()
+            .map(i -> new SyntaxWarning(new Span(source, i.begin(), i.end()), i.message()))
+            .forEach(warnings::add);
+        return tree(PredictionMode.LL);
       }
     }
-    return tokens;
-  }
 
-  private static String visible(char c) {
-    return c >= ' ' && c < 127 ? String.valueOf(c) : String.format("\\x%02x", (int) c);
-  }
-
-  private static void unexpected(Token token, List<? extends Token> tokens, Errors errors) {
-    Token at = token;
-    int index = tokens.indexOf(token);
-    // Two names in a row could be a type and a variable: what follows is wrong.
-    if (index > 0
-        && token.getType() == UrbiLexer.IDENTIFIER
-        && tokens.get(index - 1).getType() == UrbiLexer.IDENTIFIER
-        && index + 1 < tokens.size()) {
-      at = tokens.get(index + 1);
+    private Ast tree(PredictionMode mode) {
+      tokens.seek(0);
+      var parser = new UrbiscriptParser(tokens);
+      parser.setErrorHandler(new Bail());
+      parser.removeErrorListeners();
+      parser.setInterpreter(new Prediction(parser, mode));
+      var builder = new TreeBuilder(source, warnings);
+      if (!single) {
+        return builder.statements.sequence(parser.program().sequence());
+      }
+      var item = parser.item();
+      separator = item.COMMA() == null ? Ast.Flavor.SEMICOLON : Ast.Flavor.COMMA;
+      return item.pipe() == null
+          ? new Ast.Noop(builder.span(item))
+          : builder.statements.pipe(item.pipe());
     }
-    errors.add(
-        errors.span(at),
-        at.getType() == Token.EOF ? "unexpected end of command" : "unexpected " + at.getText());
   }
 }

@@ -5,33 +5,44 @@ import java.math.MathContext;
 import java.math.RoundingMode;
 
 /**
- * Numbers as urbiscript shows them: six significant digits, as {@code %g} does in C, but all the
- * digits of integers (manual, "Float.asString").
+ * Shows numbers with six significant digits, as C's {@code %g}, but all the digits of integers up
+ * to 2<sup>63</sup> (manual, "Floats", "Float.asString").
  */
 public final class FloatFormat {
   private static final int DIGITS = 6;
-  private static final MathContext ROUND = new MathContext(DIGITS, RoundingMode.HALF_EVEN);
+  private static final MathContext ROUNDING = new MathContext(DIGITS, RoundingMode.HALF_EVEN);
 
   private FloatFormat() {}
 
-  /** A number as text. */
+  /** {@code 42}, {@code 0.5}, {@code 1e-06}, {@code 1e+20}, {@code inf}, {@code nan}. */
   public static String format(double value) {
     if (Double.isNaN(value)) {
       return "nan";
-    } else if (Double.isInfinite(value)) {
+    }
+    if (Double.isInfinite(value)) {
       return value > 0 ? "inf" : "-inf";
-    } else if (value == 0) {
-      return 1 / value < 0 ? "-0" : "0";
-    } else if (value == (long) value && Math.abs(value) < 0x1p63) {
+    }
+    if (value == (long) value && Math.abs(value) < 0x1p63 && (value != 0 || 1 / value > 0)) {
       return Long.toString((long) value);
     }
-    BigDecimal rounded = new BigDecimal(value).round(ROUND).stripTrailingZeros();
+    if (value == 0) {
+      return "-0";
+    }
+    BigDecimal rounded = new BigDecimal(value).round(ROUNDING).stripTrailingZeros();
     int exponent = rounded.precision() - rounded.scale() - 1;
-    if (exponent >= -4 && exponent < DIGITS) {
+    if (-4 <= exponent && exponent < DIGITS) {
       return rounded.toPlainString();
     }
-    String mantissa = rounded.movePointLeft(exponent).toPlainString();
-    String digits = (Math.abs(exponent) < 10 ? "0" : "") + Math.abs(exponent);
-    return mantissa + 'e' + (exponent < 0 ? '-' : '+') + digits;
+    String digits = rounded.unscaledValue().abs().toString();
+    var text = new StringBuilder();
+    text.append(value < 0 ? "-" : "").append(digits.charAt(0));
+    if (digits.length() > 1) {
+      text.append('.').append(digits, 1, digits.length());
+    }
+    text.append(exponent < 0 ? "e-" : "e+");
+    if (Math.abs(exponent) < 10) {
+      text.append('0');
+    }
+    return text.append(Math.abs(exponent)).toString();
   }
 }

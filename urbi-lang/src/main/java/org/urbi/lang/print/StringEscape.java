@@ -1,37 +1,66 @@
 package org.urbi.lang.print;
 
-/** Strings as they are written in a program. */
+import org.urbi.lang.grammar.Keywords;
+
+/** Writes strings and names so that they can be read again (manual, "Strings"). */
 public final class StringEscape {
-  private static final String SPECIAL = "\u0007\b\f\n\r\t\u000B\\";
-  private static final String LETTERS = "abfnrtv\\";
+  private static final String HEXADECIMAL = "0123456789abcdef";
 
   private StringEscape() {}
 
-  /** The contents of a literal between double quotes. */
-  public static String escape(String value) {
-    return escape(value, '"');
+  /** The string as a literal: between double quotes. */
+  public static String quote(String text) {
+    return '"' + escape(text, '"') + '"';
   }
 
-  /** The literal, double quotes included. */
-  public static String quote(String value) {
-    return '"' + escape(value) + '"';
+  /** The contents of a literal between quotes of a kind. */
+  public static String escape(String text, char quote) {
+    var escaped = new StringBuilder(text.length() + 8);
+    for (int i = 0; i < text.length(); i++) {
+      append(escaped, text.charAt(i), quote);
+    }
+    return escaped.toString();
   }
 
-  static String escape(String value, char quote) {
-    var text = new StringBuilder(value.length());
-    for (int i = 0; i < value.length(); i++) {
-      char c = value.charAt(i);
-      int special = SPECIAL.indexOf(c);
-      if (special >= 0) {
-        text.append('\\').append(LETTERS.charAt(special));
-      } else if (c == quote) {
-        text.append('\\').append(c);
-      } else if (c >= ' ' && c < 127) {
-        text.append(c);
-      } else {
-        text.append(String.format("\\x%02x", (int) c));
+  /** The name as an identifier: between simple quotes unless it may go without. */
+  public static String name(String name) {
+    return plain(name) ? name : '\'' + escape(name, '\'') + '\'';
+  }
+
+  private static void append(StringBuilder escaped, char c, char quote) {
+    switch (c) {
+      case '\007' -> escaped.append("\\a");
+      case '\b' -> escaped.append("\\b");
+      case '\f' -> escaped.append("\\f");
+      case '\n' -> escaped.append("\\n");
+      case '\r' -> escaped.append("\\r");
+      case '\t' -> escaped.append("\\t");
+      case '\013' -> escaped.append("\\v");
+      case '\\' -> escaped.append("\\\\");
+      default -> {
+        if (c == quote) {
+          escaped.append('\\').append(c);
+        } else if (' ' <= c && c < 127) {
+          escaped.append(c);
+        } else {
+          escaped.append("\\x");
+          escaped.append(HEXADECIMAL.charAt(c >> 4 & 15)).append(HEXADECIMAL.charAt(c & 15));
+        }
       }
     }
-    return text.toString();
+  }
+
+  private static boolean plain(String name) {
+    if (name.isEmpty() || Keywords.keyword(name) || name.equals("self")) {
+      return false;
+    }
+    for (int i = 0; i < name.length(); i++) {
+      char c = name.charAt(i);
+      boolean letter = 'a' <= c && c <= 'z' || 'A' <= c && c <= 'Z' || c == '_';
+      if (!letter && (i == 0 || c < '0' || '9' < c)) {
+        return false;
+      }
+    }
+    return true;
   }
 }

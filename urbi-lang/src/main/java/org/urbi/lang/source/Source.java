@@ -1,8 +1,6 @@
 package org.urbi.lang.source;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
 
 /**
  * A text and the one table that turns its offsets into lines and columns.
@@ -29,16 +27,6 @@ public final class Source {
     this.firstColumn = firstColumn;
     this.lines = lines.clone();
     this.offsets = Arrays.stream(lines).mapToInt(Line::offset).toArray();
-  }
-
-  /** A source that begins a file, or that was typed on its own when there is no file name. */
-  public static Source of(String text, String file) {
-    List<Line> lines = new ArrayList<>();
-    lines.add(new Line(0, file, 1));
-    for (int at = text.indexOf('\n'); at >= 0; at = text.indexOf('\n', at + 1)) {
-      lines.add(new Line(at + 1, file, lines.size() + 1));
-    }
-    return new Source(text, 1, lines.toArray(Line[]::new));
   }
 
   public String text() {

@@ -2,44 +2,153 @@ package org.urbi.lang.print;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.urbi.lang.ast.Ast;
+import org.urbi.lang.parse.Parsed;
 import org.urbi.lang.parse.UrbiParser;
-import org.urbi.lang.source.Source;
 
 class PrinterTest {
-  private static Ast parse(String text) {
-    var source = new Source(text, 1, new Source.Line(0, null, 1));
-    return UrbiParser.parse(source).program().statements().getFirst();
+  private static Ast one(String text) {
+    Parsed parsed = UrbiParser.parse(text, null);
+    assertEquals(List.of(), parsed.errors(), text);
+    assertEquals(1, parsed.sequence().statements().size(), text);
+    return parsed.sequence().statements().get(0);
+  }
+
+  private static void prints(String text, String printed) {
+    assertEquals(printed, Printer.print(one(text)));
+    assertEquals(printed, Printer.print(one(printed)));
+  }
+
+  @Test
+  void functionsOfOneStatement() {
+    prints("function(){}", "function () {}");
+    prints("function () { x; }", "function () { x }");
+    prints("closure(a,b){a+b}", "closure (var a, var b) { a.'+'(b) }");
+    prints("function { call.args }", "function { call.args }");
+    prints(
+        "function f(a, b = 1, c[]) { return a * b; }",
+        "function f(var a, var b = 1, var c[]) { return a.'*'(b) }");
+    prints("function () { a | b & c }", "function () { a | b & c }");
+    prints("function () { a, }", "function () { a, }");
+  }
+
+  @Test
+  void functionsOfSeveralStatements() {
+    prints(
+        "function(){ foo(1); return 2; }",
+        """
+        function () {
+          foo(1);
+          return 2;
+        }""");
+    prints(
+        "function () { var a.b = 0; class C : D { x }; e! ~ 2s; [\"k\"=>1]; for(var i : 3) {}; z }",
+        """
+        function () {
+          var a.b = 0;
+          class C: D
+          {
+            x
+          };
+          e! ~ 2;
+          [
+            "k" => 1,
+          ];
+          for (var i : 3)
+          {};
+          z
+        }""");
+  }
+
+  @Test
+  void bodies() {
+    assertEquals("1", Printer.printBody(((Ast.Function) one("function () { 1 }")).body()));
+    assertEquals("1;\n2;", Printer.printBody(((Ast.Function) one("closure () {1;2;}")).body()));
+  }
+
+  @Test
+  void controlFlow() {
+    prints("if (a) b else if (c) d", "if (a)\n{ b }\nelse\n{\n  if (c)\n  { d }\n}");
+    prints("while| (a) { b; c }", "while| (a)\n{\n  b;\n  c\n}");
+    prints("for, (var i = 0; i < 3; i++) a", "for, (var i = 0; i.'<'(3); i++)\n{ a }");
+    prints("for (;;) {}", "for (;;)\n{}");
+    prints("loop& {}".replace("&", "|"), "loop|\n{}");
+    prints("every| (1s) a", "every| (1)\n{ a }");
+    prints(
+        "switch (a) { case 1: b; case [var x] if x: default: c, d }",
+        """
+        switch (a)
+        {
+          case 1:
+            b
+          case [var x] if x:
+          default:
+            c,
+            d
+        }""");
+    prints(
+        "try { a } catch (var e if e.f) { b } catch {} else { c } finally { d }",
+        """
+        try
+        { a }
+        catch (var e if e.f)
+        { b }
+        catch
+        {}
+        else
+        { c }
+        finally
+        { d }""");
+    prints(
+        "at sync (e?(1, var x) if x ~ 1s) a onleave b",
+        "at sync (e?(1, var x) if x ~ 1)\n{ a }\nonleave\n{ b }");
+    prints("t: u: a = 1 time: 2s", "t: u: a = 1 time: 2");
+    prints("assert { a; b == c }", "assert\n{\n  a;\n  b.'=='(c);\n}");
   }
 
   @ParameterizedTest
-  @CsvSource({
-    "1e-6, 1e-06", "1e11, 1e+11", "1000, 1000", "0.1, 0.1", "1234567, 1.23457e+06",
-    "123456, 123456", "3.14159265, 3.14159", "-0.0, -0", "NaN, nan", "Infinity, inf",
-    "999999.5, 1e+06", "1e-4, 0.0001", "1e100, 1e+100", "-2.5, -2.5"
-  })
-  void formatsFloats(double value, String text) {
-    assertEquals(text, FloatFormat.format(value));
+  @ValueSource(
+      strings = {
+        "package a.b\n{\n  var x = 1\n}", "import a.b.*", "import this.*", "var x : T = 1",
+        "get foo() { 1 }", "set foo(var v) { x = v }", "throw", "return 1", "break", "continue",
+        "waituntil (a ~ 1)", "stopif (e?)\n{ a }", "freezeif (a)\n{ b }", "timeout (1)\n{ a }",
+        "whenever (a)\n{ b }\nelse\n{ c }", "do (1)\n{ a }", "do\n{ a }.b", "watch(a)",
+        "(var a, [1, var b]) = c", "a->b = 1", "a.b->c", "&f.g", "(a = 1).b", "(a && b).c",
+        "a = 1 time: 2", "'if'.'\\n\\''('' = 1)", "enum E\n{\n  a,\n  b,\n}", "[ => ]", "(1,)",
+        "function (var a : T = 1) {}", "e!(1).a", "{}.a", "class C", "x = (y = 1 time: 2) time: 3",
+      })
+  void isStable(String text) {
+    Ast tree = one(text);
+    assertEquals(Printer.print(tree), Printer.print(one(Printer.print(tree))));
   }
 
   @Test
-  void escapesStrings() {
-    assertEquals("a\\n\\\"\\\\\\xff\\x00'", StringEscape.escape("a\n\"\\\u00ff\0'"));
-  }
-
-  @Test
-  void printsBlocks() {
-    assertEquals(
-        "function () {\n  echo(\"a\");\n  if (x)\n  { y }\n  else\n  {};\n}",
-        Printer.print(parse("function () { echo(\"a\"); if (x) y else {}; }")));
-  }
-
-  @Test
-  void printsClaims() {
-    assertEquals("1 == 1.'+'(1)", Printer.claim(parse("1 == 1 + 1")));
-    assertEquals("1 in []", Printer.claim(parse("1 in []")));
+  void keepsSmallStacks() throws InterruptedException {
+    var failure = new Throwable[1];
+    var thread =
+        new Thread(
+            null,
+            () -> {
+              for (String unit : List.of("f(", "{", "- ", "t: ", "1 + ", "a.", "if (1) 1 else ")) {
+                for (int depth : new int[] {100, 200, 400, 700, 1400, 20_000}) {
+                  String close = unit.equals("f(") ? ")" : unit.equals("{") ? "}" : "";
+                  String text = unit.repeat(depth) + "a" + close.repeat(depth);
+                  Parsed parsed = UrbiParser.parse(text, null);
+                  if (parsed.valid()) {
+                    Printer.print(parsed.tree());
+                  }
+                }
+              }
+            },
+            "small stack",
+            1 << 20);
+    thread.setUncaughtExceptionHandler((t, e) -> failure[0] = e);
+    thread.start();
+    thread.join();
+    assertEquals(null, failure[0]);
   }
 }

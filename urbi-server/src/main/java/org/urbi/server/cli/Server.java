@@ -25,7 +25,7 @@ final class Server {
   private final StartFiles startFiles;
   private Kernel kernel;
   private volatile LocalConsole console;
-  private volatile boolean rebooting;
+  private volatile boolean reboot;
 
   Server(Settings settings, PrintStream out, PrintStream err) {
     this.settings = settings;
@@ -34,22 +34,26 @@ final class Server {
     startFiles = new StartFiles(settings.searchPath());
   }
 
-  /** Whether the run ended because the script wants another one. */
-  boolean isRebooting() {
-    return rebooting;
-  }
-
-  /** Runs until the kernel has been shut down, and returns its exit status. */
+  /** Runs until the kernel has been shut down for good, and returns its exit status. */
   int run() {
     warmUpParser();
+    int status;
+    do {
+      reboot = false;
+      status = runOnce();
+    } while (reboot);
+    return status;
+  }
+
+  private int runOnce() {
     kernel =
         Kernel.builder()
             .virtualTime(settings.fast())
             .searchPath(settings.searchPath().directories())
             .stackSize(settings.stackSize())
-            .commandLine(System.getProperty("urbi.program", "urbi"), settings.arguments())
-            .onReboot(() -> rebooting = true)
+            .commandLine(settings.program(), settings.arguments())
             .onHalt(this::halt)
+            .onReboot(() -> reboot = true)
             .start();
     ConsoleServer network = null;
     try {

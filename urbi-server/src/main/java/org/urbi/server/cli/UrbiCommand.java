@@ -75,14 +75,7 @@ public final class UrbiCommand {
       out.println(SearchPath.root());
       return 0;
     }
-    Settings settings = settings(arguments);
-    Server server;
-    int status;
-    do {
-      server = new Server(settings, out, err);
-      status = server.run();
-    } while (server.isRebooting());
-    return status;
+    return new Server(settings(arguments), out, err).run();
   }
 
   private Settings settings(Arguments arguments) {
@@ -117,7 +110,8 @@ public final class UrbiCommand {
         !modules.isEmpty(),
         text.toString(),
         input,
-        rest.isEmpty() ? List.of() : rest.subList(1, rest.size()));
+        rest.isEmpty() ? List.of() : rest.subList(1, rest.size()),
+        System.getProperty("urbi.program", SearchPath.root().resolve("urbi").toString()));
   }
 
   private static int stackSize(Arguments arguments) {

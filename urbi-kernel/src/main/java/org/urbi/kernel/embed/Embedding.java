@@ -1,0 +1,353 @@
+package org.urbi.kernel.embed;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.library.Evaluation;
+import org.urbi.kernel.lobby.Output;
+import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.node.Primitive;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.tag.UrbiTag;
+
+/**
+ * What the Java program around a kernel does with it, from any thread: each request becomes a job
+ * of a lobby that they all share (manual, "Lobby"), and the caller waits for its end.
+ *
+ * <p>Where time is simulated, it passes only while somebody waits for the kernel: in an evaluation
+ * or a call, or for its end. Between two evaluations it stands still.
+ */
+public final class Embedding {
+  /** What a job is to do. */
+  @FunctionalInterface
+  interface Task<T> {
+    /** On the kernel thread; whatever it throws is what the caller gets. */
+    T run(Frame frame);
+  }
+
+  private final Interpreter interpreter;
+  private final Scheduler scheduler;
+  private final BooleanSupplier stopping;
+  private final Mailbox<String> output;
+  private final Set<Request<?>> pending = ConcurrentHashMap.newKeySet();
+  private final AtomicInteger waitingForEnd = new AtomicInteger();
+  private volatile boolean used;
+  private volatile boolean closing;
+  private volatile boolean over;
+  private volatile UrbiLobby lobby;
+  private int running;
+  private boolean holdsTime;
+
+  /**
+   * @param output where the output of the lobby goes, on a thread of its own
+   * @param stopping whether the kernel is about to end; asked on the kernel thread
+   */
+  public Embedding(Interpreter interpreter, Consumer<String> output, BooleanSupplier stopping) {
+    this.interpreter = interpreter;
+    this.scheduler = interpreter.scheduler();
+    this.stopping = stopping;
+    this.output = new Mailbox<>(scheduler, bytes -> output.accept(JavaValues.text(bytes)));
+  }
+
+  Interpreter interpreter() {
+    return interpreter;
+  }
+
+  Scheduler scheduler() {
+    return scheduler;
+  }
+
+  boolean isStopping() {
+    return closing || stopping.getAsBoolean();
+  }
+
+  static IllegalStateException ended() {
+    return new IllegalStateException("the kernel has ended");
+  }
+
+  // ------------------------------------------------------------------ evaluation
+
+  /** Evaluates source text in the lobby of this program; see {@code Kernel.eval}. */
+  public Object eval(String source) {
+    return eval(source, null, null, Object.class);
+  }
+
+  /**
+   * Evaluates source text.
+   *
+   * @param file the name by which errors call it, or null
+   * @param target {@code this} of the text; null for the lobby
+   * @param type what to return the value of the last statement as, see {@link JavaValues#as}
+   */
+  public <T> T eval(String source, String file, UrbiValue target, Class<T> type) {
+    UrbiObject self = target == null ? null : target.object(this);
+    return JavaValues.as(await(evaluation(source, file, self, type)), type);
+  }
+
+  /** Evaluates source text, without waiting; see {@code Kernel.evalAsync}. */
+  public CompletableFuture<Object> evalAsync(String source) {
+    Request<Object> request = begin(evaluation(source, null, null, Object.class));
+    CompletableFuture<Object> result = new CompletableFuture<>();
+    // What depends on the result is not for the kernel thread.
+    request
+        .future()
+        .whenCompleteAsync(
+            (value, failure) -> {
+              if (failure == null) {
+                result.complete(value);
+              } else {
+                result.completeExceptionally(failure);
+              }
+            },
+            Mailbox.THREADS);
+    result.whenComplete((value, failure) -> {
+      if (result.isCancelled()) {
+        request.cancel();
+      }
+    });
+    return result;
+  }
+
+  private Task<Object> evaluation(String source, String file, UrbiObject target, Class<?> type) {
+    String bytes = JavaValues.bytes(source);
+    String name = file == null ? null : JavaValues.bytes(file);
+    return frame ->
+        JavaValues.toJava(
+            this,
+            Evaluation.eval(frame, null, target == null ? frame.self() : target, bytes, name),
+            type);
+  }
+
+  /** Calls a function of the lobby or, by a dotted name, of another object. */
+  public Object call(String function, Object... arguments) {
+    Arguments made = arguments(arguments);
+    int dot = function.lastIndexOf('.');
+    String name = JavaValues.bytes(function.substring(dot + 1));
+    return await(frame -> {
+      UrbiObject target = dot < 0 ? frame.self() : find(frame, function.substring(0, dot));
+      return JavaValues.toJava(this, interpreter.send(frame, target, name, made.make(frame)));
+    });
+  }
+
+  private UrbiObject find(Frame frame, String path) {
+    UrbiObject found = frame.self();
+    for (String name : JavaValues.bytes(path).split("\\.", -1)) {
+      found = interpreter.send(frame, found, name);
+    }
+    return found;
+  }
+
+  /** Arguments read on the thread of the caller. */
+  record Arguments(List<JavaValues.Maker> makers) {
+    UrbiObject[] make(Frame frame) {
+      return makers.stream().map(maker -> maker.make(frame)).toArray(UrbiObject[]::new);
+    }
+  }
+
+  Arguments arguments(Object[] values) {
+    return new Arguments(
+        Arrays.stream(values).map(value -> JavaValues.fromJava(this, value)).toList());
+  }
+
+  /** Gives urbiscript a function written in Java; see {@code Kernel.define}. */
+  public void define(String name, Function<? super List<Object>, ?> function) {
+    int dot = name.lastIndexOf('.');
+    String simple = JavaValues.bytes(name.substring(dot + 1));
+    var body = new JavaFunction(this, simple, function);
+    await(frame -> {
+      UrbiObject owner =
+          dot < 0 ? interpreter.world().prototype("Global") : find(frame, name.substring(0, dot));
+      Symbol symbol = interpreter.world().symbol(simple);
+      owner.removeSlot(symbol);
+      owner.addSlot(symbol, new Primitive(interpreter.prototypes().primitiveShape(), body, 0));
+      return null;
+    });
+  }
+
+  // ------------------------------------------------------------------ listening
+
+  /** Listens to an event; see {@code Kernel.onEvent}. */
+  public Listening onEvent(String expression, Consumer<? super List<Object>> listener) {
+    return await(new EventListening(this, JavaValues.bytes(expression), listener));
+  }
+
+  /** Listens to the changes of an expression; see {@code Kernel.onChange}. */
+  public Listening onChange(String expression, Consumer<Object> listener) {
+    return await(new ChangeListening(this, JavaValues.bytes(expression), listener));
+  }
+
+  // ------------------------------------------------------------------ the lobby
+
+  /** The lobby in which the program's code is evaluated. */
+  public UrbiValue lobby() {
+    return await(frame -> new UrbiValue(this, lobby));
+  }
+
+  /**
+   * A new object to evaluate code on: it inherits from the lobby and, as a lobby does, allows its
+   * slots to be defined again.
+   */
+  public UrbiValue newScope() {
+    return await(
+        frame -> new UrbiValue(this, new UrbiLobby(lobby.cloneShape(), lobby.connectionTag())));
+  }
+
+  /** A request begins; on the kernel thread. */
+  UrbiLobby began() {
+    if (lobby == null) {
+      UrbiTag tag = UrbiTag.named(interpreter, "Lobby_" + scheduler.nextNumber());
+      lobby = new UrbiLobby(interpreter.world().prototype("Lobby").cloneShape(), tag);
+      lobby.attach(new Output(scheduler, output::post));
+    }
+    running++;
+    reviewTime();
+    return lobby;
+  }
+
+  /** A request has been dealt with; on the kernel thread. */
+  void finished() {
+    running--;
+    reviewTime();
+  }
+
+  private void reviewTime() {
+    boolean hold = running == 0 && waitingForEnd.get() == 0;
+    if (hold && !holdsTime) {
+      scheduler.holdTime();
+    } else if (!hold && holdsTime) {
+      scheduler.releaseTime();
+    }
+    holdsTime = hold;
+  }
+
+  // ------------------------------------------------------------------ requests
+
+  /**
+   * Has something done by a job, and waits.
+   *
+   * @throws UrbiError if it fails
+   * @throws IllegalStateException on the kernel thread, or when the kernel has ended
+   * @throws CancellationException if the job was stopped, or the waiting thread interrupted
+   */
+  <T> T await(Task<T> task) {
+    if (scheduler.isKernelThread()) {
+      throw new IllegalStateException(
+          "the kernel thread cannot wait for an evaluation: use another thread, or evalAsync");
+    }
+    Request<T> request = begin(task);
+    try {
+      return request.future().get();
+    } catch (InterruptedException e) {
+      request.cancel();
+      Thread.currentThread().interrupt();
+      throw new CancellationException("interrupted while the kernel evaluated");
+    } catch (ExecutionException e) {
+      throw switch (e.getCause()) {
+        case UrbiError error -> error.here();
+        case IllegalStateException over -> new IllegalStateException(over.getMessage(), over);
+        case Throwable other -> new IllegalStateException(other);
+      };
+    } finally {
+      flushOutput();
+    }
+  }
+
+  /** As {@link #await}; but at once in a Java function that urbiscript code has called. */
+  <T> T ask(Task<T> task) {
+    Frame caller = JavaFunction.caller();
+    if (caller == null || caller.interpreter() != interpreter) {
+      return await(task);
+    }
+    try {
+      return task.run(caller);
+    } catch (UrbiException e) {
+      throw UrbiErrors.of(this, caller, e);
+    }
+  }
+
+  private <T> Request<T> begin(Task<T> task) {
+    used = true;
+    Request<T> request = new Request<>(this, task);
+    pending.add(request);
+    scheduler.inbox().post(request::begin);
+    if (over) {
+      // Nobody reads the inbox any more.
+      request.fail(ended());
+    }
+    return request;
+  }
+
+  void forget(Request<?> request) {
+    pending.remove(request);
+  }
+
+  // ------------------------------------------------------------------ the end
+
+  /** Waits for the end of the kernel, as the given action does: simulated time may pass. */
+  public void awaitEnd(Runnable wait) {
+    if (scheduler.isKernelThread()) {
+      throw new IllegalStateException("the kernel thread cannot wait for its own end");
+    }
+    waitingForEnd.incrementAndGet();
+    postReview();
+    try {
+      wait.run();
+    } finally {
+      waitingForEnd.decrementAndGet();
+      postReview();
+    }
+    flushOutput();
+  }
+
+  private void postReview() {
+    if (used) {
+      scheduler
+          .inbox()
+          .post(() -> {
+            if (lobby != null) {
+              reviewTime();
+            }
+          });
+    }
+  }
+
+  /** Makes way for the end of the kernel, in spite of code that never lets others run. */
+  public void close() {
+    closing = true;
+    UrbiLobby of = lobby;
+    if (of != null) {
+      scheduler.interrupt(of);
+    }
+  }
+
+  /** The kernel has ended: nobody waits any longer. On the kernel thread. */
+  public void kernelEnded() {
+    over = true;
+    if (lobby != null) {
+      lobby.output().close();
+    }
+    output.start();
+    pending.forEach(request -> request.fail(ended()));
+  }
+
+  private void flushOutput() {
+    try {
+      output.flush();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

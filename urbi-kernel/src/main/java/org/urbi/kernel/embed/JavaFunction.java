@@ -1,0 +1,74 @@
+package org.urbi.kernel.embed;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.function.Function;
+import org.urbi.kernel.builtin.BuiltinTable;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.Unwinding;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+
+/** A function of the program around the kernel, as a builtin of its own. */
+final class JavaFunction extends BuiltinTable {
+  /** The urbiscript code that called the Java function which this thread is executing. */
+  private static final ScopedValue<Frame> CALLER = ScopedValue.newInstance();
+
+  private final Embedding embedding;
+  private final Function<? super List<Object>, ?> body;
+
+  JavaFunction(Embedding embedding, String name, Function<? super List<Object>, ?> body) {
+    super(
+        "Java",
+        "",
+        new String[0],
+        new Entry[] {
+          new Entry(
+              name,
+              0,
+              Integer.MAX_VALUE,
+              false,
+              false,
+              "(arguments...)",
+              "Does what the program around the kernel says.")
+        });
+    this.embedding = embedding;
+    this.body = body;
+  }
+
+  /** Who called the Java function which this thread is executing; null when it executes none. */
+  static Frame caller() {
+    return CALLER.isBound() ? CALLER.get() : null;
+  }
+
+  @Override
+  public UrbiObject call(
+      int index, Frame caller, CallSite site, UrbiObject self, UrbiObject[] arguments) {
+    List<Object> values = new ArrayList<>(arguments.length);
+    for (UrbiObject argument : arguments) {
+      values.add(JavaValues.toJava(embedding, argument));
+    }
+    try {
+      Object result =
+          ScopedValue.where(CALLER, caller)
+              .call(() -> body.apply(Collections.unmodifiableList(values)));
+      return JavaValues.fromJava(embedding, result).make(caller);
+    } catch (UrbiException | Unwinding e) {
+      throw e;
+    } catch (UrbiError e) {
+      if (e.original() != null) {
+        throw e.original();
+      }
+      throw failure(caller, e);
+    } catch (RuntimeException e) {
+      throw failure(caller, e);
+    }
+  }
+
+  private UrbiException failure(Frame caller, RuntimeException e) {
+    String text = e.getMessage() == null ? e.getClass().getName() : e.getMessage();
+    return caller.interpreter().errors().primitive(name(0), JavaValues.bytes(text));
+  }
+}

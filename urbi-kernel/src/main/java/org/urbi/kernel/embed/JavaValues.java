@@ -1,0 +1,169 @@
+package org.urbi.kernel.embed;
+
+import java.lang.reflect.Array;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.List;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
+
+/**
+ * Values on their way between Java and urbiscript, as copies.
+ *
+ * <p>To Java: Float becomes Double, Boolean Boolean, String String, List and Tuple (with Pair and
+ * Triplet) an unmodifiable List, Dictionary an unmodifiable Map, nil and void null; whatever else
+ * becomes a {@link UrbiValue}, a handle on the object itself.
+ *
+ * <p>From Java, besides the same types: any Number and Duration, any CharSequence and Character,
+ * {@code byte[]} (a String of these bytes), any Collection or array, any Map. Strings of urbiscript
+ * are bytes: those of Java are encoded in UTF-8, and what is not UTF-8 comes back as one character
+ * for each byte.
+ */
+public final class JavaValues {
+  /** How deep containers may be nested. */
+  static final int DEEPEST = 200;
+
+  private JavaValues() {}
+
+  // ------------------------------------------------------------------ to urbiscript
+
+  /** A value that is ready to become an object, on the kernel thread. */
+  @FunctionalInterface
+  interface Maker {
+    UrbiObject make(Frame frame);
+  }
+
+  /**
+   * Reads a Java value, on the thread of its owner.
+   *
+   * @throws IllegalArgumentException if urbiscript has nothing like it
+   */
+  static Maker fromJava(Embedding embedding, Object value) {
+    return new FromJava(embedding).read(value);
+  }
+
+  // ------------------------------------------------------------------ to Java
+
+  /** Copies an object; on the kernel thread. */
+  static Object toJava(Embedding embedding, UrbiObject object) {
+    return new ToJava(embedding).copy(object, 0);
+  }
+
+  /** Copies an object for somebody who wants that type; on the kernel thread. */
+  static Object toJava(Embedding embedding, UrbiObject object, Class<?> type) {
+    if (type == UrbiValue.class && object != object.world().values().voidObject) {
+      return new UrbiValue(embedding, object);
+    }
+    if (type == byte[].class && object instanceof UrbiString string) {
+      return string.value().getBytes(StandardCharsets.ISO_8859_1);
+    }
+    return toJava(embedding, object);
+  }
+
+  // ------------------------------------------------------------------ strings
+
+  /** The bytes of a text in UTF-8, one in each character. */
+  static String bytes(String text) {
+    return new String(text.getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1);
+  }
+
+  /** The text of which these are the bytes in UTF-8; if there is none, the characters as given. */
+  static String text(String bytes) {
+    for (int i = 0; i < bytes.length(); i++) {
+      if (bytes.charAt(i) >= 128) {
+        byte[] raw = bytes.getBytes(StandardCharsets.ISO_8859_1);
+        try {
+          return StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(raw)).toString();
+        } catch (CharacterCodingException e) {
+          return bytes;
+        }
+      }
+    }
+    return bytes;
+  }
+
+  // ------------------------------------------------------------------ as a certain type
+
+  /**
+   * A value that came from urbiscript as another Java type: a Double as any type of number that
+   * holds it exactly, or as a Duration of so many seconds; a String of one character as that one; a
+   * List as an array.
+   *
+   * @throws ClassCastException if it cannot be one
+   */
+  @SuppressWarnings("unchecked")
+  public static <T> T as(Object value, Class<T> type) {
+    return (T) converted(value, type);
+  }
+
+  private static Object converted(Object value, Class<?> type) {
+    if (value == null) {
+      if (type.isPrimitive() && type != void.class) {
+        throw new ClassCastException("nil or void is no " + type.getName());
+      }
+      return null;
+    }
+    if (type == void.class || type == Void.class) {
+      return null;
+    }
+    if (type.isInstance(value)) {
+      return value;
+    }
+    Object made =
+        switch (value) {
+          case Double number -> number(number, type);
+          case Boolean truth when type == boolean.class -> truth;
+          case String text when text.length() == 1 && isCharacter(type) -> text.charAt(0);
+          case String text when type == byte[].class -> text.getBytes(StandardCharsets.UTF_8);
+          case List<?> list when type.isArray() -> array(list, type.getComponentType());
+          default -> null;
+        };
+    if (made == null) {
+      throw new ClassCastException(
+          value instanceof Number || value instanceof Boolean
+              ? value + " is no " + type.getName()
+              : "a " + value.getClass().getSimpleName() + " is no " + type.getName());
+    }
+    return made;
+  }
+
+  private static boolean isCharacter(Class<?> type) {
+    return type == char.class || type == Character.class;
+  }
+
+  private static Object number(double d, Class<?> type) {
+    if (type == double.class) {
+      return d;
+    }
+    if (type == float.class || type == Float.class) {
+      return (float) d;
+    }
+    if (type == Duration.class) {
+      long whole = (long) Math.floor(d);
+      return Double.isFinite(d) ? Duration.ofSeconds(whole, Math.round((d - whole) * 1e9)) : null;
+    }
+    if (d != Math.rint(d) || Math.abs(d) > 1L << 53) {
+      return null;
+    }
+    long whole = (long) d;
+    return switch (type.getName()) {
+      case "long", "java.lang.Long" -> whole;
+      case "int", "java.lang.Integer" -> (int) whole == whole ? (int) whole : null;
+      case "short", "java.lang.Short" -> (short) whole == whole ? (short) whole : null;
+      case "byte", "java.lang.Byte" -> (byte) whole == whole ? (byte) whole : null;
+      default -> null;
+    };
+  }
+
+  private static Object array(List<?> list, Class<?> component) {
+    Object array = Array.newInstance(component, list.size());
+    int i = 0;
+    for (Object element : list) {
+      Array.set(array, i++, converted(element, component));
+    }
+    return array;
+  }
+}

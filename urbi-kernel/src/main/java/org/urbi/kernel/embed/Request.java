@@ -1,0 +1,110 @@
+package org.urbi.kernel.embed;
+
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.TagScope;
+import org.urbi.kernel.job.TagStop;
+import org.urbi.kernel.job.Unwinding;
+import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.FrameLayout;
+
+/** Something that Java code waits for and a job does. */
+final class Request<T> {
+  private final Embedding embedding;
+  private final Embedding.Task<T> task;
+  private final CompletableFuture<T> future = new CompletableFuture<>();
+  private Job job;
+  private T value;
+  private Throwable failure;
+  private boolean over;
+
+  Request(Embedding embedding, Embedding.Task<T> task) {
+    this.embedding = embedding;
+    this.task = task;
+  }
+
+  /** Completed on the kernel thread: what depends on it must not block. */
+  CompletableFuture<T> future() {
+    return future;
+  }
+
+  /** It is no longer wanted; from any thread. */
+  void cancel() {
+    future.cancel(false);
+    embedding
+        .scheduler()
+        .inbox()
+        .post(() -> {
+          if (job != null) {
+            job.terminate();
+          }
+        });
+  }
+
+  // ------------------------------------------------------------------ on the kernel thread
+
+  /** Starts the job. */
+  void begin() {
+    if (embedding.isStopping()) {
+      fail(Embedding.ended());
+    } else if (future.isDone()) {
+      embedding.forget(this);
+    } else {
+      UrbiLobby lobby = embedding.began();
+      job =
+          embedding
+              .scheduler()
+              .startDetached(lobby, embedding.scheduler().rootScope(), "eval", this::run);
+      job.onEnd(this::jobEnded);
+    }
+  }
+
+  private void run(Job running) {
+    UrbiLobby lobby = (UrbiLobby) running.lobby();
+    Frame frame = Frame.top(embedding.interpreter(), running, lobby, new FrameLayout());
+    TagScope scope = running.enter(lobby.connectionTag().state());
+    try {
+      value = task.run(frame);
+      over = true;
+    } catch (TagStop stop) {
+      throw stop;
+    } catch (Unwinding unwinding) {
+      // A return or a break that has nothing to leave: void.
+      over = true;
+    } catch (Throwable thrown) {
+      failure = UrbiErrors.of(embedding, frame, thrown);
+      over = true;
+    } finally {
+      running.leave(scope);
+    }
+  }
+
+  private void jobEnded() {
+    embedding.finished();
+    if (!over) {
+      failure =
+          embedding.isStopping()
+              ? Embedding.ended()
+              : new CancellationException("the evaluation was stopped");
+    }
+    // After the output of this tick, and not in the thread of the job.
+    embedding.scheduler().atEndOfTick(this::complete);
+  }
+
+  private void complete() {
+    if (failure != null) {
+      fail(failure);
+    } else {
+      embedding.forget(this);
+      future.complete(value);
+    }
+  }
+
+  /** Ends it, whatever has become of the job. */
+  void fail(Throwable reason) {
+    embedding.forget(this);
+    future.completeExceptionally(reason);
+  }
+}

@@ -1,0 +1,215 @@
+package org.urbi.kernel.script;
+
+import java.io.IOException;
+import java.io.Reader;
+import java.io.UncheckedIOException;
+import java.io.Writer;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+import javax.script.AbstractScriptEngine;
+import javax.script.Bindings;
+import javax.script.Invocable;
+import javax.script.ScriptContext;
+import javax.script.ScriptEngine;
+import javax.script.ScriptException;
+import javax.script.SimpleBindings;
+import org.urbi.kernel.Kernel;
+import org.urbi.kernel.embed.UrbiError;
+import org.urbi.kernel.embed.UrbiValue;
+import org.urbi.lang.source.Location;
+
+/**
+ * A kernel as a script engine (JSR 223). Its variables are the slots of its lobby; those of the
+ * manager are inherited by it. Code evaluated with other bindings has an object of its own, made of
+ * them, and its slots are copied back to them. What jobs in the background send goes to the writer
+ * of the evaluation that came last.
+ */
+public final class UrbiScriptEngine extends AbstractScriptEngine
+    implements Invocable, AutoCloseable {
+  /** Names that the scripting platform uses for itself. */
+  private static final String RESERVED = "javax.script.";
+
+  private final UrbiScriptEngineFactory factory;
+  private final Kernel kernel;
+  private final UrbiValue globals;
+  private final Set<String> globalNames = new HashSet<>();
+  private volatile Writer writer;
+
+  UrbiScriptEngine(UrbiScriptEngineFactory factory) {
+    this.factory = factory;
+    this.writer = getContext().getWriter();
+    this.kernel = Kernel.builder().output(this::print).start();
+    this.globals = kernel.eval("Object.new", UrbiValue.class);
+    UrbiValue lobby = kernel.embedding().lobby();
+    lobby.call("addProto", globals);
+    setBindings(new SlotBindings(lobby), ScriptContext.ENGINE_SCOPE);
+  }
+
+  private void print(String text) {
+    Writer to = writer;
+    try {
+      to.write(text);
+      to.flush();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** The kernel that does the work. */
+  public Kernel kernel() {
+    return kernel;
+  }
+
+  @Override
+  public UrbiScriptEngineFactory getFactory() {
+    return factory;
+  }
+
+  @Override
+  public Bindings createBindings() {
+    return new SimpleBindings();
+  }
+
+  /** Ends the kernel. */
+  @Override
+  public void close() {
+    kernel.close();
+  }
+
+  // ------------------------------------------------------------------ evaluation
+
+  @Override
+  public Object eval(Reader reader, ScriptContext in) throws ScriptException {
+    StringBuilder text = new StringBuilder();
+    char[] chunk = new char[8192];
+    try {
+      for (int n = reader.read(chunk); n >= 0; n = reader.read(chunk)) {
+        text.append(chunk, 0, n);
+      }
+    } catch (IOException e) {
+      throw new ScriptException(e);
+    }
+    return eval(text.toString(), in);
+  }
+
+  @Override
+  public Object eval(String script, ScriptContext in) throws ScriptException {
+    writer = in.getWriter();
+    try {
+      String file = in.getAttribute(ScriptEngine.FILENAME) instanceof String name ? name : null;
+      Bindings variables = in.getBindings(ScriptContext.ENGINE_SCOPE);
+      inherit(in.getBindings(ScriptContext.GLOBAL_SCOPE));
+      if (variables instanceof SlotBindings own) {
+        return evaluate(script, file, own.object());
+      }
+      UrbiValue scope = kernel.embedding().newScope();
+      variables.forEach((name, value) -> {
+        if (!name.startsWith(RESERVED)) {
+          scope.set(name, value);
+        }
+      });
+      try {
+        return evaluate(script, file, scope);
+      } finally {
+        variables.putAll(new SlotBindings(scope));
+      }
+    } catch (UrbiError e) {
+      throw scriptException(e);
+    } catch (IllegalStateException | IllegalArgumentException e) {
+      throw new ScriptException(e);
+    }
+  }
+
+  private Object evaluate(String script, String file, UrbiValue target) {
+    return kernel.embedding().eval(script, file, target, Object.class);
+  }
+
+  /** Makes the variables of the manager visible, but for what urbiscript has nothing like. */
+  private synchronized void inherit(Bindings all) {
+    if (all == null || (all.isEmpty() && globalNames.isEmpty())) {
+      return;
+    }
+    for (Map.Entry<String, Object> variable : all.entrySet()) {
+      try {
+        globals.set(variable.getKey(), variable.getValue());
+        globalNames.add(variable.getKey());
+      } catch (IllegalArgumentException e) {
+        // An object for other languages.
+      }
+    }
+    globalNames.removeIf(name -> {
+      if (all.containsKey(name)) {
+        return false;
+      }
+      globals.remove(name);
+      return true;
+    });
+  }
+
+  private static ScriptException scriptException(UrbiError e) {
+    Location place = e.location();
+    ScriptException exception =
+        place == null
+            ? new ScriptException(e.getMessage())
+            : new ScriptException(e.getMessage(), place.file(), place.line(), place.column()) {
+              private static final long serialVersionUID = 1;
+
+              @Override
+              public String getMessage() {
+                // The place is there already.
+                return e.getMessage();
+              }
+            };
+    exception.initCause(e);
+    return exception;
+  }
+
+  // ------------------------------------------------------------------ calls
+
+  @Override
+  public Object invokeFunction(String name, Object... arguments)
+      throws ScriptException, NoSuchMethodException {
+    return invoke(kernel.embedding().lobby(), name, arguments);
+  }
+
+  @Override
+  public Object invokeMethod(Object target, String name, Object... arguments)
+      throws ScriptException, NoSuchMethodException {
+    if (!(target instanceof UrbiValue object)) {
+      throw new IllegalArgumentException("no object of urbiscript: " + target);
+    }
+    return invoke(object, name, arguments);
+  }
+
+  private static Object invoke(UrbiValue target, String name, Object[] arguments)
+      throws ScriptException, NoSuchMethodException {
+    try {
+      if (!understands(target, name)) {
+        throw new NoSuchMethodException(name);
+      }
+      return target.call(name, arguments == null ? new Object[0] : arguments);
+    } catch (UrbiError e) {
+      throw scriptException(e);
+    } catch (IllegalStateException e) {
+      throw new ScriptException(e);
+    }
+  }
+
+  private static boolean understands(UrbiValue target, String name) {
+    return Boolean.TRUE.equals(target.call("hasSlot", name));
+  }
+
+  @Override
+  public <T> T getInterface(Class<T> type) {
+    return getInterface(kernel.embedding().lobby(), type);
+  }
+
+  @Override
+  public <T> T getInterface(Object target, Class<T> type) {
+    if (!(target instanceof UrbiValue object)) {
+      throw new IllegalArgumentException("no object of urbiscript: " + target);
+    }
+    return InterfaceProxy.of(object, type, UrbiScriptEngine::understands);
+  }
+}

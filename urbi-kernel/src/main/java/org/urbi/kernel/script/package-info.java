@@ -1,0 +1,2 @@
+/** urbiscript as a scripting language of the Java platform (JSR 223). */
+package org.urbi.kernel.script;

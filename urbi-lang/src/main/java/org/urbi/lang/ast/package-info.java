@@ -1,0 +1,2 @@
+/** The syntax tree of urbiscript. */
+package org.urbi.lang.ast;

@@ -1,0 +1,2 @@
+/** From a stream of characters to complete statements. */
+package org.urbi.lang.input;

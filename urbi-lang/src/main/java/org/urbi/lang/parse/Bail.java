@@ -1,0 +1,36 @@
+package org.urbi.lang.parse;
+
+import org.antlr.v4.runtime.DefaultErrorStrategy;
+import org.antlr.v4.runtime.InputMismatchException;
+import org.antlr.v4.runtime.Parser;
+import org.antlr.v4.runtime.RecognitionException;
+import org.antlr.v4.runtime.Token;
+import org.antlr.v4.runtime.misc.ParseCancellationException;
+
+/** Stops at the first token that fits nowhere: what follows would be guesswork. */
+final class Bail extends DefaultErrorStrategy {
+  /** The token that did not fit. */
+  static Token offender(ParseCancellationException stop) {
+    return ((RecognitionException) stop.getCause()).getOffendingToken();
+  }
+
+  @Override
+  public void recover(Parser recognizer, RecognitionException e) {
+    throw new ParseCancellationException(e);
+  }
+
+  @Override
+  public void reportError(Parser recognizer, RecognitionException e) {
+    // Told by the exception that recover() throws.
+  }
+
+  @Override
+  public Token recoverInline(Parser recognizer) {
+    throw new ParseCancellationException(new InputMismatchException(recognizer));
+  }
+
+  @Override
+  public void sync(Parser recognizer) {
+    // Only of use to those who go on after an error.
+  }
+}

@@ -1,0 +1,25 @@
+package org.urbi.lang.parse;
+
+import java.util.List;
+import org.urbi.lang.ast.Ast;
+
+/**
+ * What a text is, or why it is nothing.
+ *
+ * @param tree null when there are errors
+ * @param separator what ended the statement; null when the text was not read as one statement
+ * @param errors in the order of the text
+ * @param warnings in the order of the text
+ */
+public record Parsed(
+    Ast tree, Ast.Flavor separator, List<SyntaxError> errors, List<SyntaxWarning> warnings) {
+  /** Whether there is a tree. */
+  public boolean valid() {
+    return errors.isEmpty();
+  }
+
+  /** The tree of a complete text. */
+  public Ast.Sequence sequence() {
+    return (Ast.Sequence) tree;
+  }
+}

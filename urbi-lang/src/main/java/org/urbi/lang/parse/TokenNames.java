@@ -1,0 +1,37 @@
+package org.urbi.lang.parse;
+
+import org.antlr.v4.runtime.Token;
+import org.urbi.lang.grammar.UrbiscriptLexer;
+import org.urbi.lang.source.Source;
+import org.urbi.lang.source.Span;
+
+/** How error messages call tokens. */
+final class TokenNames {
+  private TokenNames() {}
+
+  static SyntaxFailure unexpected(Source source, Token token) {
+    return failure(source, token, "unexpected " + name(token));
+  }
+
+  static SyntaxFailure failure(Source source, Token token, String message) {
+    return new SyntaxFailure(span(source, token), message);
+  }
+
+  static Span span(Source source, Token token) {
+    int begin = Math.min(token.getStartIndex(), source.text().length());
+    return new Span(source, begin, Math.max(begin, token.getStopIndex() + 1));
+  }
+
+  private static String name(Token token) {
+    return switch (token.getType()) {
+      case Token.EOF -> "end of file";
+      case UrbiscriptLexer.WORD, UrbiscriptLexer.QUOTED -> "identifier";
+      case UrbiscriptLexer.NUMBER -> "float";
+      case UrbiscriptLexer.DURATION -> "duration";
+      case UrbiscriptLexer.STRING -> "string";
+      case UrbiscriptLexer.BINARY -> "binary";
+      case UrbiscriptLexer.SEMICOLON -> ";";
+      default -> token.getText();
+    };
+  }
+}

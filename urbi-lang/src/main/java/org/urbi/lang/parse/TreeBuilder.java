@@ -1,0 +1,107 @@
+package org.urbi.lang.parse;
+
+import java.util.List;
+import org.antlr.v4.runtime.ParserRuleContext;
+import org.antlr.v4.runtime.Token;
+import org.urbi.lang.ast.Ast;
+import org.urbi.lang.grammar.UrbiToken;
+import org.urbi.lang.grammar.UrbiscriptParser.IdentifierContext;
+import org.urbi.lang.grammar.UrbiscriptParser.NameContext;
+import org.urbi.lang.print.Printer;
+import org.urbi.lang.source.Source;
+import org.urbi.lang.source.Span;
+
+/** What those who turn parse trees into syntax trees share. */
+final class TreeBuilder {
+  /** How high a tree may be: those who walk it later do so recursively. */
+  static final int MAXIMUM_HEIGHT = 1500;
+
+  final StatementBuilder statements = new StatementBuilder(this);
+  final EventBuilder events = new EventBuilder(this);
+  final ExpressionBuilder expressions = new ExpressionBuilder(this);
+  final OperandBuilder operands = new OperandBuilder(this);
+  final LiteralBuilder literals = new LiteralBuilder(this);
+  final FunctionBuilder functions = new FunctionBuilder(this);
+
+  /** How many function bodies are around: {@code call} has no meaning outside of them. */
+  int enclosingFunctions;
+
+  private final Source source;
+  private final List<SyntaxWarning> warnings;
+  private int height;
+
+  TreeBuilder(Source source, List<SyntaxWarning> warnings) {
+    this.source = source;
+    this.warnings = warnings;
+  }
+
+  /** Tells that what is built next lies that much deeper, until {@link #leave}. */
+  void enter(int levels, ParserRuleContext context) {
+    height += levels;
+    if (height > MAXIMUM_HEIGHT) {
+      throw TokenNames.failure(source, context.getStart(), "nesting too deep");
+    }
+  }
+
+  void leave(int levels) {
+    height -= levels;
+  }
+
+  Span span(ParserRuleContext context) {
+    int begin = begin(context);
+    Token stop = context.getStop();
+    return new Span(source, begin, stop == null ? begin : Math.max(begin, end(context)));
+  }
+
+  Span span(Token token) {
+    return TokenNames.span(source, token);
+  }
+
+  Span span(int begin, int end) {
+    return new Span(source, begin, end);
+  }
+
+  static int begin(ParserRuleContext context) {
+    return context.getStart().getStartIndex();
+  }
+
+  static int end(ParserRuleContext context) {
+    return context.getStop().getStopIndex() + 1;
+  }
+
+  static String text(NameContext name) {
+    return ((UrbiToken) name.getStart()).string();
+  }
+
+  static String text(IdentifierContext identifier) {
+    return ((UrbiToken) identifier.getStart()).string();
+  }
+
+  SyntaxFailure failure(Span span, String message) {
+    return new SyntaxFailure(span, message);
+  }
+
+  SyntaxFailure unexpected(Token token) {
+    return TokenNames.unexpected(source, token);
+  }
+
+  SyntaxFailure notAnLvalue(Span span, Ast tree) {
+    return failure(span, Printer.print(tree) + " is not a valid lvalue");
+  }
+
+  void warn(Span span, String message) {
+    warnings.add(new SyntaxWarning(span, message));
+  }
+
+  /** The value, which must not be a declaration. */
+  Ast noDeclaration(Ast tree) {
+    if (tree instanceof Ast.Declaration declaration) {
+      Span head =
+          declaration.span().begin() <= declaration.nameSpan().begin()
+              ? declaration.span().to(declaration.nameSpan())
+              : declaration.span();
+      throw failure(head, "declaration not allowed here");
+    }
+    return tree;
+  }
+}

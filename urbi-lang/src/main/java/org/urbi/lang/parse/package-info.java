@@ -1,0 +1,2 @@
+/** From text to syntax tree. */
+package org.urbi.lang.parse;

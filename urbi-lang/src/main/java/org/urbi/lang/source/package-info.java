@@ -1,0 +1,2 @@
+/** Texts, and where things are in them. */
+package org.urbi.lang.source;

@@ -1,0 +1,19 @@
+package org.urbi.lang.text;
+
+import org.urbi.lang.source.Source;
+
+/** Makes sources of complete texts. */
+public final class Sources {
+  private Sources() {}
+
+  /** The source of a complete text, its synclines obeyed. */
+  public static Source of(String text, String file) {
+    var lines = new LineTable(file, 1);
+    var splitter = new Splitter(lines);
+    int at = 0;
+    while (at < text.length()) {
+      at = splitter.scan(text, at, text.length(), 0);
+    }
+    return lines.cut(text);
+  }
+}

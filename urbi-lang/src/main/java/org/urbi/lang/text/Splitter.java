@@ -1,0 +1,303 @@
+package org.urbi.lang.text;
+
+import org.urbi.lang.ast.Ast.Flavor;
+import org.urbi.lang.grammar.BinaryForm;
+import org.urbi.lang.grammar.Keywords;
+
+/**
+ * Finds where statements end, one character at a time, whatever the pieces in which they come.
+ *
+ * <p>A statement ends with a {@code ;} or a {@code ,} that is in no bracket, string or comment, is
+ * no flavor ({@code loop;}) and does not separate prototypes ({@code class A : B, C}).
+ */
+public final class Splitter {
+  private enum State {
+    CODE,
+    WORD,
+    DERIVED,
+    NUMBER,
+    SLASH,
+    LINE_COMMENT,
+    BLOCK_COMMENT,
+    QUOTED,
+    ESCAPE,
+    BINARY_HEADER,
+    BINARY
+  }
+
+  /** A longer word is no keyword. */
+  private static final int LONGEST_WORD = 16;
+
+  /** A longer comment is no syncline. */
+  private static final int LONGEST_SYNCLINE = 4096;
+
+  private final LineTable lines;
+  private final Brackets brackets = new Brackets();
+  private final StringBuilder collected = new StringBuilder();
+  private final BlobReader blob = new BlobReader();
+  private BinaryForm binary;
+  private int binaryRemaining;
+  private State state;
+  private int offset;
+  private boolean blank;
+  private boolean flavorMayFollow;
+  private boolean inClassHead;
+  private boolean inPrototypes;
+  private boolean wholeLine;
+  private int commentDepth;
+  private char previous;
+  private char quote;
+  private Flavor separator;
+
+  /**
+   * @param lines is told of lines and synclines as they come
+   */
+  public Splitter(LineTable lines) {
+    this.lines = lines;
+    restart();
+  }
+
+  /** Whether something is unfinished: a statement, or a comment that spans lines. */
+  public boolean pending() {
+    return !blank || state == State.BLOCK_COMMENT;
+  }
+
+  /** What ended the last statement; null when {@link #scan} reached the end of its text. */
+  public Flavor separator() {
+    return separator;
+  }
+
+  /**
+   * Reads up to the end of a statement, or of the text.
+   *
+   * @param base the index in {@code text} of the offset 0 of the line table
+   * @return the index after the last character that was read
+   */
+  public int scan(CharSequence text, int from, int to, int base) {
+    separator = null;
+    int at = from;
+    while (at < to) {
+      char c = text.charAt(at);
+      offset = at - base;
+      if (step(c)) {
+        at++;
+        if (c == '\n') {
+          lines.newLine(at - base);
+        }
+        if (separator != null) {
+          restart();
+          break;
+        }
+      }
+    }
+    return at;
+  }
+
+  private void restart() {
+    state = State.CODE;
+    blank = true;
+    flavorMayFollow = false;
+    inClassHead = false;
+    inPrototypes = false;
+    brackets.clear();
+  }
+
+  /** Takes a character; false when it only ended what came before it, and must be taken again. */
+  private boolean step(char c) {
+    switch (state) {
+      case CODE -> code(c);
+      case WORD -> {
+        return word(c);
+      }
+      case NUMBER -> {
+        if (!wordCharacter(c)) {
+          state = State.CODE;
+          return false;
+        }
+      }
+      case DERIVED -> {
+        state = State.CODE;
+        return c == '\'';
+      }
+      case SLASH -> {
+        return slash(c);
+      }
+      case LINE_COMMENT -> lineComment(c);
+      case BLOCK_COMMENT -> blockComment(c);
+      case QUOTED -> {
+        if (c == quote) {
+          state = State.CODE;
+        } else if (c == '\\') {
+          blob.start();
+          state = State.ESCAPE;
+        }
+      }
+      case ESCAPE -> {
+        BlobReader.Answer answer = blob.accept(c, quote);
+        if (answer != BlobReader.Answer.MORE) {
+          state = State.QUOTED;
+        }
+        return answer != BlobReader.Answer.REFUSED;
+      }
+      case BINARY_HEADER -> {
+        return binaryHeader(c);
+      }
+      case BINARY -> binaryData();
+    }
+    return true;
+  }
+
+  private void code(char c) {
+    if (c <= ' ') {
+      return;
+    }
+    if (wordCharacter(c)) {
+      blank = false;
+      flavorMayFollow = false;
+      state = '0' <= c && c <= '9' ? State.NUMBER : State.WORD;
+      collected.setLength(0);
+      collected.append(c);
+      return;
+    }
+    if (c == '/') {
+      state = State.SLASH;
+      return;
+    }
+    blank = false;
+    boolean flavor = flavorMayFollow;
+    flavorMayFollow = false;
+    switch (c) {
+      case '"', '\'' -> {
+        quote = c;
+        state = State.QUOTED;
+      }
+      case '(', '[' -> brackets.open(c);
+      case '{' -> {
+        brackets.open(c);
+        inClassHead = false;
+        inPrototypes = false;
+      }
+      case ')', ']', '}' -> brackets.close(c);
+      case ':' -> inPrototypes |= inClassHead && brackets.isEmpty();
+      case '|', '&' -> inPrototypes &= !brackets.isEmpty();
+      case ';' -> {
+        if (!flavor && brackets.isEmpty()) {
+          separator = Flavor.SEMICOLON;
+        }
+      }
+      case ',' -> {
+        if (!flavor && !inPrototypes && brackets.isEmpty()) {
+          separator = Flavor.COMMA;
+        }
+      }
+      default -> {}
+    }
+  }
+
+  private boolean word(char c) {
+    if (wordCharacter(c)) {
+      if (collected.length() < LONGEST_WORD) {
+        collected.append(c);
+      }
+      return true;
+    }
+    String word = collected.toString();
+    state = State.CODE;
+    if (word.equals("BIN")) {
+      binary = new BinaryForm();
+      state = State.BINARY_HEADER;
+    } else if (word.equals("class") || word.equals("package")) {
+      inClassHead |= brackets.isEmpty();
+    } else {
+      flavorMayFollow = Keywords.flavored(word);
+    }
+    // What directly follows a name is not the opening quote of another.
+    if (c == '\'' && !Keywords.keyword(word)) {
+      state = State.DERIVED;
+      return true;
+    }
+    return false;
+  }
+
+  private boolean slash(char c) {
+    if (c == '/') {
+      state = State.LINE_COMMENT;
+      wholeLine = lines.atLineStart(offset - 1);
+      collected.setLength(0);
+      collected.append("//");
+      return true;
+    }
+    if (c == '*') {
+      state = State.BLOCK_COMMENT;
+      commentDepth = 1;
+      previous = 0;
+      return true;
+    }
+    state = State.CODE;
+    blank = false;
+    flavorMayFollow = false;
+    return false;
+  }
+
+  private void lineComment(char c) {
+    if (c == '\n') {
+      if (wholeLine && collected.length() < LONGEST_SYNCLINE) {
+        lines.comment(collected.toString());
+      }
+      state = State.CODE;
+    } else if (wholeLine && collected.length() < LONGEST_SYNCLINE) {
+      collected.append(c);
+    }
+  }
+
+  private void blockComment(char c) {
+    if (previous == '*' && c == '/') {
+      previous = 0;
+      if (--commentDepth == 0) {
+        state = State.CODE;
+      }
+    } else if (previous == '/' && c == '*') {
+      previous = 0;
+      commentDepth++;
+    } else {
+      previous = c;
+    }
+  }
+
+  private boolean binaryHeader(char c) {
+    switch (binary.accept(c)) {
+      case MORE -> {}
+      case COMPLETE -> {
+        state = State.BINARY;
+        binaryRemaining = binary.size();
+        endBinary();
+      }
+      case NONE -> {
+        state = State.CODE;
+        return false;
+      }
+      case NONE_IN_NUMBER -> {
+        state = State.NUMBER;
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private void binaryData() {
+    binaryRemaining--;
+    endBinary();
+  }
+
+  /** At top level, binary data is the end of its statement. */
+  private void endBinary() {
+    if (binaryRemaining == 0) {
+      state = State.CODE;
+      separator = brackets.isEmpty() ? Flavor.SEMICOLON : null;
+    }
+  }
+
+  private static boolean wordCharacter(char c) {
+    return 'a' <= c && c <= 'z' || 'A' <= c && c <= 'Z' || '0' <= c && c <= '9' || c == '_';
+  }
+}
