@@ -9,7 +9,6 @@ import java.nio.file.StandardCopyOption;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
-import org.urbi.lang.input.StatementReader;
 import org.urbi.server.SourceText;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
@@ -36,7 +35,6 @@ final class Server {
 
   /** Runs until the kernel has been shut down for good, and returns its exit status. */
   int run() {
-    warmUpParser();
     int status;
     do {
       reboot = false;
@@ -72,21 +70,6 @@ final class Server {
         console.close();
       }
     }
-  }
-
-  /**
-   * Parses something while the kernel starts: the grammar's tables are made at first use, which
-   * takes about as long as the kernel takes to start.
-   */
-  private static void warmUpParser() {
-    Thread.ofPlatform()
-        .daemon()
-        .name("urbi-parser-warm-up")
-        .start(() -> {
-          StatementReader reader = new StatementReader();
-          reader.feed("echo(\"\");");
-          reader.next();
-        });
   }
 
   /** Ends the process at once; only what has been printed is still shown. */
