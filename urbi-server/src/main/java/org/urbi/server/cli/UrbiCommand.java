@@ -96,6 +96,7 @@ public final class UrbiCommand {
     }
     StringBuilder text = new StringBuilder();
     modules.forEach(module -> text.append(SourceText.loadModule(module)));
+    SourceText.append(text, inputs.text());
     String portFile = arguments.value("--port-file", null);
     return new Settings(
         trace(arguments),
@@ -107,7 +108,7 @@ public final class UrbiCommand {
         port,
         portFile == null ? null : Path.of(portFile),
         !modules.isEmpty(),
-        text.append(inputs.text()).toString(),
+        text.toString(),
         input,
         rest.isEmpty() ? List.of() : rest.subList(1, rest.size()),
         System.getProperty("urbi.program", SearchPath.root().resolve("urbi").toString()));
