@@ -1,12 +1,17 @@
 package org.urbi.kernel.library;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.urbi.kernel.compile.Compilation;
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.parse.Parsed;
 import org.urbi.lang.parse.SyntaxError;
+import org.urbi.lang.parse.SyntaxWarning;
 import org.urbi.lang.parse.UrbiParser;
 
 /** Evaluates source text while code runs ({@code eval}, {@code load}). */
@@ -23,11 +28,30 @@ public final class Evaluation {
   public static UrbiObject eval(
       Frame frame, CallSite site, UrbiObject target, String text, String file) {
     Parsed parsed = UrbiParser.parse(text, file);
+    for (SyntaxWarning warning : parsed.warnings()) {
+      Warnings.at(frame, site, warning.span(), warning.message());
+    }
     if (!parsed.errors().isEmpty()) {
-      SyntaxError error = parsed.errors().getFirst();
-      throw frame.interpreter().errors().syntax(error, text);
+      throw syntax(frame, site, parsed.errors().getFirst(), text);
     }
     return execute(frame, site, target, parsed.sequence());
+  }
+
+  /** The message tells the place in the text, the calls tell who wanted it evaluated. */
+  private static UrbiException syntax(
+      Frame frame, CallSite site, SyntaxError error, String text) {
+    UrbiException exception = frame.interpreter().errors().syntax(error, text);
+    List<UrbiException.Call> calls = new ArrayList<>();
+    calls.add(new UrbiException.Call(site.calledName(), site.calledSpan()));
+    calls.addAll(frame.backtrace());
+    exception.locate(null, calls);
+    if (site.calledSpan() != null) {
+      OwnSlots.put(
+          exception.value(),
+          "location",
+          LocationType.make(frame.interpreter().world(), site.calledSpan()));
+    }
+    return exception;
   }
 
   /** Executes statements one after the other, as the top level does. */

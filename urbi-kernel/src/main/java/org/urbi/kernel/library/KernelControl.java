@@ -19,11 +19,15 @@ public interface KernelControl {
 
   /** A lobby without a connection of its own: its output goes where that of another one does. */
   UrbiLobby createLobby(UrbiLobby creator);
+
   /** The path under which the server was called. */
   String programName();
 
   /** The arguments of the user's script. */
   List<String> arguments();
+
+  /** The source files that were loaded. */
+  LoadedFiles loadedFiles();
 
   /** The variables of the environment. */
   Environment environment();
