@@ -55,6 +55,7 @@ public final class Library {
     inheritance(tables);
     constants();
     errors();
+    interpreter.setAfterStatements(Finalization.of(world)::run);
     interpreter.rememberNumberOperators();
   }
 

@@ -33,7 +33,9 @@ final class ObjectType {
   }
 
   @Builtin(doc = "Puts a prototype in front of the others.")
-  static UrbiObject addProto(UrbiObject self, UrbiObject proto) {
+  static UrbiObject addProto(
+      Frame frame, CallSite site, UrbiObject self, UrbiObject proto) {
+    FinalizableType.check(frame, site, self, proto);
     self.addProto(proto);
     return self;
   }
@@ -144,8 +146,8 @@ final class ObjectType {
   }
 
   @Builtin(value = "protos", setter = true, doc = "Replaces the list of the prototypes.")
-  static void assignProtos(UrbiObject self, UrbiList protos) {
-    setProtos(self, protos);
+  static void assignProtos(Frame frame, CallSite site, UrbiObject self, UrbiList protos) {
+    setProtos(frame, site, self, protos);
   }
 
   @Builtin(doc = "Takes a prototype away.")
@@ -155,7 +157,10 @@ final class ObjectType {
   }
 
   @Builtin(doc = "Replaces the list of the prototypes.")
-  static void setProtos(UrbiObject self, UrbiList protos) {
+  static void setProtos(Frame frame, CallSite site, UrbiObject self, UrbiList protos) {
+    for (UrbiObject proto : protos.elements()) {
+      FinalizableType.check(frame, site, self, proto);
+    }
     self.setProtos(protos.elements().toArray(UrbiObject[]::new));
   }
 
