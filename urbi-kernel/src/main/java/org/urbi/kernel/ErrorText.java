@@ -19,7 +19,10 @@ final class ErrorText {
     Output output = lobby.output();
     switch (failure) {
       case UrbiException e -> {
-        output.send("error", "!!! " + place(e.span()) + text(interpreter, job, lobby, e));
+        // Errors of syntax tell where in the text they are.
+        boolean syntax = e.value().isA(interpreter.errors().prototype("Syntax"));
+        String place = syntax ? "" : place(e.span());
+        output.send("error", "!!! " + place + text(interpreter, job, lobby, e));
         for (UrbiException.Call call : e.backtrace()) {
           if (call.name() != null) {
             output.send("error", "!!!    called from: " + place(call.span()) + call.name());

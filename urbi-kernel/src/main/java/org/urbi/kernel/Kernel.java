@@ -8,9 +8,9 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.function.IntConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.IntConsumer;
 import org.urbi.kernel.embed.Embedding;
 import org.urbi.kernel.embed.JavaValues;
 import org.urbi.kernel.embed.Listening;
@@ -25,6 +25,7 @@ import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.library.Environment;
 import org.urbi.kernel.library.KernelControl;
 import org.urbi.kernel.library.Library;
+import org.urbi.kernel.library.LoadedFiles;
 import org.urbi.kernel.library.LogLevel;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
@@ -48,6 +49,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
   private final List<Path> searchPath;
   private final Outside outside;
   private final Environment environment = new Environment();
+  private final LoadedFiles loadedFiles = new LoadedFiles();
   private final String programName;
   private final List<String> arguments;
   private final IntConsumer onHalt;
@@ -435,6 +437,11 @@ public final class Kernel implements AutoCloseable, KernelControl {
   @Override
   public List<String> arguments() {
     return arguments;
+  }
+
+  @Override
+  public LoadedFiles loadedFiles() {
+    return loadedFiles;
   }
 
   @Override

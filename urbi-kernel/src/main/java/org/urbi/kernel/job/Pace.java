@@ -16,13 +16,22 @@ public final class Pace {
   private static final long GRACE = 100_000_000;
 
   private final Clock machine = new SystemClock();
+  private final Clock simulated;
   private final List<BooleanSupplier> conditions = new ArrayList<>();
   private int activities;
-  private long debt;
+  private boolean real;
+
+  /** How far the machine's time is ahead of the simulated one as long as they go together. */
+  private long offset;
+
+  Pace(Clock simulated) {
+    this.simulated = simulated;
+  }
 
   /** Something real begins; on the kernel thread. */
   public void begin() {
     activities++;
+    follow();
   }
 
   /** Something real is over; on the kernel thread. */
@@ -35,23 +44,31 @@ public final class Pace {
     conditions.add(condition);
   }
 
+  private void follow() {
+    if (!real) {
+      real = true;
+      offset = machine.now() - simulated.now();
+    }
+  }
+
   boolean isReal() {
     if (activities > 0 || conditions.stream().anyMatch(BooleanSupplier::getAsBoolean)) {
-      return true;
+      follow();
+    } else {
+      real = false;
     }
-    debt = 0;
-    return false;
+    return real;
   }
 
   /** Waits for news, or for the next deadline, and moves the simulated time accordingly. */
-  void idle(Inbox inbox, Clock simulated, long next) {
+  void idle(Inbox inbox, long next) {
     long now = simulated.now();
-    long from = machine.now();
-    inbox.await(next == Long.MAX_VALUE ? next : Math.max(0, next - now - debt));
-    debt += machine.now() - from;
-    if (debt >= GRACE || !inbox.isFilled()) {
-      simulated.advanceTo(Math.min(next, now + debt));
-      debt = 0;
+    // Who has run ahead of the machine does not wait for it.
+    offset = Math.min(offset, machine.now() - now);
+    inbox.await(next == Long.MAX_VALUE ? next : Math.max(0, next + offset - machine.now()));
+    long due = machine.now() - offset;
+    if (due - now >= GRACE || !inbox.isFilled()) {
+      simulated.advanceTo(Math.min(next, due));
     }
   }
 }

@@ -31,7 +31,7 @@ public final class Scheduler {
   private volatile Thread loop;
   private final Inbox inbox = new Inbox();
   private final Timers timers = new Timers();
-  private final Pace pace = new Pace();
+  private final Pace pace;
   private final JobThread.Factory threads;
   private final ArrayDeque<Job> runnable = new ArrayDeque<>();
   private final ArrayDeque<Job> ahead = new ArrayDeque<>();
@@ -57,6 +57,7 @@ public final class Scheduler {
       World world, Clock clock, JobThreads threads, BiConsumer<Job, Throwable> uncaught) {
     this.world = world;
     this.clock = clock;
+    this.pace = new Pace(clock);
     this.threads = threads.factory(inbox::post);
     this.uncaught = uncaught;
   }
@@ -289,7 +290,7 @@ public final class Scheduler {
     }
     runOnce();
     runEndOfTick();
-    if (!clock.isReal() && ++busyTicks >= BUSY_TICKS) {
+    if (!clock.isReal() && timeHolders == 0 && ++busyTicks >= BUSY_TICKS) {
       busyTicks = 0;
       clock.advanceTo(now + BUSY_STEP);
     }
@@ -328,7 +329,7 @@ public final class Scheduler {
     } else if (timeHolders > 0) {
       inbox.await(Long.MAX_VALUE);
     } else if (pace.isReal()) {
-      pace.idle(inbox, clock, next);
+      pace.idle(inbox, next);
     } else if (next == Long.MAX_VALUE) {
       inbox.await(Long.MAX_VALUE);
     } else if (!inbox.isFilled()) {

@@ -58,10 +58,7 @@ final class DirectoryEvents implements DirectoryWatch.Listener {
     Scheduler scheduler = interpreter.scheduler();
     Job job = scheduler.running();
     try {
-      outside.await(job, () -> {
-        outside.directories().watch(file, this);
-        return null;
-      });
+      outside.watch(job, file, this);
     } catch (IOException e) {
       watched = null;
       throw interpreter

@@ -6,6 +6,7 @@ import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.parse.Parsed;

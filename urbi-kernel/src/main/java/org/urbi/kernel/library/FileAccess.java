@@ -88,7 +88,7 @@ final class FileAccess {
   /** Does something to files that may take long, while the job waits. */
   static <T> T slowly(Frame frame, CallSite site, UrbiPath path, Callable<T> action) {
     try {
-      return KernelControl.of(frame).outside().await(frame.job(), action);
+      return KernelControl.of(frame).outside().awaitBriefly(frame.job(), action);
     } catch (IOException e) {
       throw failed(frame, site, path, e);
     }

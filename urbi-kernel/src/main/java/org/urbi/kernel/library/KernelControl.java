@@ -26,6 +26,9 @@ public interface KernelControl {
   /** The arguments of the user's script. */
   List<String> arguments();
 
+  /** The source files that were loaded. */
+  LoadedFiles loadedFiles();
+
   /** The variables of the environment. */
   Environment environment();
 

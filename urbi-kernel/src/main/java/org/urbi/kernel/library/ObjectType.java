@@ -27,7 +27,9 @@ import org.urbi.kernel.object.Values;
 final class ObjectType {
   private ObjectType() {}
 
-  @Builtin(doc = "The target; void does not answer to it.")
+  @Builtin(
+      value = {"acceptVoid", "unacceptVoid"},
+      doc = "The target, which is not void.")
   static UrbiObject acceptVoid(UrbiObject self) {
     return self;
   }
@@ -162,6 +164,11 @@ final class ObjectType {
       FinalizableType.check(frame, site, self, proto);
     }
     self.setProtos(protos.elements().toArray(UrbiObject[]::new));
+  }
+
+  @Builtin(value = "protos", setter = true, doc = "Replaces the prototypes.")
+  static void assignProtos(UrbiObject self, UrbiList protos) {
+    setProtos(self, protos);
   }
 
   @Builtin(doc = "The identifier of the object, unique in this kernel.")

@@ -30,7 +30,7 @@ final class SystemFiles {
   static UrbiObject loadFile(
       Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
     String name = frame.interpreter().asString(frame, file);
-    Path path = path(frame, name);
+    Path path = workingDirectory(frame).resolve(path(frame, name));
     if (!Files.isRegularFile(path)) {
       throw notFound(frame, name);
     }
@@ -68,19 +68,26 @@ final class SystemFiles {
     return folders;
   }
 
+  @Builtin(doc = "Evaluates a source file found in the search path, unless that was done before.")
+  static void requireFile(
+      Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
+    Path path = found(frame, frame.interpreter().asString(frame, file));
+    if (!KernelControl.of(frame).loadedFiles().contains(frame.job(), key(path))) {
+      evaluate(frame, site, self, path, target);
+    }
+  }
+
   private static UrbiObject urbiPath(Frame frame, Path path) {
-    return frame
-        .interpreter()
-        .send(
-            frame,
-            frame.interpreter().world().prototype("Path"),
-            "new",
-            frame.interpreter().values().string(path.toString()));
+    return FileAccess.anyPath(frame).sibling(UrbiPath.encoded(path));
+  }
+
+  private static Path workingDirectory(Frame frame) {
+    return FileAccess.anyPath(frame).working().path;
   }
 
   private static Path path(Frame frame, String name) {
     try {
-      return Path.of(name);
+      return Path.of(NativeText.toJava(name));
     } catch (InvalidPathException e) {
       throw notFound(frame, name);
     }
@@ -96,16 +103,33 @@ final class SystemFiles {
 
   private static Path search(Frame frame, String name) {
     Path path = path(frame, name);
+    Path working = workingDirectory(frame);
     if (path.isAbsolute()) {
       return Files.isRegularFile(path) ? path : null;
     }
     for (Path folder : KernelControl.of(frame).searchPath()) {
-      Path candidate = folder.resolve(path);
+      Path candidate = working.resolve(folder).normalize().resolve(path);
       if (Files.isRegularFile(candidate)) {
         return candidate;
       }
     }
-    return Files.isRegularFile(path) ? path : null;
+    Path here = working.resolve(path);
+    return Files.isRegularFile(here) ? here : null;
+  }
+
+  /** The name of a file in messages: short when it is below the working directory. */
+  private static String shown(Frame frame, Path file) {
+    Path working = workingDirectory(frame);
+    return UrbiPath.encoded(file.startsWith(working) ? working.relativize(file) : file);
+  }
+
+  /** By what a file is known, whatever the links that lead there. */
+  private static Path key(Path file) {
+    try {
+      return file.toRealPath();
+    } catch (IOException e) {
+      return file.toAbsolutePath().normalize();
+    }
   }
 
   private static RuntimeException notFound(Frame frame, String name) {
@@ -119,12 +143,23 @@ final class SystemFiles {
 
   private static UrbiObject evaluate(
       Frame frame, CallSite site, UrbiObject self, Path path, UrbiObject target) {
-    String text;
+    LoadedFiles files = KernelControl.of(frame).loadedFiles();
+    Path key = key(path);
+    boolean complete = false;
+    files.begin(frame.job(), key);
     try {
-      text = Files.readString(path, StandardCharsets.ISO_8859_1);
-    } catch (IOException e) {
-      throw frame.interpreter().errors().primitive(site.calledName(), "cannot read file: " + path);
+      String text =
+          FileAccess.quickly(
+              frame,
+              site,
+              FileAccess.anyPath(frame).sibling(UrbiPath.encoded(path)),
+              () -> Files.readString(path, StandardCharsets.ISO_8859_1));
+      UrbiObject value =
+          Evaluation.eval(frame, site, target == null ? self : target, text, shown(frame, path));
+      complete = true;
+      return value;
+    } finally {
+      files.end(frame.job(), key, complete);
     }
-    return Evaluation.eval(frame, site, target == null ? self : target, text, path.toString());
   }
 }

@@ -28,11 +28,13 @@ final class Warnings {
     callers(output, caller.backtrace());
   }
 
-  /** Something that the function called at that site did not like. */
+  /** Something that the function called at that site, null for Java code, did not like. */
   static void inside(Frame caller, CallSite site, String message) {
     Output output = LobbyType.of(caller).output();
     output.send(CHANNEL, "!!! " + message);
-    callers(output, List.of(new UrbiException.Call(site.calledName(), site.calledSpan())));
+    if (site != null) {
+      callers(output, List.of(new UrbiException.Call(site.calledName(), site.calledSpan())));
+    }
     callers(output, caller.backtrace());
   }
 

@@ -6,7 +6,6 @@ import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
-import org.urbi.kernel.object.UrbiTuple;
 
 /** What a value can be matched against (manual, "Structural Pattern Matching"). */
 public abstract class Pattern {
@@ -77,14 +76,12 @@ public abstract class Pattern {
     @Override
     public boolean matches(Frame frame, UrbiObject value) {
       List<UrbiObject> elements;
-      if (tuple && value instanceof UrbiTuple other) {
-        elements = other.elements();
-      } else if (!tuple && value instanceof UrbiList other) {
-        elements = other.elements();
+      if (tuple) {
+        elements = Tuples.members(frame, value);
       } else {
-        return false;
+        elements = value instanceof UrbiList other ? other.elements() : null;
       }
-      if (elements.size() != patterns.length) {
+      if (elements == null || elements.size() != patterns.length) {
         return false;
       }
       for (int i = 0; i < patterns.length; i++) {

@@ -2,6 +2,7 @@ package org.urbi.kernel.outside;
 
 import java.io.Closeable;
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -19,6 +20,12 @@ import org.urbi.kernel.job.Scheduler;
  * kernel thread never waits, and everything that is to be closed when the kernel ends.
  */
 public final class Outside implements Closeable {
+  /** Some milliseconds of waiting without letting others run. */
+  private static final int SPINS = 200_000;
+
+  /** As long as it takes the JDK to begin to watch directories; once. */
+  private static final int WATCH_SPINS = 10_000_000;
+
   private final Scheduler scheduler;
   private final ExecutorService threads =
       Executors.newCachedThreadPool(Thread.ofPlatform().daemon().name("urbi-outside-", 0).factory());
@@ -56,8 +63,24 @@ public final class Outside implements Closeable {
     start(() -> Thread.ofVirtual().start(task));
   }
 
-  /** Notices the files that come and go in directories. */
-  public synchronized DirectoryWatch directories() throws IOException {
+  /**
+   * Tells of the files that come and go in a directory from now on: nothing that happens later is
+   * missed.
+   *
+   * @throws IOException when there is no such directory, or the machine watches no more of them
+   */
+  public void watch(Job job, Path directory, DirectoryWatch.Listener listener)
+      throws IOException {
+    await(
+        job,
+        () -> {
+          directories().watch(directory, listener);
+          return null;
+        },
+        WATCH_SPINS);
+  }
+
+  private synchronized DirectoryWatch directories() throws IOException {
     if (directories == null) {
       directories = new DirectoryWatch(this);
     }
@@ -68,8 +91,19 @@ public final class Outside implements Closeable {
   private static final class Wait<T> {
     T value;
     Exception failure;
+    volatile boolean worked;
     boolean done;
     boolean abandoned;
+  }
+
+  /**
+   * Like {@link #await}, for work that takes less than the others would notice: as a rule none of
+   * them runs before it is done.
+   *
+   * @throws IOException as the work did
+   */
+  public <T> T awaitBriefly(Job job, Callable<T> work) throws IOException {
+    return await(job, work, SPINS);
   }
 
   /**
@@ -78,6 +112,10 @@ public final class Outside implements Closeable {
    * @throws IOException as the work did
    */
   public <T> T await(Job job, Callable<T> work) throws IOException {
+    return await(job, work, 0);
+  }
+
+  private <T> T await(Job job, Callable<T> work, int spins) throws IOException {
     Wait<T> wait = new Wait<>();
     scheduler.pace().begin();
     start(() -> {
@@ -86,6 +124,7 @@ public final class Outside implements Closeable {
       } catch (Exception e) {
         wait.failure = e;
       }
+      wait.worked = true;
       post(() -> {
         scheduler.pace().end();
         wait.done = true;
@@ -94,8 +133,11 @@ public final class Outside implements Closeable {
         }
       });
     });
+    for (int i = 0; i < spins && !wait.worked; i++) {
+      Thread.onSpinWait();
+    }
     try {
-      while (!wait.done) {
+      while (!wait.done && !(spins > 0 && wait.worked)) {
         job.waitForWake();
       }
     } finally {

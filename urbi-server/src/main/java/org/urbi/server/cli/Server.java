@@ -20,6 +20,7 @@ final class Server {
   private final PrintStream err;
   private final StartFiles startFiles;
   private Kernel kernel;
+  private volatile boolean reboot;
 
   Server(Settings settings, PrintStream out, PrintStream err) {
     this.settings = settings;
@@ -28,12 +29,24 @@ final class Server {
     startFiles = new StartFiles(settings.searchPath());
   }
 
-  /** Runs until the kernel has been shut down, and returns its exit status. */
+  /** Runs until the kernel has been shut down for good, and returns its exit status. */
   int run() {
+    int status;
+    do {
+      reboot = false;
+      status = runOnce();
+    } while (reboot);
+    return status;
+  }
+
+  private int runOnce() {
     Kernel.Builder builder =
         Kernel.builder()
             .virtualTime(settings.fast())
-            .searchPath(settings.searchPath().directories());
+            .searchPath(settings.searchPath().directories())
+            .commandLine(settings.program(), settings.arguments())
+            .onHalt(status -> Runtime.getRuntime().halt(status))
+            .onReboot(() -> reboot = true);
     if (settings.stackSize() > 0) {
       builder.stackSize(settings.stackSize());
     }

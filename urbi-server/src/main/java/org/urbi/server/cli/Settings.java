@@ -15,6 +15,7 @@ import org.urbi.server.Trace;
  * @param modules whether UObjects were asked for, which may have a life of their own
  * @param text what the console's lobby is sent first
  * @param input where more of it comes from
+ * @param program the path under which it was called
  * @param arguments what the script is told of the command line
  */
 record Settings(
@@ -29,7 +30,8 @@ record Settings(
     boolean modules,
     String text,
     Input input,
-    List<String> arguments) {
+    List<String> arguments,
+    String program) {
   static final int NO_PORT = -1;
 
   /** What is read after the options' text. */

@@ -109,7 +109,8 @@ public final class UrbiCommand {
         !modules.isEmpty(),
         text.append(inputs.text()).toString(),
         input,
-        rest.isEmpty() ? List.of() : rest.subList(1, rest.size()));
+        rest.isEmpty() ? List.of() : rest.subList(1, rest.size()),
+        System.getProperty("urbi.program", SearchPath.root().resolve("urbi").toString()));
   }
 
   private static int stackSize(Arguments arguments) {
