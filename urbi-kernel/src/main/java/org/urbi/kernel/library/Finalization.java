@@ -14,14 +14,13 @@ import org.urbi.kernel.object.World;
 
 /**
  * Finds out, after each statement of the top level, which finalizable objects nobody refers to any
- * more, and calls their {@code finalize}. Kernels that have none of these objects pay nothing;
- * the others have the memory looked through each time, so that runs repeat.
+ * more, and calls their {@code finalize}. Kernels that have none of these objects pay nothing; the
+ * others have the memory looked through each time, so that runs repeat.
  */
 final class Finalization {
   private static final Map<World, Finalization> ALL = new WeakHashMap<>();
 
-  private final ConcurrentLinkedQueue<UrbiFinalizable> reclaimed =
-      new ConcurrentLinkedQueue<>();
+  private final ConcurrentLinkedQueue<UrbiFinalizable> reclaimed = new ConcurrentLinkedQueue<>();
   private final AtomicLong alive = new AtomicLong();
   private long created;
 

@@ -153,8 +153,7 @@ public final class Library {
     values.stringProto.removeSlot(asList);
     values.stringProto.addSlot(
         asList,
-        new ScriptCode(
-            interpreter.prototypes().code.cloneShape(), "function () { split(\"\") }"));
+        new ScriptCode(interpreter.prototypes().code.cloneShape(), "function () { split(\"\") }"));
     EventType.fill(types.get("Event"));
     UrbiObject lobby = types.get("Lobby");
     lobby.setProtos(topLevel);

@@ -174,9 +174,4 @@ final class ObjectDescription {
   static UrbiObject callMessage(Frame frame, UrbiObject self, UrbiObject msg) {
     return CallMessageType.send(frame, msg, self);
   }
-
-  @Builtin(doc = "The target; see void.")
-  static UrbiObject unacceptVoid(UrbiObject self) {
-    return self;
-  }
 }

@@ -75,8 +75,6 @@ final class ProfileType {
 
   @Builtin(doc = "The profile as a table.")
   static String asString(UrbiProfile self) {
-    return self.profiler() == null
-        ? "Profile"
-        : ProfileTable.of(self.profiler(), sorted(self));
+    return self.profiler() == null ? "Profile" : ProfileTable.of(self.profiler(), sorted(self));
   }
 }

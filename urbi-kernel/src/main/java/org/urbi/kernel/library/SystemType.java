@@ -10,7 +10,6 @@ import org.urbi.kernel.job.Job;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.LoopJobs;
-import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -93,25 +92,6 @@ final class SystemType {
             Truth.of(frame, underTags) ? frame.job().scheduler().rootScope() : LoopJobs.scope(frame),
             forked -> frame.interpreter().call(forked, site, code, self));
     return JobType.object(frame, job);
-  }
-
-  @Builtin(
-      value = {"assert"},
-      lazy = true,
-      min = 1,
-      max = 1,
-      doc = "Throws unless the assertion is true, and unless assertions are not checked.")
-  static void check(Frame frame, CallSite site, UrbiObject self) {
-    Node claim = site.argumentNodes()[0];
-    if (!frame.interpreter().assertionsDisabled()
-        && !Truth.of(frame, claim.execute(frame))) {
-      String text = claim.span() == null ? "false" : CodeText.of(claim.span());
-      throw frame
-          .interpreter()
-          .errors()
-          .of("Assertion", "failed assertion: " + text)
-          .build();
-    }
   }
 
   @Builtin(doc = "Throws the message unless the value is true.")

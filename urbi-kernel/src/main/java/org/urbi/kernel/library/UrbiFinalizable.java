@@ -23,8 +23,7 @@ final class UrbiFinalizable extends UrbiObject {
 
   /** A new object. */
   static UrbiFinalizable create(UrbiObject prototype, Finalization finalization) {
-    return new UrbiFinalizable(
-        prototype.cloneShape(), finalization, finalization.created());
+    return new UrbiFinalizable(prototype.cloneShape(), finalization, finalization.created());
   }
 
   /** Objects are numbered in the order in which they were made. */
