@@ -74,7 +74,7 @@ final class SystemJobs {
     Profiler profiler = new Profiler(frame.interpreter());
     profiler.observe(frame.job());
     try {
-      frame.interpreter().call(frame, site, function, self);
+      frame.interpreter().call(frame, site, function, frame.self());
     } finally {
       profiler.finished(frame.job());
     }
