@@ -201,18 +201,22 @@ public final class Kernel implements AutoCloseable, KernelControl {
 
   @Override
   public void requestShutdown(int exitStatus) {
-    scheduler
-        .inbox()
-        .post(() -> {
-          if (!stopping) {
-            stopping = true;
-            status = exitStatus;
-            for (KernelConnection connection : new ArrayList<>(connections)) {
-              connection.finish();
-            }
-            scheduler.stop();
-          }
-        });
+    if (scheduler.isKernelThread()) {
+      shutDown(exitStatus);
+    } else {
+      scheduler.inbox().post(() -> shutDown(exitStatus));
+    }
+  }
+
+  private void shutDown(int exitStatus) {
+    if (!stopping) {
+      stopping = true;
+      status = exitStatus;
+      for (KernelConnection connection : new ArrayList<>(connections)) {
+        connection.finish();
+      }
+      scheduler.stop();
+    }
   }
 
   private void ended() {

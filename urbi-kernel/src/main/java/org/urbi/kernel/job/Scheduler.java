@@ -25,6 +25,9 @@ public final class Scheduler {
   /** …by that much, or a job that never waits would keep the others asleep for ever. */
   private static final long BUSY_STEP = 1_000_000;
 
+  /** How many turns the jobs have to end in when the kernel does. */
+  private static final int LAST_ROUNDS = 1000;
+
   private final World world;
   private final Clock clock;
   private volatile UrbiObject interrupted;
@@ -238,7 +241,7 @@ public final class Scheduler {
     return Thread.currentThread() == loop || (job != null && job.isCurrentThread());
   }
 
-  /** Ends the loop after this tick; on the kernel thread. */
+  /** Ends the loop after the turn of the job that is running; on the kernel thread. */
   public void stop() {
     stopped = true;
   }
@@ -264,8 +267,9 @@ public final class Scheduler {
     for (Job job : jobs()) {
       job.terminate();
     }
-    while (!runnable.isEmpty()) {
-      runOnce();
+    // They are left by an exception; code that goes on all the same is given up.
+    for (int rounds = 0; rounds < LAST_ROUNDS && !runnable.isEmpty(); rounds++) {
+      runOnce(true);
     }
     runEndOfTick();
   }
@@ -288,7 +292,7 @@ public final class Scheduler {
       }
       return;
     }
-    runOnce();
+    runOnce(false);
     runEndOfTick();
     if (!clock.isReal() && timeHolders == 0 && ++busyTicks >= BUSY_TICKS) {
       busyTicks = 0;
@@ -305,8 +309,8 @@ public final class Scheduler {
     }
   }
 
-  private void runOnce() {
-    for (int left = runnable.size(); left > 0; left--) {
+  private void runOnce(boolean last) {
+    for (int left = runnable.size(); left > 0 && (last || !stopped); left--) {
       Job job = runnable.poll();
       running = job;
       job.resume();

@@ -216,7 +216,7 @@ public final class Shell {
         }
       } catch (Unwinding unwinding) {
         // A return or a break that has nothing to leave.
-      } catch (UrbiException | StackOverflowError e) {
+      } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
         interpreter.report(shell, e);
       } finally {
         shell.leave(scope);
