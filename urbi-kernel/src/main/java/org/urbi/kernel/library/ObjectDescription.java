@@ -10,6 +10,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.lobby.Output;
+import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
@@ -165,7 +166,7 @@ final class ObjectDescription {
 
   @Builtin(doc = "Deprecated: the period of the system.")
   static UrbiObject getPeriod(
-      Frame frame, org.urbi.kernel.node.CallSite site, UrbiObject self) {
+      Frame frame, CallSite site, UrbiObject self) {
     Warnings.deprecated(frame, site, "getPeriod", "System.period");
     return OwnSlots.get(frame, self.world().prototype("System"), "period");
   }
