@@ -22,6 +22,7 @@ public final class Evaluation {
    * Evaluates a whole text on a target.
    *
    * @param site where it is called; null when Java code does
+   * @param site the call that wants it evaluated; null when Java does
    * @param file the name by which errors call it, or null
    * @return the value of its last statement
    */
@@ -41,6 +42,9 @@ public final class Evaluation {
   private static UrbiException syntax(
       Frame frame, CallSite site, SyntaxError error, String text) {
     UrbiException exception = frame.interpreter().errors().syntax(error, text);
+    if (site == null) {
+      return exception;
+    }
     List<UrbiException.Call> calls = new ArrayList<>();
     calls.add(new UrbiException.Call(site.calledName(), site.calledSpan()));
     calls.addAll(frame.backtrace());
