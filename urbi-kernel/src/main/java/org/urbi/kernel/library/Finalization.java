@@ -1,12 +1,12 @@
 package org.urbi.kernel.library;
 
+import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.WeakHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.atomic.AtomicLong;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -20,8 +20,12 @@ import org.urbi.kernel.object.World;
 final class Finalization {
   private static final Map<World, Finalization> ALL = new WeakHashMap<>();
 
-  private final ConcurrentLinkedQueue<UrbiFinalizable> reclaimed = new ConcurrentLinkedQueue<>();
-  private final AtomicLong alive = new AtomicLong();
+  /** For how many nanoseconds the virtual machine may keep a reclaimed object to itself. */
+  private static final long PATIENCE = 1_000_000_000;
+
+  private final ConcurrentLinkedQueue<UrbiFinalizable> reclaimed =
+      new ConcurrentLinkedQueue<>();
+  private final List<WeakReference<UrbiFinalizable>> alive = new ArrayList<>();
   private long created;
 
   private Finalization() {}
@@ -33,31 +37,30 @@ final class Finalization {
     }
   }
 
-  /** One more object; its number. */
-  long created() {
-    alive.incrementAndGet();
+  /** The number of the next object. */
+  long nextNumber() {
     return ++created;
+  }
+
+  /** One more object. */
+  void add(UrbiFinalizable object) {
+    alive.add(new WeakReference<>(object));
   }
 
   /** Nobody refers to that object; on any thread. */
   void reclaimed(UrbiFinalizable object) {
     reclaimed.add(object);
-    alive.decrementAndGet();
   }
 
   /** Calls {@code finalize} of the objects to which nobody refers. */
-  @SuppressWarnings("removal")
   void run(Frame frame) {
-    if (alive.get() == 0 && reclaimed.isEmpty()) {
+    if (alive.isEmpty()) {
       return;
     }
     System.gc();
-    Runtime.getRuntime().runFinalization();
-    List<UrbiFinalizable> objects = new ArrayList<>();
-    UrbiFinalizable next;
-    while ((next = reclaimed.poll()) != null) {
-      objects.add(next);
-    }
+    int before = alive.size();
+    alive.removeIf(reference -> reference.refersTo(null));
+    List<UrbiFinalizable> objects = take(before - alive.size());
     objects.sort(Comparator.comparingLong(UrbiFinalizable::number));
     for (UrbiObject object : objects) {
       try {
@@ -66,5 +69,20 @@ final class Finalization {
         frame.interpreter().report(frame.job(), e);
       }
     }
+  }
+
+  /** Waits for that many objects, which the virtual machine hands over from a thread of its own. */
+  private List<UrbiFinalizable> take(int count) {
+    List<UrbiFinalizable> objects = new ArrayList<>();
+    long deadline = System.nanoTime() + PATIENCE;
+    while (objects.size() < count && System.nanoTime() - deadline < 0) {
+      UrbiFinalizable next = reclaimed.poll();
+      if (next == null) {
+        Thread.onSpinWait();
+      } else {
+        objects.add(next);
+      }
+    }
+    return objects;
   }
 }

@@ -23,7 +23,10 @@ final class UrbiFinalizable extends UrbiObject {
 
   /** A new object. */
   static UrbiFinalizable create(UrbiObject prototype, Finalization finalization) {
-    return new UrbiFinalizable(prototype.cloneShape(), finalization, finalization.created());
+    UrbiFinalizable made =
+        new UrbiFinalizable(prototype.cloneShape(), finalization, finalization.nextNumber());
+    finalization.add(made);
+    return made;
   }
 
   /** Objects are numbered in the order in which they were made. */

@@ -35,6 +35,11 @@ public final class Output {
     return new Output(this);
   }
 
+  /** Whether it is a {@linkplain #branch branch}. */
+  public boolean isBranch() {
+    return most == 0;
+  }
+
   /**
    * Sends text on a channel; only its first line has the time stamp.
    *
