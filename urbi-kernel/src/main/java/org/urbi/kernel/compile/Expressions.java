@@ -207,7 +207,7 @@ final class Expressions {
     return switch (ast) {
       case Ast.Declaration binding when binding.value() == null && binding.target() == null ->
           block.declaresSlots()
-              ? new Pattern.SlotBinding(symbol(binding.name()))
+              ? new Pattern.SlotBinding(symbol(binding.name()), binding.nameSpan())
               : new Pattern.Binding(
                   compilation.place(compilation.declare(block, binding.name(), binding), block));
       case Ast.ListLiteral list -> elements(list.elements(), block, false);
