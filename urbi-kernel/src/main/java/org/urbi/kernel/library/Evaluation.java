@@ -6,7 +6,6 @@ import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
-import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.parse.Parsed;
@@ -39,8 +38,7 @@ public final class Evaluation {
   }
 
   /** The message tells the place in the text, the calls tell who wanted it evaluated. */
-  private static UrbiException syntax(
-      Frame frame, CallSite site, SyntaxError error, String text) {
+  private static UrbiException syntax(Frame frame, CallSite site, SyntaxError error, String text) {
     UrbiException exception = frame.interpreter().errors().syntax(error, text);
     if (site == null) {
       return exception;

@@ -23,8 +23,7 @@ final class Finalization {
   /** For how many nanoseconds the virtual machine may keep a reclaimed object to itself. */
   private static final long PATIENCE = 1_000_000_000;
 
-  private final ConcurrentLinkedQueue<UrbiFinalizable> reclaimed =
-      new ConcurrentLinkedQueue<>();
+  private final ConcurrentLinkedQueue<UrbiFinalizable> reclaimed = new ConcurrentLinkedQueue<>();
   private final List<WeakReference<UrbiFinalizable>> alive = new ArrayList<>();
   private long created;
 

@@ -59,8 +59,7 @@ public final class UrbiLobby extends UrbiObject {
   }
 
   /** Makes a lobby, which begins to execute what it is sent. */
-  public static UrbiLobby start(
-      Interpreter interpreter, Output output, Shell.Listener listener) {
+  public static UrbiLobby start(Interpreter interpreter, Output output, Shell.Listener listener) {
     UrbiObject prototype = interpreter.world().prototype("Lobby");
     long number = interpreter.scheduler().nextNumber();
     UrbiTag tag = UrbiTag.named(interpreter, "Lobby_" + number);
