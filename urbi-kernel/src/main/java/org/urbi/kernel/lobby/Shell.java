@@ -207,10 +207,8 @@ public final class Shell {
     try {
       TagScope scope = shell.enter(lobby.connectionTag().state());
       try {
-        UrbiObject value = runForeground(shell, compiled);
-        if (isShown(value)) {
-          show(shell, compiled, value);
-        }
+        runAndShow(shell, compiled);
+        interpreter.statementOver(Frame.top(interpreter, shell, lobby, compiled.layout()));
         shell.yield();
       } catch (TagStop stop) {
         if (closed) {
@@ -225,6 +223,13 @@ public final class Shell {
       }
     } finally {
       busy = false;
+    }
+  }
+
+  private void runAndShow(Job shell, Compilation.Compiled compiled) {
+    UrbiObject value = runForeground(shell, compiled);
+    if (isShown(value)) {
+      show(shell, compiled, value);
     }
   }
 

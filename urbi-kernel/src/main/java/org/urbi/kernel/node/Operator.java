@@ -50,7 +50,7 @@ public abstract class Operator extends Node {
   final boolean isIntact() {
     int epoch = name.epoch();
     if (epoch != intactEpoch) {
-      if (values.floatProto.lookup(name) != original) {
+      if (values.floatProto.world().profiled || values.floatProto.lookup(name) != original) {
         return false;
       }
       intactEpoch = epoch;
