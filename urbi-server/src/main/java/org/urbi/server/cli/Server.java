@@ -21,6 +21,7 @@ final class Server {
   private final StartFiles startFiles;
   private Kernel kernel;
   private volatile boolean reboot;
+  private volatile boolean ending;
 
   Server(Settings settings, PrintStream out, PrintStream err) {
     this.settings = settings;
@@ -35,7 +36,7 @@ final class Server {
     do {
       reboot = false;
       status = runOnce();
-    } while (reboot);
+    } while (reboot && !ending);
     return status;
   }
 
@@ -56,7 +57,7 @@ final class Server {
     try {
       startFiles.loadGlobal(kernel, err);
       network = settings.hasPort() ? listen() : null;
-      console = new LocalConsole(settings, kernel, this::connect, out);
+      console = new LocalConsole(settings, kernel, this::connect, this::end, out);
       console.start();
       return kernel.awaitTermination();
     } finally {
@@ -69,6 +70,12 @@ final class Server {
         console.close();
       }
     }
+  }
+
+  /** Somebody wants the process to end, whatever goes on. */
+  private void end() {
+    ending = true;
+    kernel.requestShutdown(0);
   }
 
   /**
