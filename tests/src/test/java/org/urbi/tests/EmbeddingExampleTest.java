@@ -50,8 +50,7 @@ class EmbeddingExampleTest {
 
   /** Surefire hides the class path of the tests in a jar. */
   private static String classPath() {
-    return System.getProperty(
-        "surefire.test.class.path", System.getProperty("java.class.path"));
+    return System.getProperty("surefire.test.class.path", System.getProperty("java.class.path"));
   }
 
   private String run(String... options) throws Exception {
@@ -65,8 +64,7 @@ class EmbeddingExampleTest {
                   messages,
                   files,
                   null,
-                  List.of(
-                      "-proc:none", "-Werror", "-cp", classPath(), "-d", folder.toString()),
+                  List.of("-proc:none", "-Werror", "-cp", classPath(), "-d", folder.toString()),
                   null,
                   files.getJavaFileObjects(EXAMPLE.resolve("Embed.java")))
               .call();
@@ -79,8 +77,7 @@ class EmbeddingExampleTest {
     command.addAll(List.of("-cp", folder + File.pathSeparator + classPath(), "Embed"));
     Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
     process.getOutputStream().close();
-    String output =
-        new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     assertTrue(process.waitFor(60, TimeUnit.SECONDS), output);
     assertEquals(0, process.exitValue(), output);
     return output;

@@ -8,9 +8,9 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.function.IntConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.IntConsumer;
 import org.urbi.kernel.embed.Embedding;
 import org.urbi.kernel.embed.JavaValues;
 import org.urbi.kernel.embed.Listening;
@@ -201,18 +201,22 @@ public final class Kernel implements AutoCloseable, KernelControl {
 
   @Override
   public void requestShutdown(int exitStatus) {
-    scheduler
-        .inbox()
-        .post(() -> {
-          if (!stopping) {
-            stopping = true;
-            status = exitStatus;
-            for (KernelConnection connection : new ArrayList<>(connections)) {
-              connection.finish();
-            }
-            scheduler.stop();
-          }
-        });
+    if (scheduler.isKernelThread()) {
+      shutDown(exitStatus);
+    } else {
+      scheduler.inbox().post(() -> shutDown(exitStatus));
+    }
+  }
+
+  private void shutDown(int exitStatus) {
+    if (!stopping) {
+      stopping = true;
+      status = exitStatus;
+      for (KernelConnection connection : new ArrayList<>(connections)) {
+        connection.finish();
+      }
+      scheduler.stop();
+    }
   }
 
   private void ended() {

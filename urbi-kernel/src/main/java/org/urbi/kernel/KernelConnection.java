@@ -14,6 +14,7 @@ final class KernelConnection implements Connection, Shell.Listener {
   private volatile boolean incomplete;
   private volatile UrbiLobby lobby;
   private boolean holding;
+  private boolean ended;
   private boolean finished;
 
   KernelConnection(Kernel kernel, Client client, boolean holdsTime) {
@@ -43,6 +44,7 @@ final class KernelConnection implements Connection, Shell.Listener {
     kernel
         .inbox()
         .post(() -> {
+          ended = true;
           releaseTime();
           if (!finished) {
             lobby.shell().end();
@@ -99,16 +101,23 @@ final class KernelConnection implements Connection, Shell.Listener {
     made.setRemoteAddress(client.remoteAddress());
     lobby = made;
     kernel.add(this);
-    if (holdsTime) {
-      holding = true;
-      kernel.scheduler().holdTime();
-    }
     made.shell().start();
   }
 
   /** Its lobby; null before it is open. */
   UrbiLobby lobby() {
     return lobby;
+  }
+
+  /** A simulated time stands still while the shell waits for input that is to come now. */
+  @Override
+  public void starving(boolean begins) {
+    if (begins && holdsTime && !ended) {
+      holding = true;
+      kernel.scheduler().holdTime();
+    } else {
+      releaseTime();
+    }
   }
 
   private void releaseTime() {

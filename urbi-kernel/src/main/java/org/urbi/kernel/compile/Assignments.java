@@ -39,7 +39,8 @@ final class Assignments {
   Node assignment(Ast.Assignment assignment, Block block) {
     Span span = assignment.span();
     return switch (assignment.target()) {
-      case Ast.Message message -> toMessage(span, message, assignment.value(), block);
+      case Ast.Message message when message.arguments() == null || message.name().equals("[]") ->
+          toMessage(span, message, assignment.value(), block);
       case Ast.Property property ->
           new Properties.Write(
               span,
@@ -79,9 +80,23 @@ final class Assignments {
         operand(value, block));
   }
 
-  /** In a pattern that is assigned, {@code x} is what is assigned, not what is compared. */
+  /** In a pattern that is assigned, a local variable is assigned, not compared. */
   private Pattern destructuring(Ast pattern, Block block) {
-    return compilation.expressions.pattern(pattern, block);
+    return switch (pattern) {
+      case Ast.Message name
+          when name.target() == null
+              && name.arguments() == null
+              && block.find(name.name()) != null ->
+          new Matching.AssignedPlace(compilation.place(block.find(name.name()), block));
+      case Ast.ListLiteral list -> elements(list.elements(), block, false);
+      case Ast.TupleLiteral tuple -> elements(tuple.elements(), block, true);
+      default -> compilation.expressions.pattern(pattern, block);
+    };
+  }
+
+  private Pattern elements(List<Ast> elements, Block block, boolean tuple) {
+    return new Pattern.Elements(
+        elements.stream().map(each -> destructuring(each, block)).toArray(Pattern[]::new), tuple);
   }
 
   /** {@code a += b} is {@code a = a.'+='(b)}, with the parts of a evaluated once. */

@@ -43,6 +43,7 @@ final class Definitions {
     if (declaration.target() != null || block.declaresSlots()) {
       return new Slots.Declare(
           span,
+          declaration.nameSpan(),
           target(declaration.target(), span, block),
           symbol(declaration.name()),
           value,
@@ -61,7 +62,13 @@ final class Definitions {
   private Node named(Ast.Message name, Ast key, Span span, Block block, Node value) {
     if (name.target() != null || block.declaresSlots()) {
       return new Slots.Declare(
-          span, target(name.target(), span, block), symbol(name.name()), value, false, null);
+          span,
+          name.nameSpan(),
+          target(name.target(), span, block),
+          symbol(name.name()),
+          value,
+          false,
+          null);
     }
     return new Variables.Declare(span, name.name(), declare(block, name.name(), key), value, null);
   }

@@ -2,6 +2,7 @@ package org.urbi.kernel.compile;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.urbi.kernel.event.Emit;
 import org.urbi.kernel.event.WatchExpression;
 import org.urbi.kernel.node.Assertion;
@@ -23,6 +24,9 @@ import org.urbi.lang.source.Span;
 
 /** Compiles expressions. */
 final class Expressions {
+  private static final Set<String> COMPARISONS =
+      Set.of("==", "!=", "===", "!==", "<", "<=", ">", ">=", "~=", "=~=");
+
   private static final Node[] NONE = {};
 
   private final Compilation compilation;
@@ -203,7 +207,7 @@ final class Expressions {
     return switch (ast) {
       case Ast.Declaration binding when binding.value() == null && binding.target() == null ->
           block.declaresSlots()
-              ? new Pattern.SlotBinding(symbol(binding.name()))
+              ? new Pattern.SlotBinding(symbol(binding.name()), binding.nameSpan())
               : new Pattern.Binding(
                   compilation.place(compilation.declare(block, binding.name(), binding), block));
       case Ast.ListLiteral list -> elements(list.elements(), block, false);
@@ -228,7 +232,7 @@ final class Expressions {
 
   /** The claim of an assertion. */
   Assertion.Claim claim(Ast ast, Block block) {
-    String text = Printer.print(ast);
+    String text = claimText(ast);
     boolean local =
         ast instanceof Ast.Message message
             && message.target() == null
@@ -242,5 +246,20 @@ final class Expressions {
           message.arguments() == null ? List.of() : List.of(all(message.arguments(), block)));
     }
     return new Assertion.Claim(text, operand(ast, block), null, null, List.of());
+  }
+
+  /** Of a comparison, the message shows what is compared. */
+  private static String claimText(Ast ast) {
+    return ast instanceof Ast.Message message
+            && message.target() != null
+            && message.arguments() != null
+            && message.arguments().size() == 1
+            && COMPARISONS.contains(message.name())
+        ? Printer.print(message.target())
+            + " "
+            + message.name()
+            + " "
+            + Printer.print(message.arguments().getFirst())
+        : Printer.print(ast);
   }
 }

@@ -2,6 +2,7 @@ package org.urbi.kernel.compile;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.UnaryOperator;
 import org.urbi.kernel.node.Assertion;
 import org.urbi.kernel.node.Conditionals;
 import org.urbi.kernel.node.ForEach;
@@ -91,12 +92,20 @@ final class Statements {
   // ------------------------------------------------------------------ composition
 
   private Node sequence(Ast.Sequence sequence, Block block, Seen seen) {
+    return sequence(sequence, block, seen, UnaryOperator.identity());
+  }
+
+  /**
+   * @param around what surrounds the statements, but not the wait for those in the background
+   */
+  private Node sequence(
+      Ast.Sequence sequence, Block block, Seen seen, UnaryOperator<Node> around) {
     if (sequence.separators().contains(Flavor.AND)) {
-      return new Sequences.Parallel(
-          sequence.span(),
+      Node[] branches =
           sequence.statements().stream()
               .map(ast -> compile(ast, block.jobOf(compilation.newRegion()), Seen.ALL))
-              .toArray(Node[]::new));
+              .toArray(Node[]::new);
+      return around.apply(new Sequences.Parallel(sequence.span(), branches));
     }
     List<Node> statements = new ArrayList<>();
     List<Boolean> yields = new ArrayList<>();
@@ -118,7 +127,7 @@ final class Statements {
         yields.add(after == Flavor.SEMICOLON);
       }
     }
-    Node code = chain(sequence, statements, yields);
+    Node code = around.apply(chain(sequence, statements, yields));
     return background ? new Sequences.WithBackground(sequence.span(), code) : code;
   }
 
@@ -142,12 +151,16 @@ final class Statements {
 
   /** The statements of a scope, in a block made for them. */
   Node scopeIn(Ast.Scope scope, Block inner, Seen seen) {
-    Node body = sequence(scope.body(), inner, seen);
-    if (inner.redefines()) {
-      body = new Redefinition(scope.span(), body);
-    }
+    return sequence(scope.body(), inner, seen, code -> withState(scope, inner, code));
+  }
+
+  /** A scope that has a tag, or slots that may be defined again. */
+  private Node withState(Ast.Scope scope, Block inner, Node code) {
+    Node body = inner.redefines() ? new Redefinition(scope.span(), code) : code;
     Variable tag = inner.local(SCOPE_TAG);
-    return tag == null ? body : new ScopeTag(scope.span(), compilation.place(tag, inner), body);
+    return tag == null
+        ? body
+        : new ScopeTag(scope.span(), compilation.place(tag, inner), body);
   }
 
   // ------------------------------------------------------------------ control flow

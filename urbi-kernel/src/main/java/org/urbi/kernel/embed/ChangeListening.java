@@ -43,15 +43,11 @@ final class ChangeListening implements Embedding.Task<Listening> {
       frame.job().leave(scope);
     }
     var events =
-        new EventListening(
-            embedding, expression, payload -> listener.accept(payload.getFirst()));
+        new EventListening(embedding, expression, payload -> listener.accept(payload.getFirst()));
     Listening listening = events.subscribe(frame, changes);
     return () -> {
       listening.close();
-      embedding
-          .scheduler()
-          .inbox()
-          .post(() -> tag.stop(interpreter.values().voidObject));
+      embedding.scheduler().inbox().post(() -> tag.stop(interpreter.values().voidObject));
     };
   }
 }

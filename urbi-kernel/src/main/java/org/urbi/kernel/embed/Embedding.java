@@ -55,8 +55,7 @@ public final class Embedding {
    * @param output where the output of the lobby goes, on a thread of its own
    * @param stopping whether the kernel is about to end; asked on the kernel thread
    */
-  public Embedding(
-      Interpreter interpreter, Consumer<String> output, BooleanSupplier stopping) {
+  public Embedding(Interpreter interpreter, Consumer<String> output, BooleanSupplier stopping) {
     this.interpreter = interpreter;
     this.scheduler = interpreter.scheduler();
     this.stopping = stopping;
@@ -114,17 +113,15 @@ public final class Embedding {
               }
             },
             Mailbox.THREADS);
-    result.whenComplete(
-        (value, failure) -> {
-          if (result.isCancelled()) {
-            request.cancel();
-          }
-        });
+    result.whenComplete((value, failure) -> {
+      if (result.isCancelled()) {
+        request.cancel();
+      }
+    });
     return result;
   }
 
-  private Task<Object> evaluation(
-      String source, String file, UrbiObject target, Class<?> type) {
+  private Task<Object> evaluation(String source, String file, UrbiObject target, Class<?> type) {
     String bytes = JavaValues.bytes(source);
     String name = file == null ? null : JavaValues.bytes(file);
     return frame ->
@@ -139,12 +136,10 @@ public final class Embedding {
     Arguments made = arguments(arguments);
     int dot = function.lastIndexOf('.');
     String name = JavaValues.bytes(function.substring(dot + 1));
-    return await(
-        frame -> {
-          UrbiObject target = dot < 0 ? frame.self() : find(frame, function.substring(0, dot));
-          return JavaValues.toJava(
-              this, interpreter.send(frame, target, name, made.make(frame)));
-        });
+    return await(frame -> {
+      UrbiObject target = dot < 0 ? frame.self() : find(frame, function.substring(0, dot));
+      return JavaValues.toJava(this, interpreter.send(frame, target, name, made.make(frame)));
+    });
   }
 
   private UrbiObject find(Frame frame, String path) {
@@ -172,18 +167,14 @@ public final class Embedding {
     int dot = name.lastIndexOf('.');
     String simple = JavaValues.bytes(name.substring(dot + 1));
     var body = new JavaFunction(this, simple, function);
-    await(
-        frame -> {
-          UrbiObject owner =
-              dot < 0
-                  ? interpreter.world().prototype("Global")
-                  : find(frame, name.substring(0, dot));
-          Symbol symbol = interpreter.world().symbol(simple);
-          owner.removeSlot(symbol);
-          owner.addSlot(
-              symbol, new Primitive(interpreter.prototypes().primitiveShape(), body, 0));
-          return null;
-        });
+    await(frame -> {
+      UrbiObject owner =
+          dot < 0 ? interpreter.world().prototype("Global") : find(frame, name.substring(0, dot));
+      Symbol symbol = interpreter.world().symbol(simple);
+      owner.removeSlot(symbol);
+      owner.addSlot(symbol, new Primitive(interpreter.prototypes().primitiveShape(), body, 0));
+      return null;
+    });
   }
 
   // ------------------------------------------------------------------ listening
@@ -211,8 +202,7 @@ public final class Embedding {
    */
   public UrbiValue newScope() {
     return await(
-        frame ->
-            new UrbiValue(this, new UrbiLobby(lobby.cloneShape(), lobby.connectionTag())));
+        frame -> new UrbiValue(this, new UrbiLobby(lobby.cloneShape(), lobby.connectionTag())));
   }
 
   /** A request begins; on the kernel thread. */
@@ -326,12 +316,11 @@ public final class Embedding {
     if (used) {
       scheduler
           .inbox()
-          .post(
-              () -> {
-                if (lobby != null) {
-                  reviewTime();
-                }
-              });
+          .post(() -> {
+            if (lobby != null) {
+              reviewTime();
+            }
+          });
     }
   }
 

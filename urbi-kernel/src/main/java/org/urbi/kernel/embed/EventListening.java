@@ -19,8 +19,7 @@ final class EventListening implements Embedding.Task<Listening>, Subscription {
   private final String expression;
   private final Mailbox<List<Object>> mailbox;
 
-  EventListening(
-      Embedding embedding, String expression, Consumer<? super List<Object>> listener) {
+  EventListening(Embedding embedding, String expression, Consumer<? super List<Object>> listener) {
     this.embedding = embedding;
     this.expression = expression;
     this.mailbox = new Mailbox<>(embedding.scheduler(), listener);

@@ -109,16 +109,14 @@ final class FromJava {
   private Maker dictionary(Map<?, ?> map) {
     List<Maker> keys = new ArrayList<>();
     List<Maker> contents = new ArrayList<>();
-    map.forEach(
-        (key, content) -> {
-          keys.add(read(key));
-          contents.add(read(content));
-        });
+    map.forEach((key, content) -> {
+      keys.add(read(key));
+      contents.add(read(content));
+    });
     return frame -> {
       Map<UrbiDictionary.Key, UrbiObject> entries = new LinkedHashMap<>();
       for (int i = 0; i < keys.size(); i++) {
-        entries.put(
-            DictionaryKey.of(frame, keys.get(i).make(frame)), contents.get(i).make(frame));
+        entries.put(DictionaryKey.of(frame, keys.get(i).make(frame)), contents.get(i).make(frame));
       }
       return values(frame).dictionary(entries);
     };

@@ -143,9 +143,7 @@ public final class JavaValues {
     }
     if (type == Duration.class) {
       long whole = (long) Math.floor(d);
-      return Double.isFinite(d)
-          ? Duration.ofSeconds(whole, Math.round((d - whole) * 1e9))
-          : null;
+      return Double.isFinite(d) ? Duration.ofSeconds(whole, Math.round((d - whole) * 1e9)) : null;
     }
     if (d != Math.rint(d) || Math.abs(d) > 1L << 53) {
       return null;

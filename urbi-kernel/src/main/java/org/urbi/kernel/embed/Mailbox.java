@@ -61,11 +61,10 @@ final class Mailbox<T> {
     if (!announced) {
       announced = true;
       // Not at once: this may be a job, whose thread must not wait for a lock.
-      scheduler.atEndOfTick(
-          () -> {
-            announced = false;
-            start();
-          });
+      scheduler.atEndOfTick(() -> {
+        announced = false;
+        start();
+      });
     }
   }
 
@@ -96,11 +95,10 @@ final class Mailbox<T> {
         attempt(next);
         int lost = missed.getAndSet(0);
         if (lost > 0) {
-          attempt(
-              () -> {
-                throw new IllegalStateException(
-                    "a listener is too slow and has missed " + lost + " messages");
-              });
+          attempt(() -> {
+            throw new IllegalStateException(
+                "a listener is too slow and has missed " + lost + " messages");
+          });
         }
       }
       deliverer = null;

@@ -36,12 +36,11 @@ final class Request<T> {
     embedding
         .scheduler()
         .inbox()
-        .post(
-            () -> {
-              if (job != null) {
-                job.terminate();
-              }
-            });
+        .post(() -> {
+          if (job != null) {
+            job.terminate();
+          }
+        });
   }
 
   // ------------------------------------------------------------------ on the kernel thread

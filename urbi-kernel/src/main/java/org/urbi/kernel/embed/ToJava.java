@@ -28,9 +28,7 @@ final class ToJava {
 
   Object copy(UrbiObject object, int depth) {
     Values values = object.world().values();
-    if (object == values.nil
-        || object == values.voidObject
-        || object == values.acceptedVoid) {
+    if (object == values.nil || object == values.voidObject || object == values.acceptedVoid) {
       return null;
     }
     if (object == values.trueObject || object == values.falseObject) {

@@ -44,8 +44,7 @@ final class UrbiErrors {
       if (call.name() != null && calls.size() < LONGEST_BACKTRACE) {
         calls.add(
             new UrbiError.Call(
-                JavaValues.text(call.name()),
-                call.span() == null ? null : call.span().location()));
+                JavaValues.text(call.name()), call.span() == null ? null : call.span().location()));
       }
     }
     String message = (location == null ? "" : location + ": ") + text(frame, exception);

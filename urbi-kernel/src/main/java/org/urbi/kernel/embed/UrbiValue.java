@@ -33,26 +33,23 @@ public final class UrbiValue {
 
   /** The value of a slot, its own or an inherited one; a function is not called. */
   public Object get(String slot) {
-    return embedding.ask(
-        frame ->
-            JavaValues.toJava(
-                embedding, frame.interpreter().get(frame, object, symbol(slot))));
+    return embedding.ask(frame ->
+        JavaValues.toJava(embedding, frame.interpreter().get(frame, object, symbol(slot))));
   }
 
   /** Assigns a slot of the object itself, which is created if need be. */
   public void set(String slot, Object value) {
     JavaValues.Maker maker = JavaValues.fromJava(embedding, value);
-    embedding.ask(
-        frame -> {
-          Symbol name = symbol(slot);
-          UrbiObject made = maker.make(frame);
-          if (object.hasLocalSlot(name)) {
-            SlotUpdate.assign(frame, object, name, made);
-          } else {
-            SlotUpdate.create(frame, object, name, made);
-          }
-          return null;
-        });
+    embedding.ask(frame -> {
+      Symbol name = symbol(slot);
+      UrbiObject made = maker.make(frame);
+      if (object.hasLocalSlot(name)) {
+        SlotUpdate.assign(frame, object, name, made);
+      } else {
+        SlotUpdate.create(frame, object, name, made);
+      }
+      return null;
+    });
   }
 
   /** Whether the object itself has that slot. */
@@ -67,38 +64,31 @@ public final class UrbiValue {
 
   /** The names of the slots of the object itself, in the order of their creation. */
   public List<String> slotNames() {
-    return embedding.ask(
-        frame -> {
-          List<String> names = new ArrayList<>();
-          for (Symbol name : object.localSlotNames()) {
-            names.add(JavaValues.text(name.name()));
-          }
-          return names;
-        });
+    return embedding.ask(frame -> {
+      List<String> names = new ArrayList<>();
+      for (Symbol name : object.localSlotNames()) {
+        names.add(JavaValues.text(name.name()));
+      }
+      return names;
+    });
   }
 
   /** Calls a method, and returns what it returns; may take as long as that does. */
   public Object call(String method, Object... arguments) {
     Embedding.Arguments made = embedding.arguments(arguments);
-    return embedding.ask(
-        frame ->
-            JavaValues.toJava(
-                embedding,
-                frame
-                    .interpreter()
-                    .send(frame, object, JavaValues.bytes(method), made.make(frame))));
+    return embedding.ask(frame ->
+        JavaValues.toJava(
+            embedding,
+            frame.interpreter().send(frame, object, JavaValues.bytes(method), made.make(frame))));
   }
 
   /** Calls the object itself, which is a function; its target is the lobby. */
   public Object apply(Object... arguments) {
     Embedding.Arguments made = embedding.arguments(arguments);
-    return embedding.ask(
-        frame ->
-            JavaValues.toJava(
-                embedding,
-                frame
-                    .interpreter()
-                    .call(frame, object, frame.job().lobby(), made.make(frame))));
+    return embedding.ask(frame ->
+        JavaValues.toJava(
+            embedding,
+            frame.interpreter().call(frame, object, frame.job().lobby(), made.make(frame))));
   }
 
   private Symbol symbol(String name) {
@@ -109,8 +99,7 @@ public final class UrbiValue {
   @Override
   public String toString() {
     try {
-      return embedding.ask(
-          frame -> JavaValues.text(frame.interpreter().asString(frame, object)));
+      return embedding.ask(frame -> JavaValues.text(frame.interpreter().asString(frame, object)));
     } catch (RuntimeException e) {
       return "UrbiValue (" + e.getMessage() + ")";
     }

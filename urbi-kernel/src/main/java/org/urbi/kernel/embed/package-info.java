@@ -1,2 +1,4 @@
-/** The kernel as a library: evaluation, calls and subscriptions from any thread of a Java program. */
+/**
+ * The kernel as a library: evaluation, calls and subscriptions from any thread of a Java program.
+ */
 package org.urbi.kernel.embed;

@@ -81,8 +81,11 @@ public final class Errors {
     }
   }
 
-  /** {@code lookup failed: name}. */
+  /** {@code lookup failed: name}; void has nothing to look for. */
   public UrbiException lookup(UrbiObject target, String name) {
+    if (target == values.voidObject) {
+      return unexpectedVoid();
+    }
     return of("Lookup", "lookup failed: " + name)
         .with("object", target)
         .with("name", name)

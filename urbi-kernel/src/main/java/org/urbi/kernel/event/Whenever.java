@@ -93,6 +93,8 @@ public final class Whenever extends Node {
             public void run(Job job) {
               while (!stopped && goesOn.getAsBoolean()) {
                 clause.execute(frame);
+                // As in a loop of the condition and the clause, separated by ";".
+                job.yieldNow();
                 job.yieldNow();
               }
             }

@@ -249,6 +249,11 @@ public final class Job implements Runnable {
     }
   }
 
+  /** A scope under a tag, for other jobs; to be {@linkplain TagScope#end ended}. */
+  public TagScope branch(TagState tag, TagScope around) {
+    return new TagScope(tag, around, null);
+  }
+
   private void moveTo(TagScope other) {
     other.add(this);
     scope.remove(this);

@@ -25,6 +25,9 @@ public final class Scheduler {
   /** …by that much, or a job that never waits would keep the others asleep for ever. */
   private static final long BUSY_STEP = 1_000_000;
 
+  /** How many turns the jobs have to end in when the kernel does. */
+  private static final int LAST_ROUNDS = 1000;
+
   private final World world;
   private final Clock clock;
   private volatile UrbiObject interrupted;
@@ -34,11 +37,13 @@ public final class Scheduler {
   private final Pace pace;
   private final JobThread.Factory threads;
   private final ArrayDeque<Job> runnable = new ArrayDeque<>();
+  private final ArrayDeque<Job> ahead = new ArrayDeque<>();
   private final Set<Job> jobs = new LinkedHashSet<>();
   private final TagScope rootScope = new TagScope();
   private final List<Runnable> endOfTick = new ArrayList<>();
   private final BiConsumer<Job, Throwable> uncaught;
   private int spins;
+  private long passed;
   private int busyTicks;
   private long now;
   private long cycle;
@@ -75,9 +80,9 @@ public final class Scheduler {
     return clock;
   }
 
-  /** The number of ticks so far. */
+  /** The number of ticks so far, with those that had nobody else to run and were left out. */
   public long cycle() {
-    return cycle;
+    return cycle + passed;
   }
 
   public Inbox inbox() {
@@ -143,6 +148,15 @@ public final class Scheduler {
     return start(new Job(this, body, nextName(prefix), lobby, scope, null, shift));
   }
 
+  /** Like {@link #startDetached}, but of the jobs of the next tick it is the first. */
+  public Job startAhead(UrbiObject lobby, TagScope scope, String prefix, Job.Body body) {
+    long shift = running == null ? 0 : running.timeShift();
+    Job job = new Job(this, body, nextName(prefix), lobby, scope, null, shift);
+    jobs.add(job);
+    ahead.add(job);
+    return job;
+  }
+
   private Job start(Job job) {
     jobs.add(job);
     runnable.add(job);
@@ -173,7 +187,7 @@ public final class Scheduler {
 
   /** Whether a job that can go on had better let others run. */
   boolean hasOthers() {
-    if (!runnable.isEmpty() || inbox.isFilled()) {
+    if (!runnable.isEmpty() || !ahead.isEmpty() || inbox.isFilled()) {
       spins = 0;
       return true;
     }
@@ -181,6 +195,7 @@ public final class Scheduler {
       spins = 0;
       return true;
     }
+    passed++;
     return false;
   }
 
@@ -226,7 +241,7 @@ public final class Scheduler {
     return Thread.currentThread() == loop || (job != null && job.isCurrentThread());
   }
 
-  /** Ends the loop after this tick; on the kernel thread. */
+  /** Ends the loop after the turn of the job that is running; on the kernel thread. */
   public void stop() {
     stopped = true;
   }
@@ -252,8 +267,9 @@ public final class Scheduler {
     for (Job job : jobs()) {
       job.terminate();
     }
-    while (!runnable.isEmpty()) {
-      runOnce();
+    // They are left by an exception; code that goes on all the same is given up.
+    for (int rounds = 0; rounds < LAST_ROUNDS && !runnable.isEmpty(); rounds++) {
+      runOnce(true);
     }
     runEndOfTick();
   }
@@ -265,6 +281,9 @@ public final class Scheduler {
     statistics.add(now - before);
     takeInbox();
     timers.fire(now);
+    while (!ahead.isEmpty()) {
+      runnable.addFirst(ahead.poll());
+    }
     if (runnable.isEmpty()) {
       runEndOfTick();
       busyTicks = 0;
@@ -273,9 +292,9 @@ public final class Scheduler {
       }
       return;
     }
-    runOnce();
+    runOnce(false);
     runEndOfTick();
-    if (!clock.isReal() && ++busyTicks >= BUSY_TICKS) {
+    if (!clock.isReal() && timeHolders == 0 && ++busyTicks >= BUSY_TICKS) {
       busyTicks = 0;
       clock.advanceTo(now + BUSY_STEP);
     }
@@ -290,8 +309,8 @@ public final class Scheduler {
     }
   }
 
-  private void runOnce() {
-    for (int left = runnable.size(); left > 0; left--) {
+  private void runOnce(boolean last) {
+    for (int left = runnable.size(); left > 0 && (last || !stopped); left--) {
       Job job = runnable.poll();
       running = job;
       job.resume();

@@ -89,6 +89,11 @@ public final class TagScope {
     detachIfOver();
   }
 
+  /** No more jobs will be started under a scope that {@link Job#branch} made. */
+  public void end() {
+    close();
+  }
+
   private void detachIfOver() {
     if (closed && jobs.isEmpty() && inner.isEmpty() && attachments.isEmpty()) {
       parent.inner.remove(this);

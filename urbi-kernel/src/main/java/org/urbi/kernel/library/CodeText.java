@@ -14,9 +14,8 @@ final class CodeText {
   static String of(Span span) {
     Ast.Sequence program = UrbiParser.parse(span.text(), null).sequence();
     List<Ast> statements = program.statements();
-    return Printer.print(
-        statements.size() == 1 && statements.getFirst() instanceof Ast.Scope scope
-            ? scope.body()
-            : program);
+    return statements.size() == 1 && statements.getFirst() instanceof Ast.Scope scope
+        ? Printer.printBody(scope)
+        : Printer.printBody(new Ast.Scope(program.span(), program));
   }
 }

@@ -11,6 +11,7 @@ import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.LoopJobs;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
@@ -26,7 +27,7 @@ final class ControlType {
       max = 1,
       doc = "Evaluates its argument in a job of its own, under the current tags.")
   static UrbiObject detach(Frame frame, CallSite site, UrbiObject self) {
-    return background(frame, site, frame.job().scope());
+    return background(frame, site, LoopJobs.scope(frame));
   }
 
   @Builtin(
@@ -75,7 +76,7 @@ final class ControlType {
           }
         };
     Job job =
-        frame.job().scheduler().startDetached(frame.job().lobby(), scope, "shell", body);
+        frame.job().scheduler().startAhead(frame.job().lobby(), scope, "shell", body);
     body.forked = how == null ? frame.fork(job, false) : frame.detach(job, how);
     return job;
   }

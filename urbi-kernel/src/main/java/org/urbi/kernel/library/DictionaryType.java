@@ -16,7 +16,6 @@ import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiHash;
 import org.urbi.kernel.object.UrbiObject;
-import org.urbi.kernel.object.UrbiTuple;
 import org.urbi.kernel.object.Values;
 import org.urbi.kernel.object.World;
 
@@ -74,14 +73,20 @@ final class DictionaryType {
   static List<UrbiObject> asList(Frame caller, UrbiDictionary self) {
     Shape pair = caller.interpreter().world().prototype("Pair").cloneShape();
     List<UrbiObject> pairs = new ArrayList<>();
-    self.entries()
-        .forEach((key, value) -> pairs.add(new UrbiTuple(pair, List.of(key.value(), value))));
+    Symbol first = pair.world().symbol("first");
+    Symbol second = pair.world().symbol("second");
+    for (Map.Entry<UrbiDictionary.Key, UrbiObject> entry : self.sorted()) {
+      UrbiObject both = new UrbiObject(pair);
+      both.addSlot(first, entry.getKey().value());
+      both.addSlot(second, entry.getValue());
+      pairs.add(both);
+    }
     return pairs;
   }
 
   @Builtin(doc = "The list of the keys.")
   static List<UrbiObject> keys(UrbiDictionary self) {
-    return self.entries().keySet().stream().map(UrbiDictionary.Key::value).toList();
+    return self.sorted().stream().map(entry -> entry.getKey().value()).toList();
   }
 
   @Builtin(doc = "A Hash, equal for equal dictionaries.")

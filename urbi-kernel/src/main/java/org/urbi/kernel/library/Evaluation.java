@@ -1,5 +1,7 @@
 package org.urbi.kernel.library;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.CallSite;
@@ -27,19 +29,29 @@ public final class Evaluation {
       Frame frame, CallSite site, UrbiObject target, String text, String file) {
     Parsed parsed = UrbiParser.parse(text, file);
     for (SyntaxWarning warning : parsed.warnings()) {
-      Warnings.inside(frame, site, warning.span().location() + ": " + warning.message());
+      Warnings.at(frame, site, warning.span(), warning.message());
     }
     if (!parsed.errors().isEmpty()) {
-      SyntaxError error = parsed.errors().getFirst();
-      UrbiException exception = frame.interpreter().errors().syntax(error, text);
-      if (site != null) {
-        // It happened at that place, inside of what is called here.
-        exception.locate(
-            site.calledSpan(), frame.nested(site, target, new FrameLayout()).backtrace());
-      }
-      throw exception;
+      throw syntax(frame, site, parsed.errors().getFirst(), text);
     }
     return execute(frame, site, target, parsed.sequence());
+  }
+
+  /** The message tells the place in the text, the calls tell who wanted it evaluated. */
+  private static UrbiException syntax(
+      Frame frame, CallSite site, SyntaxError error, String text) {
+    UrbiException exception = frame.interpreter().errors().syntax(error, text);
+    List<UrbiException.Call> calls = new ArrayList<>();
+    calls.add(new UrbiException.Call(site.calledName(), site.calledSpan()));
+    calls.addAll(frame.backtrace());
+    exception.locate(null, calls);
+    if (site.calledSpan() != null) {
+      OwnSlots.put(
+          exception.value(),
+          "location",
+          LocationType.make(frame.interpreter().world(), site.calledSpan()));
+    }
+    return exception;
   }
 
   /** Executes statements one after the other, as the top level does. */

@@ -20,6 +20,9 @@ import org.urbi.lang.print.FloatFormat;
     protos = {"Comparable", "Orderable", "RangeIterable"},
     doc = "A floating point number, which integers are too.")
 final class FloatType {
+  /** How much "almost equal" numbers differ at most. */
+  private static final double TOLERANCE = 1e-4;
+
   private FloatType() {}
 
   // ------------------------------------------------------------------ operators
@@ -68,6 +71,18 @@ final class FloatType {
   @Builtin(value = "!=", doc = "Whether that is not a number equal to the target.")
   static boolean differs(UrbiFloat self, UrbiObject that) {
     return !equals(self, that);
+  }
+
+  @Builtin(value = "~=", doc = "Whether they differ by little, relative to their size.")
+  static boolean almostEquals(UrbiFloat self, double that) {
+    // Near zero sizes mean nothing.
+    double size = Math.max(1, Math.max(Math.abs(self.value()), Math.abs(that)));
+    return self.value() == that || Math.abs(self.value() - that) <= TOLERANCE * size;
+  }
+
+  @Builtin(value = "=~=", doc = "Whether they differ by little.")
+  static boolean isNear(UrbiFloat self, double that) {
+    return self.value() == that || Math.abs(self.value() - that) <= TOLERANCE;
   }
 
   @Builtin(value = "<", doc = "Whether the target is less than that.")

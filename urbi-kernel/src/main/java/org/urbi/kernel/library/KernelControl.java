@@ -19,6 +19,7 @@ public interface KernelControl {
 
   /** A lobby without a connection of its own: its output goes where that of another one does. */
   UrbiLobby createLobby(UrbiLobby creator);
+
   /** The path under which the server was called. */
   String programName();
 

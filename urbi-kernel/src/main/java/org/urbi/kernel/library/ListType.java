@@ -190,14 +190,8 @@ final class ListType {
   }
 
   @Builtin(doc = "Deprecated: use '+='.")
-  static UrbiObject append(Frame caller, UrbiList self, UrbiList that) {
-    caller
-        .interpreter()
-        .send(
-            caller,
-            values(caller).object,
-            "warn",
-            values(caller).string("`list.append(that)' is deprecated, use `list += that'"));
+  static UrbiObject append(Frame caller, CallSite site, UrbiList self, UrbiList that) {
+    Warnings.deprecated(caller, site, "list.append(that)", "list += that");
     return addAll(self, that);
   }
 

@@ -6,6 +6,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.lobby.Output;
+import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -111,12 +112,16 @@ final class LobbyType {
 
   @Builtin(doc = "How many bytes have come from the client.")
   static double bytesReceived(Frame frame, UrbiObject self) {
-    return own(frame, self).shell().bytesReceived();
+    Shell shell = own(frame, self).shell();
+    return shell == null ? 0 : shell.bytesReceived();
   }
 
   @Builtin(doc = "Executes text as if the client had sent it.")
   static void receive(Frame frame, UrbiObject self, String value) {
-    own(frame, self).shell().receive(value);
+    Shell shell = own(frame, self).shell();
+    if (shell != null) {
+      shell.receive(value);
+    }
   }
 
   @Builtin(doc = "Sends a value as text to all lobbies, on a channel if one is given.")

@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiTypePart;
+import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Properties;
@@ -48,7 +49,17 @@ final class ObjectSlots {
     if (value != null) {
       self.noteSlotRead(symbol);
     }
-    return found(frame, self, name, value);
+    if (value == null) {
+      throw frame
+          .interpreter()
+          .errors()
+          .of("Lookup", "lookup failed: " + name)
+          .with("object", self)
+          .with("name", name)
+          .with("local", self.world().values().trueObject)
+          .build();
+    }
+    return value;
   }
 
   @Builtin(
@@ -96,9 +107,15 @@ final class ObjectSlots {
     return value;
   }
 
-  @Builtin(
-      value = {"removeLocalSlot", "removeSlot"},
-      doc = "Removes the object's own slot.")
+  @Builtin(doc = "Removes the object's own slot; warns if there is none.")
+  static UrbiObject removeSlot(Frame frame, CallSite site, UrbiObject self, String name) {
+    if (!self.removeSlot(symbol(self, name))) {
+      Warnings.inside(frame, site, "no such local slot: " + name);
+    }
+    return self;
+  }
+
+  @Builtin(doc = "Removes the object's own slot.")
   static UrbiObject removeLocalSlot(Frame frame, UrbiObject self, String name) {
     if (!self.removeSlot(symbol(self, name))) {
       throw frame.interpreter().errors().lookup(self, name);
@@ -188,11 +205,13 @@ final class ObjectSlots {
     return data != null && data.properties.containsKey(property);
   }
 
-  @Builtin(doc = "Removes a property of a slot; returns the value that it had.")
-  static UrbiObject removeProperty(Frame frame, UrbiObject self, String slot, String property) {
+  @Builtin(doc = "Removes a property of a slot; returns the value that it had, or warns.")
+  static UrbiObject removeProperty(
+      Frame frame, CallSite site, UrbiObject self, String slot, String property) {
     UrbiObject removed = Properties.remove(frame, self, symbol(self, slot), property);
     if (removed == null) {
-      throw frame.interpreter().errors().property(self, slot, property);
+      Warnings.inside(frame, site, "no such property: " + slot + "->" + property);
+      return frame.interpreter().values().voidObject;
     }
     return removed;
   }
@@ -208,6 +227,9 @@ final class ObjectSlots {
         all.put(DictionaryKey.of(frame, key), value);
       });
     }
+    all.putIfAbsent(
+        DictionaryKey.of(frame, self.world().values().string("constant")),
+        self.world().values().falseObject);
     return self.world().values().dictionary(all);
   }
 }

@@ -11,7 +11,6 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
-import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.Symbol;
@@ -28,7 +27,9 @@ import org.urbi.kernel.object.Values;
 final class ObjectType {
   private ObjectType() {}
 
-  @Builtin(doc = "The target; void does not answer to it.")
+  @Builtin(
+      value = {"acceptVoid", "unacceptVoid"},
+      doc = "The target, which is not void.")
   static UrbiObject acceptVoid(UrbiObject self) {
     return self;
   }
@@ -144,6 +145,11 @@ final class ObjectType {
     return Arrays.asList(self.protos());
   }
 
+  @Builtin(value = "protos", setter = true, doc = "Replaces the list of the prototypes.")
+  static void assignProtos(UrbiObject self, UrbiList protos) {
+    setProtos(self, protos);
+  }
+
   @Builtin(doc = "Takes a prototype away.")
   static UrbiObject removeProto(UrbiObject self, UrbiObject proto) {
     self.removeProto(proto);
@@ -151,9 +157,8 @@ final class ObjectType {
   }
 
   @Builtin(doc = "Replaces the list of the prototypes.")
-  static UrbiObject setProtos(UrbiObject self, UrbiList protos) {
+  static void setProtos(UrbiObject self, UrbiList protos) {
     self.setProtos(protos.elements().toArray(UrbiObject[]::new));
-    return self;
   }
 
   @Builtin(doc = "The identifier of the object, unique in this kernel.")
@@ -229,51 +234,6 @@ final class ObjectType {
       doc = "The exclusive or, by the method '^'.")
   static UrbiObject xorAssign(Frame frame, UrbiObject self, UrbiObject other) {
     return frame.interpreter().send(frame, self, "^", other);
-  }
-
-  @Builtin(doc = "Prints the object on the lobby, on that channel.")
-  static void print(Frame frame, UrbiObject self) {
-    LobbyType.of(frame).output().send("", "*** " + frame.interpreter().asPrintable(frame, self));
-  }
-
-  @Builtin(doc = "Shows the prototypes and the slots; also the inherited ones when deep.")
-  static void inspect(Frame frame, UrbiObject self, @Optional UrbiObject deep) {
-    var output = LobbyType.of(frame).output();
-    output.send("", "*** Inspecting " + frame.interpreter().asPrintable(frame, self));
-    output.send("", "*** ** Prototypes:");
-    for (UrbiObject proto : self.protos()) {
-      output.send("", "***   " + frame.interpreter().asPrintable(frame, proto));
-    }
-    output.send("", "*** ** Local Slots:");
-    listSlots(frame, self, "***   ");
-    if (deep != null && Truth.of(frame, deep)) {
-      for (UrbiObject ancestor : allProtos(self)) {
-        if (ancestor != self) {
-          output.send(
-              "", "*** ** Slots from " + frame.interpreter().asPrintable(frame, ancestor) + ":");
-          listSlots(frame, ancestor, "***   ");
-        }
-      }
-    }
-  }
-
-  private static void listSlots(Frame frame, UrbiObject object, String indent) {
-    List<Symbol> names = new ArrayList<>(Arrays.asList(object.localSlotNames()));
-    names.sort(Comparator.comparing(Symbol::name));
-    for (Symbol name : names) {
-      UrbiObject value = object.localSlot(name);
-      String type =
-          value == frame.interpreter().values().voidObject ? "void" : typeOf(frame, value);
-      LobbyType.of(frame).output().send("", indent + name.name() + " : " + type);
-    }
-  }
-
-  private static String typeOf(Frame frame, UrbiObject value) {
-    UrbiObject type = value.lookup(frame.interpreter().symbols().type);
-    if (type instanceof Code) {
-      type = frame.interpreter().call(frame, type, value);
-    }
-    return type instanceof UrbiString name ? name.value() : "Object";
   }
 
   /** The values of the kernel to which an object belongs. */

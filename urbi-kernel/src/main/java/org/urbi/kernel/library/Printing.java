@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Function;
+import org.urbi.kernel.node.Tuples;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiFloat;
@@ -58,14 +59,18 @@ final class Printing {
       out.append(FloatFormat.format(number.value()));
     } else if (value instanceof UrbiString text && isPlain(value)) {
       out.append(StringEscape.quote(text.value()));
-    } else if ((value instanceof UrbiList
-            || value instanceof UrbiTuple
-            || value instanceof UrbiDictionary)
-        && isPlain(value)) {
+    } else if (isContainer(value) && isPlain(value)) {
       appendContainer(value);
     } else {
       out.append(caller.interpreter().asPrintable(caller, value));
     }
+  }
+
+  private boolean isContainer(UrbiObject value) {
+    return value instanceof UrbiList
+        || value instanceof UrbiTuple
+        || value instanceof UrbiDictionary
+        || value.lookup(asString) == values.tupleProto.localSlot(asString);
   }
 
   /** Whether it is shown by the library, and not by functions of a program. */
@@ -77,16 +82,24 @@ final class Printing {
   private void appendContainer(UrbiObject container) {
     boolean repeated = !around.add(container);
     switch (container) {
-      case UrbiTuple tuple -> {
-        List<UrbiObject> elements = tuple.elements();
-        appendElements("(", elements, elements.size() == 1 ? ",)" : ")", repeated);
-      }
+      case UrbiList list -> appendElements("[", list.elements(), "]", repeated);
       case UrbiDictionary dictionary -> appendEntries(dictionary.sorted(), repeated);
-      default -> appendElements("[", ((UrbiList) container).elements(), "]", repeated);
+      default -> appendTuple(container, repeated);
     }
     if (!repeated) {
       around.remove(container);
     }
+  }
+
+  private void appendTuple(UrbiObject tuple, boolean repeated) {
+    List<UrbiObject> members = Tuples.members(caller, tuple);
+    if (members == null) {
+      throw caller
+          .interpreter()
+          .errors()
+          .argumentType("asString", 0, tuple, values.tupleProto, "Tuple");
+    }
+    appendElements("(", members, members.size() == 1 ? ",)" : ")", repeated);
   }
 
   private void appendElements(

@@ -1,5 +1,6 @@
 package org.urbi.kernel.library;
 
+import java.util.Collection;
 import java.util.List;
 
 /** How alike words are (manual, "String.distance", "String.closest"). */
@@ -54,5 +55,21 @@ public final class Spelling {
       }
     }
     return closest;
+  }
+
+  /** The first of the candidates which somebody may have meant by a name; null when there is none. */
+  static String meant(String name, Collection<String> candidates) {
+    int most = name.length() < 2 ? 0 : name.length() < 4 ? 1 : 2;
+    String meant = null;
+    for (String candidate : candidates) {
+      if (Math.abs(candidate.length() - name.length()) <= most) {
+        int distance = distance(name, candidate);
+        if (distance <= most) {
+          meant = candidate;
+          most = distance - 1;
+        }
+      }
+    }
+    return meant;
   }
 }

@@ -9,6 +9,7 @@ import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.LoopJobs;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -88,7 +89,7 @@ final class SystemType {
     Job job =
         ControlType.start(
             frame,
-            Truth.of(frame, underTags) ? frame.job().scheduler().rootScope() : frame.job().scope(),
+            Truth.of(frame, underTags) ? frame.job().scheduler().rootScope() : LoopJobs.scope(frame),
             forked -> frame.interpreter().call(forked, site, code, self));
     return JobType.object(frame, job);
   }

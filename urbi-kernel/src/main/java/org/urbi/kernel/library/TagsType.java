@@ -5,7 +5,7 @@ import org.urbi.builtins.UrbiType;
 /** Where implicit tags are made (manual, "Tag"). */
 @UrbiType(
     value = "Tag.tags",
-    protos = {},
+    protos = {"Object"},
     doc = "The tags that were made by being used.")
 final class TagsType {
   private TagsType() {}

@@ -21,6 +21,11 @@ final class VoidType {
   @Builtin(doc = "The void that cannot be passed on.")
   static void unacceptVoid(UrbiObject self) {}
 
+  @Builtin(doc = "Neither true nor false: void cannot be looked at.")
+  static UrbiObject asBool(Frame caller, UrbiObject self) {
+    throw caller.interpreter().errors().unexpectedVoid();
+  }
+
   @Builtin(doc = "Whether it is void: true.")
   static boolean isVoid(UrbiObject self) {
     return true;

@@ -38,6 +38,14 @@ final class Warnings {
     callers(output, caller.backtrace());
   }
 
+  /** Something in a text that is evaluated by the function called at that site. */
+  static void at(Frame caller, CallSite site, Span span, String message) {
+    Output output = LobbyType.of(caller).output();
+    output.send(CHANNEL, "!!! " + place(span) + message);
+    callers(output, List.of(new UrbiException.Call(site.calledName(), site.calledSpan())));
+    callers(output, caller.backtrace());
+  }
+
   private static void callers(Output output, List<UrbiException.Call> calls) {
     for (UrbiException.Call call : calls) {
       if (call.name() != null) {

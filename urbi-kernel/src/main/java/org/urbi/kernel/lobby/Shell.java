@@ -23,6 +23,9 @@ import org.urbi.lang.parse.SyntaxWarning;
 public final class Shell {
   /** What the shell tells its connection. */
   public interface Listener {
+    /** The shell begins, or ceases, to wait for more input. */
+    default void starving(boolean begins) {}
+
     /** Input has been executed. */
     void consumed();
 
@@ -72,11 +75,6 @@ public final class Shell {
     wake();
   }
 
-  /** Whether the shell has nothing to execute until more input comes. */
-  public boolean isStarving() {
-    return waiting && !ended && received.isEmpty();
-  }
-
   /** Whether the input so far ends within a statement. */
   public boolean isIncomplete() {
     return reader.pending();
@@ -93,7 +91,6 @@ public final class Shell {
 
   private void wake() {
     if (waiting) {
-      waiting = false;
       job.wake();
     }
   }
@@ -159,7 +156,13 @@ public final class Shell {
         return null;
       } else {
         waiting = true;
-        shell.waitForWake();
+        listener.starving(true);
+        try {
+          shell.waitForWake();
+        } finally {
+          waiting = false;
+          listener.starving(false);
+        }
       }
     }
     return null;
@@ -215,7 +218,7 @@ public final class Shell {
         }
       } catch (Unwinding unwinding) {
         // A return or a break that has nothing to leave.
-      } catch (UrbiException | StackOverflowError e) {
+      } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
         interpreter.report(shell, e);
       } finally {
         shell.leave(scope);

@@ -3,13 +3,12 @@ package org.urbi.kernel.lobby;
 import java.util.function.Consumer;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.node.Interpreter;
-import org.urbi.kernel.node.SlotUpdate;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.tag.UrbiTag;
 
 /** The environment of one connection (manual, "Lobby"): {@code this} at its top level. */
-public final class UrbiLobby extends UrbiObject implements SlotUpdate.Redefinable {
+public final class UrbiLobby extends UrbiObject {
   private final UrbiTag connectionTag;
   private Output output;
   private Shell shell;

@@ -43,7 +43,7 @@ public final class Assertion extends Node {
       }
       return interpreter.values().voidObject;
     }
-    UrbiObject target = claim.target == null ? frame.self : Arguments.notVoid(frame, claim.target);
+    UrbiObject target = claim.target == null ? frame.self : claim.target.execute(frame);
     Recorder recorder = new Recorder(claim, span());
     UrbiObject value = recorder.send(frame, target);
     if (!Truth.of(frame, value)) {

@@ -14,6 +14,9 @@ import org.urbi.lang.source.Span;
  * range. Numbers and lists whose {@code each} is that of the library are gone through directly.
  */
 public final class ForEach extends Node implements CallSite {
+  /** Stands for the value of a loop that {@code break} has ended. */
+  private static final UrbiObject BROKEN = new UrbiObject(null);
+
   private final Flavor flavor;
   private final Variables.Place variable;
   private final Node range;
@@ -54,17 +57,28 @@ public final class ForEach extends Node implements CallSite {
   @Override
   public UrbiObject execute(Frame frame) {
     UrbiObject over = Arguments.notVoid(frame, range);
+    LoopJobs jobs = LoopJobs.begin(frame);
+    boolean broken = false;
     try {
-      if (over instanceof UrbiFloat number && isOfLibrary(over)) {
-        return overNumber(frame, number.value());
-      }
-      if (over instanceof UrbiList list && isOfLibrary(over)) {
-        return overList(frame, list);
-      }
-      return send(frame, over);
+      UrbiObject value = over(frame, over);
+      broken = value == BROKEN;
+      return broken ? frame.interpreter.values().voidObject : value;
     } catch (Leave.Break leave) {
+      broken = true;
       return frame.interpreter.values().voidObject;
+    } finally {
+      jobs.end(frame, broken);
     }
+  }
+
+  private UrbiObject over(Frame frame, UrbiObject range) {
+    if (range instanceof UrbiFloat number && isOfLibrary(range)) {
+      return overNumber(frame, number.value());
+    }
+    if (range instanceof UrbiList list && isOfLibrary(range)) {
+      return overList(frame, list);
+    }
+    return send(frame, range);
   }
 
   private boolean isOfLibrary(UrbiObject over) {
@@ -128,7 +142,7 @@ public final class ForEach extends Node implements CallSite {
       boolean over = frame.completion == Frame.Completion.BREAK;
       frame.completion = null;
       if (over) {
-        return frame.interpreter.values().voidObject;
+        return BROKEN;
       }
     }
     if (flavor == Flavor.SEMICOLON) {

@@ -53,6 +53,9 @@ public final class Frame {
   /** The jobs to which the scope being executed has given statements, or null. */
   Background background;
 
+  /** The loop being executed, for the jobs that its code detaches; or null. */
+  LoopJobs loopJobs;
+
   private Frame(
       Interpreter interpreter,
       Job job,

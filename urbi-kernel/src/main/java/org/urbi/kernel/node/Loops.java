@@ -32,38 +32,49 @@ public final class Loops {
 
     @Override
     public UrbiObject execute(Frame frame) {
-      if (init != null) {
-        init.execute(frame);
-      }
-      while (condition == null || condition.test(frame)) {
-        UrbiObject value = null;
-        try {
-          value = body.execute(frame);
-        } catch (Leave.Break leave) {
-          break;
-        } catch (Leave.Continue leave) {
-          // Goes on with the next turn.
+      LoopJobs jobs = LoopJobs.begin(frame);
+      boolean broken = true;
+      try {
+        if (init != null) {
+          init.execute(frame);
         }
-        if (frame.completion != null) {
-          if (frame.completion == Frame.Completion.RETURN) {
-            return value;
+        while (condition == null || condition.test(frame)) {
+          UrbiObject value = null;
+          try {
+            value = body.execute(frame);
+          } catch (Leave.Break leave) {
+            return frame.interpreter.values().voidObject;
+          } catch (Leave.Continue leave) {
+            // Goes on with the next turn.
           }
-          boolean over = frame.completion == Frame.Completion.BREAK;
-          frame.completion = null;
-          if (over) {
-            break;
+          if (frame.completion != null) {
+            if (frame.completion == Frame.Completion.RETURN) {
+              broken = false;
+              return value;
+            }
+            boolean over = frame.completion == Frame.Completion.BREAK;
+            frame.completion = null;
+            if (over) {
+              return frame.interpreter.values().voidObject;
+            }
+          }
+          if (step != null) {
+            step.execute(frame);
+          }
+          if (yields) {
+            frame.job.yield();
+          } else {
+            frame.job.checkInterrupted();
           }
         }
-        if (step != null) {
-          step.execute(frame);
-        }
-        if (yields) {
-          frame.job.yield();
-        } else {
-          frame.job.checkInterrupted();
-        }
+        broken = false;
+        return frame.interpreter.values().voidObject;
+      } catch (RuntimeException e) {
+        broken = false;
+        throw e;
+      } finally {
+        jobs.end(frame, broken);
       }
-      return frame.interpreter.values().voidObject;
     }
   }
 

@@ -2,11 +2,12 @@ package org.urbi.kernel.node;
 
 import java.util.List;
 import java.util.Map;
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
-import org.urbi.kernel.object.UrbiTuple;
+import org.urbi.lang.source.Span;
 
 /** What a value can be matched against (manual, "Structural Pattern Matching"). */
 public abstract class Pattern {
@@ -31,14 +32,20 @@ public abstract class Pattern {
   /** {@code var x} where declarations are slots: at the top level, in classes. */
   public static final class SlotBinding extends Pattern {
     private final Symbol name;
+    private final Span span;
 
-    public SlotBinding(Symbol name) {
+    public SlotBinding(Symbol name, Span span) {
       this.name = name;
+      this.span = span;
     }
 
     @Override
     public boolean matches(Frame frame, UrbiObject value) {
-      SlotUpdate.create(frame, frame.self, name, value);
+      try {
+        SlotUpdate.create(frame, frame.self, name, value);
+      } catch (UrbiException e) {
+        throw frame.located(e, span);
+      }
       return true;
     }
   }
@@ -77,14 +84,12 @@ public abstract class Pattern {
     @Override
     public boolean matches(Frame frame, UrbiObject value) {
       List<UrbiObject> elements;
-      if (tuple && value instanceof UrbiTuple other) {
-        elements = other.elements();
-      } else if (!tuple && value instanceof UrbiList other) {
-        elements = other.elements();
+      if (tuple) {
+        elements = Tuples.members(frame, value);
       } else {
-        return false;
+        elements = value instanceof UrbiList other ? other.elements() : null;
       }
-      if (elements.size() != patterns.length) {
+      if (elements == null || elements.size() != patterns.length) {
         return false;
       }
       for (int i = 0; i < patterns.length; i++) {

@@ -14,9 +14,6 @@ public final class SlotUpdate {
     void emit(Frame frame, UrbiObject... payload);
   }
 
-  /** Objects whose slots may be defined again: lobbies, where people type. */
-  public interface Redefinable {}
-
   /**
    * {@code setSlot}: creates a slot.
    *
@@ -24,7 +21,7 @@ public final class SlotUpdate {
    */
   public static void create(Frame frame, UrbiObject target, Symbol name, UrbiObject value) {
     if (target.shape().indexOf(name) >= 0) {
-      if (!(target instanceof Redefinable) && frame.job.redefinitions == 0) {
+      if (frame.job.redefinitions == 0) {
         throw frame.interpreter.errors().redefinition(name.name());
       }
       target.removeSlot(name);

@@ -17,13 +17,17 @@ public final class Slots {
     private final Node value;
     private final boolean constant;
     private final Node type;
+    private final Span nameSpan;
 
     /**
+     * @param nameSpan where the name alone is written
      * @param value null for void
      * @param type the type that it must have, or null
      */
-    public Declare(Span span, Node target, Symbol name, Node value, boolean constant, Node type) {
+    public Declare(
+        Span span, Span nameSpan, Node target, Symbol name, Node value, boolean constant, Node type) {
       super(span);
+      this.nameSpan = nameSpan;
       this.target = target;
       this.name = name;
       this.value = value;
@@ -45,7 +49,7 @@ public final class Slots {
         }
         return initial;
       } catch (UrbiException e) {
-        throw frame.located(e, span());
+        throw frame.located(e, nameSpan);
       }
     }
   }

@@ -9,7 +9,9 @@ import java.util.function.BiPredicate;
 import org.urbi.kernel.embed.JavaValues;
 import org.urbi.kernel.embed.UrbiValue;
 
-/** An urbiscript object in the clothes of a Java interface: each method calls the slot of its name. */
+/**
+ * An urbiscript object in the clothes of a Java interface: each method calls the slot of its name.
+ */
 final class InterfaceProxy implements InvocationHandler {
   private final UrbiValue object;
 

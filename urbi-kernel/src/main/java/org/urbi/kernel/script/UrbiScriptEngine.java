@@ -104,12 +104,11 @@ public final class UrbiScriptEngine extends AbstractScriptEngine
         return evaluate(script, file, own.object());
       }
       UrbiValue scope = kernel.embedding().newScope();
-      variables.forEach(
-          (name, value) -> {
-            if (!name.startsWith(RESERVED)) {
-              scope.set(name, value);
-            }
-          });
+      variables.forEach((name, value) -> {
+        if (!name.startsWith(RESERVED)) {
+          scope.set(name, value);
+        }
+      });
       try {
         return evaluate(script, file, scope);
       } finally {
@@ -139,14 +138,13 @@ public final class UrbiScriptEngine extends AbstractScriptEngine
         // An object for other languages.
       }
     }
-    globalNames.removeIf(
-        name -> {
-          if (all.containsKey(name)) {
-            return false;
-          }
-          globals.remove(name);
-          return true;
-        });
+    globalNames.removeIf(name -> {
+      if (all.containsKey(name)) {
+        return false;
+      }
+      globals.remove(name);
+      return true;
+    });
   }
 
   private static ScriptException scriptException(UrbiError e) {

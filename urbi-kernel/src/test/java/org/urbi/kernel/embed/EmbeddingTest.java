@@ -16,12 +16,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.stream.IntStream;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.params.ParameterizedClass;
-import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedClass;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.job.JobThreads;
 
@@ -41,11 +41,7 @@ class EmbeddingTest {
   @BeforeEach
   void start() {
     kernel =
-        Kernel.builder()
-            .virtualTime(true)
-            .jobThreads(jobThreads)
-            .output(output::append)
-            .start();
+        Kernel.builder().virtualTime(true).jobThreads(jobThreads).output(output::append).start();
   }
 
   @AfterEach

@@ -42,15 +42,14 @@ class EmbeddingThreadsTest {
       List<Callable<Void>> tasks = new ArrayList<>();
       for (int thread = 0; thread < threads; thread++) {
         int own = thread;
-        tasks.add(
-            () -> {
-              for (int i = 0; i < rounds; i++) {
-                assertEquals(own + 1.0, kernel.eval(own + "; sleep(0.1ms); " + own + " + 1"));
-                kernel.call("add", 1);
-                assertThrows(UrbiError.class, () -> kernel.eval("throw 1"));
-              }
-              return null;
-            });
+        tasks.add(() -> {
+          for (int i = 0; i < rounds; i++) {
+            assertEquals(own + 1.0, kernel.eval(own + "; sleep(0.1ms); " + own + " + 1"));
+            kernel.call("add", 1);
+            assertThrows(UrbiError.class, () -> kernel.eval("throw 1"));
+          }
+          return null;
+        });
       }
       for (Future<Void> done : pool.invokeAll(tasks)) {
         done.get();
@@ -243,21 +242,19 @@ class EmbeddingThreadsTest {
     try (Kernel kernel = builder(jobThreads).start()) {
       BlockingQueue<Object> stopped = new LinkedBlockingQueue<>();
       kernel.define("stopped", stopped::add);
-      CompletableFuture<Object> asleep =
-          kernel.evalAsync("try { sleep } finally { stopped(1) }");
+      CompletableFuture<Object> asleep = kernel.evalAsync("try { sleep } finally { stopped(1) }");
       kernel.eval("1");
       asleep.cancel(true);
       assertEquals(List.of(1.0), stopped.take());
 
       CompletableFuture<Boolean> interrupted = new CompletableFuture<>();
       Thread waiting =
-          new Thread(
-              () -> {
-                assertThrows(
-                    CancellationException.class,
-                    () -> kernel.eval("try { sleep } finally { stopped(2) }"));
-                interrupted.complete(Thread.currentThread().isInterrupted());
-              });
+          new Thread(() -> {
+            assertThrows(
+                CancellationException.class,
+                () -> kernel.eval("try { sleep } finally { stopped(2) }"));
+            interrupted.complete(Thread.currentThread().isInterrupted());
+          });
       waiting.start();
       waiting.interrupt();
       assertTrue(interrupted.join());
@@ -275,8 +272,7 @@ class EmbeddingThreadsTest {
     }
     BlockingQueue<Object> heard = new LinkedBlockingQueue<>();
     Kernel[] own = new Kernel[1];
-    try (Kernel kernel =
-        Kernel.builder().output(text -> heard.add(own[0].eval("2 + 3"))).start()) {
+    try (Kernel kernel = Kernel.builder().output(text -> heard.add(own[0].eval("2 + 3"))).start()) {
       own[0] = kernel;
       kernel.eval("echo(1)");
       assertEquals(5.0, heard.take());

@@ -4,14 +4,17 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
 
-/** Shows numbers with six significant digits, as C's {@code %g} (manual, "Floats"). */
+/**
+ * Shows numbers with six significant digits, as C's {@code %g}, but all the digits of integers up
+ * to 2<sup>63</sup> (manual, "Floats", "Float.asString").
+ */
 public final class FloatFormat {
   private static final int DIGITS = 6;
   private static final MathContext ROUNDING = new MathContext(DIGITS, RoundingMode.HALF_EVEN);
 
   private FloatFormat() {}
 
-  /** {@code 42}, {@code 0.5}, {@code 1e-06}, {@code 1e+11}, {@code inf}, {@code nan}. */
+  /** {@code 42}, {@code 0.5}, {@code 1e-06}, {@code 1e+20}, {@code inf}, {@code nan}. */
   public static String format(double value) {
     if (Double.isNaN(value)) {
       return "nan";
@@ -19,8 +22,8 @@ public final class FloatFormat {
     if (Double.isInfinite(value)) {
       return value > 0 ? "inf" : "-inf";
     }
-    if (value == (int) value && Math.abs(value) < 1e6 && (value != 0 || 1 / value > 0)) {
-      return Integer.toString((int) value);
+    if (value == (long) value && Math.abs(value) < 0x1p63 && (value != 0 || 1 / value > 0)) {
+      return Long.toString((long) value);
     }
     if (value == 0) {
       return "-0";

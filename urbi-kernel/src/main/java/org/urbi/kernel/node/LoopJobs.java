@@ -1,0 +1,50 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.TagScope;
+import org.urbi.kernel.job.TagState;
+
+/**
+ * The jobs that code of a loop has detached: {@code break} ends them, as it ends everything under
+ * the loop (manual, "Control", {@code detach}).
+ */
+public final class LoopJobs {
+  private final LoopJobs outer;
+  private TagState tag;
+  private TagScope scope;
+
+  private LoopJobs(LoopJobs outer) {
+    this.outer = outer;
+  }
+
+  /** A loop begins. */
+  static LoopJobs begin(Frame frame) {
+    LoopJobs jobs = new LoopJobs(frame.loopJobs);
+    frame.loopJobs = jobs;
+    return jobs;
+  }
+
+  /** The loop is over. */
+  void end(Frame frame, boolean broken) {
+    frame.loopJobs = outer;
+    if (scope != null) {
+      if (broken) {
+        tag.stop(frame.interpreter.values().voidObject);
+      }
+      scope.end();
+    }
+  }
+
+  /** The scope for a job that the code of an activation detaches. */
+  public static TagScope scope(Frame frame) {
+    return frame.loopJobs == null ? frame.job.scope() : frame.loopJobs.scope(frame.job);
+  }
+
+  private TagScope scope(Job job) {
+    if (scope == null) {
+      tag = new TagState(null);
+      scope = job.branch(tag, outer == null ? job.scope() : outer.scope(job));
+    }
+    return scope;
+  }
+}
