@@ -36,8 +36,7 @@ final class ServerType {
   }
 
   @Builtin(doc = "Listens on a port of a host of this machine; 0 is any port that is free.")
-  static void listen(
-      Frame frame, CallSite site, UrbiServer self, String host, UrbiObject port) {
+  static void listen(Frame frame, CallSite site, UrbiServer self, String host, UrbiObject port) {
     if (self.service() == null) {
       throw SocketType.error(frame, site, "not a server");
     }
@@ -47,7 +46,9 @@ final class ServerType {
     // Connections may come from now on, until the kernel ends.
     Mailbox mailbox =
         new Mailbox(
-            frame, self.service(), () -> {
+            frame,
+            self.service(),
+            () -> {
               UrbiEvent event = self.connection();
               return event == null || event.hasSubscribers();
             });

@@ -65,13 +65,11 @@ final class SocketType {
   }
 
   @Builtin(doc = "Connects to a port of a host; the port is a number or the name of a service.")
-  static void connect(
-      Frame frame, CallSite site, UrbiSocket self, String host, UrbiObject port) {
+  static void connect(Frame frame, CallSite site, UrbiSocket self, String host, UrbiObject port) {
     Outside outside = unconnected(frame, site, self);
     try {
       Network.Connected made =
-          Network.connect(
-              outside, frame.job(), NativeText.toJava(host), port(frame, site, port));
+          Network.connect(outside, frame.job(), NativeText.toJava(host), port(frame, site, port));
       connected(frame, self, made.link(), made.local(), made.remote());
     } catch (IOException e) {
       throw error(frame, site, FileAccess.lowered(NativeText.toUrbi(FileAccess.reason(e))));
@@ -92,11 +90,7 @@ final class SocketType {
   }
 
   private static void connected(
-      Frame frame,
-      UrbiSocket self,
-      Link link,
-      InetSocketAddress local,
-      InetSocketAddress remote) {
+      Frame frame, UrbiSocket self, Link link, InetSocketAddress local, InetSocketAddress remote) {
     Mailbox mailbox = self.connect(frame, link, local, remote);
     self.emit(frame, "connected");
     mailbox.open();

@@ -75,10 +75,12 @@ final class UrbiIoService extends UrbiObject {
     var timer =
         job.scheduler()
             .timers()
-            .add(deadline, () -> {
-              over[0] = true;
-              job.wake();
-            });
+            .add(
+                deadline,
+                () -> {
+                  over[0] = true;
+                  job.wake();
+                });
     polling.add(job);
     try {
       while (true) {

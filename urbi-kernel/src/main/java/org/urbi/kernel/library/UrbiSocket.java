@@ -77,30 +77,31 @@ final class UrbiSocket extends UrbiObject {
     local = here;
     remote = there;
     Mailbox own = new Mailbox(frame, service, this::isWanted);
-    over.open(new Link.Listener() {
-      @Override
-      public void received(byte[] bytes) {
-        UrbiObject data = world().values().string(NativeText.text(bytes));
-        own.add(told -> {
-          over.consumed(bytes.length);
-          if (link == over) {
-            told.interpreter().send(told, UrbiSocket.this, "receive", data);
+    over.open(
+        new Link.Listener() {
+          @Override
+          public void received(byte[] bytes) {
+            UrbiObject data = world().values().string(NativeText.text(bytes));
+            own.add(told -> {
+              over.consumed(bytes.length);
+              if (link == over) {
+                told.interpreter().send(told, UrbiSocket.this, "receive", data);
+              }
+            });
           }
-        });
-      }
 
-      @Override
-      public void ended(String error) {
-        own.add(told -> {
-          if (link == over) {
-            if (error != null) {
-              emit(told, "error", world().values().string(NativeText.toUrbi(error)));
-            }
-            disconnected(told);
+          @Override
+          public void ended(String error) {
+            own.add(told -> {
+              if (link == over) {
+                if (error != null) {
+                  emit(told, "error", world().values().string(NativeText.toUrbi(error)));
+                }
+                disconnected(told);
+              }
+            });
           }
         });
-      }
-    });
     return own;
   }
 
