@@ -21,6 +21,7 @@ final class LocalConsole implements AutoCloseable {
   private final Settings settings;
   private final Kernel kernel;
   private final BiFunction<Client, Boolean, Connection> lobbies;
+  private final Runnable end;
   private final Screen screen;
   private final TerminalSession terminal;
   private final Console console;
@@ -30,10 +31,12 @@ final class LocalConsole implements AutoCloseable {
       Settings settings,
       Kernel kernel,
       BiFunction<Client, Boolean, Connection> lobbies,
+      Runnable end,
       PrintStream out) {
     this.settings = settings;
     this.kernel = kernel;
     this.lobbies = lobbies;
+    this.end = end;
     boolean session = settings.input() == Settings.Input.SESSION;
     terminal = session && Terminal.isBoth() ? new TerminalSession() : null;
     screen = terminal != null ? terminal.screen() : new StandardOutput(out);
@@ -46,7 +49,7 @@ final class LocalConsole implements AutoCloseable {
         new Interrupts(
             () -> settings.input() == Settings.Input.SESSION && console.isOpen(),
             () -> connection.interrupt(),
-            () -> kernel.requestShutdown(0));
+            end);
     interrupts.install();
     if (settings.text().isEmpty() && settings.input() == Settings.Input.NONE) {
       return;
