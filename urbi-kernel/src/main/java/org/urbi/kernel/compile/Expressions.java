@@ -63,7 +63,10 @@ final class Expressions {
       return new Literals.Sequence(literal.span(), all(literal.elements(), block), true);
     }
     if (ast instanceof Ast.DictionaryLiteral literal) {
-      return new Literals.Dictionary( literal.span(), all(literal.entries().stream().map(Ast.Entry::key).toList(), block), all(literal.entries().stream().map(Ast.Entry::value).toList(), block));
+      return new Literals.Dictionary(
+          literal.span(),
+          all(literal.entries().stream().map(Ast.Entry::key).toList(), block),
+          all(literal.entries().stream().map(Ast.Entry::value).toList(), block));
     }
     if (ast instanceof Ast.This it) {
       return new Literals.This(it.span());
@@ -75,16 +78,22 @@ final class Expressions {
       return message(message, block);
     }
     if (ast instanceof Ast.And and) {
-      return new Conditionals.Logical( and.span(), true, operand(and.left(), block), operand(and.right(), block));
+      return new Conditionals.Logical(
+          and.span(), true, operand(and.left(), block), operand(and.right(), block));
     }
     if (ast instanceof Ast.Or or) {
-      return new Conditionals.Logical( or.span(), false, operand(or.left(), block), operand(or.right(), block));
+      return new Conditionals.Logical(
+          or.span(), false, operand(or.left(), block), operand(or.right(), block));
     }
     if (ast instanceof Ast.SlotAccess access) {
       return slotAccess(access, block);
     }
     if (ast instanceof Ast.Property property) {
-      return new Properties.Read( property.span(), target(property.target(), property.span(), block), symbol(property.slot()), property.name());
+      return new Properties.Read(
+          property.span(),
+          target(property.target(), property.span(), block),
+          symbol(property.slot()),
+          property.name());
     }
     if (ast instanceof Ast.Function function) {
       return compilation.functions.compile(function, block);
@@ -93,10 +102,15 @@ final class Expressions {
       return doScope(scope, block);
     }
     if (ast instanceof Ast.Emit emit) {
-      return new Emit( emit.span(), operand(emit.event(), block), emit.arguments() == null ? NONE : all(emit.arguments(), block), emit.duration() == null ? null : operand(emit.duration(), block));
+      return new Emit(
+          emit.span(),
+          operand(emit.event(), block),
+          emit.arguments() == null ? NONE : all(emit.arguments(), block),
+          emit.duration() == null ? null : operand(emit.duration(), block));
     }
     if (ast instanceof Ast.Watch watch) {
-      return new WatchExpression( watch.span(), operand(watch.expression(), block.job(compilation.newRegion())));
+      return new WatchExpression(
+          watch.span(), operand(watch.expression(), block.job(compilation.newRegion())));
     }
     if (ast instanceof Ast.Declaration declaration) {
       return definitions.declaration(declaration, block);

@@ -49,10 +49,19 @@ final class Statements {
       return ifElse(statement, block, seen);
     }
     if (ast instanceof Ast.While loop) {
-      return loop(loop.span(), loop.flavor(), null, loop.condition(), null, loop.body(), block, seen);
+      return loop(
+          loop.span(), loop.flavor(), null, loop.condition(), null, loop.body(), block, seen);
     }
     if (ast instanceof Ast.For loop) {
-      return loop( loop.span(), loop.flavor(), loop.init(), loop.condition(), loop.step(), loop.body(), block, seen);
+      return loop(
+          loop.span(),
+          loop.flavor(),
+          loop.init(),
+          loop.condition(),
+          loop.step(),
+          loop.body(),
+          block,
+          seen);
     }
     if (ast instanceof Ast.Loop loop) {
       return loop(loop.span(), loop.flavor(), null, null, null, loop.body(), block, seen);
@@ -64,7 +73,10 @@ final class Statements {
       return switchCase(statement, block, seen);
     }
     if (ast instanceof Ast.Return jump) {
-      return new Jumps.Return( jump.span(), jump.value() == null ? null : compile(jump.value(), block, Seen.NOTHING), seen == Seen.ALL);
+      return new Jumps.Return(
+          jump.span(),
+          jump.value() == null ? null : compile(jump.value(), block, Seen.NOTHING),
+          seen == Seen.ALL);
     }
     if (ast instanceof Ast.Break jump) {
       return new Jumps.OfLoop(jump.span(), true, seen != Seen.NOTHING);
@@ -73,7 +85,8 @@ final class Statements {
       return new Jumps.OfLoop(jump.span(), false, seen != Seen.NOTHING);
     }
     if (ast instanceof Ast.Throw jump) {
-      return new Jumps.Throw( jump.span(), jump.value() == null ? null : compile(jump.value(), block, Seen.NOTHING));
+      return new Jumps.Throw(
+          jump.span(), jump.value() == null ? null : compile(jump.value(), block, Seen.NOTHING));
     }
     if (ast instanceof Ast.Try statement) {
       return tryCatch(statement, block, seen);
@@ -126,8 +139,7 @@ final class Statements {
   /**
    * @param around what surrounds the statements, but not the wait for those in the background
    */
-  private Node sequence(
-      Ast.Sequence sequence, Block block, Seen seen, UnaryOperator<Node> around) {
+  private Node sequence(Ast.Sequence sequence, Block block, Seen seen, UnaryOperator<Node> around) {
     if (sequence.separators().contains(Flavor.AND)) {
       Node[] branches =
           sequence.statements().stream()
@@ -186,9 +198,7 @@ final class Statements {
   private Node withState(Ast.Scope scope, Block inner, Node code) {
     Node body = inner.redefines() ? new Redefinition(scope.span(), code) : code;
     Variable tag = inner.local(SCOPE_TAG);
-    return tag == null
-        ? body
-        : new ScopeTag(scope.span(), compilation.place(tag, inner), body);
+    return tag == null ? body : new ScopeTag(scope.span(), compilation.place(tag, inner), body);
   }
 
   // ------------------------------------------------------------------ control flow

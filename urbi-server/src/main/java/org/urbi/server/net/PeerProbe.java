@@ -18,14 +18,10 @@ final class PeerProbe {
   /** Asks from now on; a connection whose peer has gone is then closed by the system. */
   static void start(Channel channel) {
     channel.config().setOption(ChannelOption.SO_KEEPALIVE, true);
-    channel
-        .config()
-        .setOption(NioChannelOption.of(ExtendedSocketOptions.TCP_KEEPIDLE), SECONDS);
+    channel.config().setOption(NioChannelOption.of(ExtendedSocketOptions.TCP_KEEPIDLE), SECONDS);
     channel
         .config()
         .setOption(NioChannelOption.of(ExtendedSocketOptions.TCP_KEEPINTERVAL), SECONDS);
-    channel
-        .config()
-        .setOption(NioChannelOption.of(ExtendedSocketOptions.TCP_KEEPCOUNT), ATTEMPTS);
+    channel.config().setOption(NioChannelOption.of(ExtendedSocketOptions.TCP_KEEPCOUNT), ATTEMPTS);
   }
 }
