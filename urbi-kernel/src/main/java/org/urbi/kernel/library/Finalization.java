@@ -73,8 +73,7 @@ final class Finalization {
   /** Waits for that many objects, which the virtual machine hands over from a thread of its own. */
   private List<UrbiFinalizable> take(int count) {
     List<UrbiFinalizable> objects = new ArrayList<>();
-    long deadline = System.nanoTime() + PATIENCE;
-    while (objects.size() < count && System.nanoTime() - deadline < 0) {
+    for (long spins = 0; objects.size() < count && spins < PATIENCE; spins++) {
       UrbiFinalizable next = reclaimed.poll();
       if (next == null) {
         Thread.onSpinWait();
