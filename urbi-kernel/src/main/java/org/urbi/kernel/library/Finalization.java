@@ -20,8 +20,8 @@ import org.urbi.kernel.object.World;
 final class Finalization {
   private static final Map<World, Finalization> ALL = new WeakHashMap<>();
 
-  /** For how many nanoseconds the virtual machine may keep a reclaimed object to itself. */
-  private static final long PATIENCE = 1_000_000_000;
+  /** How often to look for a reclaimed object which the virtual machine keeps to itself. */
+  private static final long PATIENCE = 50_000_000;
 
   private final ConcurrentLinkedQueue<UrbiFinalizable> reclaimed = new ConcurrentLinkedQueue<>();
   private final List<WeakReference<UrbiFinalizable>> alive = new ArrayList<>();
