@@ -20,8 +20,8 @@ import org.urbi.kernel.object.World;
 final class Finalization {
   private static final Map<World, Finalization> ALL = new WeakHashMap<>();
 
-  /** For how many nanoseconds the virtual machine may keep a reclaimed object to itself. */
-  private static final long PATIENCE = 1_000_000_000;
+  /** How often to look for an object that the virtual machine has yet to hand over. */
+  private static final long PATIENCE = 10_000_000;
 
   private final ConcurrentLinkedQueue<UrbiFinalizable> reclaimed = new ConcurrentLinkedQueue<>();
   private final List<WeakReference<UrbiFinalizable>> alive = new ArrayList<>();
@@ -73,10 +73,11 @@ final class Finalization {
   /** Waits for that many objects, which the virtual machine hands over from a thread of its own. */
   private List<UrbiFinalizable> take(int count) {
     List<UrbiFinalizable> objects = new ArrayList<>();
-    long deadline = System.nanoTime() + PATIENCE;
-    while (objects.size() < count && System.nanoTime() - deadline < 0) {
+    long patience = PATIENCE;
+    while (objects.size() < count && patience > 0) {
       UrbiFinalizable next = reclaimed.poll();
       if (next == null) {
+        patience--;
         Thread.onSpinWait();
       } else {
         objects.add(next);
