@@ -10,9 +10,9 @@ enum Behaviour {
     @Override
     void act(Visit visit, Random random) throws IOException {
       int n = random.nextInt(1000);
-      visit.type("var a = " + n + ";\nfunction twice(x) { x * 2 };\ntwice(a);\n", random);
+      visit.type("{ var a = " + n + ";\nfunction twice(x) { x * 2 };\ntwice(a) };\n", random);
       visit.expect("] " + 2 * n);
-      visit.type("var l = [];\nfor| (var i : 100) { l << i };\nl.size;\n", random);
+      visit.type("{ var l = [];\nfor| (var i : 100) { l << i };\nl.size };\n", random);
       visit.expect("] 100");
     }
   },
