@@ -427,7 +427,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
             }
           }
         };
-    made[0] = UrbiLobby.start(interpreter, creator.output()::write, listener);
+    made[0] = UrbiLobby.start(interpreter, creator.output().branch(), listener);
     created.add(made[0]);
     made[0].shell().start();
     return made[0];

@@ -1,6 +1,7 @@
 package org.urbi.kernel;
 
 import java.util.concurrent.atomic.AtomicInteger;
+import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.object.UrbiObject;
@@ -97,7 +98,8 @@ final class KernelConnection implements Connection, Shell.Listener {
       client.closed();
       return;
     }
-    UrbiLobby made = UrbiLobby.start(kernel.interpreter(), client::output, this);
+    Output output = new Output(kernel.scheduler(), client::output);
+    UrbiLobby made = UrbiLobby.start(kernel.interpreter(), output, this);
     made.setRemoteAddress(client.remoteAddress());
     lobby = made;
     kernel.add(this);

@@ -61,6 +61,21 @@ public final class Job implements Runnable {
   /** What it was doing when it last began to wait, for the library to show; may be null. */
   public Object activity;
 
+  /** Somebody who measures what a job does. */
+  public interface Observer {
+    /** The job lets others run. */
+    void switchedOut();
+
+    /** It is the job's turn again. */
+    void switchedIn();
+
+    /** Who observes the jobs that this one starts. */
+    Observer forChild();
+  }
+
+  /** Who measures what this job does; usually null. */
+  public Observer observer;
+
   /** How many scopes there are around in which slots may be defined again. */
   public int redefinitions;
 
@@ -83,6 +98,10 @@ public final class Job implements Runnable {
     this.frozenDepth = scope.frozenDepth();
     this.frozenSince = scheduler.now();
     scope.add(this);
+    Job creator = scheduler.running();
+    if (creator != null && creator.observer != null) {
+      observer = creator.observer.forChild();
+    }
   }
 
   // ------------------------------------------------------------------ what it is
@@ -205,7 +224,13 @@ public final class Job implements Runnable {
     // What others read does not count for the condition that this job is evaluating.
     Dependencies.Tracker tracker = scheduler.world().tracker;
     scheduler.world().tracker = null;
+    if (observer != null) {
+      observer.switchedOut();
+    }
     thread.suspend();
+    if (observer != null) {
+      observer.switchedIn();
+    }
     scheduler.world().tracker = tracker;
     state = State.RUNNING;
     checkInjected();

@@ -6,7 +6,6 @@ import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
-import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.parse.Parsed;
@@ -22,6 +21,7 @@ public final class Evaluation {
    * Evaluates a whole text on a target.
    *
    * @param site where it is called; null when Java code does
+   * @param site the call that wants it evaluated; null when Java does
    * @param file the name by which errors call it, or null
    * @return the value of its last statement
    */
@@ -38,9 +38,11 @@ public final class Evaluation {
   }
 
   /** The message tells the place in the text, the calls tell who wanted it evaluated. */
-  private static UrbiException syntax(
-      Frame frame, CallSite site, SyntaxError error, String text) {
+  private static UrbiException syntax(Frame frame, CallSite site, SyntaxError error, String text) {
     UrbiException exception = frame.interpreter().errors().syntax(error, text);
+    if (site == null) {
+      return exception;
+    }
     List<UrbiException.Call> calls = new ArrayList<>();
     calls.add(new UrbiException.Call(site.calledName(), site.calledSpan()));
     calls.addAll(frame.backtrace());

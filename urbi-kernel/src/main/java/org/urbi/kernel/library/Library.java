@@ -55,6 +55,7 @@ public final class Library {
     inheritance(tables);
     constants();
     errors();
+    interpreter.setAfterStatements(Finalization.of(world)::run);
     interpreter.rememberNumberOperators();
   }
 
@@ -152,8 +153,7 @@ public final class Library {
     values.stringProto.removeSlot(asList);
     values.stringProto.addSlot(
         asList,
-        new ScriptCode(
-            interpreter.prototypes().code.cloneShape(), "function () { split(\"\") }"));
+        new ScriptCode(interpreter.prototypes().code.cloneShape(), "function () { split(\"\") }"));
     EventType.fill(types.get("Event"));
     UrbiObject lobby = types.get("Lobby");
     lobby.setProtos(topLevel);

@@ -127,7 +127,10 @@ final class LobbyType {
   @Builtin(doc = "Sends a value as text to all lobbies, on a channel if one is given.")
   static void wall(Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
     for (UrbiLobby lobby : KernelControl.of(frame).lobbies()) {
-      echo(frame, lobby, value, channel);
+      // What a lobby made by a program is sent goes to its creator, who is told anyway.
+      if (!lobby.output().isBranch()) {
+        echo(frame, lobby, value, channel);
+      }
     }
   }
 

@@ -19,9 +19,9 @@ import org.urbi.kernel.object.UrbiObject;
 final class LookupException {
   private LookupException() {}
 
-  @Builtin(doc = "Of that name, in that object; whether to look for what may have been meant.")
+  @Builtin(doc = "Of that name, in that object; whether to look for what was meant.")
   static void init(
-      UrbiObject self, UrbiObject object, UrbiObject name, @Optional UrbiObject fixSpelling) {
+      UrbiObject self, UrbiObject name, UrbiObject object, @Optional UrbiObject fixSpelling) {
     if (fixSpelling != null) {
       OwnSlots.put(self, "fixSpelling", fixSpelling);
     }

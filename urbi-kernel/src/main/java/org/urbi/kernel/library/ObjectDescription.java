@@ -10,6 +10,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.lobby.Output;
+import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
@@ -61,9 +62,7 @@ final class ObjectDescription {
     if (deep != null && Truth.of(frame, deep)) {
       for (UrbiObject ancestor : ObjectType.allProtos(self)) {
         if (ancestor != self) {
-          say(
-              frame,
-              "** Slots from " + frame.interpreter().asPrintable(frame, ancestor) + ":");
+          say(frame, "** Slots from " + frame.interpreter().asPrintable(frame, ancestor) + ":");
           listSlots(frame, ancestor);
         }
       }
@@ -76,16 +75,15 @@ final class ObjectDescription {
       Map<String, UrbiObject> properties = properties(object, name);
       if (!properties.isEmpty()) {
         say(frame, "    Properties:");
-        properties.forEach(
-            (property, value) ->
-                say(
-                    frame,
-                    "     "
-                        + property
-                        + " : "
-                        + typeOf(frame, value)
-                        + " = "
-                        + frame.interpreter().asPrintable(frame, value)));
+        properties.forEach((property, value) ->
+            say(
+                frame,
+                "     "
+                    + property
+                    + " : "
+                    + typeOf(frame, value)
+                    + " = "
+                    + frame.interpreter().asPrintable(frame, value)));
       }
     }
   }
@@ -121,11 +119,10 @@ final class ObjectDescription {
         indent
             + "protos = "
             + Arrays.stream(object.protos())
-                .map(
-                    proto ->
-                        proto.localSlot(frame.interpreter().symbols().type) == null
-                            ? identity(frame, proto)
-                            : typeOf(frame, proto))
+                .map(proto ->
+                    proto.localSlot(frame.interpreter().symbols().type) == null
+                        ? identity(frame, proto)
+                        : typeOf(frame, proto))
                 .collect(Collectors.joining(", ")));
     if (object instanceof UrbiFloat number) {
       UrbiObject plain = frame.interpreter().values().number(number.value());
@@ -164,8 +161,7 @@ final class ObjectDescription {
   }
 
   @Builtin(doc = "Deprecated: the period of the system.")
-  static UrbiObject getPeriod(
-      Frame frame, org.urbi.kernel.node.CallSite site, UrbiObject self) {
+  static UrbiObject getPeriod(Frame frame, CallSite site, UrbiObject self) {
     Warnings.deprecated(frame, site, "getPeriod", "System.period");
     return OwnSlots.get(frame, self.world().prototype("System"), "period");
   }

@@ -1,14 +1,11 @@
 package org.urbi.kernel.library;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
-import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -16,7 +13,6 @@ import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
-import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.Values;
 
 /** What every object can do, but for its slots (manual, "Object"). */
@@ -35,7 +31,8 @@ final class ObjectType {
   }
 
   @Builtin(doc = "Puts a prototype in front of the others.")
-  static UrbiObject addProto(UrbiObject self, UrbiObject proto) {
+  static UrbiObject addProto(Frame frame, CallSite site, UrbiObject self, UrbiObject proto) {
+    FinalizableType.check(frame, site, self, proto);
     self.addProto(proto);
     return self;
   }
@@ -146,8 +143,8 @@ final class ObjectType {
   }
 
   @Builtin(value = "protos", setter = true, doc = "Replaces the list of the prototypes.")
-  static void assignProtos(UrbiObject self, UrbiList protos) {
-    setProtos(self, protos);
+  static void assignProtos(Frame frame, CallSite site, UrbiObject self, UrbiList protos) {
+    setProtos(frame, site, self, protos);
   }
 
   @Builtin(doc = "Takes a prototype away.")
@@ -157,7 +154,10 @@ final class ObjectType {
   }
 
   @Builtin(doc = "Replaces the list of the prototypes.")
-  static void setProtos(UrbiObject self, UrbiList protos) {
+  static void setProtos(Frame frame, CallSite site, UrbiObject self, UrbiList protos) {
+    for (UrbiObject proto : protos.elements()) {
+      FinalizableType.check(frame, site, self, proto);
+    }
     self.setProtos(protos.elements().toArray(UrbiObject[]::new));
   }
 

@@ -5,6 +5,9 @@ import java.util.List;
 
 /** How alike words are (manual, "String.distance", "String.closest"). */
 public final class Spelling {
+  private static final int MOST_EDITS = 2;
+  private static final int LONG_WORD = 5;
+
   private Spelling() {}
 
   /**
@@ -57,16 +60,21 @@ public final class Spelling {
     return closest;
   }
 
-  /** The first of the candidates which somebody may have meant by a name; null when there is none. */
+  /**
+   * The first of the most alike candidates which somebody may have meant by a name: long words with
+   * two mistakes, short ones with one; null when there is none.
+   */
   static String meant(String name, Collection<String> candidates) {
-    int most = name.length() < 2 ? 0 : name.length() < 4 ? 1 : 2;
+    int least = MOST_EDITS + 1;
     String meant = null;
     for (String candidate : candidates) {
+      int shorter = Math.min(name.length(), candidate.length());
+      int most = shorter < 2 ? 0 : shorter < LONG_WORD ? 1 : MOST_EDITS;
       if (Math.abs(candidate.length() - name.length()) <= most) {
         int distance = distance(name, candidate);
-        if (distance <= most) {
+        if (distance <= most && distance < least) {
           meant = candidate;
-          most = distance - 1;
+          least = distance;
         }
       }
     }

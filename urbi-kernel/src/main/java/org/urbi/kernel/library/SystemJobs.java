@@ -7,8 +7,10 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.CycleStatistics;
+import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Profiler;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -65,5 +67,17 @@ final class SystemJobs {
   @Builtin(doc = "Lets slots be defined again until the end of the scope.")
   static void redefinitionMode(Frame frame, UrbiObject self) {
     frame.job().redefinitions++;
+  }
+
+  @Builtin(doc = "Calls a function, and measures what it does.")
+  static UrbiObject profile(Frame frame, CallSite site, UrbiObject self, UrbiObject function) {
+    Profiler profiler = new Profiler(frame.interpreter());
+    profiler.observe(frame.job());
+    try {
+      frame.interpreter().call(frame, site, function, frame.self());
+    } finally {
+      profiler.finished(frame.job());
+    }
+    return new UrbiProfile(self.world().prototype("Profile").cloneShape(), profiler);
   }
 }

@@ -1,5 +1,6 @@
 package org.urbi.kernel.library;
 
+import java.util.List;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
@@ -12,7 +13,7 @@ final class TraceableType {
   static UrbiObject newPrototype(World world) {
     UrbiObject prototype = world.values().object.cloned();
     prototype.addSlot(world.symbol("hideSystemFiles"), world.values().trueObject);
-    prototype.addSlot(world.symbol("backtrace"), world.values().list(java.util.List.of()));
+    prototype.addSlot(world.symbol("backtrace"), world.values().list(List.of()));
     return prototype;
   }
 }

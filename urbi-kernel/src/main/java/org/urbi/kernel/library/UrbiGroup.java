@@ -2,6 +2,7 @@ package org.urbi.kernel.library;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Predicate;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Properties;
 import org.urbi.kernel.node.SlotProxy;
@@ -31,7 +32,7 @@ final class UrbiGroup extends UrbiObject implements SlotProxy {
   }
 
   /** Removes what that says of the members. */
-  void removeIf(java.util.function.Predicate<UrbiObject> leaves) {
+  void removeIf(Predicate<UrbiObject> leaves) {
     if (members.removeIf(leaves)) {
       noteContentChange();
     }

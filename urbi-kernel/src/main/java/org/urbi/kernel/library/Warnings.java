@@ -42,7 +42,9 @@ final class Warnings {
   static void at(Frame caller, CallSite site, Span span, String message) {
     Output output = LobbyType.of(caller).output();
     output.send(CHANNEL, "!!! " + place(span) + message);
-    callers(output, List.of(new UrbiException.Call(site.calledName(), site.calledSpan())));
+    if (site != null) {
+      callers(output, List.of(new UrbiException.Call(site.calledName(), site.calledSpan())));
+    }
     callers(output, caller.backtrace());
   }
 

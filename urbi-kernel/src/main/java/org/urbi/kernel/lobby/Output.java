@@ -12,6 +12,7 @@ public final class Output {
 
   private final Scheduler scheduler;
   private final Consumer<String> client;
+  private final int most;
   private StringBuilder buffer = new StringBuilder();
   private boolean registered;
   private boolean open = true;
@@ -20,6 +21,23 @@ public final class Output {
   public Output(Scheduler scheduler, Consumer<String> client) {
     this.scheduler = scheduler;
     this.client = client;
+    this.most = LARGE;
+  }
+
+  private Output(Output other) {
+    this.scheduler = other.scheduler;
+    this.client = other::write;
+    this.most = 0;
+  }
+
+  /** An output of its own whose bytes go the way of this one, in the order of all. */
+  public Output branch() {
+    return new Output(this);
+  }
+
+  /** Whether it is a {@linkplain #branch branch}. */
+  public boolean isBranch() {
+    return most == 0;
   }
 
   /**
@@ -50,7 +68,7 @@ public final class Output {
     }
     bytesSent += bytes.length();
     buffer.append(bytes);
-    if (buffer.length() > LARGE) {
+    if (buffer.length() > most) {
       flush();
     } else if (!registered) {
       registered = true;

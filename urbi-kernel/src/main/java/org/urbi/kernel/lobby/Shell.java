@@ -128,9 +128,10 @@ public final class Shell {
           break;
         }
         item.warnings().forEach(this::show);
-        switch (item) {
-          case Item.Statement statement -> execute(shell, statement);
-          case Item.Invalid invalid -> invalid.errors().forEach(this::show);
+        if (item instanceof Item.Statement statement) {
+          execute(shell, statement);
+        } else if (item instanceof Item.Invalid invalid) {
+          invalid.errors().forEach(this::show);
         }
       }
       if (!closed) {
@@ -207,10 +208,8 @@ public final class Shell {
     try {
       TagScope scope = shell.enter(lobby.connectionTag().state());
       try {
-        UrbiObject value = runForeground(shell, compiled);
-        if (isShown(value)) {
-          show(shell, compiled, value);
-        }
+        runAndShow(shell, compiled);
+        interpreter.statementOver(Frame.top(interpreter, shell, lobby, compiled.layout()));
         shell.yield();
       } catch (TagStop stop) {
         if (closed) {
@@ -225,6 +224,13 @@ public final class Shell {
       }
     } finally {
       busy = false;
+    }
+  }
+
+  private void runAndShow(Job shell, Compilation.Compiled compiled) {
+    UrbiObject value = runForeground(shell, compiled);
+    if (isShown(value)) {
+      show(shell, compiled, value);
     }
   }
 

@@ -1,6 +1,5 @@
 package org.urbi.kernel.lobby;
 
-import java.util.function.Consumer;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.Shape;
@@ -60,13 +59,12 @@ public final class UrbiLobby extends UrbiObject {
   }
 
   /** Makes a lobby, which begins to execute what it is sent. */
-  public static UrbiLobby start(
-      Interpreter interpreter, Consumer<String> client, Shell.Listener listener) {
+  public static UrbiLobby start(Interpreter interpreter, Output output, Shell.Listener listener) {
     UrbiObject prototype = interpreter.world().prototype("Lobby");
     long number = interpreter.scheduler().nextNumber();
     UrbiTag tag = UrbiTag.named(interpreter, "Lobby_" + number);
     UrbiLobby made = new UrbiLobby(prototype.cloneShape(), tag);
-    made.attach(new Output(interpreter.scheduler(), client));
+    made.attach(output);
     made.attach(new Shell(interpreter, made, listener));
     return made;
   }

@@ -97,6 +97,20 @@ public final class Function extends Code {
 
   /** Runs with the variables made ready: the parameters first, then room for the others. */
   UrbiObject run(Frame caller, CallSite site, UrbiObject self, UrbiObject[] locals) {
+    if (!caller.interpreter.profiling) {
+      return execute(caller, site, self, locals);
+    }
+    Profiler.Stack stack = Profiler.enter(caller.job, site.calledName(), body);
+    try {
+      return execute(caller, site, self, locals);
+    } finally {
+      if (stack != null) {
+        stack.leave();
+      }
+    }
+  }
+
+  private UrbiObject execute(Frame caller, CallSite site, UrbiObject self, UrbiObject[] locals) {
     Frame frame = caller.call(site, boundSelf == null ? self : boundSelf, this, locals);
     if (frame.depth > caller.interpreter.maximumDepth()) {
       throw caller.interpreter.errors().scheduling("stack exhausted");

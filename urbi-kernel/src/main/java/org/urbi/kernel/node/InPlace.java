@@ -207,7 +207,7 @@ public final class InPlace extends Node implements CallSite {
   private boolean isIntact() {
     int epoch = operator.epoch();
     if (epoch != intactEpoch) {
-      if (values.floatProto.lookup(operator) != original) {
+      if (values.floatProto.world().profiled || values.floatProto.lookup(operator) != original) {
         return false;
       }
       intactEpoch = epoch;

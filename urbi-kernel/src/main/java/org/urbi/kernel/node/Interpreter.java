@@ -40,9 +40,11 @@ public final class Interpreter {
   private final Map<Symbol, UrbiObject> numberOperators = new LinkedHashMap<>();
   final CorePrototypes prototypes;
   private Consumer<UrbiException> describer = exception -> {};
+  private Consumer<Frame> afterStatements = frame -> {};
   private boolean assertionsDisabled;
   private boolean assertionsShowValues = true;
   private Object host;
+  boolean profiling;
   int maximumDepth;
 
   public Interpreter(World world, Scheduler scheduler, Errors errors, CorePrototypes prototypes) {
@@ -98,6 +100,14 @@ public final class Interpreter {
   /** How many nested calls there may be. */
   public int maximumDepth() {
     return maximumDepth;
+  }
+
+  /** From now on every call is reported to the profiler of its job, if there is one. */
+  void startProfiling() {
+    profiling = true;
+    world.profiled = true;
+    // Whoever has looked up an operator does so again.
+    values.floatProto.setProtos(values.floatProto.protos());
   }
 
   /** The operator of plain numbers of that name, as the library made it; null if none. */
@@ -224,6 +234,16 @@ public final class Interpreter {
   /** Sets what {@link #describe} does; once, by the library. */
   public void setDescriber(Consumer<UrbiException> how) {
     describer = how;
+  }
+
+  /** Does what is to be done when a statement of the top level is over. */
+  public void statementOver(Frame frame) {
+    afterStatements.accept(frame);
+  }
+
+  /** Sets what {@link #statementOver} does; once, by the library. */
+  public void setAfterStatements(Consumer<Frame> action) {
+    afterStatements = action;
   }
 
   /** Tells the people behind a lobby of an error which no code will catch. */

@@ -48,7 +48,21 @@ public final class Primitive extends Code {
     if (given < min || given > max) {
       throw caller.interpreter().errors().arity(site.calledName(), given, min, max);
     }
-    return table.call(index, caller, site, self, arguments);
+    return caller.interpreter.profiling
+        ? profiled(caller, site, self, arguments)
+        : table.call(index, caller, site, self, arguments);
+  }
+
+  private UrbiObject profiled(
+      Frame caller, CallSite site, UrbiObject self, UrbiObject[] arguments) {
+    Profiler.Stack stack = Profiler.enter(caller.job, site.calledName(), this);
+    try {
+      return table.call(index, caller, site, self, arguments);
+    } finally {
+      if (stack != null) {
+        stack.leave();
+      }
+    }
   }
 
   @Override

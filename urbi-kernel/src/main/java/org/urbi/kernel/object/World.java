@@ -20,6 +20,9 @@ public final class World {
   /** Who wants to know which slots are read, while a condition is evaluated; usually null. */
   public Dependencies.Tracker tracker;
 
+  /** Whether calls are counted, so that operators must be called as they are written. */
+  public boolean profiled;
+
   /** The one symbol of that name. */
   public Symbol symbol(String name) {
     Symbol symbol = symbols.get(name);

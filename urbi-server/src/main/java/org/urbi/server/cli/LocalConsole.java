@@ -24,6 +24,7 @@ final class LocalConsole implements AutoCloseable {
   private final Settings settings;
   private final Kernel kernel;
   private final BiFunction<Client, Boolean, Connection> lobbies;
+  private final Runnable end;
   private final Screen screen;
   private final TerminalSession terminal;
   private final Console console;
@@ -33,10 +34,12 @@ final class LocalConsole implements AutoCloseable {
       Settings settings,
       Kernel kernel,
       BiFunction<Client, Boolean, Connection> lobbies,
+      Runnable end,
       PrintStream out) {
     this.settings = settings;
     this.kernel = kernel;
     this.lobbies = lobbies;
+    this.end = end;
     boolean session = settings.input() == Settings.Input.SESSION;
     terminal = session && Terminal.isBoth() ? new TerminalSession() : null;
     screen = terminal != null ? terminal.screen() : new StandardOutput(out);
@@ -71,7 +74,7 @@ final class LocalConsole implements AutoCloseable {
       if (connection != null) {
         connection.close();
       }
-      kernel.requestShutdown(0);
+      end.run();
     }
   }
 

@@ -25,6 +25,7 @@ final class Server {
   private Kernel kernel;
   private volatile LocalConsole console;
   private volatile boolean reboot;
+  private volatile boolean ending;
 
   Server(Settings settings, PrintStream out, PrintStream err) {
     this.settings = settings;
@@ -39,7 +40,7 @@ final class Server {
     do {
       reboot = false;
       status = runOnce();
-    } while (reboot);
+    } while (reboot && !ending);
     return status;
   }
 
@@ -57,7 +58,7 @@ final class Server {
     try {
       startFiles.loadGlobal(kernel, err);
       network = settings.hasPort() ? listen() : null;
-      console = new LocalConsole(settings, kernel, this::connect, out);
+      console = new LocalConsole(settings, kernel, this::connect, this::end, out);
       console.start();
       return kernel.awaitTermination();
     } finally {
@@ -78,6 +79,12 @@ final class Server {
       console.close();
     }
     Runtime.getRuntime().halt(status);
+  }
+
+  /** Somebody wants the process to end, whatever goes on. */
+  private void end() {
+    ending = true;
+    kernel.requestShutdown(0);
   }
 
   /**

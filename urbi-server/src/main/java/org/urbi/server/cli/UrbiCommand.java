@@ -27,7 +27,10 @@ public final class UrbiCommand {
 
   public static void main(String[] args) {
     int status = new UrbiCommand(System.out, System.err).run(RawArguments.of(args));
-    System.exit(status);
+    System.out.flush();
+    System.err.flush();
+    // All is closed already; an orderly exit would load the JDK's loggers first.
+    Runtime.getRuntime().halt(status);
   }
 
   int run(String... args) {

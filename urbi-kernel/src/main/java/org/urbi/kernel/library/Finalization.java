@@ -1,0 +1,86 @@
+package org.urbi.kernel.library;
+
+import java.lang.ref.WeakReference;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.WeakHashMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
+
+/**
+ * Finds out, after each statement of the top level, which finalizable objects nobody refers to any
+ * more, and calls their {@code finalize}. Kernels that have none of these objects pay nothing; the
+ * others have the memory looked through each time, so that runs repeat.
+ */
+final class Finalization {
+  private static final Map<World, Finalization> ALL = new WeakHashMap<>();
+
+  /** How often to look for a reclaimed object which the virtual machine keeps to itself. */
+  private static final long PATIENCE = 50_000_000;
+
+  private final ConcurrentLinkedQueue<UrbiFinalizable> reclaimed = new ConcurrentLinkedQueue<>();
+  private final List<WeakReference<UrbiFinalizable>> alive = new ArrayList<>();
+  private long created;
+
+  private Finalization() {}
+
+  /** That of a kernel. */
+  static Finalization of(World world) {
+    synchronized (ALL) {
+      return ALL.computeIfAbsent(world, key -> new Finalization());
+    }
+  }
+
+  /** The number of the next object. */
+  long nextNumber() {
+    return ++created;
+  }
+
+  /** One more object. */
+  void add(UrbiFinalizable object) {
+    alive.add(new WeakReference<>(object));
+  }
+
+  /** Nobody refers to that object; on any thread. */
+  void reclaimed(UrbiFinalizable object) {
+    reclaimed.add(object);
+  }
+
+  /** Calls {@code finalize} of the objects to which nobody refers. */
+  void run(Frame frame) {
+    if (alive.isEmpty()) {
+      return;
+    }
+    System.gc();
+    int before = alive.size();
+    alive.removeIf(reference -> reference.refersTo(null));
+    List<UrbiFinalizable> objects = take(before - alive.size());
+    objects.sort(Comparator.comparingLong(UrbiFinalizable::number));
+    for (UrbiObject object : objects) {
+      try {
+        frame.interpreter().send(frame, object, "finalize");
+      } catch (UrbiException e) {
+        frame.interpreter().report(frame.job(), e);
+      }
+    }
+  }
+
+  /** Waits for that many objects, which the virtual machine hands over from a thread of its own. */
+  private List<UrbiFinalizable> take(int count) {
+    List<UrbiFinalizable> objects = new ArrayList<>();
+    for (long spins = 0; objects.size() < count && spins < PATIENCE; spins++) {
+      UrbiFinalizable next = reclaimed.poll();
+      if (next == null) {
+        Thread.onSpinWait();
+      } else {
+        objects.add(next);
+      }
+    }
+    return objects;
+  }
+}

@@ -1,0 +1,139 @@
+package org.urbi.kernel.node;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.time.Clock;
+
+/** What a piece of code calls, how often, and for how long (manual, "Profile"). */
+public final class Profiler {
+  /** The calls of one function; times are in nanoseconds. */
+  public static final class Calls {
+    private final String name;
+    private long count;
+    private long self;
+
+    private Calls(String name) {
+      this.name = name;
+    }
+
+    public String name() {
+      return name;
+    }
+
+    public long count() {
+      return count;
+    }
+
+    /** The time spent in the function itself. */
+    public long self() {
+      return self;
+    }
+  }
+
+  private final Interpreter interpreter;
+  private final Clock clock;
+  private final Map<Object, Calls> calls = new IdentityHashMap<>();
+  private final List<Calls> order = new ArrayList<>();
+  private final long begin;
+  private long wallClock;
+  private long yields;
+  private int maximumDepth;
+
+  public Profiler(Interpreter interpreter) {
+    this.interpreter = interpreter;
+    this.clock = interpreter.scheduler().clock();
+    this.begin = clock.now();
+  }
+
+  /** Begins to observe a job, and the jobs that it starts. */
+  public void observe(Job job) {
+    interpreter.startProfiling();
+    job.observer = new Stack();
+  }
+
+  /** The code has been executed; what it has started is still observed. */
+  public void finished(Job job) {
+    wallClock = clock.now() - begin;
+    job.observer = null;
+  }
+
+  /** The functions called, in the order of their first calls. */
+  public List<Calls> calls() {
+    return List.copyOf(order);
+  }
+
+  public int maximumDepth() {
+    return maximumDepth;
+  }
+
+  /** How often an observed job has let others run. */
+  public long yields() {
+    return yields;
+  }
+
+  /** From the beginning of the code to its end, in nanoseconds. */
+  public long wallClock() {
+    return wallClock;
+  }
+
+  /** Called at the beginning of each call, while there is a profiler. */
+  static Stack enter(Job job, String name, Object key) {
+    if (job.observer instanceof Stack stack) {
+      stack.enter(name, key);
+      return stack;
+    }
+    return null;
+  }
+
+  /** The calls that are going on in one job. */
+  final class Stack implements Job.Observer {
+    private final ArrayDeque<Calls> going = new ArrayDeque<>();
+    private long since = clock.now();
+
+    private void enter(String name, Object key) {
+      account();
+      Calls entered = calls.get(key);
+      if (entered == null) {
+        entered = new Calls(calls.isEmpty() ? "<profiled>" : name == null ? "?" : name);
+        calls.put(key, entered);
+        order.add(entered);
+      }
+      entered.count++;
+      going.push(entered);
+      maximumDepth = Math.max(maximumDepth, going.size());
+    }
+
+    void leave() {
+      account();
+      going.poll();
+    }
+
+    private void account() {
+      long now = clock.now();
+      if (!going.isEmpty()) {
+        going.peek().self += now - since;
+      }
+      since = now;
+    }
+
+    @Override
+    public void switchedOut() {
+      account();
+      yields++;
+    }
+
+    @Override
+    public void switchedIn() {
+      since = clock.now();
+    }
+
+    @Override
+    public Job.Observer forChild() {
+      return new Stack();
+    }
+  }
+}
