@@ -19,7 +19,7 @@ import org.urbi.server.options.Program;
  */
 public final class Soak {
   private static final int WARM_UP_SECONDS = 30;
-  private static final int SETTLE_SECONDS = 8;
+  private static final int SETTLE_SECONDS = 45;
   private static final double HEAP_GROWTH = 0.05;
   private static final long HEAP_SLACK = 3_000_000;
 

@@ -20,8 +20,8 @@ import org.urbi.kernel.object.World;
 final class Finalization {
   private static final Map<World, Finalization> ALL = new WeakHashMap<>();
 
-  /** How often to look for a reclaimed object which the virtual machine keeps to itself. */
-  private static final long PATIENCE = 50_000_000;
+  /** How often to look for an object that the virtual machine has yet to hand over. */
+  private static final long PATIENCE = 10_000_000;
 
   private final ConcurrentLinkedQueue<UrbiFinalizable> reclaimed = new ConcurrentLinkedQueue<>();
   private final List<WeakReference<UrbiFinalizable>> alive = new ArrayList<>();
@@ -73,9 +73,11 @@ final class Finalization {
   /** Waits for that many objects, which the virtual machine hands over from a thread of its own. */
   private List<UrbiFinalizable> take(int count) {
     List<UrbiFinalizable> objects = new ArrayList<>();
-    for (long spins = 0; objects.size() < count && spins < PATIENCE; spins++) {
+    long patience = PATIENCE;
+    while (objects.size() < count && patience > 0) {
       UrbiFinalizable next = reclaimed.poll();
       if (next == null) {
+        patience--;
         Thread.onSpinWait();
       } else {
         objects.add(next);

@@ -5,6 +5,7 @@ import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.channel.socket.ChannelInputShutdownEvent;
 import java.nio.charset.StandardCharsets;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
@@ -75,8 +76,9 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
         context.close();
       } else {
         connection.end();
-        // It may still listen, or be gone altogether: TCP cannot tell before it is asked.
-        PeerProbe.start(context.channel());
+        context
+            .executor()
+            .schedule(() -> context.close(), limits.secondsAfterEnd(), TimeUnit.SECONDS);
       }
     }
     context.fireUserEventTriggered(event);
