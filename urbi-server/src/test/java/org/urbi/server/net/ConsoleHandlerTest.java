@@ -16,11 +16,12 @@ import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.urbi.server.Trace;
 
 class ConsoleHandlerTest {
-  private static final Limits LIMITS = new Limits(100, 50);
+  private static final Limits LIMITS = new Limits(100, 50, 30);
 
   private final RecordingConnection lobby = new RecordingConnection();
   private final ByteArrayOutputStream log = new ByteArrayOutputStream();
@@ -78,6 +79,20 @@ class ConsoleHandlerTest {
     channel.pipeline().fireUserEventTriggered(TelnetInterrupt.INSTANCE);
     channel.close();
     assertEquals(List.of("end", "interrupt", "close"), lobby.calls);
+  }
+
+  @Test
+  void aClientThatHasEndedItsStreamIsNotServedForEver() {
+    EmbeddedChannel channel = new EmbeddedChannel(handler);
+    channel.freezeTime();
+    channel.pipeline().fireUserEventTriggered(ChannelInputShutdownEvent.INSTANCE);
+    channel.advanceTimeBy(29, TimeUnit.SECONDS);
+    channel.runScheduledPendingTasks();
+    assertEquals(List.of("end"), lobby.calls);
+    channel.advanceTimeBy(1, TimeUnit.SECONDS);
+    channel.runScheduledPendingTasks();
+    channel.runPendingTasks();
+    assertEquals(List.of("end", "close"), lobby.calls);
   }
 
   @Test
