@@ -1,0 +1,151 @@
+package org.urbi.server.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.urbi.server.cli.UrbiProcess.Result;
+
+/** The command line as a user sees it: what is printed, and how it ends. */
+@Timeout(120)
+class UrbiCommandTest {
+  @TempDir Path folder;
+
+  private Result urbi(String... args) throws Exception {
+    return UrbiProcess.run(folder, args);
+  }
+
+  private String file(String name, String text) throws IOException {
+    return Files.writeString(folder.resolve(name), text).toString();
+  }
+
+  @Test
+  void aClassicalProgram() throws Exception {
+    assertEquals(
+        new Result(0, "[] *** Hello, World!", ""),
+        urbi("-q", "-e", "echo(\"Hello, World!\");", "-e", "shutdown;"));
+  }
+
+  @Test
+  void inputsAccumulateInOneLobby() throws Exception {
+    String two = file("two.u", "var two = 2;");
+    try (UrbiProcess urbi =
+        new UrbiProcess(folder, Map.of(), "-q", "-e", "var one = 1;", "-f", two, "-i")) {
+      urbi.send("one + two;\n");
+      assertEquals(new Result(0, "[] 1\n[] 2\n[] 3", ""), urbi.result());
+    }
+  }
+
+  @Test
+  void theBannerComesFirstUnlessQuiet() throws Exception {
+    String out = urbi("-e", "echo(1);").out();
+    assertTrue(out.startsWith("[] *** ****"), out);
+    assertTrue(out.contains("Urbi version"), out);
+    assertTrue(out.endsWith("[] *** 1"), out);
+  }
+
+  @Test
+  void aScriptHasItsArgumentsAndItsErrorsTheirPlace() throws Exception {
+    String script = file("echo.u", "#! /usr/bin/env urbi\nSystem.arguments;\nnowhere;\n");
+    Result run = urbi("-q", script, "1", "-x", "--help");
+    assertEquals(0, run.status());
+    assertEquals(
+        "[] [\"1\", \"-x\", \"--help\"]\n[:error] !!! " + script + ":3.1-7: lookup failed: nowhere",
+        run.out());
+  }
+
+  @Test
+  void afterAScriptComesTheStandardInput() throws Exception {
+    String script = file("one.u", "var one = 1;");
+    try (UrbiProcess urbi = new UrbiProcess(folder, Map.of(), "-q", script)) {
+      urbi.send("one + 1;");
+      assertEquals(new Result(0, "[] 1\n[] 2", ""), urbi.result());
+    }
+  }
+
+  @Test
+  void theExitStatusIsThatOfShutdown() throws Exception {
+    assertEquals(42, urbi("-q", "-e", "shutdown(42);").status());
+  }
+
+  @Test
+  void aRunEndsAfterItsLastJob() throws Exception {
+    assertEquals(
+        new Result(0, "[] *** first\n[] *** last", ""),
+        urbi("-qF", "-e", "{ sleep(2h); echo(\"last\") }, { sleep(1h); echo(\"first\") },"));
+  }
+
+  @Test
+  void startFilesAreFoundInThePath() throws Exception {
+    file("global.u", "var Global.everywhere = 1|; echo(\"loading\");");
+    file("local.u", "var here = 2|;");
+    Map<String, String> path = Map.of("URBI_PATH", folder.toString());
+    try (UrbiProcess urbi = new UrbiProcess(folder, path, "-q", "-e", "everywhere; here;")) {
+      Result run = urbi.result();
+      assertEquals("[] 1\n[] 2", run.out());
+      assertTrue(run.err().endsWith("*** loading"), run.err());
+    }
+  }
+
+  @Test
+  void aServerServesUntilItIsInterrupted() throws Exception {
+    Path portFile = folder.resolve("port");
+    try (UrbiProcess urbi =
+        new UrbiProcess(
+            folder, Map.of(), "-q", "--port=0", "--port-file=" + portFile, "-e", "echo(\"up\");")) {
+      assertEquals("[] *** up", urbi.line());
+      assertTrue(Files.readString(portFile).matches("\\d+\n"));
+      urbi.interrupt();
+      assertEquals(new Result(0, "", ""), urbi.result());
+      assertFalse(Files.exists(portFile));
+    }
+  }
+
+  @Test
+  void anInterruptKillsTheForegroundJobOfASession() throws Exception {
+    try (UrbiProcess urbi = new UrbiProcess(folder, Map.of(), "-q", "-i")) {
+      urbi.send("echo(\"busy\"); sleep(inf);\n");
+      assertEquals("[] *** busy", urbi.line());
+      urbi.interrupt();
+      assertEquals("[:error] !!! received interruption, killing foreground job.", urbi.line());
+      urbi.send("echo(\"alive\");\n");
+      assertEquals("[] *** alive", urbi.line());
+      assertTrue(urbi.isAlive());
+      assertEquals(0, urbi.result().status());
+    }
+  }
+
+  @Test
+  void whatIsMissingIsSaid() throws Exception {
+    assertEquals(new Result(1, "", "urbi: no such file: no/such.u"), urbi("-f", "no/such.u"));
+    Result bad = urbi("--bogus");
+    assertEquals(2, bad.status());
+    assertTrue(bad.err().contains("--bogus") && bad.err().contains("--help"), bad.err());
+    Result level = urbi("-d", "LOUD", "-e", "1;");
+    assertEquals(2, level.status());
+    assertTrue(level.err().contains("LOUD") && level.err().contains("TRACE"), level.err());
+  }
+
+  @Test
+  void aPortThatIsTakenIsSaid() throws Exception {
+    try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      Result run = urbi("-q", "-P", String.valueOf(taken.getLocalPort()));
+      assertEquals(1, run.status());
+      assertTrue(run.err().contains("127.0.0.1:" + taken.getLocalPort()), run.err());
+    }
+  }
+
+  @Test
+  void theRootFolderIsTold() throws Exception {
+    assertEquals(new Result(0, folder.toString(), ""), urbi("--print-root"));
+  }
+}

@@ -1,0 +1,178 @@
+package org.urbi.server.net;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.urbi.kernel.Kernel;
+import org.urbi.server.Trace;
+
+/** A kernel, the network console, and clients on real sockets. */
+@Timeout(60)
+class ConsoleServerTest {
+  private static final Trace QUIET =
+      new Trace(
+          Trace.Level.NONE,
+          new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8));
+
+  private Kernel kernel;
+  private ConsoleServer server;
+
+  @BeforeEach
+  void start() throws IOException {
+    kernel = Kernel.builder().start();
+    server = listen(0, Limits.DEFAULT);
+  }
+
+  @AfterEach
+  void stop() {
+    kernel.close();
+    server.close();
+  }
+
+  private ConsoleServer listen(int port, Limits limits) throws IOException {
+    return new ConsoleServer(
+        new InetSocketAddress(InetAddress.getLoopbackAddress(), port),
+        client -> kernel.connect(client, false),
+        limits,
+        QUIET);
+  }
+
+  private TestClient client() throws IOException {
+    return new TestClient(server.port());
+  }
+
+  @Test
+  void eachClientHasALobbyAndAllShareTheGlobals() throws IOException {
+    try (TestClient one = client();
+        TestClient two = client()) {
+      assertEquals("[] 1", one.ask("var own = 1; var Global.shared = 1 |;"));
+      assertEquals("[] 1", two.ask("shared;"));
+      assertEquals("[:error] !!! 1.8-10: lookup failed: own", two.ask("own;"));
+    }
+  }
+
+  @Test
+  void aStatementMayBeCutAnywhere() throws IOException {
+    try (TestClient client = client()) {
+      for (char c : "echo(\"cut\" + 1".toCharArray()) {
+        client.send(String.valueOf(c));
+      }
+      assertEquals("[] *** cut1", client.ask(");"));
+    }
+  }
+
+  @Test
+  void bytesComeBackAsTheyWereSent() throws IOException {
+    try (TestClient client = client()) {
+      assertEquals("[] *** \u00c3\u00a9\u00fe", client.ask("echo(\"\u00c3\u00a9\u00fe\");"));
+    }
+  }
+
+  @Test
+  void allOutputArrivesBeforeTheConnectionIsClosed() throws IOException {
+    try (TestClient client = client()) {
+      client.send("for| (var i = 0; i < 1000; i += 1) echo(i); quit; echo(\"never\");\n");
+      for (int i = 0; i < 1000; ++i) {
+        assertEquals("[] *** " + i, client.line());
+      }
+      assertNull(client.line());
+    }
+  }
+
+  @Test
+  void aClientThatEndsItsInputGetsItsAnswers() throws IOException {
+    try (TestClient client = client()) {
+      client.send("{ sleep(50ms); echo(\"later\") }, echo(\"now\");");
+      client.end();
+      assertEquals("[] *** now", client.line());
+      assertEquals("[] *** later", client.line());
+      assertNull(client.line());
+    }
+  }
+
+  @Test
+  void theJobsOfAClientThatVanishesEnd() throws IOException {
+    try (TestClient witness = client()) {
+      assertEquals("[] 0", witness.ask("var Global.beats = 0;"));
+      TestClient client = client();
+      assertEquals(
+          "[] *** beating",
+          client.ask("every (1ms) Global.beats += 1, sleep(5ms); echo(\"beating\");"));
+      client.vanish();
+      String before = null;
+      String now = witness.ask("beats;");
+      while (!now.equals(before)) {
+        before = now;
+        now = witness.ask("sleep(20ms); beats;");
+      }
+    }
+  }
+
+  @Test
+  void aClientThatDoesNotReadHarmsNobody() throws IOException {
+    try (ConsoleServer strict = listen(0, new Limits(1 << 20, 1 << 16, 30));
+        TestClient deaf = new TestClient(strict.port());
+        TestClient other = new TestClient(strict.port())) {
+      deaf.send("var line = \"x\" * 10000; loop { echo(line); };\n");
+      assertEquals("[] *** hello", other.ask("echo(\"hello\");"));
+      String line = "";
+      while (line != null) {
+        assertEquals("[] 2", other.ask("1 + 1;"));
+        line = readOrNull(deaf);
+      }
+      assertEquals("[] 3", other.ask("1 + 2;"));
+    }
+  }
+
+  /** Reads a little, as slowly as the test asks; null once the server has hung up. */
+  private static String readOrNull(TestClient client) {
+    try {
+      return client.line();
+    } catch (IOException reset) {
+      return null;
+    }
+  }
+
+  @Test
+  void telnetClientsMayInterrupt() throws IOException {
+    try (TestClient client = client()) {
+      assertEquals("[] *** busy", client.ask("echo(\"busy\"); sleep(inf); echo(\"never\");"));
+      assertEquals(
+          "[:error] !!! received interruption, killing foreground job.",
+          client.ask("\u00ff\u00f4"));
+      assertEquals("[] *** next", client.ask("echo(\"next\");"));
+    }
+  }
+
+  @Test
+  void shutdownSaysGoodbyeToEverybody() throws IOException {
+    try (TestClient one = client();
+        TestClient two = client()) {
+      assertEquals("[] 1", one.ask("1;"));
+      assertEquals("[] 1", two.ask("1;"));
+      one.send("shutdown(7);");
+      assertNull(one.line());
+      assertNull(two.line());
+      assertEquals(7, kernel.awaitTermination());
+    }
+  }
+
+  @Test
+  void aPortThatIsTakenIsSaid() {
+    IOException failure =
+        assertThrows(IOException.class, () -> listen(server.port(), Limits.DEFAULT));
+    assertTrue(failure.getMessage().contains(":" + server.port()), failure.getMessage());
+  }
+}

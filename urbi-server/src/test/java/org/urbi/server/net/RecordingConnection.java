@@ -1,0 +1,41 @@
+package org.urbi.server.net;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.urbi.kernel.Connection;
+
+/** A lobby that only notes what is done to it, and has as much unread input as a test wants. */
+final class RecordingConnection implements Connection {
+  final List<String> calls = new ArrayList<>();
+  int pending;
+
+  @Override
+  public void send(String bytes) {
+    calls.add("send " + bytes);
+  }
+
+  @Override
+  public void end() {
+    calls.add("end");
+  }
+
+  @Override
+  public void close() {
+    calls.add("close");
+  }
+
+  @Override
+  public void interrupt() {
+    calls.add("interrupt");
+  }
+
+  @Override
+  public int pendingInput() {
+    return pending;
+  }
+
+  @Override
+  public boolean incomplete() {
+    return false;
+  }
+}
