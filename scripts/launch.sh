@@ -34,4 +34,4 @@ typing=false
 [ -t 0 ] && typing=true
 # shellcheck disable=SC2086
 exec "$java" $jvm_flags ${cache:+"$cache"} ${URBI_JAVA_OPTS:-} -Durbi.root="${URBI_ROOT:-$root}" \
-  -Durbi.stdin.terminal=$typing -cp "$cp" "$main" "$@"
+  -Durbi.stdin.terminal=$typing -Durbi.program="$0" -cp "$cp" "$main" "$@"

@@ -52,7 +52,9 @@ public final class Inputs {
    */
   public String text() {
     StringBuilder text = new StringBuilder();
-    parts.forEach(part -> text.append(part.get()));
+    for (Supplier<String> part : parts) {
+      SourceText.append(text, part.get());
+    }
     return text.toString();
   }
 }

@@ -10,6 +10,8 @@ import org.urbi.server.options.Failure;
 
 /** Text on its way to a lobby: one character for each byte, files with their name around them. */
 public final class SourceText {
+  private static final String PUSH = "//#push";
+
   private SourceText() {}
 
   /** The bytes of a Java string in UTF-8, one in each character. */
@@ -43,11 +45,19 @@ public final class SourceText {
     return bytes("loadModule(\"" + escaped(module) + "\");\n");
   }
 
+  /** Adds a text to another; a frame counts only at the beginning of a line, and gets one. */
+  public static void append(StringBuilder text, String more) {
+    if (more.startsWith(PUSH) && !text.isEmpty() && text.charAt(text.length() - 1) != '\n') {
+      text.append('\n');
+    }
+    text.append(more);
+  }
+
   /** A text, one byte in each character, framed by the name of what it comes from. */
-  static String framed(String name, String contents) {
+  public static String framed(String name, String contents) {
     String quoted = escaped(bytes(name));
     String text = contents.startsWith("#!") ? "//" + contents.substring(2) : contents;
-    return "//#push 1 \"" + quoted + "\"\n" + text + "\n//#pop\n";
+    return PUSH + " 1 \"" + quoted + "\"\n" + text + "\n//#pop\n";
   }
 
   private static String escaped(String text) {

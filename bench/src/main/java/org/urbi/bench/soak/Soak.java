@@ -58,7 +58,8 @@ public final class Soak {
 
   private boolean run(Path root, int minutes) throws IOException {
     try (ServerProcess server = new ServerProcess(root)) {
-      say("fresh       " + server.sample());
+      ServerProcess.Sample fresh = server.sample();
+      say("fresh       " + fresh);
       // Classes are loaded and buffers grow once: that is no leak.
       visit(server, WARM_UP_SECONDS, 0);
       ServerProcess.Sample before = server.sample();
@@ -68,7 +69,7 @@ public final class Soak {
       ServerProcess.Sample after = server.sample();
       say("afterwards  " + after);
       say(tally.toString());
-      boolean met = judge(before, after, server);
+      boolean met = judge(fresh.jobs(), before, after, server);
       if (!met) {
         showGrowth(classes, server.classes());
       }
@@ -117,14 +118,14 @@ public final class Soak {
   }
 
   private boolean judge(
-      ServerProcess.Sample before, ServerProcess.Sample after, ServerProcess server)
+      int jobsBefore, ServerProcess.Sample before, ServerProcess.Sample after, ServerProcess server)
       throws IOException {
     long growth = after.heap() - before.heap();
     double allowed = Math.max(HEAP_SLACK, before.heap() * HEAP_GROWTH);
     boolean heap = growth <= allowed;
     boolean threads = before.threads() == after.threads();
-    boolean jobs = before.jobs() == after.jobs();
-    say("jobs        %d, before %d: %s".formatted(after.jobs(), before.jobs(), verdict(jobs)));
+    boolean jobs = jobsBefore == after.jobs();
+    say("jobs        %d, before %d: %s".formatted(after.jobs(), jobsBefore, verdict(jobs)));
     boolean answers = server.isAlive() && answerTime(server) >= 0;
     say(
         "heap        %+.2f MB, allowed %+.2f MB: %s"

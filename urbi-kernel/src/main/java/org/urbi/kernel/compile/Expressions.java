@@ -48,58 +48,104 @@ final class Expressions {
   }
 
   Node compile(Ast ast, Block block) {
-    return switch (ast) {
-      case Ast.FloatLiteral literal -> new Literals.Number(literal.span(), literal.value());
-      case Ast.StringLiteral literal -> new Literals.Text(literal.span(), literal.value());
-      case Ast.ListLiteral literal ->
-          new Literals.Sequence(literal.span(), all(literal.elements(), block), false);
-      case Ast.TupleLiteral literal ->
-          new Literals.Sequence(literal.span(), all(literal.elements(), block), true);
-      case Ast.DictionaryLiteral literal ->
-          new Literals.Dictionary(
-              literal.span(),
-              all(literal.entries().stream().map(Ast.Entry::key).toList(), block),
-              all(literal.entries().stream().map(Ast.Entry::value).toList(), block));
-      case Ast.This it -> new Literals.This(it.span());
-      case Ast.CallMessage call -> callMessage(call, block);
-      case Ast.Message message -> message(message, block);
-      case Ast.And and ->
-          new Conditionals.Logical(
-              and.span(), true, operand(and.left(), block), operand(and.right(), block));
-      case Ast.Or or ->
-          new Conditionals.Logical(
-              or.span(), false, operand(or.left(), block), operand(or.right(), block));
-      case Ast.SlotAccess access -> slotAccess(access, block);
-      case Ast.Property property ->
-          new Properties.Read(
-              property.span(),
-              target(property.target(), property.span(), block),
-              symbol(property.slot()),
-              property.name());
-      case Ast.Function function -> compilation.functions.compile(function, block);
-      case Ast.Do scope -> doScope(scope, block);
-      case Ast.Emit emit ->
-          new Emit(
-              emit.span(),
-              operand(emit.event(), block),
-              emit.arguments() == null ? NONE : all(emit.arguments(), block),
-              emit.duration() == null ? null : operand(emit.duration(), block));
-      case Ast.Watch watch ->
-          new WatchExpression(
-              watch.span(), operand(watch.expression(), block.job(compilation.newRegion())));
-      case Ast.Declaration declaration -> definitions.declaration(declaration, block);
-      case Ast.FunctionDefinition definition -> definitions.function(definition, block);
-      case Ast.ClassDefinition definition -> definitions.classDefinition(definition, block);
-      case Ast.PackageDefinition definition -> definitions.packageDefinition(definition, block);
-      case Ast.Import definition -> definitions.importDefinition(definition, block);
-      case Ast.EnumDefinition definition -> definitions.enumDefinition(definition, block);
-      case Ast.Accessor accessor -> definitions.accessor(accessor, block);
-      case Ast.Assignment assignment -> assignments.assignment(assignment, block);
-      case Ast.OperatorAssignment assignment -> assignments.inPlace(assignment, block);
-      case Ast.Postfix postfix -> assignments.postfix(postfix, block);
-      case Ast.Trajectory trajectory -> assignments.trajectory(trajectory, block);
-      default -> compilation.statements.compile(ast, block, Seen.NOTHING);
-    };
+    // A chain of tests: the JDK builds a switch over types when it is first run, which costs
+    // more than all the rest of starting a kernel.
+    if (ast instanceof Ast.FloatLiteral literal) {
+      return new Literals.Number(literal.span(), literal.value());
+    }
+    if (ast instanceof Ast.StringLiteral literal) {
+      return new Literals.Text(literal.span(), literal.value());
+    }
+    if (ast instanceof Ast.ListLiteral literal) {
+      return new Literals.Sequence(literal.span(), all(literal.elements(), block), false);
+    }
+    if (ast instanceof Ast.TupleLiteral literal) {
+      return new Literals.Sequence(literal.span(), all(literal.elements(), block), true);
+    }
+    if (ast instanceof Ast.DictionaryLiteral literal) {
+      return new Literals.Dictionary(
+          literal.span(),
+          all(literal.entries().stream().map(Ast.Entry::key).toList(), block),
+          all(literal.entries().stream().map(Ast.Entry::value).toList(), block));
+    }
+    if (ast instanceof Ast.This it) {
+      return new Literals.This(it.span());
+    }
+    if (ast instanceof Ast.CallMessage call) {
+      return callMessage(call, block);
+    }
+    if (ast instanceof Ast.Message message) {
+      return message(message, block);
+    }
+    if (ast instanceof Ast.And and) {
+      return new Conditionals.Logical(
+          and.span(), true, operand(and.left(), block), operand(and.right(), block));
+    }
+    if (ast instanceof Ast.Or or) {
+      return new Conditionals.Logical(
+          or.span(), false, operand(or.left(), block), operand(or.right(), block));
+    }
+    if (ast instanceof Ast.SlotAccess access) {
+      return slotAccess(access, block);
+    }
+    if (ast instanceof Ast.Property property) {
+      return new Properties.Read(
+          property.span(),
+          target(property.target(), property.span(), block),
+          symbol(property.slot()),
+          property.name());
+    }
+    if (ast instanceof Ast.Function function) {
+      return compilation.functions.compile(function, block);
+    }
+    if (ast instanceof Ast.Do scope) {
+      return doScope(scope, block);
+    }
+    if (ast instanceof Ast.Emit emit) {
+      return new Emit(
+          emit.span(),
+          operand(emit.event(), block),
+          emit.arguments() == null ? NONE : all(emit.arguments(), block),
+          emit.duration() == null ? null : operand(emit.duration(), block));
+    }
+    if (ast instanceof Ast.Watch watch) {
+      return new WatchExpression(
+          watch.span(), operand(watch.expression(), block.job(compilation.newRegion())));
+    }
+    if (ast instanceof Ast.Declaration declaration) {
+      return definitions.declaration(declaration, block);
+    }
+    if (ast instanceof Ast.FunctionDefinition definition) {
+      return definitions.function(definition, block);
+    }
+    if (ast instanceof Ast.ClassDefinition definition) {
+      return definitions.classDefinition(definition, block);
+    }
+    if (ast instanceof Ast.PackageDefinition definition) {
+      return definitions.packageDefinition(definition, block);
+    }
+    if (ast instanceof Ast.Import definition) {
+      return definitions.importDefinition(definition, block);
+    }
+    if (ast instanceof Ast.EnumDefinition definition) {
+      return definitions.enumDefinition(definition, block);
+    }
+    if (ast instanceof Ast.Accessor accessor) {
+      return definitions.accessor(accessor, block);
+    }
+    if (ast instanceof Ast.Assignment assignment) {
+      return assignments.assignment(assignment, block);
+    }
+    if (ast instanceof Ast.OperatorAssignment assignment) {
+      return assignments.inPlace(assignment, block);
+    }
+    if (ast instanceof Ast.Postfix postfix) {
+      return assignments.postfix(postfix, block);
+    }
+    if (ast instanceof Ast.Trajectory trajectory) {
+      return assignments.trajectory(trajectory, block);
+    }
+    return compilation.statements.compile(ast, block, Seen.NOTHING);
   }
 
   Node operand(Ast ast, Block block) {

@@ -34,50 +34,91 @@ final class Statements {
    *     and {@code break} need not be thrown
    */
   Node compile(Ast ast, Block block, Seen seen) {
-    return switch (ast) {
-      case Ast.Sequence sequence -> sequence(sequence, block, seen);
-      case Ast.Scope scope -> scope(scope, block, seen);
-      case Ast.Noop noop -> new Sequences.Noop(noop.span());
-      case Ast.If statement -> ifElse(statement, block, seen);
-      case Ast.While loop ->
-          loop(loop.span(), loop.flavor(), null, loop.condition(), null, loop.body(), block, seen);
-      case Ast.For loop ->
-          loop(
-              loop.span(),
-              loop.flavor(),
-              loop.init(),
-              loop.condition(),
-              loop.step(),
-              loop.body(),
-              block,
-              seen);
-      case Ast.Loop loop ->
-          loop(loop.span(), loop.flavor(), null, null, null, loop.body(), block, seen);
-      case Ast.ForEach loop -> forEach(loop, block, seen);
-      case Ast.Switch statement -> switchCase(statement, block, seen);
-      case Ast.Return jump ->
-          new Jumps.Return(
-              jump.span(),
-              jump.value() == null ? null : compile(jump.value(), block, Seen.NOTHING),
-              seen == Seen.ALL);
-      case Ast.Break jump -> new Jumps.OfLoop(jump.span(), true, seen != Seen.NOTHING);
-      case Ast.Continue jump -> new Jumps.OfLoop(jump.span(), false, seen != Seen.NOTHING);
-      case Ast.Throw jump ->
-          new Jumps.Throw(
-              jump.span(),
-              jump.value() == null ? null : compile(jump.value(), block, Seen.NOTHING));
-      case Ast.Try statement -> tryCatch(statement, block, seen);
-      case Ast.Assert statement -> assertion(statement, block);
-      case Ast.Tagged tagged -> compilation.handlers.tagged(tagged, block, seen);
-      case Ast.At at -> compilation.handlers.at(at, block);
-      case Ast.Whenever whenever -> compilation.handlers.whenever(whenever, block);
-      case Ast.WaitUntil wait -> compilation.handlers.waitUntil(wait, block);
-      case Ast.Every every -> compilation.handlers.every(every, block, seen);
-      case Ast.Timeout timeout -> compilation.handlers.timeout(timeout, block, seen);
-      case Ast.StopIf watched -> compilation.handlers.stopIf(watched, block, seen);
-      case Ast.FreezeIf watched -> compilation.handlers.freezeIf(watched, block, seen);
-      default -> compilation.expressions.compile(ast, block);
-    };
+    // A chain of tests: the JDK builds a switch over types when it is first run, which costs
+    // more than all the rest of starting a kernel.
+    if (ast instanceof Ast.Sequence sequence) {
+      return sequence(sequence, block, seen);
+    }
+    if (ast instanceof Ast.Scope scope) {
+      return scope(scope, block, seen);
+    }
+    if (ast instanceof Ast.Noop noop) {
+      return new Sequences.Noop(noop.span());
+    }
+    if (ast instanceof Ast.If statement) {
+      return ifElse(statement, block, seen);
+    }
+    if (ast instanceof Ast.While loop) {
+      return loop(
+          loop.span(), loop.flavor(), null, loop.condition(), null, loop.body(), block, seen);
+    }
+    if (ast instanceof Ast.For loop) {
+      return loop(
+          loop.span(),
+          loop.flavor(),
+          loop.init(),
+          loop.condition(),
+          loop.step(),
+          loop.body(),
+          block,
+          seen);
+    }
+    if (ast instanceof Ast.Loop loop) {
+      return loop(loop.span(), loop.flavor(), null, null, null, loop.body(), block, seen);
+    }
+    if (ast instanceof Ast.ForEach loop) {
+      return forEach(loop, block, seen);
+    }
+    if (ast instanceof Ast.Switch statement) {
+      return switchCase(statement, block, seen);
+    }
+    if (ast instanceof Ast.Return jump) {
+      return new Jumps.Return(
+          jump.span(),
+          jump.value() == null ? null : compile(jump.value(), block, Seen.NOTHING),
+          seen == Seen.ALL);
+    }
+    if (ast instanceof Ast.Break jump) {
+      return new Jumps.OfLoop(jump.span(), true, seen != Seen.NOTHING);
+    }
+    if (ast instanceof Ast.Continue jump) {
+      return new Jumps.OfLoop(jump.span(), false, seen != Seen.NOTHING);
+    }
+    if (ast instanceof Ast.Throw jump) {
+      return new Jumps.Throw(
+          jump.span(), jump.value() == null ? null : compile(jump.value(), block, Seen.NOTHING));
+    }
+    if (ast instanceof Ast.Try statement) {
+      return tryCatch(statement, block, seen);
+    }
+    if (ast instanceof Ast.Assert statement) {
+      return assertion(statement, block);
+    }
+    if (ast instanceof Ast.Tagged tagged) {
+      return compilation.handlers.tagged(tagged, block, seen);
+    }
+    if (ast instanceof Ast.At at) {
+      return compilation.handlers.at(at, block);
+    }
+    if (ast instanceof Ast.Whenever whenever) {
+      return compilation.handlers.whenever(whenever, block);
+    }
+    if (ast instanceof Ast.WaitUntil wait) {
+      return compilation.handlers.waitUntil(wait, block);
+    }
+    if (ast instanceof Ast.Every every) {
+      return compilation.handlers.every(every, block, seen);
+    }
+    if (ast instanceof Ast.Timeout timeout) {
+      return compilation.handlers.timeout(timeout, block, seen);
+    }
+    if (ast instanceof Ast.StopIf watched) {
+      return compilation.handlers.stopIf(watched, block, seen);
+    }
+    if (ast instanceof Ast.FreezeIf watched) {
+      return compilation.handlers.freezeIf(watched, block, seen);
+    }
+    return compilation.expressions.compile(ast, block);
   }
 
   Node[] compileAll(List<Ast> all, Block block) {
@@ -98,8 +139,7 @@ final class Statements {
   /**
    * @param around what surrounds the statements, but not the wait for those in the background
    */
-  private Node sequence(
-      Ast.Sequence sequence, Block block, Seen seen, UnaryOperator<Node> around) {
+  private Node sequence(Ast.Sequence sequence, Block block, Seen seen, UnaryOperator<Node> around) {
     if (sequence.separators().contains(Flavor.AND)) {
       Node[] branches =
           sequence.statements().stream()
@@ -158,9 +198,7 @@ final class Statements {
   private Node withState(Ast.Scope scope, Block inner, Node code) {
     Node body = inner.redefines() ? new Redefinition(scope.span(), code) : code;
     Variable tag = inner.local(SCOPE_TAG);
-    return tag == null
-        ? body
-        : new ScopeTag(scope.span(), compilation.place(tag, inner), body);
+    return tag == null ? body : new ScopeTag(scope.span(), compilation.place(tag, inner), body);
   }
 
   // ------------------------------------------------------------------ control flow

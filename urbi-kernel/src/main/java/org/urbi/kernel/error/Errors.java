@@ -86,10 +86,7 @@ public final class Errors {
     if (target == values.voidObject) {
       return unexpectedVoid();
     }
-    return of("Lookup", "lookup failed: " + name)
-        .with("object", target)
-        .with("name", name)
-        .build();
+    return of("Lookup", "lookup failed: " + name).with("object", target).with("name", name).build();
   }
 
   /** {@code unexpected void}. */
@@ -160,8 +157,7 @@ public final class Errors {
     } else if (max == Integer.MAX_VALUE) {
       expected = "at least " + min + (min < 2 ? " argument" : " arguments");
     } else {
-      expected =
-          "between " + min + " and " + max + (max < 2 ? " argument" : " arguments");
+      expected = "between " + min + " and " + max + (max < 2 ? " argument" : " arguments");
     }
     return routine + ": expected " + expected + ", given " + given;
   }

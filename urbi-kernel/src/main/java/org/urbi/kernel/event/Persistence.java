@@ -61,10 +61,7 @@ public final class Persistence implements Watch.Listener, TagScope.Attachment {
   private void set(Job job, boolean holds) {
     Frame frame = home.in(job);
     SlotUpdate.assign(
-        frame,
-        shown,
-        shown.world().symbol("val"),
-        frame.interpreter().values().bool(holds));
+        frame, shown, shown.world().symbol("val"), frame.interpreter().values().bool(holds));
   }
 
   private void cancel() {

@@ -223,15 +223,14 @@ public final class Scheduler {
    * @param whenEnded the last thing that it does
    */
   public Thread startLoop(Runnable whenEnded) {
-    return threads.startLoop(
-        () -> {
-          loop = Thread.currentThread();
-          try {
-            loop();
-          } finally {
-            whenEnded.run();
-          }
-        });
+    return threads.startLoop(() -> {
+      loop = Thread.currentThread();
+      try {
+        loop();
+      } finally {
+        whenEnded.run();
+      }
+    });
   }
 
   /** Whether the code that asks runs on the kernel thread, in a job or between them. */

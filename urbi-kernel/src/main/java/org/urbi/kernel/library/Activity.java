@@ -22,8 +22,7 @@ record Activity(CallSite site, Frame caller) {
   static List<UrbiException.Call> backtrace(Job job) {
     List<UrbiException.Call> calls = new ArrayList<>();
     if (job.activity instanceof Activity waiting && job.state() != Job.State.ENDED) {
-      calls.add(
-          new UrbiException.Call(waiting.site.calledName(), waiting.site.calledSpan()));
+      calls.add(new UrbiException.Call(waiting.site.calledName(), waiting.site.calledSpan()));
       calls.addAll(waiting.caller.backtrace());
     }
     return calls;

@@ -34,12 +34,8 @@ final class CallMessageType {
   static UrbiObject evalArgAt(Frame frame, CallSite site, UrbiObject self, double index) {
     List<UrbiObject> arguments = arguments(frame, self);
     if (index < 0 || index >= arguments.size() || index != Math.rint(index)) {
-      String text =
-          frame.interpreter().asString(frame, self.world().values().number(index));
-      throw frame
-          .interpreter()
-          .errors()
-          .primitive(site.calledName(), "invalid index: " + text);
+      String text = frame.interpreter().asString(frame, self.world().values().number(index));
+      throw frame.interpreter().errors().primitive(site.calledName(), "invalid index: " + text);
     }
     return frame.interpreter().send(frame, arguments.get((int) index), "eval");
   }

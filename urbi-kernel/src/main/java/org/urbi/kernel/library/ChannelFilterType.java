@@ -32,8 +32,7 @@ final class ChannelFilterType {
     return switch (value) {
       case UrbiFloat number -> true;
       case UrbiString string -> true;
-      case UrbiList list ->
-          list.elements().stream().allMatch(ChannelFilterType::isReadable);
+      case UrbiList list -> list.elements().stream().allMatch(ChannelFilterType::isReadable);
       case UrbiDictionary dictionary ->
           dictionary.entries().entrySet().stream()
               .allMatch(

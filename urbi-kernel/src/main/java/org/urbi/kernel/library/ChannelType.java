@@ -29,8 +29,7 @@ final class ChannelType {
               ? string.value()
               : frame
                   .interpreter()
-                  .asString(
-                      frame, frame.interpreter().send(frame, value, "asToplevelPrintable"));
+                  .asString(frame, frame.interpreter().send(frame, value, "asToplevelPrintable"));
       output(frame, self).send(name(frame, self), text);
     }
   }

@@ -23,10 +23,7 @@ final class CodeType {
   static UrbiObject apply(Frame frame, CallSite site, UrbiObject self, UrbiList arguments) {
     UrbiObject[] all = arguments.elements().toArray(UrbiObject[]::new);
     if (all.length == 0) {
-      throw frame
-          .interpreter()
-          .errors()
-          .primitive("apply", "argument list must begin with `this'");
+      throw frame.interpreter().errors().primitive("apply", "argument list must begin with `this'");
     }
     return frame
         .interpreter()
@@ -45,9 +42,7 @@ final class CodeType {
 
   @Builtin(doc = "The text of the code of the function, without its arguments.")
   static String bodyString(Frame frame, UrbiObject self) {
-    return self instanceof Function function
-        ? Printer.printBody(function.source().body())
-        : "";
+    return self instanceof Function function ? Printer.printBody(function.source().body()) : "";
   }
 
   @Builtin(

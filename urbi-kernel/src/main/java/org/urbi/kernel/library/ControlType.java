@@ -64,8 +64,7 @@ final class ControlType {
     return start(frame, null, scope, action);
   }
 
-  private static Job start(
-      Frame frame, CallSite how, TagScope scope, Consumer<Frame> action) {
+  private static Job start(Frame frame, CallSite how, TagScope scope, Consumer<Frame> action) {
     var body =
         new Job.Body() {
           Frame forked;
@@ -75,8 +74,7 @@ final class ControlType {
             action.accept(forked);
           }
         };
-    Job job =
-        frame.job().scheduler().startAhead(frame.job().lobby(), scope, "shell", body);
+    Job job = frame.job().scheduler().startAhead(frame.job().lobby(), scope, "shell", body);
     body.forked = how == null ? frame.fork(job, false) : frame.detach(job, how);
     return job;
   }

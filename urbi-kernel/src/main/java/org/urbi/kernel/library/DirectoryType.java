@@ -99,9 +99,7 @@ final class DirectoryType {
 
   @Builtin(doc = "The directory, to be shown.")
   static String asPrintable(UrbiDirectory self) {
-    return self.path() == null
-        ? "Directory"
-        : "Directory(" + StringEscape.quote(self.text()) + ")";
+    return self.path() == null ? "Directory" : "Directory(" + StringEscape.quote(self.text()) + ")";
   }
 
   @Builtin(doc = "The name of the directory.")
@@ -185,8 +183,7 @@ final class DirectoryType {
     switch (entity) {
       case UrbiFile file -> FileType.copyInto(frame, site, file, self);
       case UrbiDirectory directory -> copyInto(frame, site, directory, self);
-      default ->
-          throw Arguments.type(frame, site, 1, entity, "File");
+      default -> throw Arguments.type(frame, site, 1, entity, "File");
     }
     return self;
   }
@@ -197,8 +194,7 @@ final class DirectoryType {
   }
 
   @Builtin(doc = "Copies it and all that is in it into a directory, and returns the copy.")
-  static UrbiObject copyInto(
-      Frame frame, CallSite site, UrbiDirectory self, UrbiObject dirname) {
+  static UrbiObject copyInto(Frame frame, CallSite site, UrbiDirectory self, UrbiObject dirname) {
     return copied(frame, site, self, insideOf(frame, site, self, dirname));
   }
 
@@ -216,8 +212,7 @@ final class DirectoryType {
   }
 
   @Builtin(doc = "Moves it into a directory.")
-  static UrbiObject moveInto(
-      Frame frame, CallSite site, UrbiDirectory self, UrbiObject dirname) {
+  static UrbiObject moveInto(Frame frame, CallSite site, UrbiDirectory self, UrbiObject dirname) {
     return moved(frame, site, self, insideOf(frame, site, self, dirname));
   }
 
@@ -257,9 +252,13 @@ final class DirectoryType {
   }
 
   private static void change(Frame frame, CallSite site, UrbiPath path, Change change) {
-    FileAccess.slowly(frame, site, path, () -> {
-      change.run();
-      return null;
-    });
+    FileAccess.slowly(
+        frame,
+        site,
+        path,
+        () -> {
+          change.run();
+          return null;
+        });
   }
 }

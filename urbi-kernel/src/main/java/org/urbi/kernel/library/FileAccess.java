@@ -115,6 +115,8 @@ final class FileAccess {
 
   /** A message of the machine as part of one of ours. */
   static String lowered(String text) {
-    return text.isEmpty() ? text : text.substring(0, 1).toLowerCase(Locale.ROOT) + text.substring(1);
+    return text.isEmpty()
+        ? text
+        : text.substring(0, 1).toLowerCase(Locale.ROOT) + text.substring(1);
   }
 }

@@ -80,8 +80,17 @@ final class FileType {
     if (bytes.length <= LARGE && (Files.isRegularFile(file) || !Files.exists(file))) {
       FileAccess.quickly(frame, site, path, () -> Files.write(file, bytes));
     } else {
-      FileAccess.slowly(frame, site, path, () -> Files.write(file, bytes, StandardOpenOption.CREATE,
-          StandardOpenOption.WRITE, StandardOpenOption.TRUNCATE_EXISTING));
+      FileAccess.slowly(
+          frame,
+          site,
+          path,
+          () ->
+              Files.write(
+                  file,
+                  bytes,
+                  StandardOpenOption.CREATE,
+                  StandardOpenOption.WRITE,
+                  StandardOpenOption.TRUNCATE_EXISTING));
     }
   }
 
@@ -119,12 +128,16 @@ final class FileType {
     } catch (IOException e) {
       // The other way says what is wrong.
     }
-    return FileAccess.slowly(frame, site, path, () -> {
-      if (Files.isRegularFile(file) && Files.size(file) > Integer.MAX_VALUE - 8) {
-        throw new IOException("file too large");
-      }
-      return Files.readAllBytes(file);
-    });
+    return FileAccess.slowly(
+        frame,
+        site,
+        path,
+        () -> {
+          if (Files.isRegularFile(file) && Files.size(file) > Integer.MAX_VALUE - 8) {
+            throw new IOException("file too large");
+          }
+          return Files.readAllBytes(file);
+        });
   }
 
   @Builtin(doc = "The lines of the file.")
@@ -161,8 +174,11 @@ final class FileType {
   /** The date at which something was last modified. */
   static UrbiObject lastModified(Frame frame, CallSite site, UrbiPath path) {
     long microseconds =
-        FileAccess.quickly(frame, site, path, () ->
-            Files.getLastModifiedTime(path.file()).to(TimeUnit.MICROSECONDS));
+        FileAccess.quickly(
+            frame,
+            site,
+            path,
+            () -> Files.getLastModifiedTime(path.file()).to(TimeUnit.MICROSECONDS));
     UrbiObject prototype = frame.interpreter().world().prototype("Date");
     return new UrbiDate(prototype.cloneShape(), microseconds);
   }
@@ -207,8 +223,11 @@ final class FileType {
     if (Files.isDirectory(to.file())) {
       throw FileAccess.error(frame, site, "is a directory", to);
     }
-    FileAccess.slowly(frame, site, from, () ->
-        Files.move(from.file(), to.file(), StandardCopyOption.REPLACE_EXISTING));
+    FileAccess.slowly(
+        frame,
+        site,
+        from,
+        () -> Files.move(from.file(), to.file(), StandardCopyOption.REPLACE_EXISTING));
     self.setPath(to);
     return self;
   }
@@ -219,9 +238,13 @@ final class FileType {
     if (Files.isDirectory(path.file())) {
       throw FileAccess.error(frame, site, "is a directory", path);
     }
-    FileAccess.quickly(frame, site, path, () -> {
-      Files.delete(path.file());
-      return null;
-    });
+    FileAccess.quickly(
+        frame,
+        site,
+        path,
+        () -> {
+          Files.delete(path.file());
+          return null;
+        });
   }
 }

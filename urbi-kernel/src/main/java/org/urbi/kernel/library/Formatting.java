@@ -46,11 +46,7 @@ final class Formatting {
     return caller
         .interpreter()
         .errors()
-        .badNumber(
-            "BadInteger",
-            routine,
-            "expected integer, got %s",
-            number);
+        .badNumber("BadInteger", routine, "expected integer, got %s", number);
   }
 
   private static String formatNumber(

@@ -45,8 +45,7 @@ final class InputStreamType {
             ? FileAccess.quickly(frame, site, name, () -> new FileSource(path))
             : new PipeSource(
                 outside,
-                FileAccess.slowly(
-                    frame, site, name, () -> new FileInputStream(path.toFile())));
+                FileAccess.slowly(frame, site, name, () -> new FileInputStream(path.toFile())));
     outside.opened(source);
     self.open(source);
     return self;

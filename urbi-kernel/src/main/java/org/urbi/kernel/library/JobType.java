@@ -160,9 +160,7 @@ final class JobType {
       if (call.name() != null) {
         output.send(
             "",
-            "***     "
-                + (call.span() == null ? "" : call.span().location() + ": ")
-                + call.name());
+            "***     " + (call.span() == null ? "" : call.span().location() + ": ") + call.name());
       }
     }
   }

@@ -79,9 +79,7 @@ final class LazyType {
     UrbiObject code = self.lookup(code(self));
     return code == null
         ? "Lazy"
-        : frame
-            .interpreter()
-            .asString(frame, frame.interpreter().send(frame, code, "bodyString"));
+        : frame.interpreter().asString(frame, frame.interpreter().send(frame, code, "bodyString"));
   }
 
   static UrbiObject newPrototype(World world) {

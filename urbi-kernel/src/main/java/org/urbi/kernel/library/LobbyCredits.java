@@ -10,8 +10,7 @@ import org.urbi.kernel.object.UrbiObject;
 /** What a lobby tells of this software (manual, "Lobby": {@code banner}, {@code authors}…). */
 @UrbiTypePart("Lobby")
 final class LobbyCredits {
-  private static final String STARS =
-      "********************************************************";
+  private static final String STARS = "********************************************************";
 
   private LobbyCredits() {}
 
@@ -26,9 +25,7 @@ final class LobbyCredits {
     UrbiObject known = system.lookup(system.world().symbol("version"));
     return known == null
         ? "2.7"
-        : frame
-            .interpreter()
-            .asString(frame, frame.interpreter().send(frame, system, "version"));
+        : frame.interpreter().asString(frame, frame.interpreter().send(frame, system, "version"));
   }
 
   @Builtin(doc = "Tells who made Urbi.")

@@ -28,7 +28,6 @@ final class MethodFunction extends Code {
     }
     return caller
         .interpreter()
-        .send(
-            caller, arguments[0], name, Arrays.copyOfRange(arguments, 1, arguments.length));
+        .send(caller, arguments[0], name, Arrays.copyOfRange(arguments, 1, arguments.length));
   }
 }

@@ -55,8 +55,7 @@ final class OutputStreamType {
     return self;
   }
 
-  private static UrbiObject write(
-      Frame frame, CallSite site, UrbiOutputStream self, byte[] bytes) {
+  private static UrbiObject write(Frame frame, CallSite site, UrbiOutputStream self, byte[] bytes) {
     try {
       self.channel(frame, site).write(frame.job(), bytes);
     } catch (IOException e) {
@@ -88,8 +87,7 @@ final class OutputStreamType {
     return write(frame, site, self, new byte[] {(byte) (int) number});
   }
 
-  private static UrbiException bad(
-      Frame frame, CallSite site, UrbiObject given, String what) {
+  private static UrbiException bad(Frame frame, CallSite site, UrbiObject given, String what) {
     return frame
         .interpreter()
         .errors()

@@ -23,8 +23,7 @@ final class PairType {
   }
 
   @Builtin(doc = "Makes the arguments the members.")
-  static UrbiObject init(
-      Frame caller, UrbiObject self, UrbiObject first, UrbiObject second) {
+  static UrbiObject init(Frame caller, UrbiObject self, UrbiObject first, UrbiObject second) {
     MemberSlots.set(caller, self, SLOTS, first, second);
     return self;
   }

@@ -9,9 +9,9 @@ import org.urbi.kernel.object.Values;
 import org.urbi.kernel.outside.ChildProcess;
 
 /**
- * How a program of the machine is (manual, "Process"): its slots say whether it was {@code started},
- * is {@code running}, has {@code exited} or was {@code signaled}, and then with which {@code
- * exitStatus} or {@code signal}.
+ * How a program of the machine is (manual, "Process"): its slots say whether it was {@code
+ * started}, is {@code running}, has {@code exited} or was {@code signaled}, and then with which
+ * {@code exitStatus} or {@code signal}.
  */
 @UrbiType(value = "Process.Status", doc = "How a program is: not started, running, ended.")
 final class ProcessStatusType {

@@ -38,8 +38,7 @@ final class SystemEnvironment {
   }
 
   @Builtin(doc = "Sets a variable of the environment, and returns its value.")
-  static String setenv(
-      Frame frame, CallSite site, UrbiObject self, String name, UrbiObject value) {
+  static String setenv(Frame frame, CallSite site, UrbiObject self, String name, UrbiObject value) {
     String text = frame.interpreter().asString(frame, value);
     if (text.indexOf('\0') >= 0) {
       throw frame

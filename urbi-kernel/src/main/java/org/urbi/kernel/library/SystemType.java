@@ -19,8 +19,7 @@ final class SystemType {
   private SystemType() {}
 
   @Builtin(doc = "Waits for that many seconds; for ever when none is given.")
-  static void sleep(
-      Frame frame, CallSite site, UrbiObject self, @Optional Double duration) {
+  static void sleep(Frame frame, CallSite site, UrbiObject self, @Optional Double duration) {
     Job job = frame.job();
     Activity.note(frame, site);
     if (duration == null || duration == Double.POSITIVE_INFINITY) {
@@ -89,7 +88,9 @@ final class SystemType {
     Job job =
         ControlType.start(
             frame,
-            Truth.of(frame, underTags) ? frame.job().scheduler().rootScope() : LoopJobs.scope(frame),
+            Truth.of(frame, underTags)
+                ? frame.job().scheduler().rootScope()
+                : LoopJobs.scope(frame),
             forked -> frame.interpreter().call(forked, site, code, self));
     return JobType.object(frame, job);
   }

@@ -23,8 +23,7 @@ final class TimeoutType {
 
   @Builtin(doc = "For code that has so many seconds; whether to throw when they are over.")
   static void init(Frame frame, UrbiTimeout self, double duration, @Optional UrbiObject throwing) {
-    self.set(
-        Durations.nanoseconds(duration), throwing == null || Truth.of(frame, throwing));
+    self.set(Durations.nanoseconds(duration), throwing == null || Truth.of(frame, throwing));
   }
 
   @Builtin(doc = "Begins to count down.")

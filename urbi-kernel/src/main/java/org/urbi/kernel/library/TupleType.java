@@ -76,8 +76,7 @@ final class TupleType {
 
   @Builtin(value = "<", doc = "Whether it comes before another tuple in lexicographic order.")
   static boolean less(Frame caller, CallSite site, UrbiObject self, UrbiObject other) {
-    return Comparison.less(
-        caller, members(caller, site, self), argument(caller, site, other));
+    return Comparison.less(caller, members(caller, site, self), argument(caller, site, other));
   }
 
   /** The members of the argument. */
@@ -89,8 +88,7 @@ final class TupleType {
   }
 
   @Builtin(value = "*", doc = "The tuple of the members, each multiplied by a value.")
-  static UrbiObject multiply(
-      Frame caller, CallSite site, UrbiObject self, UrbiObject value) {
+  static UrbiObject multiply(Frame caller, CallSite site, UrbiObject self, UrbiObject value) {
     List<UrbiObject> products = new ArrayList<>();
     for (UrbiObject member : List.copyOf(members(caller, site, self))) {
       products.add(caller.interpreter().send(caller, member, "*", value));

@@ -49,6 +49,6 @@ abstract class UrbiStream<T extends Closeable> extends UrbiObject {
     return frame
         .interpreter()
         .errors()
-        .primitive(site.calledName(), FileAccess.reason(failure));
+        .primitive(site.calledName(), FileAccess.lowered(FileAccess.reason(failure)));
   }
 }

@@ -118,8 +118,7 @@ final class UrbiUVar extends UrbiObject {
     }
 
     @Override
-    public UrbiObject call(
-        Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
+    public UrbiObject call(Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
       return writes ? write(caller, arguments[0]) : read(caller);
     }
   }

@@ -128,9 +128,10 @@ public final class Shell {
           break;
         }
         item.warnings().forEach(this::show);
-        switch (item) {
-          case Item.Statement statement -> execute(shell, statement);
-          case Item.Invalid invalid -> invalid.errors().forEach(this::show);
+        if (item instanceof Item.Statement statement) {
+          execute(shell, statement);
+        } else if (item instanceof Item.Invalid invalid) {
+          invalid.errors().forEach(this::show);
         }
       }
       if (!closed) {

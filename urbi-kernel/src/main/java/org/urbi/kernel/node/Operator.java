@@ -19,6 +19,9 @@ public abstract class Operator extends Node {
   private final UrbiObject original;
   private int intactEpoch = -1;
 
+  /** The value of a right operand that is a literal, which needs no object then; or NaN. */
+  final double literal;
+
   private Operator(
       Span span, Node left, Node right, Message message, Values values, UrbiObject original) {
     super(span);
@@ -28,6 +31,7 @@ public abstract class Operator extends Node {
     this.name = message.name();
     this.values = values;
     this.original = original;
+    this.literal = right instanceof Literals.Number number ? number.value() : Double.NaN;
   }
 
   /** The value for two numbers. */
@@ -37,6 +41,9 @@ public abstract class Operator extends Node {
   public final UrbiObject execute(Frame frame) {
     UrbiObject a = left.execute(frame);
     if (a instanceof UrbiFloat x && a.shape() == values.floatShape && isIntact()) {
+      if (!Double.isNaN(literal)) {
+        return compute(values, x.value(), literal);
+      }
       UrbiObject b = right.execute(frame);
       if (b instanceof UrbiFloat y && b.shape() == values.floatShape) {
         return compute(values, x.value(), y.value());
@@ -152,6 +159,9 @@ public abstract class Operator extends Node {
     public final boolean test(Frame frame) {
       UrbiObject a = left.execute(frame);
       if (a instanceof UrbiFloat x && a.shape() == values.floatShape && isIntact()) {
+        if (!Double.isNaN(literal)) {
+          return holds(x.value(), literal);
+        }
         UrbiObject b = right.execute(frame);
         if (b instanceof UrbiFloat y && b.shape() == values.floatShape) {
           return holds(x.value(), y.value());

@@ -25,7 +25,13 @@ public final class Slots {
      * @param type the type that it must have, or null
      */
     public Declare(
-        Span span, Span nameSpan, Node target, Symbol name, Node value, boolean constant, Node type) {
+        Span span,
+        Span nameSpan,
+        Node target,
+        Symbol name,
+        Node value,
+        boolean constant,
+        Node type) {
       super(span);
       this.nameSpan = nameSpan;
       this.target = target;

@@ -266,7 +266,15 @@ public class UrbiObject {
 
   /** Whether that object is this one or among its ancestors. */
   public final boolean isA(UrbiObject ancestor) {
-    return this == ancestor || isA(this, ancestor, new HashSet<>());
+    if (this == ancestor) {
+      return true;
+    }
+    for (UrbiObject proto : shape.protos) {
+      if (proto == ancestor) {
+        return true;
+      }
+    }
+    return isA(this, ancestor, new HashSet<>());
   }
 
   private static boolean isA(UrbiObject from, UrbiObject ancestor, Set<UrbiObject> visited) {

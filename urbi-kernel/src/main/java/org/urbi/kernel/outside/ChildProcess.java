@@ -27,11 +27,14 @@ public final class ChildProcess {
     out = new PipeSource(outside, process.getInputStream());
     err = new PipeSource(outside, process.getErrorStream());
     outside.scheduler().pace().begin();
-    process.onExit().thenRun(() -> outside.post(() -> {
-      outside.scheduler().pace().end();
-      status = process.exitValue();
-      waiters.wake();
-    }));
+    process
+        .onExit()
+        .thenRun(() ->
+            outside.post(() -> {
+              outside.scheduler().pace().end();
+              status = process.exitValue();
+              waiters.wake();
+            }));
   }
 
   /**

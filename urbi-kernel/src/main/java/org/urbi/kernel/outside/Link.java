@@ -43,8 +43,7 @@ public final class Link implements Closeable {
    * @param connection what is to be closed in the end
    * @param network whether reading waits for the network, not inside the operating system
    */
-  Link(
-      Outside outside, InputStream in, OutputStream out, Closeable connection, boolean network) {
+  Link(Outside outside, InputStream in, OutputStream out, Closeable connection, boolean network) {
     this.outside = outside;
     this.in = in;
     this.connection = connection;

@@ -71,15 +71,17 @@ public final class Network {
       Outside outside, Job job, String host, String port, Consumer<Connected> listener)
       throws IOException {
     ServerSocketChannel place =
-        outside.await(job, () -> {
-          ServerSocketChannel made = ServerSocketChannel.open();
-          try {
-            return made.bind(address(host, port));
-          } catch (IOException | RuntimeException e) {
-            made.close();
-            throw e;
-          }
-        });
+        outside.await(
+            job,
+            () -> {
+              ServerSocketChannel made = ServerSocketChannel.open();
+              try {
+                return made.bind(address(host, port));
+              } catch (IOException | RuntimeException e) {
+                made.close();
+                throw e;
+              }
+            });
     outside.opened(place);
     outside.scheduler().pace().begin();
     outside.startVirtual(() -> accept(outside, place, listener));
@@ -153,29 +155,32 @@ public final class Network {
    */
   public static Link serial(Outside outside, Job job, Path device, int baudRate)
       throws IOException {
-    return outside.await(job, () -> {
-      // The line has to be raw before the first byte comes.
-      Process stty =
-          new ProcessBuilder(
-                  "stty", "-F", device.toString(), "raw", "-echo", Integer.toString(baudRate))
-              .redirectErrorStream(true)
-              .start();
-      stty.getOutputStream().close();
-      String message = new String(stty.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-      try {
-        if (stty.waitFor() != 0) {
-          throw new IOException(message.strip());
-        }
-      } catch (InterruptedException e) {
-        throw new IOException(e);
-      }
-      FileInputStream in = new FileInputStream(device.toFile());
-      FileOutputStream out = new FileOutputStream(device.toFile(), true);
-      Closeable both = () -> {
-        out.close();
-        in.close();
-      };
-      return new Link(outside, in, out, both, false);
-    });
+    return outside.await(
+        job,
+        () -> {
+          // The line has to be raw before the first byte comes.
+          Process stty =
+              new ProcessBuilder(
+                      "stty", "-F", device.toString(), "raw", "-echo", Integer.toString(baudRate))
+                  .redirectErrorStream(true)
+                  .start();
+          stty.getOutputStream().close();
+          String message = new String(stty.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+          try {
+            if (stty.waitFor() != 0) {
+              throw new IOException(message.strip());
+            }
+          } catch (InterruptedException e) {
+            throw new IOException(e);
+          }
+          FileInputStream in = new FileInputStream(device.toFile());
+          FileOutputStream out = new FileOutputStream(device.toFile(), true);
+          Closeable both =
+              () -> {
+                out.close();
+                in.close();
+              };
+          return new Link(outside, in, out, both, false);
+        });
   }
 }

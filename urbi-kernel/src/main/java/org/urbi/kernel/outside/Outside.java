@@ -28,7 +28,8 @@ public final class Outside implements Closeable {
 
   private final Scheduler scheduler;
   private final ExecutorService threads =
-      Executors.newCachedThreadPool(Thread.ofPlatform().daemon().name("urbi-outside-", 0).factory());
+      Executors.newCachedThreadPool(
+          Thread.ofPlatform().daemon().name("urbi-outside-", 0).factory());
   private final Set<Closeable> open = Collections.newSetFromMap(new WeakHashMap<>());
   private DirectoryWatch directories;
   private boolean closed;
@@ -69,8 +70,7 @@ public final class Outside implements Closeable {
    *
    * @throws IOException when there is no such directory, or the machine watches no more of them
    */
-  public void watch(Job job, Path directory, DirectoryWatch.Listener listener)
-      throws IOException {
+  public void watch(Job job, Path directory, DirectoryWatch.Listener listener) throws IOException {
     await(
         job,
         () -> {

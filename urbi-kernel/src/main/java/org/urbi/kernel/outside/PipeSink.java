@@ -83,7 +83,7 @@ public final class PipeSink implements ByteSink {
       throw failure;
     }
     if (closed) {
-      throw new IOException("closed");
+      throw new IOException("connection is closed");
     }
   }
 

@@ -67,8 +67,9 @@ class EmbeddingTest {
   void theLastStatementCountsAndDefinitionsStay() {
     assertEquals(5.0, kernel.eval("var x = 2; x = x + 3; x"));
     assertEquals(5.0, kernel.eval("x"));
-    kernel.eval("var x = 6");
+    kernel.eval("x = 6");
     assertEquals(6.0, kernel.eval("x"));
+    assertThrows(UrbiError.class, () -> kernel.eval("var x = 7"));
   }
 
   @Test

@@ -130,7 +130,9 @@ public sealed interface Ast {
    */
   record FunctionDefinition(Span span, Message name, Function function) implements Ast {}
 
-  /** {@code get name() {…}} and {@code set name(var v) {…}}; the function's name is {@code name}. */
+  /**
+   * {@code get name() {…}} and {@code set name(var v) {…}}; the function's name is {@code name}.
+   */
   record Accessor(Span span, boolean setter, Message name, Function function) implements Ast {}
 
   /**
@@ -212,8 +214,7 @@ public sealed interface Ast {
   record Throw(Span span, Ast value) implements Ast {}
 
   /** {@code elseClause} and {@code finallyClause} may be null. */
-  record Try(
-      Span span, Scope body, List<Catch> catches, Scope elseClause, Scope finallyClause)
+  record Try(Span span, Scope body, List<Catch> catches, Scope elseClause, Scope finallyClause)
       implements Ast {}
 
   /** {@code catch (pattern if guard) {…}}; pattern and guard may be null. */

@@ -67,18 +67,48 @@ public final class Keywords {
 
   private static final Set<String> RESERVED =
       Set.of(
-          "asm", "auto", "bool", "char", "const_cast", "delete", "double", "dynamic_cast",
-          "explicit", "export", "extern", "float", "friend", "goto", "inline", "int", "long",
-          "mutable", "namespace", "register", "reinterpret_cast", "short", "signed", "sizeof",
-          "static_cast", "struct", "template", "typedef", "typeid", "typename", "union",
-          "unsigned", "using", "virtual", "volatile", "wchar_t");
+          "asm",
+          "auto",
+          "bool",
+          "char",
+          "const_cast",
+          "delete",
+          "double",
+          "dynamic_cast",
+          "explicit",
+          "export",
+          "extern",
+          "float",
+          "friend",
+          "goto",
+          "inline",
+          "int",
+          "long",
+          "mutable",
+          "namespace",
+          "register",
+          "reinterpret_cast",
+          "short",
+          "signed",
+          "sizeof",
+          "static_cast",
+          "struct",
+          "template",
+          "typedef",
+          "typeid",
+          "typename",
+          "union",
+          "unsigned",
+          "using",
+          "virtual",
+          "volatile",
+          "wchar_t");
 
   private static final Set<String> IGNORED =
       Set.of("internal", "private", "protected", "public", "static");
 
   /** Words that are keywords in one place only, and may name anything elsewhere. */
-  private static final Set<String> CONTEXTUAL =
-      Set.of("get", "import", "new", "package", "set");
+  private static final Set<String> CONTEXTUAL = Set.of("get", "import", "new", "package", "set");
 
   /** Keywords after which a separator is a flavor, not the end of the statement. */
   private static final Set<String> FLAVORED =

@@ -36,8 +36,7 @@ public abstract class LexerBase extends Lexer {
       separatorDue = false;
       int at = stream.index();
       previous = UrbiscriptLexer.SEMICOLON;
-      return new UrbiToken(
-          _tokenFactorySourcePair, UrbiscriptLexer.SEMICOLON, 0, at, at - 1, ";");
+      return new UrbiToken(_tokenFactorySourcePair, UrbiscriptLexer.SEMICOLON, 0, at, at - 1, ";");
     }
     return super.nextToken();
   }
@@ -46,7 +45,11 @@ public abstract class LexerBase extends Lexer {
   public Token emit() {
     var token =
         new UrbiToken(
-            _tokenFactorySourcePair, _type, _channel, _tokenStartCharIndex, stream.index() - 1,
+            _tokenFactorySourcePair,
+            _type,
+            _channel,
+            _tokenStartCharIndex,
+            stream.index() - 1,
             value);
     value = null;
     previous = _type;
@@ -133,8 +136,7 @@ public abstract class LexerBase extends Lexer {
   /** A character was read that cannot start a token. */
   protected final void unknown() {
     char c = stream.text().charAt(_tokenStartCharIndex);
-    error(
-        _tokenStartCharIndex, stream.index(), "invalid character: `" + Unprintable.show(c) + "'");
+    error(_tokenStartCharIndex, stream.index(), "invalid character: `" + Unprintable.show(c) + "'");
     _type = UrbiscriptLexer.INVALID;
   }
 

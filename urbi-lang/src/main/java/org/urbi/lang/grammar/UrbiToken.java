@@ -12,7 +12,11 @@ public final class UrbiToken extends CommonToken {
   private final transient Object value;
 
   UrbiToken(
-      Pair<TokenSource, CharStream> source, int type, int channel, int start, int stop,
+      Pair<TokenSource, CharStream> source,
+      int type,
+      int channel,
+      int start,
+      int stop,
       Object value) {
     super(source, type, channel, start, stop);
     this.value = value;

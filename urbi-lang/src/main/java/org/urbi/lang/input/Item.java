@@ -15,8 +15,7 @@ public sealed interface Item {
    *
    * @param separator {@link Ast.Flavor#SEMICOLON} or {@link Ast.Flavor#COMMA}
    */
-  record Statement(Ast tree, Ast.Flavor separator, List<SyntaxWarning> warnings)
-      implements Item {}
+  record Statement(Ast tree, Ast.Flavor separator, List<SyntaxWarning> warnings) implements Item {}
 
   /** What would have been a statement. */
   record Invalid(List<SyntaxError> errors, List<SyntaxWarning> warnings) implements Item {}

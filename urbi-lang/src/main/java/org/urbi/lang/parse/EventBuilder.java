@@ -70,14 +70,13 @@ final class EventBuilder {
     List<Ast> patterns = null;
     if (context.arguments() != null) {
       patterns =
-          builder.literals.inPattern(
-              () -> {
-                var list = new ArrayList<Ast>();
-                for (ExpressionContext pattern : context.arguments().expression()) {
-                  list.add(builder.expressions.expression(pattern));
-                }
-                return List.copyOf(list);
-              });
+          builder.literals.inPattern(() -> {
+            var list = new ArrayList<Ast>();
+            for (ExpressionContext pattern : context.arguments().expression()) {
+              list.add(builder.expressions.expression(pattern));
+            }
+            return List.copyOf(list);
+          });
     }
     Ast guard = context.guard == null ? null : builder.expressions.value(context.guard);
     Ast event = builder.noDeclaration(expression);

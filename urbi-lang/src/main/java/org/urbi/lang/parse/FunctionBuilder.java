@@ -47,8 +47,7 @@ final class FunctionBuilder {
   Ast accessor(AccessorContext context) {
     Span span = builder.span(context);
     Ast.Message name = path(context.path());
-    var function =
-        new Ast.Function(span, false, formals(context.formals()), body(context.scope()));
+    var function = new Ast.Function(span, false, formals(context.formals()), body(context.scope()));
     return new Ast.Accessor(span, context.SET() != null, name, function);
   }
 

@@ -68,8 +68,7 @@ final class LiteralBuilder {
       case UrbiscriptParser.THIS -> new Ast.This(span);
       case UrbiscriptParser.CALL -> callMessage(span);
       case UrbiscriptParser.NEW -> newObject(span, context);
-      case UrbiscriptParser.AND ->
-          new Ast.SlotAccess(span, null, TreeBuilder.text(context.name()));
+      case UrbiscriptParser.AND -> new Ast.SlotAccess(span, null, TreeBuilder.text(context.name()));
       case UrbiscriptParser.WATCH -> new Ast.Watch(span, plain(context.expression()));
       default ->
           new Ast.Do(

@@ -53,8 +53,7 @@ final class OperandBuilder {
   private void check(Ast target, Span span, boolean pattern) {
     boolean fine =
         switch (target) {
-          case Ast.Message m ->
-              pattern || m.arguments() == null || m.name().equals("[]");
+          case Ast.Message m -> pattern || m.arguments() == null || m.name().equals("[]");
           case Ast.Property p -> true;
           case Ast.SlotAccess s -> false;
           case Ast.Emit e -> false;
@@ -108,8 +107,7 @@ final class OperandBuilder {
     var seen = new HashSet<String>();
     for (ModifierContext context : contexts) {
       String name = TreeBuilder.text(context.name());
-      Ast value =
-          builder.literals.outsidePattern(() -> builder.expressions.plain(context.plain()));
+      Ast value = builder.literals.outsidePattern(() -> builder.expressions.plain(context.plain()));
       if (!seen.add(name)) {
         builder.warn(builder.span(context), "modifier redefined: " + name);
         modifiers.removeIf(modifier -> modifier.name().equals(name));
@@ -134,8 +132,7 @@ final class OperandBuilder {
 
   /** The name that something is given by a declaration: {@code a.b.c}. */
   Ast.Message lvalue(Span span, Ast target) {
-    if (target instanceof Ast.Message message
-        && message.arguments() == null) {
+    if (target instanceof Ast.Message message && message.arguments() == null) {
       return message;
     }
     throw builder.notAnLvalue(span, target);
@@ -218,13 +215,12 @@ final class OperandBuilder {
   }
 
   private List<Ast> values(List<ExpressionContext> contexts) {
-    return builder.literals.outsidePattern(
-        () -> {
-          var values = new ArrayList<Ast>(contexts.size());
-          for (ExpressionContext context : contexts) {
-            values.add(builder.expressions.value(context));
-          }
-          return List.copyOf(values);
-        });
+    return builder.literals.outsidePattern(() -> {
+      var values = new ArrayList<Ast>(contexts.size());
+      for (ExpressionContext context : contexts) {
+        values.add(builder.expressions.value(context));
+      }
+      return List.copyOf(values);
+    });
   }
 }

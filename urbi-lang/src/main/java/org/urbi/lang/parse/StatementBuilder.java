@@ -283,22 +283,19 @@ final class StatementBuilder {
       boolean loop = keyword.getType() == UrbiscriptParser.FOR;
       String name = loop ? "for" : keyword.getText();
       throw builder.failure(
-          builder.span(keyword).to(builder.span(token)),
-          "invalid flavor: " + name + flavor.text());
+          builder.span(keyword).to(builder.span(token)), "invalid flavor: " + name + flavor.text());
     }
     return flavor;
   }
 
   private Ast whileLoop(WhileStatementContext context) {
-    Flavor flavor =
-        flavor(context.getStart(), context.flavor(), SEQUENTIAL_OR_BACKGROUND);
+    Flavor flavor = flavor(context.getStart(), context.flavor(), SEQUENTIAL_OR_BACKGROUND);
     return new Ast.While(
         builder.span(context), flavor, condition(context.sequence()), body(context.body()));
   }
 
   private Ast loop(LoopStatementContext context) {
-    Flavor flavor =
-        flavor(context.getStart(), context.flavor(), SEQUENTIAL_OR_BACKGROUND);
+    Flavor flavor = flavor(context.getStart(), context.flavor(), SEQUENTIAL_OR_BACKGROUND);
     return new Ast.Loop(builder.span(context), flavor, body(context.body()));
   }
 
@@ -322,7 +319,11 @@ final class StatementBuilder {
             clauses ? SEQUENTIAL_OR_BACKGROUND : ALL_AT_ONCE_TOO);
     if (clauses) {
       return new Ast.For(
-          span, flavor, clause(head.init), clause(head.test), clause(head.step),
+          span,
+          flavor,
+          clause(head.init),
+          clause(head.test),
+          clause(head.step),
           body(context.body()));
     }
     String name = head.name() == null ? null : TreeBuilder.text(head.name());

@@ -11,9 +11,9 @@ import org.urbi.lang.grammar.NestingException;
 import org.urbi.lang.grammar.TextStream;
 import org.urbi.lang.grammar.UrbiscriptLexer;
 import org.urbi.lang.grammar.UrbiscriptParser;
-import org.urbi.lang.text.Sources;
 import org.urbi.lang.source.Source;
 import org.urbi.lang.source.Span;
+import org.urbi.lang.text.Sources;
 
 /**
  * Turns a text into a syntax tree (manual, "Syntax").

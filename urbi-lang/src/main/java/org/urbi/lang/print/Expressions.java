@@ -23,8 +23,7 @@ final class Expressions {
       case Ast.Message message -> message(message);
       case Ast.And and -> conjunct(and.left()) + " && " + primary(and.right());
       case Ast.Or or -> disjunct(or.left()) + " || " + conjunct(or.right());
-      case Ast.SlotAccess slot ->
-          target(slot.target(), ".") + "&" + StringEscape.name(slot.name());
+      case Ast.SlotAccess slot -> target(slot.target(), ".") + "&" + StringEscape.name(slot.name());
       case Ast.Property property ->
           target(property.target(), ".")
               + StringEscape.name(property.slot())

@@ -18,7 +18,10 @@ final class Statements {
       case Ast.EnumDefinition definition -> Definitions.enumDefinition(definition);
       case Ast.Import statement -> Definitions.importStatement(statement);
       case Ast.If choice ->
-          "if (" + statement(choice.condition()) + ")\n" + clause(choice.thenClause())
+          "if ("
+              + statement(choice.condition())
+              + ")\n"
+              + clause(choice.thenClause())
               + optional("else", choice.elseClause());
       case Ast.While loop ->
           loop("while", loop.flavor(), "(" + statement(loop.condition()) + ")", loop.body());
@@ -41,8 +44,7 @@ final class Statements {
       case Ast.WaitUntil wait -> "waituntil " + Events.condition(wait.condition());
       case Ast.Emit emit when emit.duration() != null -> Events.lasting(emit);
       case Ast.Timeout timeout ->
-          "timeout (" + Expressions.expression(timeout.duration()) + ")\n"
-              + clause(timeout.body());
+          "timeout (" + Expressions.expression(timeout.duration()) + ")\n" + clause(timeout.body());
       case Ast.StopIf stop ->
           "stopif " + Events.condition(stop.condition()) + "\n" + clause(stop.body());
       case Ast.FreezeIf freeze ->
@@ -97,8 +99,7 @@ final class Statements {
           !sequence.separators().isEmpty() && sequence.separators().get(0) == Flavor.COMMA;
       return part(statements.get(0), Flavor.SEMICOLON) + (background ? "," : "");
     }
-    boolean tight =
-        !sequence.separators().isEmpty() && strength(sequence.separators().get(0)) > 0;
+    boolean tight = !sequence.separators().isEmpty() && strength(sequence.separators().get(0)) > 0;
     if (tight) {
       return sequence(sequence);
     }
@@ -170,8 +171,13 @@ final class Statements {
   }
 
   private static String clauses(Ast.For loop) {
-    return "(" + clauseOf(loop.init()) + ";" + spaced(loop.condition()) + ";"
-        + spaced(loop.step()) + ")";
+    return "("
+        + clauseOf(loop.init())
+        + ";"
+        + spaced(loop.condition())
+        + ";"
+        + spaced(loop.step())
+        + ")";
   }
 
   private static String clauseOf(Ast tree) {

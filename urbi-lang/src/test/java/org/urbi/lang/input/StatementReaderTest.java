@@ -49,8 +49,9 @@ class StatementReaderTest {
     return switch (item) {
       case Item.Statement s ->
           s.tree().span().location() + " " + Printer.print(s.tree()) + s.separator().text();
-      case Item.Invalid i -> i.errors().toString().replaceAll("source=[^,]*", "")
-          + i.errors().get(0).span().location();
+      case Item.Invalid i ->
+          i.errors().toString().replaceAll("source=[^,]*", "")
+              + i.errors().get(0).span().location();
     };
   }
 
@@ -137,8 +138,7 @@ class StatementReaderTest {
     var reader = new StatementReader("f.u");
     reader.feed("1;\n2; 3\n;\n//#push 100 \"foo\"\n4;\n\n//#pop\n5; \"\n\n\"; 6;");
     assertEquals(
-        List.of("f.u:1.1", "f.u:2.1", "f.u:2.4", "foo:100.1", "f.u:5.1", "f.u:5.4-7.1",
-            "f.u:7.4"),
+        List.of("f.u:1.1", "f.u:2.1", "f.u:2.4", "foo:100.1", "f.u:5.1", "f.u:5.4-7.1", "f.u:7.4"),
         drain(reader).stream().map(s -> s.substring(0, s.indexOf(' '))).toList());
   }
 
@@ -151,8 +151,8 @@ class StatementReaderTest {
     assertNull(reader.next());
     reader.feed("x".repeat(90));
     Item.Invalid refused = assertInstanceOf(Item.Invalid.class, reader.next());
-    assertEquals("syntax error: statement longer than 100 characters",
-        refused.errors().get(0).message());
+    assertEquals(
+        "syntax error: statement longer than 100 characters", refused.errors().get(0).message());
     for (int i = 0; i < 1000; i++) {
       reader.feed("y \"".repeat(100));
       assertNull(reader.next());

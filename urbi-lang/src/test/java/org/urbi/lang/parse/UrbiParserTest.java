@@ -88,9 +88,21 @@ class UrbiParserTest {
 
   @ParameterizedTest
   @CsvSource({
-    "42, 42", "1.25, 1.25", "1e3, 1000", "1E-5, 1e-5", "1_000_000, 1000000", "0x2a, 42",
-    "0XFFFFFFFF, 4294967295", "180deg, 3.141592653589793", "200grad, 3.141592653589793",
-    "2rad, 2", "1ms, 0.001", "1min, 60", "1h 2min 3s, 3723", "0.5d, 43200", "1s 1ms, 1.001",
+    "42, 42",
+    "1.25, 1.25",
+    "1e3, 1000",
+    "1E-5, 1e-5",
+    "1_000_000, 1000000",
+    "0x2a, 42",
+    "0XFFFFFFFF, 4294967295",
+    "180deg, 3.141592653589793",
+    "200grad, 3.141592653589793",
+    "2rad, 2",
+    "1ms, 0.001",
+    "1min, 60",
+    "1h 2min 3s, 3723",
+    "0.5d, 43200",
+    "1s 1ms, 1.001",
   })
   void readsNumbers(String text, double value) {
     var number = assertInstanceOf(Ast.FloatLiteral.class, one(text));
@@ -117,7 +129,8 @@ class UrbiParserTest {
   @Test
   void composesStatements() {
     var sequence = parse("a; b, c | d & e | f;").sequence();
-    assertEquals(List.of(Ast.Flavor.SEMICOLON, Ast.Flavor.COMMA, Ast.Flavor.SEMICOLON),
+    assertEquals(
+        List.of(Ast.Flavor.SEMICOLON, Ast.Flavor.COMMA, Ast.Flavor.SEMICOLON),
         sequence.separators());
     var pipe = assertInstanceOf(Ast.Sequence.class, sequence.statements().get(2));
     assertEquals(List.of(Ast.Flavor.PIPE, Ast.Flavor.PIPE), pipe.separators());
@@ -165,8 +178,7 @@ class UrbiParserTest {
 
   @Test
   void readsConditions() {
-    var at = assertInstanceOf(Ast.At.class,
-        one("at sync (e?(1, var x) if x ~ 1s) a onleave b"));
+    var at = assertInstanceOf(Ast.At.class, one("at sync (e?(1, var x) if x ~ 1s) a onleave b"));
     var emitted = assertInstanceOf(Ast.WhenEmitted.class, at.condition());
     assertTrue(at.sync());
     assertEquals(2, emitted.patterns().size());
@@ -184,8 +196,7 @@ class UrbiParserTest {
     var statements = parsed.sequence().statements();
     assertEquals("f.u:1.1", statements.get(0).span().location().toString());
     assertEquals("f.u:2.3-3.3", statements.get(1).span().location().toString());
-    assertEquals("f.u:2.7-9",
-        ((Ast.Message) statements.get(1)).nameSpan().location().toString());
+    assertEquals("f.u:2.7-9", ((Ast.Message) statements.get(1)).nameSpan().location().toString());
     assertEquals("g.u:7.1", statements.get(2).span().location().toString());
   }
 
@@ -197,8 +208,23 @@ class UrbiParserTest {
 
   @Test
   void refusesDepth() {
-    for (String unit : List.of("(", "[", "{", "- ", "!", "f(", "a = ", "if (1) ", "t: ",
-        "function () {", "a ** ", "if (1) {} else ", "[1, ", "do {", "at (e?) ")) {
+    for (String unit :
+        List.of(
+            "(",
+            "[",
+            "{",
+            "- ",
+            "!",
+            "f(",
+            "a = ",
+            "if (1) ",
+            "t: ",
+            "function () {",
+            "a ** ",
+            "if (1) {} else ",
+            "[1, ",
+            "do {",
+            "at (e?) ")) {
       Parsed parsed = parse(unit.repeat(100_000));
       assertEquals(1, parsed.errors().size(), unit);
     }
@@ -206,7 +232,8 @@ class UrbiParserTest {
       Parsed parsed = parse(chain.repeat(100_000) + "1");
       assertEquals(1, parsed.errors().size(), chain);
     }
-    assertEquals("syntax error: nesting too deep",
+    assertEquals(
+        "syntax error: nesting too deep",
         parse("(".repeat(100_000) + "1" + ")".repeat(100_000)).errors().get(0).message());
     assertEquals(List.of(), parse("{".repeat(200) + "}".repeat(200)).errors());
     assertEquals(List.of(), parse("(".repeat(400) + "1" + ")".repeat(400)).errors());

@@ -44,7 +44,8 @@ class PrinterTest {
         function () {
           foo(1);
           return 2;
-        }""");
+        }\
+        """);
     prints(
         "function () { var a.b = 0; class C : D { x }; e! ~ 2s; [\"k\"=>1]; for(var i : 3) {}; z }",
         """
@@ -61,7 +62,8 @@ class PrinterTest {
           for (var i : 3)
           {};
           z
-        }""");
+        }\
+        """);
   }
 
   @Test
@@ -89,7 +91,8 @@ class PrinterTest {
           default:
             c,
             d
-        }""");
+        }\
+        """);
     prints(
         "try { a } catch (var e if e.f) { b } catch {} else { c } finally { d }",
         """
@@ -102,7 +105,8 @@ class PrinterTest {
         else
         { c }
         finally
-        { d }""");
+        { d }\
+        """);
     prints(
         "at sync (e?(1, var x) if x ~ 1s) a onleave b",
         "at sync (e?(1, var x) if x ~ 1)\n{ a }\nonleave\n{ b }");
@@ -113,13 +117,40 @@ class PrinterTest {
   @ParameterizedTest
   @ValueSource(
       strings = {
-        "package a.b\n{\n  var x = 1\n}", "import a.b.*", "import this.*", "var x : T = 1",
-        "get foo() { 1 }", "set foo(var v) { x = v }", "throw", "return 1", "break", "continue",
-        "waituntil (a ~ 1)", "stopif (e?)\n{ a }", "freezeif (a)\n{ b }", "timeout (1)\n{ a }",
-        "whenever (a)\n{ b }\nelse\n{ c }", "do (1)\n{ a }", "do\n{ a }.b", "watch(a)",
-        "(var a, [1, var b]) = c", "a->b = 1", "a.b->c", "&f.g", "(a = 1).b", "(a && b).c",
-        "a = 1 time: 2", "'if'.'\\n\\''('' = 1)", "enum E\n{\n  a,\n  b,\n}", "[ => ]", "(1,)",
-        "function (var a : T = 1) {}", "e!(1).a", "{}.a", "class C", "x = (y = 1 time: 2) time: 3",
+        "package a.b\n{\n  var x = 1\n}",
+        "import a.b.*",
+        "import this.*",
+        "var x : T = 1",
+        "get foo() { 1 }",
+        "set foo(var v) { x = v }",
+        "throw",
+        "return 1",
+        "break",
+        "continue",
+        "waituntil (a ~ 1)",
+        "stopif (e?)\n{ a }",
+        "freezeif (a)\n{ b }",
+        "timeout (1)\n{ a }",
+        "whenever (a)\n{ b }\nelse\n{ c }",
+        "do (1)\n{ a }",
+        "do\n{ a }.b",
+        "watch(a)",
+        "(var a, [1, var b]) = c",
+        "a->b = 1",
+        "a.b->c",
+        "&f.g",
+        "(a = 1).b",
+        "(a && b).c",
+        "a = 1 time: 2",
+        "'if'.'\\n\\''('' = 1)",
+        "enum E\n{\n  a,\n  b,\n}",
+        "[ => ]",
+        "(1,)",
+        "function (var a : T = 1) {}",
+        "e!(1).a",
+        "{}.a",
+        "class C",
+        "x = (y = 1 time: 2) time: 3",
       })
   void isStable(String text) {
     Ast tree = one(text);

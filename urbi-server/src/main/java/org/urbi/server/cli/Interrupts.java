@@ -50,10 +50,9 @@ final class Interrupts {
     this.later = later;
   }
 
-  /** Listens to the signal of the interrupt key, and to the one that asks a process to end. */
+  /** Listens to the signal of the interrupt key; a terminal session tells of it by itself. */
   void install() {
     Signal.handle(new Signal("INT"), signal -> interrupted());
-    Signal.handle(new Signal("TERM"), signal -> shutdown.run());
   }
 
   /** The interrupt key was hit. */

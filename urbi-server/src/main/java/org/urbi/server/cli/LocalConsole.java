@@ -18,9 +18,13 @@ import org.urbi.server.console.TerminalSession;
  * standard input says, and decides when the run is over.
  */
 final class LocalConsole implements AutoCloseable {
+  private static final String SHUTDOWN =
+      "lobby.send(\"!!! received interruption, shutting down.\", \"error\") | shutdown;\n";
+
   private final Settings settings;
   private final Kernel kernel;
   private final BiFunction<Client, Boolean, Connection> lobbies;
+  private final Runnable end;
   private final Screen screen;
   private final TerminalSession terminal;
   private final Console console;
@@ -30,10 +34,12 @@ final class LocalConsole implements AutoCloseable {
       Settings settings,
       Kernel kernel,
       BiFunction<Client, Boolean, Connection> lobbies,
+      Runnable end,
       PrintStream out) {
     this.settings = settings;
     this.kernel = kernel;
     this.lobbies = lobbies;
+    this.end = end;
     boolean session = settings.input() == Settings.Input.SESSION;
     terminal = session && Terminal.isBoth() ? new TerminalSession() : null;
     screen = terminal != null ? terminal.screen() : new StandardOutput(out);
@@ -43,11 +49,10 @@ final class LocalConsole implements AutoCloseable {
   /** Opens the lobby, sends what there is to send, and reads on in a thread of its own. */
   void start() {
     Interrupts interrupts =
-        new Interrupts(
-            () -> settings.input() == Settings.Input.SESSION && console.isOpen(),
-            () -> connection.interrupt(),
-            () -> kernel.requestShutdown(0));
-    interrupts.install();
+        new Interrupts(this::isSession, () -> connection.interrupt(), this::shutDown);
+    if (terminal == null) {
+      interrupts.install();
+    }
     if (settings.text().isEmpty() && settings.input() == Settings.Input.NONE) {
       return;
     }
@@ -58,6 +63,23 @@ final class LocalConsole implements AutoCloseable {
       case STREAM -> read(this::readStream);
       case SESSION -> read(terminal == null ? this::readStream : () -> converse(interrupts));
     }
+  }
+
+  /** In a session, as if {@code shutdown} had been typed; otherwise there is nobody to tell. */
+  private void shutDown() {
+    if (isSession()) {
+      connection.interrupt();
+      connection.send(SHUTDOWN);
+    } else {
+      if (connection != null) {
+        connection.close();
+      }
+      end.run();
+    }
+  }
+
+  private boolean isSession() {
+    return settings.input() == Settings.Input.SESSION && console.isOpen();
   }
 
   private static void read(Runnable reader) {

@@ -9,18 +9,23 @@ import java.nio.file.StandardCopyOption;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
+import org.urbi.server.SourceText;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
 import org.urbi.server.options.Failure;
 
 /** One run of {@code urbi}: the kernel, what is connected to it, and their end. */
 final class Server {
+  private static final String BANNER = SourceText.framed("banner", "lobby.banner;");
+
   private final Settings settings;
   private final PrintStream out;
   private final PrintStream err;
   private final StartFiles startFiles;
   private Kernel kernel;
+  private volatile LocalConsole console;
   private volatile boolean reboot;
+  private volatile boolean ending;
 
   Server(Settings settings, PrintStream out, PrintStream err) {
     this.settings = settings;
@@ -35,28 +40,25 @@ final class Server {
     do {
       reboot = false;
       status = runOnce();
-    } while (reboot);
+    } while (reboot && !ending);
     return status;
   }
 
   private int runOnce() {
-    Kernel.Builder builder =
+    kernel =
         Kernel.builder()
             .virtualTime(settings.fast())
             .searchPath(settings.searchPath().directories())
+            .stackSize(settings.stackSize())
             .commandLine(settings.program(), settings.arguments())
-            .onHalt(status -> Runtime.getRuntime().halt(status))
-            .onReboot(() -> reboot = true);
-    if (settings.stackSize() > 0) {
-      builder.stackSize(settings.stackSize());
-    }
-    kernel = builder.start();
+            .onHalt(this::halt)
+            .onReboot(() -> reboot = true)
+            .start();
     ConsoleServer network = null;
-    LocalConsole console = null;
     try {
       startFiles.loadGlobal(kernel, err);
       network = settings.hasPort() ? listen() : null;
-      console = new LocalConsole(settings, kernel, this::connect, out);
+      console = new LocalConsole(settings, kernel, this::connect, this::end, out);
       console.start();
       return kernel.awaitTermination();
     } finally {
@@ -71,6 +73,20 @@ final class Server {
     }
   }
 
+  /** Ends the process at once; only what has been printed is still shown. */
+  private void halt(int status) {
+    if (console != null) {
+      console.close();
+    }
+    Runtime.getRuntime().halt(status);
+  }
+
+  /** Somebody wants the process to end, whatever goes on. */
+  private void end() {
+    ending = true;
+    kernel.requestShutdown(0);
+  }
+
   /**
    * Connects a client as every client is: with a banner, and after {@code local.u}.
    *
@@ -79,7 +95,7 @@ final class Server {
   private Connection connect(Client client, boolean holdsTime) {
     Connection connection = kernel.connect(client, holdsTime);
     if (!settings.quiet()) {
-      connection.send("lobby.banner|;");
+      connection.send(BANNER);
     }
     startFiles.local().ifPresent(connection::send);
     return connection;

@@ -27,7 +27,10 @@ public final class UrbiCommand {
 
   public static void main(String[] args) {
     int status = new UrbiCommand(System.out, System.err).run(RawArguments.of(args));
-    System.exit(status);
+    System.out.flush();
+    System.err.flush();
+    // All is closed already; an orderly exit would load the JDK's loggers first.
+    Runtime.getRuntime().halt(status);
   }
 
   int run(String... args) {
@@ -96,6 +99,7 @@ public final class UrbiCommand {
     }
     StringBuilder text = new StringBuilder();
     modules.forEach(module -> text.append(SourceText.loadModule(module)));
+    SourceText.append(text, inputs.text());
     String portFile = arguments.value("--port-file", null);
     return new Settings(
         trace(arguments),
@@ -107,7 +111,7 @@ public final class UrbiCommand {
         port,
         portFile == null ? null : Path.of(portFile),
         !modules.isEmpty(),
-        text.append(inputs.text()).toString(),
+        text.toString(),
         input,
         rest.isEmpty() ? List.of() : rest.subList(1, rest.size()),
         System.getProperty("urbi.program", SearchPath.root().resolve("urbi").toString()));

@@ -18,6 +18,7 @@ import java.util.concurrent.locks.LockSupport;
  */
 public final class StandardOutput implements Screen {
   private static final long LIMIT = 16L << 20;
+  private static final long PAUSE_NANOSECONDS = 50_000;
 
   private final OutputStream stream;
   private final Thread writer;
@@ -35,7 +36,7 @@ public final class StandardOutput implements Screen {
   @Override
   public void add(String bytes) {
     while (size.get() > LIMIT && !broken) {
-      Thread.onSpinWait();
+      pause();
     }
     if (!broken) {
       waiting.add(bytes);
@@ -49,16 +50,17 @@ public final class StandardOutput implements Screen {
   public void close() {
     closed = true;
     LockSupport.unpark(writer);
-    boolean interrupted = false;
     while (writer.isAlive()) {
-      try {
-        writer.join();
-      } catch (InterruptedException e) {
-        interrupted = true;
-      }
+      pause();
     }
-    if (interrupted) {
-      Thread.currentThread().interrupt();
+  }
+
+  /** Waits a little; within a job, which must not be switched out, by doing nothing very fast. */
+  private static void pause() {
+    if (Thread.currentThread().isVirtual()) {
+      Thread.onSpinWait();
+    } else {
+      LockSupport.parkNanos(PAUSE_NANOSECONDS);
     }
   }
 

@@ -1,5 +1,6 @@
 package org.urbi.server.console;
 
+import java.io.IOError;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
@@ -23,10 +24,11 @@ public final class TerminalSession implements AutoCloseable {
 
   private final Terminal terminal;
   private final LineReader reader;
+  private volatile boolean closed;
 
   public TerminalSession() {
     try {
-      terminal = TerminalBuilder.builder().system(true).build();
+      terminal = TerminalBuilder.builder().system(true).graphemeCluster(false).build();
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -74,13 +76,19 @@ public final class TerminalSession implements AutoCloseable {
         interrupt.run();
       } catch (EndOfFileException e) {
         return;
+      } catch (IllegalStateException | IOError e) {
+        if (!closed) {
+          throw e;
+        }
+        return;
       }
     }
   }
 
-  /** Gives the terminal back as it was. */
+  /** Gives the terminal back as it was; who still reads from it sees that as the end. */
   @Override
   public void close() {
+    closed = true;
     try {
       terminal.close();
     } catch (IOException e) {
@@ -90,8 +98,10 @@ public final class TerminalSession implements AutoCloseable {
 
   private static Path historyFile() {
     String state = System.getenv("XDG_STATE_HOME");
-    return state == null || state.isEmpty()
-        ? Path.of(System.getProperty("user.home"), ".urbi_history")
-        : Path.of(state, "urbi", "history");
+    if (state != null && !state.isEmpty()) {
+      return Path.of(state, "urbi", "history");
+    }
+    String home = System.getenv("HOME");
+    return Path.of(home == null ? System.getProperty("user.home") : home, ".urbi_history");
   }
 }

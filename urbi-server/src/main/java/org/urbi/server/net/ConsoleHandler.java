@@ -75,6 +75,8 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
         context.close();
       } else {
         connection.end();
+        // It may still listen, or be gone altogether: TCP cannot tell before it is asked.
+        PeerProbe.start(context.channel());
       }
     }
     context.fireUserEventTriggered(event);
