@@ -44,10 +44,7 @@ final class CallMessageType {
   static String argString(Frame frame, CallSite site, UrbiObject self, int index) {
     List<UrbiObject> arguments = arguments(frame, self);
     if (index < 0 || index >= arguments.size()) {
-      throw frame
-          .interpreter()
-          .errors()
-          .primitive(site.calledName(), "invalid index: " + index);
+      throw frame.interpreter().errors().primitive(site.calledName(), "invalid index: " + index);
     }
     return frame.interpreter().asString(frame, arguments.get(index));
   }
