@@ -37,10 +37,12 @@ final class Handlers {
   // ------------------------------------------------------------------ tags
 
   Node tagged(Ast.Tagged tagged, Block block, Seen seen) {
+    // Variables of tagged code are its own, but for those which are slots anyway.
+    Block inner = block.declaresSlots() ? block : block.construct();
     return new Tagged(
         tagged.span(),
         tag(tagged.tag(), block),
-        compilation.statements.compile(tagged.body(), block, seen));
+        compilation.statements.compile(tagged.body(), inner, seen));
   }
 
   /** A tag that does not exist yet is made when it is first used. */

@@ -40,6 +40,15 @@ final class CallMessageType {
     return frame.interpreter().send(frame, arguments.get((int) index), "eval");
   }
 
+  @Builtin(doc = "The text of the argument at that index.")
+  static String argString(Frame frame, CallSite site, UrbiObject self, int index) {
+    List<UrbiObject> arguments = arguments(frame, self);
+    if (index < 0 || index >= arguments.size()) {
+      throw frame.interpreter().errors().primitive(site.calledName(), "invalid index: " + index);
+    }
+    return frame.interpreter().asString(frame, arguments.get(index));
+  }
+
   @Builtin(doc = "Evaluates all arguments, and returns the list of their values.")
   static List<UrbiObject> evalArgs(Frame frame, UrbiObject self) {
     List<UrbiObject> values = new ArrayList<>();

@@ -56,6 +56,23 @@ final class GroupType {
     return self;
   }
 
+  @Builtin(
+      value = {"=="},
+      doc = "Whether both have equal members, in the same order.")
+  static boolean equal(Frame frame, UrbiGroup self, UrbiObject other) {
+    if (!(other instanceof UrbiGroup group) || group.members().size() != self.members().size()) {
+      return false;
+    }
+    for (int i = 0; i < self.members().size(); i++) {
+      UrbiObject mine = self.members().get(i);
+      UrbiObject its = group.members().get(i);
+      if (!Truth.of(frame, frame.interpreter().send(frame, mine, "==", its))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   @Builtin(doc = "The members.")
   static List<UrbiObject> asList(UrbiGroup self) {
     return self.members();

@@ -1,11 +1,13 @@
 package org.urbi.kernel.library;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.TagState;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -34,6 +36,11 @@ final class JobType {
     return job.object;
   }
 
+  @Builtin(doc = "The job that asks.")
+  static UrbiObject current(Frame frame, UrbiObject self) {
+    return object(frame, frame.job());
+  }
+
   @Builtin(doc = "The job itself.")
   static UrbiObject asJob(UrbiJob self) {
     return self;
@@ -58,14 +65,18 @@ final class JobType {
     return job.state().text() + (job.isFrozen() ? " (frozen)" : "");
   }
 
-  @Builtin(doc = "The tags under which it runs, innermost first.")
+  @Builtin(doc = "The tags under which it runs, outermost first.")
   static List<UrbiObject> tags(UrbiJob self) {
-    return self.job() == null
-        ? List.of()
-        : self.job().scope().tags().stream()
-            .map(state -> (UrbiObject) state.owner())
-            .filter(tag -> tag != null && isKnown(tag))
-            .toList();
+    if (self.job() == null) {
+      return List.of();
+    }
+    List<UrbiObject> tags = new ArrayList<>();
+    for (TagState state : self.job().scope().tags()) {
+      if (state.owner() != null && isKnown(state.owner())) {
+        tags.addFirst(state.owner());
+      }
+    }
+    return tags;
   }
 
   /** Tags without a name are those which constructs of the language use. */

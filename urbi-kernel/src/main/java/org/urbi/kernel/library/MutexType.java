@@ -2,6 +2,7 @@ package org.urbi.kernel.library;
 
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
@@ -29,5 +30,16 @@ final class MutexType {
   @Builtin(doc = "The mutex as text.")
   static String asString(Frame frame, UrbiMutex self) {
     return ObjectType.asString(frame, self);
+  }
+
+  @Builtin(doc = "Enters the critical section, until unlock.")
+  static void lock(Frame frame, CallSite site, UrbiMutex self) {
+    Activity.note(frame, site);
+    self.entering(frame);
+  }
+
+  @Builtin(doc = "Leaves the critical section that lock has entered.")
+  static void unlock(Frame frame, UrbiMutex self) {
+    self.left(frame);
   }
 }

@@ -52,8 +52,12 @@ final class UrbiGroup extends UrbiObject implements SlotProxy {
   public UrbiObject updateSlot(Frame frame, Symbol slot, UrbiObject value) {
     List<UrbiObject> values = new ArrayList<>();
     for (UrbiObject member : members()) {
-      SlotUpdate.assign(frame, member, slot, value);
-      values.add(value);
+      if (member instanceof SlotProxy proxy) {
+        values.add(proxy.updateSlot(frame, slot, value));
+      } else {
+        SlotUpdate.assign(frame, member, slot, value);
+        values.add(value);
+      }
     }
     return sibling(values);
   }

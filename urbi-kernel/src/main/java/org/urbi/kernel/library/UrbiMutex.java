@@ -52,7 +52,7 @@ final class UrbiMutex extends UrbiTag {
 
   @Override
   protected void left(Frame frame) {
-    if (--depth == 0) {
+    if (depth > 0 && --depth == 0) {
       next();
     }
   }

@@ -1,5 +1,7 @@
 package org.urbi.kernel.tag;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
@@ -34,35 +36,34 @@ public final class Tagged extends Node {
 
   /** Executes code under a tag, and under the tags that it stands under. */
   public static UrbiObject run(Frame frame, UrbiTag tag, Node body) {
-    if (tag.parent() == null) {
-      return runUnder(frame, tag, body);
+    List<UrbiTag> tags = new ArrayList<>();
+    for (UrbiTag at = tag; at != null; at = at.parent()) {
+      tags.addFirst(at);
     }
-    return run(
-        frame,
-        tag.parent(),
-        new Node(body.span()) {
-          @Override
-          public UrbiObject execute(Frame inner) {
-            return runUnder(inner, tag, body);
-          }
-        });
+    return run(frame, tags, 0, new boolean[tags.size()], body);
   }
 
-  private static UrbiObject runUnder(Frame frame, UrbiTag tag, Node body) {
+  /**
+   * Enters the tags from the outermost to the innermost; nobody is told before none of them holds
+   * the code back.
+   *
+   * @param told which tags have been told that code enters
+   */
+  private static UrbiObject run(
+      Frame frame, List<UrbiTag> tags, int index, boolean[] told, Node body) {
     Job job = frame.job();
+    if (index == tags.size()) {
+      job.holdIfFrozen();
+      enter(frame, tags, told);
+      return body.execute(frame);
+    }
+    UrbiTag tag = tags.get(index);
     if (tag.state().isBlocked()) {
       return tag.state().blockedValue();
     }
     TagScope scope = job.enter(tag.state());
-    boolean entered = false;
     try {
-      job.holdIfFrozen();
-      tag.entering(frame);
-      entered = true;
-      if (tag.enterEvent() != null) {
-        tag.enterEvent().emit(job, true);
-      }
-      return body.execute(frame);
+      return run(frame, tags, index + 1, told, body);
     } catch (TagStop stop) {
       if (stop.scope() != scope) {
         throw stop;
@@ -70,11 +71,21 @@ public final class Tagged extends Node {
       return stopped(frame, tag, stop.value(), body);
     } finally {
       job.leave(scope);
-      if (entered) {
+      if (told[index]) {
         tag.left(frame);
+        if (tag.leaveEvent() != null) {
+          tag.leaveEvent().emit(job, true);
+        }
       }
-      if (tag.leaveEvent() != null) {
-        tag.leaveEvent().emit(job, true);
+    }
+  }
+
+  private static void enter(Frame frame, List<UrbiTag> tags, boolean[] told) {
+    for (int i = 0; i < told.length; i++) {
+      tags.get(i).entering(frame);
+      told[i] = true;
+      if (tags.get(i).enterEvent() != null) {
+        tags.get(i).enterEvent().emit(frame.job(), true);
       }
     }
   }
