@@ -151,18 +151,7 @@ public final class Frame {
    * @param waited whether the frame waits for that job, so that it is among its callers
    */
   public Frame fork(Job other, boolean waited) {
-    return new Frame(
-        interpreter,
-        other,
-        depth,
-        keepsCaller(waited) ? caller : null,
-        keepsCaller(waited) ? site : null,
-        self,
-        function,
-        locals.clone(),
-        cells.clone(),
-        captured,
-        activation);
+    return copy(other, waited, null);
   }
 
   /**
@@ -171,12 +160,22 @@ public final class Frame {
    * @param how the call that started the job, for its backtrace
    */
   public Frame detach(Job other, CallSite how) {
+    return copy(other, false, how);
+  }
+
+  /**
+   * The same activation with a copy of its variables.
+   *
+   * @param how what stands in the backtrace for a caller that is not kept, or null
+   */
+  private Frame copy(Job other, boolean waited, CallSite how) {
+    boolean kept = keepsCaller(waited);
     return new Frame(
         interpreter,
         other,
         depth,
-        keepsCaller(false) ? caller : null,
-        keepsCaller(false) ? site : how,
+        kept ? caller : null,
+        kept ? site : how,
         self,
         function,
         locals.clone(),
