@@ -17,7 +17,6 @@ public final class Frame {
   }
 
   static final UrbiObject[] NO_ARGUMENTS = {};
-  private static final Cell[] NO_CELLS = {};
 
   /** The kernel, for those who need more than objects. */
   final Interpreter interpreter;
@@ -39,7 +38,6 @@ public final class Frame {
 
   final UrbiObject[] locals;
   final Cell[] cells;
-  final Cell[] captured;
 
   /** The same for all the frames of one activation, and for no others. */
   final Object activation;
@@ -66,7 +64,6 @@ public final class Frame {
       Function function,
       UrbiObject[] locals,
       Cell[] cells,
-      Cell[] captured,
       Object activation) {
     this.interpreter = interpreter;
     this.job = job;
@@ -77,7 +74,6 @@ public final class Frame {
     this.function = function;
     this.locals = locals;
     this.cells = cells;
-    this.captured = captured;
     this.activation = activation == null ? this : activation;
   }
 
@@ -93,7 +89,6 @@ public final class Frame {
         null,
         layout.newLocals(),
         layout.newCells(),
-        NO_CELLS,
         null);
   }
 
@@ -109,7 +104,6 @@ public final class Frame {
         called,
         arguments,
         called.layout().newCells(),
-        called.captured(),
         null);
   }
 
@@ -125,7 +119,6 @@ public final class Frame {
         null,
         layout.newLocals(),
         layout.newCells(),
-        NO_CELLS,
         null);
   }
 
@@ -141,7 +134,6 @@ public final class Frame {
         function,
         locals,
         cells,
-        captured,
         activation);
   }
 
@@ -180,7 +172,6 @@ public final class Frame {
         function,
         locals.clone(),
         cells.clone(),
-        captured,
         activation);
   }
 
@@ -203,7 +194,6 @@ public final class Frame {
             function,
             locals,
             cells,
-            captured,
             activation);
   }
 
