@@ -80,16 +80,7 @@ public final class Frame {
   /** The frame of code at the top level of a lobby, or called from Java. */
   public static Frame top(Interpreter interpreter, Job job, UrbiObject self, FrameLayout layout) {
     return new Frame(
-        interpreter,
-        job,
-        0,
-        null,
-        null,
-        self,
-        null,
-        layout.newLocals(),
-        layout.newCells(),
-        null);
+        interpreter, job, 0, null, null, self, null, layout.newLocals(), layout.newCells(), null);
   }
 
   /** The frame of a call made from this one; the locals begin with the arguments. */
@@ -125,16 +116,7 @@ public final class Frame {
   /** The same activation with another {@code this}: the body of {@code do}. */
   Frame withSelf(UrbiObject target) {
     return new Frame(
-        interpreter,
-        job,
-        depth,
-        caller,
-        site,
-        target,
-        function,
-        locals,
-        cells,
-        activation);
+        interpreter, job, depth, caller, site, target, function, locals, cells, activation);
   }
 
   /**
@@ -185,16 +167,7 @@ public final class Frame {
     return evaluator == job
         ? this
         : new Frame(
-            interpreter,
-            evaluator,
-            depth,
-            caller,
-            site,
-            self,
-            function,
-            locals,
-            cells,
-            activation);
+            interpreter, evaluator, depth, caller, site, self, function, locals, cells, activation);
   }
 
   // ------------------------------------------------------------------ for the library

@@ -185,16 +185,29 @@ public final class InPlace extends Node implements CallSite {
 
   @Override
   public UrbiObject execute(Frame frame) {
-    if (local >= 0
-        && frame.locals[local] instanceof UrbiFloat before
-        && before.shape() == values.floatShape
-        && !Double.isNaN(step)
-        && isIntact()) {
-      UrbiFloat after = values.number(before.value() + step);
+    if (local >= 0 && sign != 0 && frame.locals[local] instanceof UrbiFloat before) {
+      return count(frame, before);
+    }
+    return modify(frame);
+  }
+
+  /** A number in a plain local variable, which needs neither the access nor, often, the operand. */
+  private UrbiObject count(Frame frame, UrbiFloat before) {
+    if (!Double.isNaN(step) && before.shape() == values.floatShape && isIntact()) {
+      UrbiObject after = values.number(before.value() + step);
       frame.locals[local] = after;
       return operand == null ? before : after;
     }
-    return modify(frame);
+    try {
+      UrbiObject after =
+          operand == null
+              ? successor(frame, before)
+              : combined(frame, before, Arguments.notVoid(frame, operand));
+      frame.locals[local] = after;
+      return operand == null ? before : after;
+    } catch (UrbiException e) {
+      throw frame.located(e, span());
+    }
   }
 
   /** The general way, for all places and operators. */
