@@ -96,6 +96,8 @@ public final class UCast {
       case UImage image -> new UValue(image);
       case USound sound -> new UValue(sound);
       case byte[] bytes -> new UValue(new UBinary(bytes));
+      case UVar variable -> UValue.slotName(variable.getName());
+      case UObject uobject -> UValue.slotName(uobject.get__name());
       default -> other(object);
     };
   }
@@ -218,6 +220,12 @@ public final class UCast {
     if (type == byte[].class && value.getType() == UDataType.DATA_BINARY) {
       return value.ubinaryValue().getData();
     }
+    if (type == UVar.class) {
+      return variable(value);
+    }
+    if (UObject.class.isAssignableFrom(type)) {
+      return object(value, type);
+    }
     Caster caster = casterOf(type);
     if (caster != null) {
       return cast(value, type, caster);
@@ -239,6 +247,23 @@ public final class UCast {
     }
     if (type.isAssignableFrom(List.class)) {
       return list(value, Object.class);
+    }
+    throw UCastException.to(type.getSimpleName(), value);
+  }
+
+  private static UVar variable(UValue value) {
+    if (value.getType() != UDataType.DATA_STRING && value.getType() != UDataType.DATA_SLOTNAME) {
+      throw new UCastException("invalid cast to UVar from non-string value.");
+    }
+    return new UVar(value.stringValue());
+  }
+
+  private static Object object(UValue value, Class<?> type) {
+    if (value.getType() == UDataType.DATA_STRING || value.getType() == UDataType.DATA_SLOTNAME) {
+      UObject found = UContext.current().getUObject(value.stringValue());
+      if (type.isInstance(found)) {
+        return found;
+      }
     }
     throw UCastException.to(type.getSimpleName(), value);
   }
