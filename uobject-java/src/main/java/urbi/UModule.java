@@ -46,7 +46,7 @@ public final class UModule {
     } catch (IOException e) {
       throw new UModuleException("cannot read " + jar + ": " + JarContent.reason(e), e);
     }
-    var classLoader = new ModuleClassLoader(content, UModule.class.getClassLoader());
+    var classLoader = new ModuleClassLoader(content, ModuleParent.LOADER);
     UModule module = new UModule(jar.getFileName().toString());
     classLoader.setModule(module);
     classLoader.initialize();
