@@ -28,6 +28,11 @@ public final class Interpreter {
     public Span calledSpan() {
       return null;
     }
+
+    @Override
+    public boolean isTraced() {
+      return false;
+    }
   }
 
   private static final CallSite FROM_JAVA = new JavaSite(null);
@@ -145,6 +150,9 @@ public final class Interpreter {
       return own.call(caller, site, code, values.listOf(all));
     }
     if (arguments.length > 0) {
+      if (code.lookup(symbols.parentheses) instanceof Code own) {
+        return call(caller, site, own, code, arguments);
+      }
       throw errors.arity(
           site.calledName() == null ? "apply" : site.calledName(), arguments.length, 0, 0);
     }

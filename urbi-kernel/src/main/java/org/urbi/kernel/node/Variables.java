@@ -58,15 +58,26 @@ public final class Variables {
   public static final class Place {
     private final int index;
     private final boolean shared;
+    private final boolean begun;
 
     public Place(int index, boolean shared) {
+      this(index, shared, false);
+    }
+
+    /**
+     * @param begun whether the variable lives already when it is declared: another job declares it
+     */
+    public Place(int index, boolean shared, boolean begun) {
       this.index = index;
       this.shared = shared;
+      this.begun = begun;
     }
 
     /** Begins the life of the variable. */
     public void declare(Frame frame, UrbiObject value) {
-      if (shared) {
+      if (begun) {
+        assign(frame, value);
+      } else if (shared) {
         frame.cells[index] = new Cell(value);
       } else {
         frame.locals[index] = value;
@@ -91,6 +102,7 @@ public final class Variables {
     private final String name;
 
     /**
+     * @param span where the name is written
      * @param value null for void
      * @param type the type that it must have, or null
      */
@@ -104,7 +116,7 @@ public final class Variables {
 
     @Override
     public UrbiObject execute(Frame frame) {
-      UrbiObject initial = initialValue(frame, value);
+      UrbiObject initial = initialValue(frame, value, span());
       if (type != null && value != null) {
         TypeCheck.check(frame, name, 1, initial, type.execute(frame));
       }
@@ -135,8 +147,10 @@ public final class Variables {
   }
 
   /** The initial value of a variable: void when there is none, but void itself is refused. */
-  static UrbiObject initialValue(Frame frame, Node value) {
-    return value == null ? frame.interpreter.values().voidObject : Arguments.notVoid(frame, value);
+  static UrbiObject initialValue(Frame frame, Node value, Span at) {
+    return value == null
+        ? frame.interpreter.values().voidObject
+        : Arguments.notVoid(frame, value, at);
   }
 
   /** {@code x = value}. */
@@ -152,7 +166,7 @@ public final class Variables {
 
     @Override
     public UrbiObject execute(Frame frame) {
-      UrbiObject assigned = Arguments.notVoid(frame, value);
+      UrbiObject assigned = Arguments.notVoid(frame, value, span());
       place.assign(frame, assigned);
       return assigned;
     }
