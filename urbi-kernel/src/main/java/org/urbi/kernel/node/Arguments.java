@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
@@ -15,9 +16,13 @@ final class Arguments {
   static UrbiObject notVoid(Frame frame, Node node, Span at) {
     UrbiObject value = node.execute(frame);
     if (value == frame.interpreter.values().voidObject) {
-      throw frame.located(frame.interpreter.errors().unexpectedVoid(), at);
+      throw unexpectedVoid(frame, at);
     }
     return value;
+  }
+
+  private static UrbiException unexpectedVoid(Frame frame, Span at) {
+    return frame.located(frame.interpreter.errors().unexpectedVoid(), at);
   }
 
   /**
