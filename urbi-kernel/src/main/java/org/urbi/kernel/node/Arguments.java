@@ -10,10 +10,13 @@ final class Arguments {
   static UrbiObject notVoid(Frame frame, Node node) {
     UrbiObject value = node.execute(frame);
     if (value == frame.interpreter.values().voidObject) {
-      UrbiException error = frame.interpreter.errors().unexpectedVoid();
-      throw frame.located(error, node.span());
+      throw unexpectedVoid(frame, node);
     }
     return value;
+  }
+
+  private static UrbiException unexpectedVoid(Frame frame, Node node) {
+    return frame.located(frame.interpreter.errors().unexpectedVoid(), node.span());
   }
 
   /** Evaluates the arguments into an array of at least that size, from its beginning. */

@@ -11,7 +11,7 @@ public final class Variables {
   /** The cell at an index of the frame, or, from -1 down, of the captured variables. */
   static Cell cell(Frame frame, int index) {
     if (index < 0) {
-      return frame.captured[-1 - index];
+      return frame.function.captured()[-1 - index];
     }
     Cell cell = frame.cells[index];
     if (cell == null) {
@@ -28,6 +28,10 @@ public final class Variables {
     public Local(Span span, int index) {
       super(span);
       this.index = index;
+    }
+
+    int index() {
+      return index;
     }
 
     @Override
@@ -62,6 +66,11 @@ public final class Variables {
     public Place(int index, boolean shared) {
       this.index = index;
       this.shared = shared;
+    }
+
+    /** The index of a plain variable among the locals of its frame; -1 for a shared one. */
+    int local() {
+      return shared ? -1 : index;
     }
 
     /** Begins the life of the variable. */
