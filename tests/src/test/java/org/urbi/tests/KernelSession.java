@@ -1,5 +1,6 @@
 package org.urbi.tests;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -47,6 +48,9 @@ final class KernelSession implements AutoCloseable {
 
   private final Kernel kernel;
 
+  /** The library's own source files, which installations have in their search path. */
+  private static final List<Path> SEARCH_PATH = List.of(Path.of("../share").toAbsolutePath());
+
   private KernelSession(Kernel kernel) {
     this.kernel = kernel;
   }
@@ -54,7 +58,11 @@ final class KernelSession implements AutoCloseable {
   /** A kernel whose time jumps from deadline to deadline. */
   static KernelSession inVirtualTime(BackEnd backEnd) {
     return new KernelSession(
-        Kernel.builder().virtualTime(true).jobThreads(backEnd.jobThreads).start());
+        Kernel.builder()
+            .virtualTime(true)
+            .jobThreads(backEnd.jobThreads)
+            .searchPath(SEARCH_PATH)
+            .start());
   }
 
   /** A kernel that lives in our time. */

@@ -167,7 +167,11 @@ public final class Interpreter {
   /** Sends a message on behalf of a library function called at that site. */
   public UrbiObject send(
       Frame caller, CallSite site, UrbiObject target, Symbol message, UrbiObject... arguments) {
-    UrbiObject found = get(caller, target, message);
+    UrbiObject found = SlotLookup.find(caller, target, message);
+    if (found == null) {
+      return fallback(
+          caller, new EvaluatedSite(new JavaSite(message.name()), arguments), target, message);
+    }
     if (found instanceof Code) {
       return call(caller, site, found, target, arguments);
     }
@@ -175,6 +179,15 @@ public final class Interpreter {
       throw errors.arity(message.name(), arguments.length, 0, 0);
     }
     return found;
+  }
+
+  /**
+   * Sends a message for which the target has no slot: its {@code fallback} answers, if it has one.
+   *
+   * @param site has the name and the arguments of the message
+   */
+  public UrbiObject fallback(Frame caller, CallSite site, UrbiObject target, Symbol message) {
+    return Calls.fallback(caller, site, target, message, site.argumentNodes());
   }
 
   /** The value of a slot, not called if it is a function. */

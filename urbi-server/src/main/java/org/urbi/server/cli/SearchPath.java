@@ -32,10 +32,13 @@ public record SearchPath(List<Path> directories) {
     return new SearchPath(List.copyOf(directories));
   }
 
-  /** The standard path of an installation: the current folder, then the library's. */
+  /**
+   * The standard path of an installation: the current folder, then the library's, whose files are
+   * known as {@code component.u} and {@code urbi/component.u}.
+   */
   public static List<Path> standard(Path root) {
-    Path share = root.resolve("share").resolve("urbi");
-    return Files.isDirectory(share) ? List.of(Path.of("."), share) : List.of(Path.of("."));
+    Path share = root.resolve("share");
+    return List.of(Path.of("."), share, share.resolve("urbi"));
   }
 
   /** The first file of one of these names. */
