@@ -18,6 +18,7 @@ import com.tngtech.archunit.lang.ArchRule;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.regex.Pattern;
 
 /**
  * Who may know whom. The modules' arrows are Maven's business as well; here they are said by
@@ -109,6 +110,53 @@ class ArchitectureTest {
           .resideOutsideOfPackages("org.urbi.kernel.random..", "org.urbi.bench..")
           .should()
           .callCodeUnitWhere(are(callsOf("a source of random numbers", DICE)));
+
+  /** Files, processes and connections: what a kernel may be kept away from. */
+  private static final DescribedPredicate<JavaClass> MACHINE =
+      new DescribedPredicate<>("files, processes or connections") {
+        private static final Pattern NAMES =
+            Pattern.compile(
+                "java\\.nio\\.file\\.(Files|FileSystems?|WatchService|DirectoryStream|FileVisitor)"
+                    + "|java\\.nio\\.channels\\..*"
+                    + "|java\\.io\\.(File|FileInputStream|FileOutputStream|FileReader|FileWriter"
+                    + "|RandomAccessFile)"
+                    + "|java\\.lang\\.(Process|ProcessBuilder|ProcessHandle|Runtime)"
+                    + "|java\\.net\\.(Socket|ServerSocket|DatagramSocket|MulticastSocket|URL|URI"
+                    + "|URLConnection|NetworkInterface|http\\..*)"
+                    + "|java\\.util\\.(zip\\.ZipFile|jar\\.JarFile|Scanner|logging\\..*)"
+                    + "|javax\\.net\\..*");
+
+        @Override
+        public boolean test(JavaClass used) {
+          return NAMES.matcher(used.getName()).matches();
+        }
+      };
+
+  private static final Map<String, Set<String>> MACHINE_CALLS =
+      Map.of(
+          "java.nio.file.Path", Set.of("toRealPath", "toFile", "register"),
+          "java.net.InetAddress",
+              Set.of(
+                  "getByName",
+                  "getAllByName",
+                  "getLocalHost",
+                  "getHostName",
+                  "getCanonicalHostName",
+                  "isReachable"),
+          "java.net.InetSocketAddress", Set.of("<init>", "getHostName"),
+          "java.lang.System", Set.of("load", "loadLibrary", "exit", "setProperty"));
+
+  @ArchTest
+  static final ArchRule onlyTheOutsideRoomTouchesTheMachine =
+      noClasses()
+          .that()
+          .resideInAPackage("org.urbi.kernel..")
+          .and()
+          .resideOutsideOfPackage("org.urbi.kernel.outside..")
+          .should()
+          .dependOnClassesThat(MACHINE)
+          .orShould()
+          .callCodeUnitWhere(are(callsOf("the machine", MACHINE_CALLS)));
 
   /** Calls that take whatever character set the machine happens to have. */
   private static final Map<String, List<List<String>>> DEFAULT_CHARSETS =

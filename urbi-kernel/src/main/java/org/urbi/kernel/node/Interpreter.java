@@ -35,6 +35,9 @@ public final class Interpreter {
     }
   }
 
+  /** No data are nested as deeply, unless they are within themselves. */
+  private static final int MAXIMUM_NESTED_SENDS = 10_000;
+
   private static final CallSite FROM_JAVA = new JavaSite(null);
 
   private final World world;
@@ -159,9 +162,20 @@ public final class Interpreter {
     return code;
   }
 
-  /** Sends a message. */
+  /**
+   * Sends a message. What recurs here without end, such as the comparison of a list with another
+   * one when both are their own elements, has exhausted the stack.
+   */
   public UrbiObject send(Frame caller, UrbiObject target, String message, UrbiObject... arguments) {
-    return send(caller, new JavaSite(message), target, world.symbol(message), arguments);
+    if (++caller.job.nestedSends > Math.min(MAXIMUM_NESTED_SENDS, maximumDepth)) {
+      caller.job.nestedSends--;
+      throw errors.scheduling("stack exhausted");
+    }
+    try {
+      return send(caller, new JavaSite(message), target, world.symbol(message), arguments);
+    } finally {
+      caller.job.nestedSends--;
+    }
   }
 
   /** Sends a message on behalf of a library function called at that site. */
