@@ -17,7 +17,6 @@ public final class Frame {
   }
 
   static final UrbiObject[] NO_ARGUMENTS = {};
-  private static final Cell[] NO_CELLS = {};
 
   /** The kernel, for those who need more than objects. */
   final Interpreter interpreter;
@@ -39,7 +38,6 @@ public final class Frame {
 
   final UrbiObject[] locals;
   final Cell[] cells;
-  final Cell[] captured;
 
   /** The same for all the frames of one activation, and for no others. */
   final Object activation;
@@ -66,7 +64,6 @@ public final class Frame {
       Function function,
       UrbiObject[] locals,
       Cell[] cells,
-      Cell[] captured,
       Object activation) {
     this.interpreter = interpreter;
     this.job = job;
@@ -77,24 +74,13 @@ public final class Frame {
     this.function = function;
     this.locals = locals;
     this.cells = cells;
-    this.captured = captured;
     this.activation = activation == null ? this : activation;
   }
 
   /** The frame of code at the top level of a lobby, or called from Java. */
   public static Frame top(Interpreter interpreter, Job job, UrbiObject self, FrameLayout layout) {
     return new Frame(
-        interpreter,
-        job,
-        0,
-        null,
-        null,
-        self,
-        null,
-        layout.newLocals(),
-        layout.newCells(),
-        NO_CELLS,
-        null);
+        interpreter, job, 0, null, null, self, null, layout.newLocals(), layout.newCells(), null);
   }
 
   /** The frame of a call made from this one; the locals begin with the arguments. */
@@ -109,7 +95,6 @@ public final class Frame {
         called,
         arguments,
         called.layout().newCells(),
-        called.captured(),
         null);
   }
 
@@ -125,24 +110,13 @@ public final class Frame {
         null,
         layout.newLocals(),
         layout.newCells(),
-        NO_CELLS,
         null);
   }
 
   /** The same activation with another {@code this}: the body of {@code do}. */
   Frame withSelf(UrbiObject target) {
     return new Frame(
-        interpreter,
-        job,
-        depth,
-        caller,
-        site,
-        target,
-        function,
-        locals,
-        cells,
-        captured,
-        activation);
+        interpreter, job, depth, caller, site, target, function, locals, cells, activation);
   }
 
   /**
@@ -151,18 +125,7 @@ public final class Frame {
    * @param waited whether the frame waits for that job, so that it is among its callers
    */
   public Frame fork(Job other, boolean waited) {
-    return new Frame(
-        interpreter,
-        other,
-        depth,
-        keepsCaller(waited) ? caller : null,
-        keepsCaller(waited) ? site : null,
-        self,
-        function,
-        locals.clone(),
-        cells.clone(),
-        captured,
-        activation);
+    return copy(other, waited, null);
   }
 
   /**
@@ -171,17 +134,26 @@ public final class Frame {
    * @param how the call that started the job, for its backtrace
    */
   public Frame detach(Job other, CallSite how) {
+    return copy(other, false, how);
+  }
+
+  /**
+   * The same activation with a copy of its variables.
+   *
+   * @param how what stands in the backtrace for a caller that is not kept, or null
+   */
+  private Frame copy(Job other, boolean waited, CallSite how) {
+    boolean kept = keepsCaller(waited);
     return new Frame(
         interpreter,
         other,
         depth,
-        keepsCaller(false) ? caller : null,
-        keepsCaller(false) ? site : how,
+        kept ? caller : null,
+        kept ? site : how,
         self,
         function,
         locals.clone(),
         cells.clone(),
-        captured,
         activation);
   }
 
@@ -195,17 +167,7 @@ public final class Frame {
     return evaluator == job
         ? this
         : new Frame(
-            interpreter,
-            evaluator,
-            depth,
-            caller,
-            site,
-            self,
-            function,
-            locals,
-            cells,
-            captured,
-            activation);
+            interpreter, evaluator, depth, caller, site, self, function, locals, cells, activation);
   }
 
   // ------------------------------------------------------------------ for the library
@@ -252,7 +214,7 @@ public final class Frame {
   public List<UrbiException.Call> backtrace() {
     List<UrbiException.Call> calls = new ArrayList<>();
     for (Frame frame = this; frame != null; frame = frame.caller) {
-      if (frame.site != null) {
+      if (frame.site != null && frame.site.isTraced()) {
         calls.add(new UrbiException.Call(frame.site.calledName(), frame.site.calledSpan()));
       }
       if (calls.size() >= 10_000) {

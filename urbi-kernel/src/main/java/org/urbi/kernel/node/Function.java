@@ -17,6 +17,10 @@ public final class Function extends Code {
     final int[] parameterCells;
 
     final boolean usesCall;
+
+    /** Whether the parameters are ready as soon as the arguments are there. */
+    final boolean plain;
+
     Node code;
 
     /**
@@ -34,6 +38,7 @@ public final class Function extends Code {
       this.layout = layout;
       this.formals = formals;
       this.parameterCells = parameterCells;
+      this.plain = parameterCells == null && (formals == null || !formals.hasDefaults());
     }
 
     /** Sets the code; once, when it has been compiled. */
@@ -115,16 +120,8 @@ public final class Function extends Code {
     if (frame.depth > caller.interpreter.maximumDepth()) {
       throw caller.interpreter.errors().scheduling("stack exhausted");
     }
-    int[] cells = body.parameterCells;
-    if (cells != null) {
-      for (int i = 0; i < cells.length; i++) {
-        if (cells[i] >= 0) {
-          frame.cells[cells[i]] = new Cell(locals[i]);
-        }
-      }
-    }
-    if (body.formals != null && body.formals.hasDefaults()) {
-      body.formals.bindDefaults(frame);
+    if (!body.plain) {
+      prepare(frame);
     }
     try {
       return body.code.execute(frame);
@@ -133,6 +130,21 @@ public final class Function extends Code {
         throw leave;
       }
       return leave.value();
+    }
+  }
+
+  /** Moves the parameters that are shared to their cells, and gives the others their defaults. */
+  private void prepare(Frame frame) {
+    int[] cells = body.parameterCells;
+    if (cells != null) {
+      for (int i = 0; i < cells.length; i++) {
+        if (cells[i] >= 0) {
+          frame.cells[cells[i]] = new Cell(frame.locals[i]);
+        }
+      }
+    }
+    if (body.formals != null && body.formals.hasDefaults()) {
+      body.formals.bindDefaults(frame);
     }
   }
 

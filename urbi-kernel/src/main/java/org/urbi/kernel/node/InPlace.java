@@ -73,7 +73,7 @@ public final class InPlace extends Node implements CallSite {
       UrbiObject[] parts = new UrbiObject[1 + indices.length];
       parts[0] = target.execute(frame);
       for (int i = 0; i < indices.length; i++) {
-        parts[i + 1] = Arguments.notVoid(frame, indices[i]);
+        parts[i + 1] = frame.interpreter.notVoid(indices[i].execute(frame));
       }
       return parts;
     }
@@ -140,6 +140,12 @@ public final class InPlace extends Node implements CallSite {
   private final UrbiObject original;
   private int intactEpoch = -1;
 
+  /** The index of the plain local variable modified, or -1 when it is something else. */
+  private final int local;
+
+  /** What is added to a number when that is known beforehand; otherwise NaN. */
+  private final double step;
+
   /**
    * @param operand null for the postfix operators
    */
@@ -156,6 +162,15 @@ public final class InPlace extends Node implements CallSite {
           default -> 0;
         };
     this.original = values.floatProto.lookup(this.operator);
+    this.local = access instanceof OfVariable variable ? variable.place().local() : -1;
+    this.step = sign == 0 ? Double.NaN : sign * stepOf(operand);
+  }
+
+  private static double stepOf(Node operand) {
+    if (operand == null) {
+      return 1;
+    }
+    return operand instanceof Literals.Number number ? number.value() : Double.NaN;
   }
 
   @Override
@@ -170,6 +185,33 @@ public final class InPlace extends Node implements CallSite {
 
   @Override
   public UrbiObject execute(Frame frame) {
+    if (local >= 0 && sign != 0 && frame.locals[local] instanceof UrbiFloat before) {
+      return count(frame, before);
+    }
+    return modify(frame);
+  }
+
+  /** A number in a plain local variable, which needs neither the access nor, often, the operand. */
+  private UrbiObject count(Frame frame, UrbiFloat before) {
+    if (!Double.isNaN(step) && before.shape() == values.floatShape && isIntact()) {
+      UrbiObject after = values.number(before.value() + step);
+      frame.locals[local] = after;
+      return operand == null ? before : after;
+    }
+    try {
+      UrbiObject after =
+          operand == null
+              ? successor(frame, before)
+              : combined(frame, before, Arguments.notVoid(frame, operand, span()));
+      frame.locals[local] = after;
+      return operand == null ? before : after;
+    } catch (UrbiException e) {
+      throw frame.located(e, span());
+    }
+  }
+
+  /** The general way, for all places and operators. */
+  private UrbiObject modify(Frame frame) {
     try {
       UrbiObject[] parts = access.parts(frame);
       UrbiObject before = access.read(frame, parts);
@@ -177,7 +219,7 @@ public final class InPlace extends Node implements CallSite {
         access.write(frame, parts, successor(frame, before));
         return before;
       }
-      UrbiObject after = combined(frame, before, Arguments.notVoid(frame, operand));
+      UrbiObject after = combined(frame, before, Arguments.notVoid(frame, operand, span()));
       access.write(frame, parts, after);
       return after;
     } catch (UrbiException e) {

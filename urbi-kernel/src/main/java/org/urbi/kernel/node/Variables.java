@@ -11,7 +11,7 @@ public final class Variables {
   /** The cell at an index of the frame, or, from -1 down, of the captured variables. */
   static Cell cell(Frame frame, int index) {
     if (index < 0) {
-      return frame.captured[-1 - index];
+      return frame.function.captured()[-1 - index];
     }
     Cell cell = frame.cells[index];
     if (cell == null) {
@@ -28,6 +28,10 @@ public final class Variables {
     public Local(Span span, int index) {
       super(span);
       this.index = index;
+    }
+
+    int index() {
+      return index;
     }
 
     @Override
@@ -58,15 +62,31 @@ public final class Variables {
   public static final class Place {
     private final int index;
     private final boolean shared;
+    private final boolean begun;
 
     public Place(int index, boolean shared) {
+      this(index, shared, false);
+    }
+
+    /**
+     * @param begun whether the variable lives already when it is declared: another job declares it
+     */
+    public Place(int index, boolean shared, boolean begun) {
       this.index = index;
       this.shared = shared;
+      this.begun = begun;
+    }
+
+    /** The index of a plain variable among the locals of its frame; -1 for a shared one. */
+    int local() {
+      return shared ? -1 : index;
     }
 
     /** Begins the life of the variable. */
     public void declare(Frame frame, UrbiObject value) {
-      if (shared) {
+      if (begun) {
+        assign(frame, value);
+      } else if (shared) {
         frame.cells[index] = new Cell(value);
       } else {
         frame.locals[index] = value;
@@ -91,6 +111,7 @@ public final class Variables {
     private final String name;
 
     /**
+     * @param span where the name is written
      * @param value null for void
      * @param type the type that it must have, or null
      */
@@ -104,7 +125,7 @@ public final class Variables {
 
     @Override
     public UrbiObject execute(Frame frame) {
-      UrbiObject initial = initialValue(frame, value);
+      UrbiObject initial = initialValue(frame, value, span());
       if (type != null && value != null) {
         TypeCheck.check(frame, name, 1, initial, type.execute(frame));
       }
@@ -135,8 +156,10 @@ public final class Variables {
   }
 
   /** The initial value of a variable: void when there is none, but void itself is refused. */
-  static UrbiObject initialValue(Frame frame, Node value) {
-    return value == null ? frame.interpreter.values().voidObject : Arguments.notVoid(frame, value);
+  static UrbiObject initialValue(Frame frame, Node value, Span at) {
+    return value == null
+        ? frame.interpreter.values().voidObject
+        : Arguments.notVoid(frame, value, at);
   }
 
   /** {@code x = value}. */
@@ -152,7 +175,7 @@ public final class Variables {
 
     @Override
     public UrbiObject execute(Frame frame) {
-      UrbiObject assigned = Arguments.notVoid(frame, value);
+      UrbiObject assigned = Arguments.notVoid(frame, value, span());
       place.assign(frame, assigned);
       return assigned;
     }

@@ -16,9 +16,16 @@ import java.util.Set;
 public class UrbiObject {
   private static final UrbiObject[] NO_SLOTS = {};
 
-  Shape shape;
-  UrbiObject[] slots = NO_SLOTS;
-  private Extra extra;
+  private Shape shape;
+
+  /** Null as long as the object has nothing of its own, as most numbers: they stay small. */
+  private Storage storage;
+
+  /** What an object has of its own. */
+  private static final class Storage {
+    UrbiObject[] slots = NO_SLOTS;
+    Extra extra;
+  }
 
   /** What few objects need. */
   private static final class Extra {
@@ -54,13 +61,25 @@ public class UrbiObject {
     return x.uid;
   }
 
-  private Extra extra() {
-    Extra x = extra;
-    if (x == null) {
-      x = new Extra();
-      extra = x;
+  private Storage storage() {
+    Storage s = storage;
+    if (s == null) {
+      s = new Storage();
+      storage = s;
     }
-    return x;
+    return s;
+  }
+
+  private Extra extra() {
+    Storage s = storage();
+    if (s.extra == null) {
+      s.extra = new Extra();
+    }
+    return s.extra;
+  }
+
+  private Extra extraOrNull() {
+    return storage == null ? null : storage.extra;
   }
 
   /**
@@ -85,12 +104,12 @@ public class UrbiObject {
 
   /** The value of the slot at an index that {@link Shape#indexOf} gave. */
   public final UrbiObject slotAt(int index) {
-    return slots[index];
+    return storage.slots[index];
   }
 
   /** Sets the slot at an index which is not {@linkplain Shape#writeSpecial special}. */
   public final void setSlotAt(int index, UrbiObject value) {
-    slots[index] = value;
+    storage.slots[index] = value;
   }
 
   public final boolean hasLocalSlot(Symbol name) {
@@ -101,7 +120,7 @@ public class UrbiObject {
   /** The value of the object's own slot, or null. */
   public final UrbiObject localSlot(Symbol name) {
     int i = shape.indexOf(name);
-    return i < 0 ? null : slots[i];
+    return i < 0 ? null : storage.slots[i];
   }
 
   /** The names of the object's own slots, in the order of their creation. */
@@ -154,18 +173,14 @@ public class UrbiObject {
 
   /** Adds a slot that is not there yet. */
   public final void addSlot(Symbol name, UrbiObject value) {
+    Storage s = storage();
     int size = shape.size();
-    if (size >= slots.length) {
-      slots = Arrays.copyOf(slots, size < 4 ? 4 : size * 2);
+    if (size >= s.slots.length) {
+      s.slots = Arrays.copyOf(s.slots, size < 4 ? 4 : size * 2);
     }
-    slots[size] = value;
+    s.slots[size] = value;
     shape = shape.with(name);
-    if (extra != null) {
-      if (extra.inherited) {
-        name.epoch++;
-      }
-      noteStructureChange();
-    }
+    slotsChanged(name);
   }
 
   /** Removes the object's own slot; false when it has none of that name. */
@@ -176,31 +191,38 @@ public class UrbiObject {
     }
     int last = shape.size() - 1;
     UrbiObject[] fewer = new UrbiObject[Math.max(last, 4)];
-    System.arraycopy(slots, 0, fewer, 0, i);
-    System.arraycopy(slots, i + 1, fewer, i, last - i);
+    System.arraycopy(storage.slots, 0, fewer, 0, i);
+    System.arraycopy(storage.slots, i + 1, fewer, i, last - i);
     SlotData data = slotData(name);
-    slots = fewer;
+    storage.slots = fewer;
     shape = shape.without(i);
     if (data != null) {
-      extra.slotData.remove(name);
+      storage.extra.slotData.remove(name);
       if (data.dependents != null) {
         data.dependents.changed();
       }
     }
-    if (extra != null) {
-      if (extra.inherited) {
+    slotsChanged(name);
+    return true;
+  }
+
+  /** A slot of that name has come or gone. */
+  private void slotsChanged(Symbol name) {
+    Extra x = storage.extra;
+    if (x != null) {
+      if (x.inherited) {
         name.epoch++;
       }
-      noteStructureChange();
+      noteStructureChange(x);
     }
-    return true;
   }
 
   // ------------------------------------------------------------------ properties
 
   /** The data of the object's own slot, or null when it is plain. */
   public final SlotData slotData(Symbol name) {
-    return extra == null || extra.slotData == null ? null : extra.slotData.get(name);
+    Extra x = extraOrNull();
+    return x == null || x.slotData == null ? null : x.slotData.get(name);
   }
 
   /** The data of the object's own slot, made when missing; call {@link #slotDataChanged} after. */
@@ -219,7 +241,7 @@ public class UrbiObject {
     byte flags = data == null ? 0 : data.flags();
     if (i >= 0 && shape.flags[i] != flags) {
       shape = shape.withFlags(i, flags);
-      if (extra.inherited) {
+      if (storage.extra.inherited) {
         name.epoch++;
       }
     }
@@ -238,11 +260,12 @@ public class UrbiObject {
       proto.extra().inherited = true;
     }
     shape = shape.withProtos(protos.clone());
-    if (extra != null) {
-      if (extra.inherited) {
+    Extra x = extraOrNull();
+    if (x != null) {
+      if (x.inherited) {
         shape.world.invalidateLookups();
       }
-      noteStructureChange();
+      noteStructureChange(x);
     }
   }
 
@@ -316,9 +339,9 @@ public class UrbiObject {
     }
   }
 
-  private void noteStructureChange() {
-    if (extra.structure != null) {
-      extra.structure.changed();
+  private static void noteStructureChange(Extra x) {
+    if (x.structure != null) {
+      x.structure.changed();
     }
   }
 
@@ -335,8 +358,9 @@ public class UrbiObject {
 
   /** The content of this container has changed. */
   public final void noteContentChange() {
-    if (extra != null && extra.content != null) {
-      extra.content.changed();
+    Extra x = extraOrNull();
+    if (x != null && x.content != null) {
+      x.content.changed();
     }
   }
 }
