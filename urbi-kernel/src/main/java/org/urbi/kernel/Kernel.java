@@ -37,6 +37,7 @@ import org.urbi.kernel.tag.UrbiTag;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
 import org.urbi.kernel.time.VirtualClock;
+import org.urbi.kernel.uobject.PluggedContext;
 
 /**
  * An urbiscript engine. Several can run in one process, and any thread may use one: what it asks
@@ -47,6 +48,8 @@ public final class Kernel implements AutoCloseable, KernelControl {
   private final Interpreter interpreter;
   private final Embedding embedding;
   private final List<Path> searchPath;
+  private final List<Path> moduleSearchPath;
+  private final PluggedContext uobjects;
   private final Outside outside;
   private final Environment environment = new Environment();
   private final LoadedFiles loadedFiles = new LoadedFiles();
@@ -68,6 +71,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
     private boolean virtualTime;
     private JobThreads jobThreads = JobThreads.AUTO;
     private List<Path> searchPath = List.of();
+    private List<Path> moduleSearchPath = List.of(Path.of("."));
     private int stackSize;
     private long seed;
     private String programName = "urbi";
@@ -95,6 +99,12 @@ public final class Kernel implements AutoCloseable, KernelControl {
     /** Where source files are looked for, first to last. */
     public Builder searchPath(List<Path> folders) {
       searchPath = List.copyOf(folders);
+      return this;
+    }
+
+    /** Where modules with UObjects are looked for, first to last. */
+    public Builder moduleSearchPath(List<Path> folders) {
+      moduleSearchPath = List.copyOf(folders);
       return this;
     }
 
@@ -169,6 +179,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
     World world = new World();
     this.scheduler = new Scheduler(world, clock, builder.jobThreads, this::report);
     this.searchPath = builder.searchPath;
+    this.moduleSearchPath = builder.moduleSearchPath;
     this.outside = new Outside(scheduler);
     this.programName = builder.programName;
     this.arguments = builder.arguments;
@@ -183,6 +194,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
             new UrbiTag(world.values().object.cloneShape()));
     this.interpreter = new Interpreter(world, scheduler, new Errors(world), core);
     interpreter.setHost(this);
+    this.uobjects = new PluggedContext(interpreter, this);
     if (builder.stackSize > 0) {
       interpreter.limitDepth(builder.stackSize * CALLS_PER_KIBIBYTE);
     }
@@ -223,6 +235,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
     for (KernelConnection connection : new ArrayList<>(connections)) {
       connection.finish();
     }
+    uobjects.close();
     outside.close();
     embedding.kernelEnded();
     try {
@@ -386,6 +399,17 @@ public final class Kernel implements AutoCloseable, KernelControl {
   @Override
   public List<Path> searchPath() {
     return searchPath;
+  }
+
+  @Override
+  public List<Path> moduleSearchPath() {
+    return moduleSearchPath;
+  }
+
+  /** The UObjects in this kernel, and where more of them can be started. */
+  @Override
+  public PluggedContext uobjects() {
+    return uobjects;
   }
 
   // ------------------------------------------------------------------ log

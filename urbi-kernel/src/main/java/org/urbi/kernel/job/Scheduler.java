@@ -38,6 +38,7 @@ public final class Scheduler {
   private final JobThread.Factory threads;
   private final ArrayDeque<Job> runnable = new ArrayDeque<>();
   private final ArrayDeque<Job> ahead = new ArrayDeque<>();
+  private final ArrayDeque<Job> behind = new ArrayDeque<>();
   private final Set<Job> jobs = new LinkedHashSet<>();
   private final TagScope rootScope = new TagScope();
   private final List<Runnable> endOfTick = new ArrayList<>();
@@ -157,6 +158,14 @@ public final class Scheduler {
     return job;
   }
 
+  /** Like {@link #startDetached}, but its first turn comes when all the others have had theirs. */
+  public Job startBehind(UrbiObject lobby, TagScope scope, String prefix, Job.Body body) {
+    Job job = new Job(this, body, nextName(prefix), lobby, scope, null, 0);
+    jobs.add(job);
+    behind.add(job);
+    return job;
+  }
+
   private Job start(Job job) {
     jobs.add(job);
     runnable.add(job);
@@ -187,7 +196,7 @@ public final class Scheduler {
 
   /** Whether a job that can go on had better let others run. */
   boolean hasOthers() {
-    if (!runnable.isEmpty() || !ahead.isEmpty() || inbox.isFilled()) {
+    if (!runnable.isEmpty() || !ahead.isEmpty() || !behind.isEmpty() || inbox.isFilled()) {
       spins = 0;
       return true;
     }
@@ -283,7 +292,7 @@ public final class Scheduler {
     while (!ahead.isEmpty()) {
       runnable.addFirst(ahead.poll());
     }
-    if (runnable.isEmpty()) {
+    if (runnable.isEmpty() && behind.isEmpty()) {
       runEndOfTick();
       busyTicks = 0;
       if (!stopped && endOfTick.isEmpty()) {
@@ -292,6 +301,7 @@ public final class Scheduler {
       return;
     }
     runOnce(false);
+    runBehind();
     runEndOfTick();
     if (!clock.isReal() && timeHolders == 0 && ++busyTicks >= BUSY_TICKS) {
       busyTicks = 0;
@@ -311,6 +321,15 @@ public final class Scheduler {
   private void runOnce(boolean last) {
     for (int left = runnable.size(); left > 0 && (last || !stopped); left--) {
       Job job = runnable.poll();
+      running = job;
+      job.resume();
+    }
+    running = null;
+  }
+
+  private void runBehind() {
+    for (int left = behind.size(); left > 0 && !stopped; left--) {
+      Job job = behind.poll();
       running = job;
       job.resume();
     }
