@@ -1,5 +1,7 @@
 package org.urbi.kernel;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -35,6 +37,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.World;
+import org.urbi.kernel.outside.Confinement;
 import org.urbi.kernel.outside.Outside;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.remote.RemoteWire;
@@ -86,6 +89,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
     private Consumer<String> output = text -> System.out.print(text);
     private LogLevel logLevel = LogLevel.of(System.getenv("GD_LEVEL"));
     private Consumer<String> log = System.err::println;
+    private Confinement confinement = Confinement.none();
 
     private Builder() {}
 
@@ -166,6 +170,25 @@ public final class Kernel implements AutoCloseable, KernelControl {
       return this;
     }
 
+    /**
+     * Keeps what runs in the kernel away from the machine around it. It can use the files below
+     * that directory, links followed, which is also where relative paths start from; it can start
+     * no program and open no connection. What is refused is an exception of urbiscript that says
+     * so. Folders of the search path elsewhere are not looked into. What is {@link Kernel#define
+     * defined}, and who shares the directory, are not confined: links must not change while the
+     * kernel runs.
+     *
+     * @throws UncheckedIOException when there is no such directory
+     */
+    public Builder confinedTo(Path directory) {
+      try {
+        confinement = Confinement.to(directory);
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
+      return this;
+    }
+
     /** Starts the kernel. */
     public Kernel start() {
       Kernel kernel = new Kernel(this);
@@ -185,7 +208,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
     this.scheduler = new Scheduler(world, clock, builder.jobThreads, this::report);
     this.searchPath = builder.searchPath;
     this.moduleSearchPath = builder.moduleSearchPath;
-    this.outside = new Outside(scheduler);
+    this.outside = new Outside(scheduler, builder.confinement);
     this.programName = builder.programName;
     this.arguments = builder.arguments;
     this.onHalt = builder.onHalt == null ? this::requestShutdown : builder.onHalt;
@@ -203,7 +226,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
     if (builder.stackSize > 0) {
       interpreter.limitDepth(builder.stackSize * CALLS_PER_KIBIBYTE);
     }
-    Library.install(interpreter);
+    Library.install(interpreter, builder.confinement.workingDirectory());
     embedding = new Embedding(interpreter, builder.output, this::isStopping);
   }
 
@@ -258,6 +281,11 @@ public final class Kernel implements AutoCloseable, KernelControl {
   public int awaitTermination() {
     embedding.awaitEnd(termination::join);
     return termination.join();
+  }
+
+  /** Whether {@link Builder#confinedTo} keeps it away from the machine around it. */
+  public boolean isConfined() {
+    return outside.confinement().isConfined();
   }
 
   public boolean isRunning() {

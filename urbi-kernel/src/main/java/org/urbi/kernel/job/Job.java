@@ -84,6 +84,9 @@ public final class Job implements Runnable {
   /** Who measures what this job does; usually null. */
   public Observer observer;
 
+  /** How many calls from Java to urbiscript are going on, one within the other. */
+  public int nestedSends;
+
   /** How many scopes there are around in which slots may be defined again. */
   public int redefinitions;
 

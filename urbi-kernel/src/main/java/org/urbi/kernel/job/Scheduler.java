@@ -25,6 +25,9 @@ public final class Scheduler {
   /** …by that much, or a job that never waits would keep the others asleep for ever. */
   private static final long BUSY_STEP = 1_000_000;
 
+  /** Jobs that start jobs which start jobs… must let the others have their turn. */
+  private static final int BIRTHS_PER_TICK = 100_000;
+
   /** How many turns the jobs have to end in when the kernel does. */
   private static final int LAST_ROUNDS = 1000;
 
@@ -39,10 +42,12 @@ public final class Scheduler {
   private final ArrayDeque<Job> runnable = new ArrayDeque<>();
   private final ArrayDeque<Job> ahead = new ArrayDeque<>();
   private final ArrayDeque<Job> behind = new ArrayDeque<>();
+  private final ArrayDeque<Job> born = new ArrayDeque<>();
   private final Set<Job> jobs = new LinkedHashSet<>();
   private final TagScope rootScope = new TagScope();
   private final List<Runnable> endOfTick = new ArrayList<>();
   private final BiConsumer<Job, Throwable> uncaught;
+  private int births;
   private int spins;
   private long passed;
   private int busyTicks;
@@ -166,9 +171,15 @@ public final class Scheduler {
     return job;
   }
 
+  /** A job started by another one runs in the same tick, right behind it. */
   private Job start(Job job) {
     jobs.add(job);
-    runnable.add(job);
+    if (running == null || births >= BIRTHS_PER_TICK) {
+      runnable.add(job);
+    } else {
+      births++;
+      born.add(job);
+    }
     return job;
   }
 
@@ -196,7 +207,11 @@ public final class Scheduler {
 
   /** Whether a job that can go on had better let others run. */
   boolean hasOthers() {
-    if (!runnable.isEmpty() || !ahead.isEmpty() || !behind.isEmpty() || inbox.isFilled()) {
+    if (!runnable.isEmpty()
+        || !born.isEmpty()
+        || !ahead.isEmpty()
+        || !behind.isEmpty()
+        || inbox.isFilled()) {
       spins = 0;
       return true;
     }
@@ -319,10 +334,15 @@ public final class Scheduler {
   }
 
   private void runOnce(boolean last) {
+    births = 0;
     for (int left = runnable.size(); left > 0 && (last || !stopped); left--) {
       Job job = runnable.poll();
       running = job;
       job.resume();
+      for (Job child = born.pollLast(); child != null; child = born.pollLast()) {
+        runnable.addFirst(child);
+        left++;
+      }
     }
     running = null;
   }
@@ -332,6 +352,8 @@ public final class Scheduler {
       Job job = behind.poll();
       running = job;
       job.resume();
+      runnable.addAll(born);
+      born.clear();
     }
     running = null;
   }

@@ -54,7 +54,8 @@ public final class SlotUpdate {
     }
     UrbiObject holder = target.locate(name);
     if (holder == null) {
-      throw frame.interpreter.errors().lookup(target, name.name());
+      assignMissing(frame, target, name, value);
+      return;
     }
     int inherited = holder.shape().indexOf(name);
     if (holder.shape().writeSpecial(inherited)) {
@@ -65,6 +66,17 @@ public final class SlotUpdate {
       }
     }
     target.addSlot(name, value);
+  }
+
+  /** What an assignment means that finds no slot: an error, unless the object says otherwise. */
+  private static void assignMissing(Frame frame, UrbiObject target, Symbol name, UrbiObject value) {
+    Symbol updateSlot = frame.interpreter.world().symbol("updateSlot");
+    UrbiObject own = target.lookup(updateSlot);
+    if (!(own instanceof Function)) {
+      throw frame.interpreter.errors().lookup(target, name.name());
+    }
+    frame.interpreter.call(
+        frame, own, target, frame.interpreter.values().string(name.name()), value);
   }
 
   private static void assignSpecial(
