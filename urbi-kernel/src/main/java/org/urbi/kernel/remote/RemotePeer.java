@@ -13,7 +13,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.urbi.kernel.job.Scheduler;
-import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.uobject.PluggedContext;
 import urbi.UClass;
 import urbi.UContext;
 import urbi.UEmitter;
@@ -42,7 +42,7 @@ public final class RemotePeer {
   private static final Duration ACCESS_STEP = Duration.ofNanos(200_000);
 
   private final Scheduler scheduler;
-  private final UContext context;
+  private final PluggedContext context;
   private final RemoteWire wire;
   private final UModule module;
   private final RemoteTasks tasks;
@@ -55,21 +55,18 @@ public final class RemotePeer {
   private final WireOutput out = new WireOutput(1 << 12);
   private boolean flushing;
   private int lastCall;
-  private int lastObject;
   private boolean making;
   private boolean behind;
   private volatile String lost;
 
   /**
    * @param name of the process, for people
-   * @param lobby for which its job runs
    * @param describe says what went wrong; called in a job
    */
   public RemotePeer(
       String name,
       Scheduler scheduler,
-      UContext context,
-      Supplier<? extends UrbiObject> lobby,
+      PluggedContext context,
       Function<RuntimeException, String> describe,
       RemoteWire wire) {
     this.scheduler = scheduler;
@@ -77,7 +74,7 @@ public final class RemotePeer {
     this.describe = describe;
     this.wire = wire;
     this.module = new UModule(name);
-    this.tasks = new RemoteTasks(scheduler, lobby, wire::consumed, this::failed);
+    this.tasks = new RemoteTasks(scheduler, context::lobby, wire::consumed, this::failed);
   }
 
   // ------------------------------------------------------------------ on the network thread
@@ -252,7 +249,7 @@ public final class RemotePeer {
       throw new IllegalStateException(lost);
     }
     RemoteObject object = new RemoteObject(this, name);
-    objects.put(name, object);
+    objects.put(object.get__name(), object);
     if (!making) {
       RemoteObject prototype = objects.get(className);
       if (prototype != null) {
@@ -265,27 +262,23 @@ public final class RemotePeer {
 
   /** The process has made an object by itself. */
   private UValue attach(String className) {
-    String name = className + "_" + module.name() + "_" + ++lastObject;
     UClass type =
         classes.getOrDefault(
             className,
             new UClass(className, module, objectName -> make(className, objectName)));
+    UContext before = UContext.enter(context);
     making = true;
     try {
-      UContext before = UContext.enter(context);
-      try {
-        type.create(name);
-      } finally {
-        UContext.enter(before);
-      }
+      // The context chooses the name; this one only tells the object of which class it is.
+      return new UValue(type.create(className).get__name());
     } catch (RuntimeException e) {
       throw e;
     } catch (Exception e) {
       throw new IllegalStateException(e);
     } finally {
       making = false;
+      UContext.enter(before);
     }
-    return new UValue(name);
   }
 
   private RemoteObject object(String name) {
@@ -424,6 +417,7 @@ public final class RemotePeer {
     List<RemoteObject> all = new ArrayList<>(objects.values());
     objects.clear();
     all.forEach(UObject::clean);
+    classes.values().forEach(context::stop);
     module.leave(context);
     tasks.end();
   }

@@ -23,6 +23,7 @@ import org.urbi.kernel.Connection;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.remote.RemoteWire;
 import org.urbi.server.Trace;
+import org.urbi.server.Version;
 
 /**
  * Listens for telnet-like clients and gives each its lobby (options {@code --host} and {@code
@@ -89,7 +90,7 @@ public final class ConsoleServer implements AutoCloseable {
                           .pipeline()
                           .addLast(
                               new ProtocolSwitch(
-                                  () -> new FrameHandler(remotes, trace), Version.NUMBER));
+                                  () -> new FrameHandler(remotes, trace), Version.number()));
                     }
                     client
                         .pipeline()

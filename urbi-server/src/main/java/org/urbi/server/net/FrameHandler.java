@@ -27,6 +27,7 @@ import urbi.remote.WireInput;
  */
 final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
   private static final int HEADER = 4;
+  private static final int MOST_AHEAD = 4 << 20;
   private static final int MOST_INPUT = 8 << 20;
   private static final long MOST_OUTPUT = 512L << 20;
   private static final long LITTLE_OUTPUT = 1L << 20;
@@ -144,17 +145,16 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
       in.release();
       return;
     }
-    int wanted =
-        in.readableBytes() < HEADER
-            ? HEADER
-            : HEADER + Math.max(0, in.getInt(in.readerIndex()));
-    if (in.writableBytes() + in.readableBytes() < wanted || in.refCnt() > 1 || in.isReadOnly()) {
-      // Grows as data come, whatever the other side says that there will be.
-      int room = Math.min(wanted, Math.max(4096, 2 * in.readableBytes()));
-      partial = context.alloc().buffer(room).writeBytes(in);
-      in.release();
+    if (in.refCnt() == 1 && !in.isReadOnly()) {
+      partial = in.discardReadBytes();
     } else {
-      partial = in;
+      partial = context.alloc().buffer(in.readableBytes()).writeBytes(in);
+      in.release();
+    }
+    if (partial.readableBytes() >= HEADER) {
+      // Not more at once than may be wasted on somebody who only says that there will be more.
+      long missing = HEADER + (long) partial.getInt(partial.readerIndex()) - partial.readableBytes();
+      partial.ensureWritable((int) Math.clamp(missing, 0, MOST_AHEAD));
     }
   }
 

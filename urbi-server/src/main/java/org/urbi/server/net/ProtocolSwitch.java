@@ -40,8 +40,7 @@ final class ProtocolSwitch extends ChannelInboundHandlerAdapter {
     int end = text.indexOf('\n');
     if (!text.startsWith(Protocol.REQUEST.substring(0, common))
         || end < 0 && text.length() > LONGEST_REQUEST) {
-      context.pipeline().remove(this);
-      context.fireChannelRead(first.retain());
+      leave(context, 0);
     } else if (end >= 0) {
       agree(context, text.substring(Protocol.REQUEST.length(), end), end + 1);
     }
@@ -64,10 +63,14 @@ final class ProtocolSwitch extends ChannelInboundHandlerAdapter {
     FrameHandler handler = frames.get();
     context.pipeline().remove(TelnetDecoder.class);
     context.pipeline().addAfter(context.name(), null, handler);
+    leave(context, length);
+  }
+
+  /** Has what it has read, from an offset on, go on, and everything that will come. */
+  private void leave(ChannelHandlerContext context, int offset) {
+    ByteBuf rest = first.retainedSlice(offset, first.writerIndex() - offset);
     context.pipeline().remove(this);
-    if (first.writerIndex() > length) {
-      context.fireChannelRead(first.retainedSlice(length, first.writerIndex() - length));
-    }
+    context.fireChannelRead(rest);
   }
 
   private static ChannelFuture line(ChannelHandlerContext context, String text) {
