@@ -2,7 +2,6 @@ package org.urbi.server.launch;
 
 import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -13,6 +12,7 @@ import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
 import org.urbi.server.tools.Target;
+import urbi.UMain;
 
 /**
  * The program {@code urbi-launch-java}: runs UObjects written in Java, in a process of their own that
@@ -162,8 +162,11 @@ public final class UrbiLaunchJava {
 
   private int remote(Arguments arguments) {
     ModulePath path = ModulePath.ofEnvironment();
-    List<Path> modules = arguments.rest().stream().map(path::find).toList();
     Target server = Target.of(arguments, arguments.value("--host", "127.0.0.1"));
-    throw new UnsupportedOperationException(server + " " + modules);
+    List<String> words =
+        new ArrayList<>(List.of("--host", server.host(), "--port", String.valueOf(server.port())));
+    arguments.rest().forEach(module -> words.add(path.find(module).toString()));
+    words.addAll(moduleOptions);
+    return UMain.run(words.toArray(String[]::new), out, err);
   }
 }
