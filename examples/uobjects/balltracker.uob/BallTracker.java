@@ -24,6 +24,8 @@ public class BallTracker extends UObject {
   public void init(String camera) {
     UBindVars(visible, "visible", x, "x", y, "y");
     visible.setValue(0);
+    x.setValue(0);
+    y.setValue(0);
     UNotifyChange(camera, "newImage");
   }
 

@@ -15,8 +15,8 @@ import org.urbi.server.tools.Target;
 import urbi.UMain;
 
 /**
- * The program {@code urbi-launch-java}: runs UObjects written in Java, in a process of their own that
- * is connected to a server, or plugged into one (manual, sections 21.5 and 21.6).
+ * The program {@code urbi-launch-java}: runs UObjects written in Java, in a process of their own
+ * that is connected to a server, or plugged into one (manual, sections 21.5 and 21.6).
  */
 public final class UrbiLaunchJava {
   private static final String SEPARATOR = "--";
@@ -53,8 +53,7 @@ public final class UrbiLaunchJava {
     program
         .flag("Show the root folder of this installation and exit.", "--print-root")
         .flag("Exit with status 0 if UObjects in Java can be used.", "-C", "--check")
-        .option(
-            "FILE", "With --start: run FILE as the server, and not urbi.", "--customize")
+        .option("FILE", "With --start: run FILE as the server, and not urbi.", "--customize")
         .option(
             "LEVEL",
             "How much is said: NONE, LOG, TRACE, DEBUG or DUMP (default: GD_LEVEL, or LOG).",
@@ -123,9 +122,7 @@ public final class UrbiLaunchJava {
     if (arguments.rest().isEmpty()) {
       throw Failure.usage("no MODULE: which UObjects are to be run?");
     }
-    return arguments.has("--plugin")
-        ? new PluginRequest(err).load(arguments)
-        : remote(arguments);
+    return arguments.has("--plugin") ? new PluginRequest(err).load(arguments) : remote(arguments);
   }
 
   private int start(Arguments arguments) {
