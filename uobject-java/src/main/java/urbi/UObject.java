@@ -71,6 +71,21 @@ public abstract non-sealed class UObject extends UResident {
             Constructors.of(javaClass, UObjectHub.class)::newInstance));
   }
 
+  /**
+   * Runs the classes that the program has declared, connected to a server: for programs with a main
+   * of their own (manual, "Providing a main class or not"). The arguments are those of {@link UMain};
+   * it returns when the connection ends.
+   *
+   * @throws IllegalStateException if that did not go well; the message has been printed
+   */
+  public static void main(String[] arguments) {
+    Class<?> caller =
+        StackWalker.getInstance(StackWalker.Option.RETAIN_CLASS_REFERENCE).getCallerClass();
+    if (UMain.runProgram(arguments, caller.getClassLoader()) != 0) {
+      throw new IllegalStateException("the UObjects could not be run");
+    }
+  }
+
   // ------------------------------------------------------------------ what it is
 
   /** Its name in urbiscript, a slot of {@code uobjects}. */

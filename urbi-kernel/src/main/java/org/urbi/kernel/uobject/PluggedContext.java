@@ -267,6 +267,14 @@ public final class PluggedContext implements UContext {
     });
   }
 
+  /** Ends a class with all its objects, which stay in urbiscript without their functions. */
+  public void stop(UClass type) {
+    inKernel(frame -> {
+      creation.endClass(frame, type);
+      return null;
+    });
+  }
+
   @Override
   public void startHub(UHubClass type) {
     inKernel(frame -> {
