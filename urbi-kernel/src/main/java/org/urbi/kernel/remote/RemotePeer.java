@@ -264,8 +264,7 @@ public final class RemotePeer {
   private UValue attach(String className) {
     UClass type =
         classes.getOrDefault(
-            className,
-            new UClass(className, module, objectName -> make(className, objectName)));
+            className, new UClass(className, module, objectName -> make(className, objectName)));
     UContext before = UContext.enter(context);
     making = true;
     try {
@@ -339,7 +338,8 @@ public final class RemotePeer {
       return result;
     }
     try {
-      write(o -> o.begin(Frame.CALL).size(number).text(object).text(function).values(arguments).end());
+      write(o ->
+          o.begin(Frame.CALL).size(number).text(object).text(function).values(arguments).end());
     } catch (RuntimeException e) {
       calls.remove(number);
       throw e;

@@ -156,8 +156,11 @@ class RemoteUObjectTest {
     remote.start(type("Adder", Adder::new));
     assertTrue(error("Adder.new").contains("expected 1"), error("Adder.new"));
     client.syncEval("var Global.a = Adder.new(0)");
-    assertEquals("fail: exception caught while calling " + eval("a.__uobjectName").replace("\"", "")
-        + ".fail: no way", error("a.fail(\"no way\")"));
+    assertEquals(
+        "fail: exception caught while calling "
+            + eval("a.__uobjectName").replace("\"", "")
+            + ".fail: no way",
+        error("a.fail(\"no way\")"));
     assertTrue(error("a.add(\"many\")").contains("invalid cast to double from \"many\""));
     assertEquals("3", eval("1 + 2"));
   }
@@ -182,9 +185,13 @@ class RemoteUObjectTest {
     assertTrue(error("Broken.new").contains("out of order"), error("Broken.new"));
     assertThrows(
         IllegalStateException.class,
-        () -> remote.start(type("Worse", name -> {
-          throw new IllegalStateException("never");
-        })));
+        () ->
+            remote.start(
+                type(
+                    "Worse",
+                    name -> {
+                      throw new IllegalStateException("never");
+                    })));
     assertEquals("3", eval("1 + 2"));
   }
 
@@ -261,7 +268,8 @@ class RemoteUObjectTest {
     assertEquals("[3, \"x\"]", eval("{ waituntil(!heard.isNil); heard }"));
     client.syncEval("var Global.x = 3.25");
     assertEquals("3.25", eval("Watcher.read(\"Global.x\")"));
-    assertTrue(error("Watcher.read(\"nowhere.x\")").contains("UVar creation on non existing object"));
+    assertTrue(
+        error("Watcher.read(\"nowhere.x\")").contains("UVar creation on non existing object"));
     assertEquals(null, Watcher.SEEN.poll());
   }
 
@@ -272,8 +280,9 @@ class RemoteUObjectTest {
     eval("Watcher.threaded");
     assertEquals(
         "[5, 5, true]",
-        eval("{ var t = time; var r = []; { r << Watcher.wait_ } & { r << Watcher.wait_ };"
-            + " r << (time - t < 90ms) }"));
+        eval(
+            "{ var t = time; var r = []; { r << Watcher.wait_ } & { r << Watcher.wait_ };"
+                + " r << (time - t < 90ms) }"));
   }
 
   static class Ticker extends UObject {
@@ -315,8 +324,9 @@ class RemoteUObjectTest {
     eval("Ticker.urbi");
     assertEquals(
         "[12, 13]",
-        eval("{ while (!Global.hasSlot(\"sent\") || !Global.hasSlot(\"called\")) sleep(5ms);"
-            + " [Global.sent, Global.called] }"));
+        eval(
+            "{ while (!Global.hasSlot(\"sent\") || !Global.hasSlot(\"called\")) sleep(5ms);"
+                + " [Global.sent, Global.called] }"));
   }
 
   static class Accessed extends UObject {
@@ -432,13 +442,15 @@ class RemoteUObjectTest {
               .getMessage());
     }
     try (ServerSocket other = new ServerSocket(0, 5, InetAddress.getLoopbackAddress())) {
-      Thread.ofVirtual().start(() -> {
-        try (Socket peer = other.accept()) {
-          peer.getOutputStream().write("SSH-2.0\r\n".repeat(200).getBytes(StandardCharsets.US_ASCII));
-        } catch (IOException e) {
-          // The other side has seen enough.
-        }
-      });
+      Thread.ofVirtual()
+          .start(() -> {
+            try (Socket peer = other.accept()) {
+              peer.getOutputStream()
+                  .write("SSH-2.0\r\n".repeat(200).getBytes(StandardCharsets.US_ASCII));
+            } catch (IOException e) {
+              // The other side has seen enough.
+            }
+          });
       assertThrows(UClientException.class, () -> new RemoteContext(HOST, other.getLocalPort()));
     }
   }
