@@ -406,8 +406,7 @@ public final class PluggedContext implements UContext {
   }
 
   @Override
-  public Runnable every(
-      Object owner, double milliseconds, UCallback function, boolean afterPass) {
+  public Runnable every(Object owner, double milliseconds, UCallback function, boolean afterPass) {
     return inKernel(frame -> {
       PeriodicCall call = periods.begin(frame, owner, milliseconds, function, afterPass);
       return () ->
