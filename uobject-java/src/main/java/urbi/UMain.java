@@ -10,8 +10,8 @@ import java.util.List;
 import urbi.remote.RemoteContext;
 
 /**
- * Runs UObjects in a process of their own, connected to a server (manual, "Providing a main class or
- * not"): {@code java -cp liburbijava.jar urbi.UMain machine.jar}.
+ * Runs UObjects in a process of their own, connected to a server (manual, "Providing a main class
+ * or not"): {@code java -cp liburbijava.jar urbi.UMain machine.jar}.
  */
 public final class UMain {
   private static final String USAGE =
@@ -88,8 +88,7 @@ public final class UMain {
         case "--" -> {}
         default -> {
           if (arguments[i].startsWith("-")) {
-            throw new IllegalArgumentException(
-                "unknown option " + arguments[i] + ", see --help");
+            throw new IllegalArgumentException("unknown option " + arguments[i] + ", see --help");
           }
           jars.add(arguments[i]);
         }
@@ -136,11 +135,14 @@ public final class UMain {
     String path = System.getenv("URBI_UOBJECT_PATH");
     for (String folder : (path == null ? "." : path).split(File.pathSeparator)) {
       Path found = Path.of(folder.isEmpty() ? "." : folder).resolve(jar);
-      if (Files.isRegularFile(found) || Files.isDirectory(found)) {
+      if (Files.isRegularFile(found)) {
         return found;
       }
       if (Files.isRegularFile(Path.of(found + ".jar"))) {
         return Path.of(found + ".jar");
+      }
+      if (Files.isDirectory(found)) {
+        return found;
       }
     }
     throw new UModuleException(

@@ -11,8 +11,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 
 /**
  * The Java side of an urbiscript object (manual, "The UObject Java API"). A subclass has a
- * constructor that takes its name, is declared by {@link #UStart}, and binds what urbiscript may see
- * of it: variables, functions, events.
+ * constructor that takes its name, is declared by {@link #UStart}, and binds what urbiscript may
+ * see of it: variables, functions, events.
  *
  * <p>One that implements {@link AutoCloseable} is closed when its urbiscript object has gone.
  */
@@ -242,7 +242,55 @@ public abstract non-sealed class UObject extends UResident {
     getUContext().bindFunction(this, urbiName, function);
   }
 
-  /** Binds a method of which each call runs on a thread of its own (manual, "Asynchronous binding"). */
+  /** Binds a method reference: {@code bind("add", this::add)}. */
+  protected final <R> void bind(String urbiName, UFunctions.F0<R> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, R> void bind(String urbiName, UFunctions.F1<A, R> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, B, R> void bind(String urbiName, UFunctions.F2<A, B, R> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, B, C, R> void bind(String urbiName, UFunctions.F3<A, B, C, R> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, B, C, D, R> void bind(
+      String urbiName, UFunctions.F4<A, B, C, D, R> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final void bind(String urbiName, UFunctions.P0 function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A> void bind(String urbiName, UFunctions.P1<A> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, B> void bind(String urbiName, UFunctions.P2<A, B> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, B, C> void bind(String urbiName, UFunctions.P3<A, B, C> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, B, C, D> void bind(String urbiName, UFunctions.P4<A, B, C, D> function) {
+    bindReference(urbiName, function);
+  }
+
+  private void bindReference(String urbiName, UFunctions.Bindable function) {
+    bind(urbiName, UFunctions.callback(name + "." + urbiName, function));
+  }
+
+  /**
+   * Binds a method of which each call runs on a thread of its own (manual, "Asynchronous binding").
+   */
   protected void UBindThreadedFunction(String methodName, LockMode lock) {
     UBindThreadedFunctionRename(methodName, methodName, new LockSpec(lock));
   }
@@ -321,8 +369,8 @@ public abstract non-sealed class UObject extends UResident {
   }
 
   /**
-   * Has a method called on a thread of its own after each change. It takes nothing or the value, not
-   * the {@link UVar}: that may have changed again.
+   * Has a method called on a thread of its own after each change. It takes nothing or the value,
+   * not the {@link UVar}: that may have changed again.
    */
   protected void UNotifyThreadedChange(UVar v, String methodName, LockMode lock) {
     UNotifyThreadedChange(v, methodName, new LockSpec(lock));

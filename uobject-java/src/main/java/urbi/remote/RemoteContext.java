@@ -187,7 +187,9 @@ public final class RemoteContext implements UContext, AutoCloseable {
     classes.put(type.name(), type);
     inTurn(() -> {
       ask((out, number) -> out.begin(Frame.CLASS).size(number).text(type.name()).end());
-      return type.create(type.name());
+      type.create(type.name());
+      // What the constructor has bound is there for everybody when this returns.
+      return ask((out, number) -> out.begin(Frame.FENCE).size(number).end());
     });
   }
 
@@ -237,6 +239,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
     } catch (Throwable e) {
       failures.put(name, "exception caught while making a " + className + ": " + Failure.text(e));
       objects.remove(name);
+      functions.remove(name);
     }
   }
 
@@ -339,7 +342,10 @@ public final class RemoteContext implements UContext, AutoCloseable {
     Object[] converted = new Object[function.arity()];
     if (arguments.length != converted.length) {
       throw new IllegalArgumentException(
-          function.name() + ": expected " + converted.length + " arguments, given "
+          function.name()
+              + ": expected "
+              + converted.length
+              + " arguments, given "
               + arguments.length);
     }
     for (int i = 0; i < converted.length; i++) {
@@ -371,8 +377,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
           try {
             invoke(callback, arguments);
           } catch (Throwable e) {
-            complain(
-                "exception caught while calling " + callback.name() + ": " + Failure.text(e));
+            complain("exception caught while calling " + callback.name() + ": " + Failure.text(e));
           }
         };
     if (callback.isThreaded()) {
@@ -422,15 +427,18 @@ public final class RemoteContext implements UContext, AutoCloseable {
   }
 
   @Override
-  public Runnable every(
-      Object owner, double milliseconds, UCallback function, boolean afterPass) {
-    return timers.every(owner, milliseconds, () -> {
-      try {
-        invoke(function);
-      } catch (Throwable e) {
-        complain("exception caught while calling " + function.name() + ": " + Failure.text(e));
-      }
-    }, this::execute);
+  public Runnable every(Object owner, double milliseconds, UCallback function, boolean afterPass) {
+    return timers.every(
+        owner,
+        milliseconds,
+        () -> {
+          try {
+            invoke(function);
+          } catch (Throwable e) {
+            complain("exception caught while calling " + function.name() + ": " + Failure.text(e));
+          }
+        },
+        this::execute);
   }
 
   // ------------------------------------------------------------------ urbiscript

@@ -33,8 +33,7 @@ final class RemoteVariable {
   private static MethodHandle find(String name, Class<?>... parameters) {
     try {
       return MethodHandles.lookup()
-          .findVirtual(
-              RemoteVariable.class, name, MethodType.methodType(void.class, parameters));
+          .findVirtual(RemoteVariable.class, name, MethodType.methodType(void.class, parameters));
     } catch (ReflectiveOperationException e) {
       throw new ExceptionInInitializerError(e);
     }

@@ -19,6 +19,7 @@ final class BoundFunction extends Code {
   private final MethodHandle whole;
 
   private final CallStatistics.Entry statistics;
+  private boolean ended;
 
   BoundFunction(Shape shape, PluggedContext context, UCallback callback) {
     super(shape);
@@ -31,6 +32,11 @@ final class BoundFunction extends Code {
 
   UCallback callback() {
     return callback;
+  }
+
+  /** The object has been destroyed: a call is an error from now on. */
+  void end() {
+    ended = true;
   }
 
   @Override
@@ -48,11 +54,15 @@ final class BoundFunction extends Code {
     if (arguments.length != arity) {
       throw caller.interpreter().errors().arity(callback.name(), arguments.length, arity, arity);
     }
+    if (ended) {
+      throw caller
+          .interpreter()
+          .errors()
+          .primitive(site.calledName(), callback.name() + ": the object has been destroyed");
+    }
     long started = statistics.begin();
     try {
-      return whole == null
-          ? threaded(caller, site, arguments)
-          : direct(caller, site, arguments);
+      return whole == null ? threaded(caller, site, arguments) : direct(caller, site, arguments);
     } finally {
       statistics.end(started);
     }
@@ -78,9 +88,7 @@ final class BoundFunction extends Code {
       return context
           .converters()
           .result(
-              result instanceof CompletionStage<?> stage
-                  ? context.await(caller, stage)
-                  : result);
+              result instanceof CompletionStage<?> stage ? context.await(caller, stage) : result);
     } catch (Throwable e) {
       throw Failures.inFunction(context, caller, site, callback.name(), arguments, e);
     }

@@ -38,7 +38,7 @@ final class JavaHook implements Hook {
     try {
       if (callback.isThreaded()) {
         Object[] arguments = arguments(value, true);
-        callback.execute(context, () -> runThreaded(arguments));
+        context.runThreaded(callback, () -> callThreaded(arguments));
       } else {
         context.tells().begin(frame.job(), variable, value);
         try {
@@ -60,8 +60,7 @@ final class JavaHook implements Hook {
       callback.call(arguments(value, false));
       return;
     }
-    UrbiObject[] arguments =
-        callback.arity() == 0 ? NONE : new UrbiObject[] {value.value()};
+    UrbiObject[] arguments = callback.arity() == 0 ? NONE : new UrbiObject[] {value.value()};
     UrbiObject ignored = (UrbiObject) whole.invokeExact(arguments);
   }
 
@@ -76,11 +75,11 @@ final class JavaHook implements Hook {
     return new Object[] {context.converters().argument(callback, 0, value.value())};
   }
 
-  private void runThreaded(Object[] arguments) {
+  private void callThreaded(Object[] arguments) {
     try {
       callback.call(arguments);
     } catch (Throwable e) {
-      context.report(message(e));
+      context.reportUnlessOver(message(e));
     }
   }
 
@@ -89,8 +88,7 @@ final class JavaHook implements Hook {
       case Unwinding unwinding -> unwinding;
       case UrbiException thrown -> thrown;
       case RaisedInUrbi raised -> raised.original();
-      default ->
-          frame.interpreter().errors().primitive(callback.name(), Texts.toUrbi(message(e)));
+      default -> frame.interpreter().errors().primitive(callback.name(), Texts.toUrbi(message(e)));
     };
   }
 

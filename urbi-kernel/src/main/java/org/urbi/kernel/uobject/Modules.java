@@ -1,16 +1,15 @@
 package org.urbi.kernel.uobject;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.urbi.kernel.library.KernelControl;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.outside.Disk;
 import urbi.UClass;
 import urbi.UHubClass;
 import urbi.UModule;
@@ -24,7 +23,7 @@ public final class Modules {
   private static final String JAR = ".jar";
 
   /** A module, and how its file was when it was read. */
-  private record Loaded(UModule module, FileTime modified, long size) {}
+  private record Loaded(UModule module, long modified, long size) {}
 
   private final PluggedContext context;
   private final KernelControl kernel;
@@ -58,11 +57,11 @@ public final class Modules {
         folders.add(working);
         for (Path folder : folders) {
           Path candidate = folder.resolve(path).normalize();
-          if (Files.isRegularFile(candidate)) {
+          if (disk().isRegularFile(candidate)) {
             return candidate;
           }
         }
-      } catch (InvalidPathException e) {
+      } catch (InvalidPathException | IOException e) {
         return null;
       }
     }
@@ -76,12 +75,12 @@ public final class Modules {
    * @throws org.urbi.kernel.error.UrbiException if a constructor fails
    */
   public void load(Frame frame, Path file) {
-    Path key = key(file);
-    Loaded before = loaded.get(key);
     try {
-      FileTime modified = Files.getLastModifiedTime(key);
-      long size = Files.size(key);
-      if (before != null && before.modified.equals(modified) && before.size == size) {
+      Path key = disk().real(file);
+      Loaded before = loaded.get(key);
+      long modified = disk().lastModified(key);
+      long size = disk().size(key);
+      if (before != null && before.modified == modified && before.size == size) {
         return;
       }
       UModule module = read(frame, key);
@@ -157,12 +156,16 @@ public final class Modules {
     start(frame, module, null);
   }
 
-  private static Path key(Path file) {
+  private Path key(Path file) {
     try {
-      return file.toRealPath();
+      return disk().real(file);
     } catch (IOException e) {
       return file.toAbsolutePath().normalize();
     }
+  }
+
+  private Disk disk() {
+    return kernel.outside().disk();
   }
 
   /** The kernel has ended. */

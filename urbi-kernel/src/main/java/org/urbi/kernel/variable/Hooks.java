@@ -26,19 +26,20 @@ final class Hooks {
   }
 
   /**
-   * Runs them all; one that fails keeps no other from running. What a hook does to the variable runs
-   * none of them again.
+   * Runs them all; one that fails keeps no other from running. What a hook does to the variable
+   * runs none of them again.
    *
    * @param removeFailed whether one that fails is removed
    */
   void run(Frame frame, UrbiUVar variable, Datum value, boolean removeFailed) {
-    if (hooks.isEmpty() || inside.contains(frame.job())) {
+    if (hooks.isEmpty()) {
       return;
     }
+    boolean again = inside.contains(frame.job());
     inside.add(frame.job());
     try {
       for (Map.Entry<Long, Hook> each : List.copyOf(hooks.entrySet())) {
-        if (!hooks.containsKey(each.getKey())) {
+        if (!hooks.containsKey(each.getKey()) || again && !each.getValue().isReentrant()) {
           continue;
         }
         try {

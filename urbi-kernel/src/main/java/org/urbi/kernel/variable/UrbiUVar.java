@@ -23,8 +23,8 @@ import org.urbi.kernel.object.UrbiObject;
 /**
  * A variable with hooks, which stands behind a slot (manual, "UVar").
  *
- * <p>An owned one has two values: a target, which everybody writes and its owner reads, and a sensed
- * value, which its owner writes and everybody reads.
+ * <p>An owned one has two values: a target, which everybody writes and its owner reads, and a
+ * sensed value, which its owner writes and everybody reads.
  *
  * <p>It does not keep the objects alive behind whose slots it stands.
  */
@@ -63,6 +63,7 @@ public final class UrbiUVar extends UrbiObject {
   private boolean owned;
   private boolean input;
   private boolean bypass;
+  private boolean silent;
   private long written;
   private long lastId;
 
@@ -98,11 +99,10 @@ public final class UrbiUVar extends UrbiObject {
    * @param tellsChanges whether the slot has the property {@code changed}, an event
    */
   public void bind(
-      Frame frame, UrbiObject owner, Symbol slot, String shown, boolean tellsChanges) {
+      Interpreter interpreter, UrbiObject owner, Symbol slot, String shown, boolean tellsChanges) {
     UrbiObject known = owner.localSlot(slot);
     if (places.isEmpty()) {
       name = shown + "." + slot.name();
-      lobby = frame.job().lobby();
       if (known != null) {
         value = new Datum(known);
         sensed = value;
@@ -115,11 +115,11 @@ public final class UrbiUVar extends UrbiObject {
     }
     places.add(new Place(new WeakReference<>(owner), slot));
     SlotData data = owner.ensureSlotData(slot);
-    Shape code = frame.interpreter().prototypes().code.cloneShape();
+    Shape code = interpreter.prototypes().code.cloneShape();
     data.getter = new Access(code, false);
     data.setter = new Access(code, true);
     if (tellsChanges && data.changed == null) {
-      data.changed = changed(frame);
+      data.changed = changed(interpreter);
       data.properties.put("changed", data.changed);
     }
     owner.slotDataChanged(slot);
@@ -135,7 +135,7 @@ public final class UrbiUVar extends UrbiObject {
     return places.isEmpty() ? null : places.getFirst().owner.get();
   }
 
-  /** The lobby for which it was made: what it does by itself is done for that. */
+  /** The lobby for which it is read when it is read by itself. */
   UrbiObject lobby() {
     return lobby;
   }
@@ -164,8 +164,8 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   /**
-   * Switches the bypass mode, in which the value can be read only while hooks are told of it (manual,
-   * "0-copy mode").
+   * Switches the bypass mode, in which the value can be read only while hooks are told of it
+   * (manual, "0-copy mode").
    */
   public void setBypass(boolean on) {
     bypass = on;
@@ -183,10 +183,10 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   /** The event that is emitted with each new value. */
-  public UrbiEvent changed(Frame frame) {
+  public UrbiEvent changed(Interpreter interpreter) {
     if (changed == null) {
-      changed = (UrbiEvent) frame.interpreter().prototypes().event.cloned();
-      changed.setOnSubscribe(() -> reviewAccess(frame.interpreter()));
+      changed = (UrbiEvent) interpreter.prototypes().event.cloned();
+      changed.setOnSubscribe(() -> reviewAccess(interpreter));
     }
     return changed;
   }
@@ -209,6 +209,7 @@ public final class UrbiUVar extends UrbiObject {
   /** Adds a hook that runs before each access; returns the number by which to remove it. */
   public long notifyAccess(Frame frame, Hook hook) {
     onAccess.add(++lastId, hook);
+    lobby = frame.job().lobby();
     reviewAccess(frame.interpreter());
     return lastId;
   }
@@ -245,9 +246,7 @@ public final class UrbiUVar extends UrbiObject {
    */
   private void reviewAccess(Interpreter interpreter) {
     // A condition that is being evaluated will watch what it reads.
-    if (accessLoop == null
-        && !onAccess.isEmpty()
-        && (world().tracker != null || isWatched())) {
+    if (accessLoop == null && !onAccess.isEmpty() && (world().tracker != null || isWatched())) {
       accessLoop = new AccessLoop(interpreter, this);
     }
   }
@@ -334,6 +333,9 @@ public final class UrbiUVar extends UrbiObject {
     }
     written = frame.interpreter().scheduler().now();
     value = inRange(frame, datum);
+    if (silent) {
+      return;
+    }
     onChangeOwned.run(frame, this, value, removesFailed(frame));
   }
 
@@ -371,6 +373,9 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   private void tell(Frame frame, Datum assigned) {
+    if (silent) {
+      return;
+    }
     boolean removes = removesFailed(frame);
     onChange.run(frame, this, assigned, removes);
     if (!owned) {
@@ -390,6 +395,11 @@ public final class UrbiUVar extends UrbiObject {
         data.dependents.changed();
       }
     }
+  }
+
+  /** Whether nobody is told of changes for now. */
+  public void silence(boolean on) {
+    silent = on;
   }
 
   /** Gives it the values back that it had; nobody is told. */
@@ -430,8 +440,7 @@ public final class UrbiUVar extends UrbiObject {
 
   void reportFailure(Frame frame, UrbiException failure) {
     if (frame.job().lobby() instanceof UrbiLobby told && told.output() != null) {
-      told.output()
-          .send("error", "!!! Exception caught while processing notify on " + name + ":");
+      told.output().send("error", "!!! Exception caught while processing notify on " + name + ":");
     }
     frame.interpreter().report(frame.job(), failure);
   }

@@ -62,14 +62,12 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
     context = added;
     heard = added.executor().ticker().nanoTime();
     peer = peers.apply(String.valueOf(added.channel().id().asShortText()), this);
-    watch =
-        added.executor().scheduleWithFixedDelay(this::watch, 1, 1, TimeUnit.SECONDS);
+    watch = added.executor().scheduleWithFixedDelay(this::watch, 1, 1, TimeUnit.SECONDS);
     trace.debug("client has UObjects: " + added.channel().remoteAddress());
   }
 
   private void watch() {
-    long silence =
-        TimeUnit.NANOSECONDS.toSeconds(context.executor().ticker().nanoTime() - heard);
+    long silence = TimeUnit.NANOSECONDS.toSeconds(context.executor().ticker().nanoTime() - heard);
     if (silence >= Protocol.PATIENCE_SECONDS) {
       close("the remote process does not answer any more");
     } else if (silence >= Protocol.SILENCE_SECONDS) {
@@ -153,7 +151,8 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
     }
     if (partial.readableBytes() >= HEADER) {
       // Not more at once than may be wasted on somebody who only says that there will be more.
-      long missing = HEADER + (long) partial.getInt(partial.readerIndex()) - partial.readableBytes();
+      long missing =
+          HEADER + (long) partial.getInt(partial.readerIndex()) - partial.readableBytes();
       partial.ensureWritable((int) Math.clamp(missing, 0, MOST_AHEAD));
     }
   }

@@ -75,8 +75,7 @@ final class ProtocolSwitch extends ChannelInboundHandlerAdapter {
 
   private static ChannelFuture line(ChannelHandlerContext context, String text) {
     String line = "[00000000:" + Protocol.CHANNEL + "] " + text + "\n";
-    return context.writeAndFlush(
-        Unpooled.copiedBuffer(line, StandardCharsets.ISO_8859_1));
+    return context.writeAndFlush(Unpooled.copiedBuffer(line, StandardCharsets.ISO_8859_1));
   }
 
   @Override
