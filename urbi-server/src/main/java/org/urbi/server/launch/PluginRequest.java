@@ -6,7 +6,6 @@ import java.io.PrintStream;
 import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.List;
 import org.urbi.server.SourceText;
 import org.urbi.server.options.Arguments;
@@ -49,8 +48,7 @@ final class PluginRequest {
   /** A server on this machine may have been started in another folder, but sees the same files. */
   private static String ownName(String module) {
     try {
-      Path found = ModulePath.ofEnvironment().find(module);
-      return found.toString();
+      return ModulePath.ofEnvironment().findJar(module).toString();
     } catch (Failure e) {
       // The server may look in other folders.
       return module;
