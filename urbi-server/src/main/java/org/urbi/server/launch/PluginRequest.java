@@ -16,6 +16,9 @@ import org.urbi.server.tools.Target;
 final class PluginRequest {
   private static final String ERROR = ":error] !!! ";
 
+  /** Where in the request the error is, which tells nobody anything. */
+  private static final String LOCATION = "^\\d+\\.\\d+(-[\\d.]+)?: ";
+
   private final PrintStream err;
 
   PluginRequest(PrintStream err) {
@@ -58,7 +61,8 @@ final class PluginRequest {
   private int report(String answer) {
     List<String> errors = answer.lines().filter(line -> line.contains(ERROR)).toList();
     for (String error : errors) {
-      err.println("urbi-launch-java: " + error.substring(error.indexOf(ERROR) + ERROR.length()));
+      String message = error.substring(error.indexOf(ERROR) + ERROR.length());
+      err.println("urbi-launch-java: " + message.replaceFirst(LOCATION, ""));
     }
     return errors.isEmpty() ? 0 : 1;
   }
