@@ -176,6 +176,33 @@ class ModuleTest {
   }
 
   @Test
+  void classesOfALibraryCanBeUsedByModules() throws Exception {
+    Path machine = Files.createDirectory(folder.resolve("classes"));
+    UObjectJars.compile(Path.of("src", "test", "resources", "uobjects", "machine"), machine);
+    UObjectJars.pack(machine, folder.resolve("wrapper.jar"), "Machine");
+    UObjectJars.pack(machine, folder.resolve("base.jar"), "UMachine");
+    assertTrue(failure("loadModule(\"base\");").contains("no UObject in"));
+    kernel.eval("loadLibrary(\"base\"); loadModule(\"wrapper\");");
+    assertEquals("ab", kernel.eval("UMachine.assemble([\"a\", \"b\"]);"));
+  }
+
+  @Test
+  void aConfinedKernelLoadsNoModules() throws Exception {
+    counter(1);
+    try (Kernel confined =
+        Kernel.builder()
+            .output(text -> {})
+            .moduleSearchPath(List.of(folder))
+            .confinedTo(folder)
+            .start()) {
+      String message =
+          assertThrows(UrbiError.class, () -> confined.eval("loadModule(\"counter\");"))
+              .getMessage();
+      assertTrue(message.contains("modules are not allowed in this kernel"), message);
+    }
+  }
+
+  @Test
   void twoKernelsShareNothing() throws Exception {
     String lonely =
         """
