@@ -43,7 +43,7 @@ final class Assignments {
           toMessage(span, message, assignment.value(), block);
       case Ast.Property property ->
           new Properties.Write(
-              span,
+              property.span(),
               compilation.receivers.target(property.target(), property.slot(), span, block),
               interpreter().world().symbol(property.slot()),
               property.name(),

@@ -94,7 +94,7 @@ final class Block {
     return block;
   }
 
-  /** Code of this scope asks for {@code redefinitionMode}. */
+  /** Code of this scope asks for {@code redefinitionMode} or {@code nonInterruptible}. */
   void setRedefines() {
     redefines = true;
   }

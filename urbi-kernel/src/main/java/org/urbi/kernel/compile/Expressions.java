@@ -27,6 +27,9 @@ final class Expressions {
   /** Functions of the library that execute their argument in another job. */
   private static final Set<String> DETACHING = Set.of("detach", "disown");
 
+  /** What changes the way in which a scope is executed. */
+  private static final Set<String> MODES = Set.of("redefinitionMode", "nonInterruptible");
+
   private final Compilation compilation;
   private final Definitions definitions;
   private final Assignments assignments;
@@ -167,7 +170,7 @@ final class Expressions {
     if (isScopeTag(message)) {
       return scopeTag(message, block);
     }
-    if (message.name().equals("redefinitionMode") && block.nearestScope() != null) {
+    if (MODES.contains(message.name()) && block.nearestScope() != null) {
       block.nearestScope().setRedefines();
     }
     if (message.target() == null) {
