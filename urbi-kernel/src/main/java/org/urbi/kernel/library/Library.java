@@ -167,6 +167,7 @@ public final class Library {
     lobby.addSlot(world.symbol("topLevel"), topLevel);
     lobby.addSlot(world.symbol("onDisconnect"), interpreter.prototypes().event.cloned());
     channel.addSlot(world.symbol("warning"), channel(channel, "warning", false));
+    types.get("Float").addSlot(world.symbol("epsilonTilde"), values.number(FloatType.TOLERANCE));
     types.get("System").addSlot(world.symbol("period"), values.number(0.02));
     types.get("Exception.Lookup").addSlot(world.symbol("fixSpelling"), values.trueObject);
     types.get("UVar").addSlot(world.symbol("hookChanged"), values.trueObject);
