@@ -47,6 +47,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
   private final Interpreter interpreter;
   private final Embedding embedding;
   private final List<Path> searchPath;
+  private final Path library;
   private final Outside outside;
   private final Environment environment = new Environment();
   private final LoadedFiles loadedFiles = new LoadedFiles();
@@ -68,6 +69,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
     private boolean virtualTime;
     private JobThreads jobThreads = JobThreads.AUTO;
     private List<Path> searchPath = List.of();
+    private Path library;
     private int stackSize;
     private long seed;
     private String programName = "urbi";
@@ -95,6 +97,12 @@ public final class Kernel implements AutoCloseable, KernelControl {
     /** Where source files are looked for, first to last. */
     public Builder searchPath(List<Path> folders) {
       searchPath = List.copyOf(folders);
+      return this;
+    }
+
+    /** The folder of the library's own source files: {@code Traceable} may hide their calls. */
+    public Builder library(Path folder) {
+      library = folder;
       return this;
     }
 
@@ -169,6 +177,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
     World world = new World();
     this.scheduler = new Scheduler(world, clock, builder.jobThreads, this::report);
     this.searchPath = builder.searchPath;
+    this.library = builder.library == null ? null : builder.library.toAbsolutePath().normalize();
     this.outside = new Outside(scheduler);
     this.programName = builder.programName;
     this.arguments = builder.arguments;
@@ -386,6 +395,11 @@ public final class Kernel implements AutoCloseable, KernelControl {
   @Override
   public List<Path> searchPath() {
     return searchPath;
+  }
+
+  @Override
+  public Path library() {
+    return library;
   }
 
   // ------------------------------------------------------------------ log

@@ -14,6 +14,9 @@ public interface KernelControl {
   /** Where source files are looked for, first to last. */
   List<Path> searchPath();
 
+  /** The folder of the library's own source files; null when there is none. */
+  Path library();
+
   /** The lobbies of all connections, and those made by programs. */
   List<UrbiLobby> lobbies();
 

@@ -37,8 +37,13 @@ public record SearchPath(List<Path> directories) {
    * known as {@code component.u} and {@code urbi/component.u}.
    */
   public static List<Path> standard(Path root) {
-    Path share = root.resolve("share");
+    Path share = library(root);
     return List.of(Path.of("."), share, share.resolve("urbi"));
+  }
+
+  /** Where an installation has the library's own source files. */
+  public static Path library(Path root) {
+    return root.resolve("share");
   }
 
   /** The first file of one of these names. */
