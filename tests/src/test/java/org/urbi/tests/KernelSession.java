@@ -55,6 +55,13 @@ final class KernelSession implements AutoCloseable {
     this.kernel = kernel;
   }
 
+  private static Kernel.Builder builder(BackEnd backEnd) {
+    return Kernel.builder()
+        .jobThreads(backEnd.jobThreads)
+        .log(line -> {})
+        .moduleSearchPath(List.of(UObjectJars.folder()));
+  }
+
   /** A kernel whose time jumps from deadline to deadline. */
   static KernelSession inVirtualTime(BackEnd backEnd) {
     return new KernelSession(
@@ -68,8 +75,7 @@ final class KernelSession implements AutoCloseable {
 
   /** A kernel that lives in our time. */
   static KernelSession inRealTime(BackEnd backEnd) {
-    return new KernelSession(
-        Kernel.builder().virtualTime(false).jobThreads(backEnd.jobThreads).start());
+    return new KernelSession(builder(backEnd).virtualTime(false).start());
   }
 
   /**

@@ -31,7 +31,9 @@ final class CallMessageType {
     return arguments(frame, self).size();
   }
 
-  @Builtin(doc = "Evaluates the argument at that index; each time anew.")
+  @Builtin(
+      value = {"evalArgAt", "argAt"},
+      doc = "Evaluates the argument at that index; each time anew.")
   static UrbiObject evalArgAt(Frame frame, CallSite site, UrbiObject self, double index) {
     List<UrbiObject> arguments = arguments(frame, self);
     if (index < 0 || index >= arguments.size() || index != Math.rint(index)) {

@@ -28,7 +28,15 @@ public final class Interpreter {
     public Span calledSpan() {
       return null;
     }
+
+    @Override
+    public boolean isTraced() {
+      return false;
+    }
   }
+
+  /** No data are nested as deeply, unless they are within themselves. */
+  private static final int MAXIMUM_NESTED_SENDS = 10_000;
 
   private static final CallSite FROM_JAVA = new JavaSite(null);
 
@@ -145,15 +153,29 @@ public final class Interpreter {
       return own.call(caller, site, code, values.listOf(all));
     }
     if (arguments.length > 0) {
+      if (code.lookup(symbols.parentheses) instanceof Code own) {
+        return call(caller, site, own, code, arguments);
+      }
       throw errors.arity(
           site.calledName() == null ? "apply" : site.calledName(), arguments.length, 0, 0);
     }
     return code;
   }
 
-  /** Sends a message. */
+  /**
+   * Sends a message. What recurs here without end, such as the comparison of a list with another
+   * one when both are their own elements, has exhausted the stack.
+   */
   public UrbiObject send(Frame caller, UrbiObject target, String message, UrbiObject... arguments) {
-    return send(caller, new JavaSite(message), target, world.symbol(message), arguments);
+    if (++caller.job.nestedSends > Math.min(MAXIMUM_NESTED_SENDS, maximumDepth)) {
+      caller.job.nestedSends--;
+      throw errors.scheduling("stack exhausted");
+    }
+    try {
+      return send(caller, new JavaSite(message), target, world.symbol(message), arguments);
+    } finally {
+      caller.job.nestedSends--;
+    }
   }
 
   /** Sends a message on behalf of a library function called at that site. */

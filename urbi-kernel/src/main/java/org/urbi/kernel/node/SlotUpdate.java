@@ -14,6 +14,9 @@ public final class SlotUpdate {
     void emit(Frame frame, UrbiObject... payload);
   }
 
+  /** A setter that does all there is to do: it tells those who watch the slot, too. */
+  public interface Whole {}
+
   /**
    * {@code setSlot}: creates a slot.
    *
@@ -84,6 +87,9 @@ public final class SlotUpdate {
     }
     if (data.setter != null) {
       frame.interpreter.call(frame, data.setter, target, value);
+      if (data.setter instanceof Whole) {
+        return;
+      }
     } else {
       holder.setSlotAt(holder.shape().indexOf(name), value);
     }

@@ -7,7 +7,10 @@ import java.util.List;
 import java.util.Optional;
 import org.urbi.server.options.Failure;
 
-/** Where urbiscript files are looked for: {@code URBI_PATH} (manual, section 21.1.1). */
+/**
+ * Where files are looked for: {@code URBI_PATH}, {@code URBI_UOBJECT_PATH} (manual, section
+ * 21.1.1).
+ */
 public record SearchPath(List<Path> directories) {
   /**
    * Reads the value of a path variable: folders between colons; a lone colon (at the beginning, at
@@ -44,6 +47,12 @@ public record SearchPath(List<Path> directories) {
   /** Where an installation has the library's own source files. */
   public static Path library(Path root) {
     return root.resolve("share");
+  }
+
+  /** Where an installation has UObjects: the current folder, then its own. */
+  public static List<Path> standardModules(Path root) {
+    Path uobjects = library(root).resolve("uobjects");
+    return Files.isDirectory(uobjects) ? List.of(Path.of("."), uobjects) : List.of(Path.of("."));
   }
 
   /** The first file of one of these names. */
