@@ -10,8 +10,8 @@ import java.util.List;
 import urbi.remote.RemoteContext;
 
 /**
- * Runs UObjects in a process of their own, connected to a server (manual, "Providing a main class or
- * not"): {@code java -cp liburbijava.jar urbi.UMain machine.jar}.
+ * Runs UObjects in a process of their own, connected to a server (manual, "Providing a main class
+ * or not"): {@code java -cp liburbijava.jar urbi.UMain machine.jar}.
  */
 public final class UMain {
   private static final String USAGE =
@@ -88,8 +88,7 @@ public final class UMain {
         case "--" -> {}
         default -> {
           if (arguments[i].startsWith("-")) {
-            throw new IllegalArgumentException(
-                "unknown option " + arguments[i] + ", see --help");
+            throw new IllegalArgumentException("unknown option " + arguments[i] + ", see --help");
           }
           jars.add(arguments[i]);
         }

@@ -4,9 +4,9 @@ import java.util.ArrayDeque;
 import java.util.function.Consumer;
 
 /**
- * Reads, and runs what comes, one after the other, on whichever of a few threads has it in hand: the
- * thread that has read a call executes it at once, while another goes on reading. So a call costs no
- * change of threads, and a call that takes long keeps nobody from reading.
+ * Reads, and runs what comes, one after the other, on whichever of a few threads has it in hand:
+ * the thread that has read a call executes it at once, while another goes on reading. So a call
+ * costs no change of threads, and a call that takes long keeps nobody from reading.
  */
 final class Dispatcher {
   /** Reads one frame: executes it, or hands it to {@link Dispatcher#run}. */
@@ -68,7 +68,9 @@ final class Dispatcher {
     }
   }
 
-  /** Reads until a task had to be executed, in which case somebody else reads now; or to the end. */
+  /**
+   * Reads until a task had to be executed, in which case somebody else reads now; or to the end.
+   */
   private void read() {
     while (true) {
       if (!reading.next()) {

@@ -37,7 +37,9 @@ public final class Protocol {
    */
   public static int agree(String request) {
     String[] versions = request.replaceAll("\"?;?\\s*$", "").split(" ");
-    if (versions.length != 2 || !versions[0].matches("\\d{1,6}") || !versions[1].matches("\\d{1,6}")) {
+    if (versions.length != 2
+        || !versions[0].matches("\\d{1,6}")
+        || !versions[1].matches("\\d{1,6}")) {
       return 0;
     }
     int highest = Math.min(HIGHEST_VERSION, Integer.parseInt(versions[1]));

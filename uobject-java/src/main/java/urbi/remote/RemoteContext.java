@@ -339,7 +339,10 @@ public final class RemoteContext implements UContext, AutoCloseable {
     Object[] converted = new Object[function.arity()];
     if (arguments.length != converted.length) {
       throw new IllegalArgumentException(
-          function.name() + ": expected " + converted.length + " arguments, given "
+          function.name()
+              + ": expected "
+              + converted.length
+              + " arguments, given "
               + arguments.length);
     }
     for (int i = 0; i < converted.length; i++) {
@@ -371,8 +374,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
           try {
             invoke(callback, arguments);
           } catch (Throwable e) {
-            complain(
-                "exception caught while calling " + callback.name() + ": " + Failure.text(e));
+            complain("exception caught while calling " + callback.name() + ": " + Failure.text(e));
           }
         };
     if (callback.isThreaded()) {
@@ -422,15 +424,18 @@ public final class RemoteContext implements UContext, AutoCloseable {
   }
 
   @Override
-  public Runnable every(
-      Object owner, double milliseconds, UCallback function, boolean afterPass) {
-    return timers.every(owner, milliseconds, () -> {
-      try {
-        invoke(function);
-      } catch (Throwable e) {
-        complain("exception caught while calling " + function.name() + ": " + Failure.text(e));
-      }
-    }, this::execute);
+  public Runnable every(Object owner, double milliseconds, UCallback function, boolean afterPass) {
+    return timers.every(
+        owner,
+        milliseconds,
+        () -> {
+          try {
+            invoke(function);
+          } catch (Throwable e) {
+            complain("exception caught while calling " + function.name() + ": " + Failure.text(e));
+          }
+        },
+        this::execute);
   }
 
   // ------------------------------------------------------------------ urbiscript

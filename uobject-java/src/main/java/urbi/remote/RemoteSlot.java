@@ -60,8 +60,7 @@ final class RemoteSlot implements USlot {
 
   @Override
   public UValue sync() {
-    UValue fresh =
-        context.ask((out, number) -> out.begin(Frame.SYNC).size(number).size(id).end());
+    UValue fresh = context.ask((out, number) -> out.begin(Frame.SYNC).size(number).size(id).end());
     value = fresh;
     return fresh;
   }
@@ -75,10 +74,11 @@ final class RemoteSlot implements USlot {
     }
   }
 
-  /** The kernel tells that the value is about to be read; it waits until it hears that all is said. */
+  /**
+   * The kernel tells that the value is about to be read; it waits until it hears that all is said.
+   */
   void accessed(int number) {
-    Runnable done =
-        () -> context.sendNow(out -> out.begin(Frame.ACCESSED).size(number).end());
+    Runnable done = () -> context.sendNow(out -> out.begin(Frame.ACCESSED).size(number).end());
     for (UCallback callback : onAccess) {
       context.notify(callback, value);
     }
@@ -119,8 +119,8 @@ final class RemoteSlot implements USlot {
 
   @Override
   public void setProperty(UProperty property, UValue other) {
-    context.send(out ->
-        out.begin(Frame.SET_PROPERTY).size(id).text(property.text()).value(other).end());
+    context.send(
+        out -> out.begin(Frame.SET_PROPERTY).size(id).text(property.text()).value(other).end());
   }
 
   @Override

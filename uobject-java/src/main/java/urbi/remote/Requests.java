@@ -62,7 +62,6 @@ final class Requests {
   /** There will be no more answers. */
   void lost(String reason) {
     lost = reason;
-    waiting.values().forEach(answer ->
-        answer.completeExceptionally(new UClientException(reason)));
+    waiting.values().forEach(answer -> answer.completeExceptionally(new UClientException(reason)));
   }
 }
