@@ -200,7 +200,7 @@ public final class Library {
       if (exception.span() != null) {
         OwnSlots.put(value, "location", LocationType.make(world, exception.span()));
       }
-      OwnSlots.put(value, "backtrace", StackFrameType.list(world, exception.backtrace()));
+      OwnSlots.put(value, "backtrace", StackFrameType.list(interpreter, exception.backtrace()));
     }
   }
 }
