@@ -46,6 +46,8 @@ import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
 import org.urbi.kernel.time.VirtualClock;
 import org.urbi.kernel.uobject.PluggedContext;
+import urbi.UClass;
+import urbi.UObject;
 
 /**
  * An urbiscript engine. Several can run in one process, and any thread may use one: what it asks
@@ -369,6 +371,17 @@ public final class Kernel implements AutoCloseable, KernelControl {
    */
   public void define(String name, Function<? super List<Object>, ?> function) {
     embedding.define(name, function);
+  }
+
+  /**
+   * Plugs in a class of UObjects of this program, as {@code loadModule} does with those of a jar; it
+   * need not call {@code UStart}. May be called from any thread; the constructor runs on the kernel
+   * thread.
+   *
+   * @throws RuntimeException if it cannot be constructed
+   */
+  public void start(Class<? extends UObject> type) {
+    uobjects.start(UClass.of(type));
   }
 
   /**

@@ -61,6 +61,7 @@ public final class Library {
     }
     inheritance(tables);
     constants();
+    EvaluateVariable.install(interpreter);
     errors();
     interpreter.setAfterStatements(Finalization.of(world)::run);
     interpreter.rememberNumberOperators();
