@@ -34,8 +34,8 @@ public final class UModule {
   }
 
   /**
-   * Loads a jar: every class in it that calls {@link UObject#UStart} or {@link UObject#UStartHub} when
-   * it is initialized, or is annotated with {@link UStart}, is initialized now.
+   * Loads a jar: every class in it that calls {@link UObject#UStart} or {@link UObject#UStartHub}
+   * when it is initialized, or is annotated with {@link UStart}, is initialized now.
    *
    * @throws UModuleException if the file cannot be read or is no jar, has no such class, or one
    *     that cannot be loaded
