@@ -58,6 +58,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
   private final Interpreter interpreter;
   private final Embedding embedding;
   private final List<Path> searchPath;
+  private final Path library;
   private final List<Path> moduleSearchPath;
   private final PluggedContext uobjects;
   private final Outside outside;
@@ -81,6 +82,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
     private boolean virtualTime;
     private JobThreads jobThreads = JobThreads.AUTO;
     private List<Path> searchPath = List.of();
+    private Path library;
     private List<Path> moduleSearchPath = List.of(Path.of("."));
     private int stackSize;
     private long seed;
@@ -110,6 +112,12 @@ public final class Kernel implements AutoCloseable, KernelControl {
     /** Where source files are looked for, first to last. */
     public Builder searchPath(List<Path> folders) {
       searchPath = List.copyOf(folders);
+      return this;
+    }
+
+    /** The folder of the library's own source files: {@code Traceable} may hide their calls. */
+    public Builder library(Path folder) {
+      library = folder;
       return this;
     }
 
@@ -209,6 +217,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
     World world = new World();
     this.scheduler = new Scheduler(world, clock, builder.jobThreads, this::report);
     this.searchPath = builder.searchPath;
+    this.library = builder.library == null ? null : builder.library.toAbsolutePath().normalize();
     this.moduleSearchPath = builder.moduleSearchPath;
     this.outside = new Outside(scheduler, builder.confinement);
     this.programName = builder.programName;
@@ -365,9 +374,9 @@ public final class Kernel implements AutoCloseable, KernelControl {
   }
 
   /**
-   * Plugs in a class of UObjects of this program, as {@code loadModule} does with those of a jar; it
-   * need not call {@code UStart}. May be called from any thread; the constructor runs on the kernel
-   * thread.
+   * Plugs in a class of UObjects of this program, as {@code loadModule} does with those of a jar;
+   * it need not call {@code UStart}. May be called from any thread; the constructor runs on the
+   * kernel thread.
    *
    * @throws RuntimeException if it cannot be constructed
    */
@@ -445,6 +454,11 @@ public final class Kernel implements AutoCloseable, KernelControl {
   @Override
   public List<Path> searchPath() {
     return searchPath;
+  }
+
+  @Override
+  public Path library() {
+    return library;
   }
 
   @Override
