@@ -72,8 +72,7 @@ public final class UModule {
       throw new UModuleException("cannot read " + jar + ": " + JarContent.reason(e), e);
     }
     UModule module = new UModule(jar.getFileName().toString());
-    module.loader =
-        new ModuleClassLoader(content, module, libraries, ModuleParent.LOADER);
+    module.loader = new ModuleClassLoader(content, module, libraries, ModuleParent.LOADER);
     module.loader.initialize();
     return module;
   }
