@@ -203,9 +203,9 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
 
   @Override
   public void close(String why) {
-    context
-        .executor()
-        .execute(() -> {
+    NetworkThread.execute(
+        context.executor(),
+        () -> {
           reason = why;
           trace.debug("client lost: " + context.channel().remoteAddress() + ": " + why);
           context.close();

@@ -59,7 +59,7 @@ final class FrameOutput {
         waiting.add(Unpooled.wrappedBuffer(frames, written, frames.length - written));
         if (!scheduled) {
           scheduled = true;
-          context.executor().execute(this::flush);
+          NetworkThread.execute(context.executor(), this::flush);
         }
       }
     } finally {

@@ -164,7 +164,17 @@ class RemoteProcessTest {
     return java(all.toArray(String[]::new));
   }
 
+  /** Reads what a process says up to a line; one that hangs is ended, so that this ends, too. */
   private static void await(Process process, String expected) throws IOException {
+    Thread.ofVirtual()
+        .start(() -> {
+          try {
+            Thread.sleep(PATIENCE);
+            process.destroyForcibly();
+          } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+          }
+        });
     var lines =
         new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
     List<String> said = new ArrayList<>();

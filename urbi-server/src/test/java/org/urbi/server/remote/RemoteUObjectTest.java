@@ -428,6 +428,22 @@ class RemoteUObjectTest {
   }
 
   @Test
+  void nothingIsLeftOfThoseWhoCameAndWent() {
+    eval("1");
+    double jobs = client.syncEval("jobs.size").doubleValue();
+    for (int i = 0; i < 100; i++) {
+      try (RemoteContext passing = new RemoteContext(HOST, server.port())) {
+        passing.start(type("Adder", Adder::new));
+        passing.variable("Adder.x").useRtp(true);
+        assertEquals("3", eval("Adder.new(1).add(2)"));
+      }
+      eval("while (uobjects.hasLocalSlot(\"Adder\")) sleep(1ms)");
+    }
+    eval("while (Lobby.instances.size > 3) sleep(1ms)");
+    eval("while (jobs.size > " + jobs + ") sleep(1ms)");
+  }
+
+  @Test
   void versionsAreAgreedUpon() throws Exception {
     try (Socket socket = new Socket(HOST, server.port())) {
       socket.getOutputStream().write("\"urbi-uobject 7 9\";\n".getBytes(StandardCharsets.US_ASCII));
