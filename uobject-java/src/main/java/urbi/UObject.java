@@ -242,6 +242,52 @@ public abstract non-sealed class UObject extends UResident {
     getUContext().bindFunction(this, urbiName, function);
   }
 
+  /** Binds a method reference: {@code bind("add", this::add)}. */
+  protected final <R> void bind(String urbiName, UFunctions.F0<R> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, R> void bind(String urbiName, UFunctions.F1<A, R> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, B, R> void bind(String urbiName, UFunctions.F2<A, B, R> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, B, C, R> void bind(String urbiName, UFunctions.F3<A, B, C, R> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, B, C, D, R> void bind(
+      String urbiName, UFunctions.F4<A, B, C, D, R> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final void bind(String urbiName, UFunctions.P0 function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A> void bind(String urbiName, UFunctions.P1<A> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, B> void bind(String urbiName, UFunctions.P2<A, B> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, B, C> void bind(String urbiName, UFunctions.P3<A, B, C> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, B, C, D> void bind(String urbiName, UFunctions.P4<A, B, C, D> function) {
+    bindReference(urbiName, function);
+  }
+
+  private void bindReference(String urbiName, UFunctions.Bindable function) {
+    bind(urbiName, UFunctions.callback(name + "." + urbiName, function));
+  }
+
   /**
    * Binds a method of which each call runs on a thread of its own (manual, "Asynchronous binding").
    */

@@ -221,6 +221,30 @@ public final class PluggedContext implements UContext {
     return new Awaited(frame.job()).await(stage);
   }
 
+  /** Runs a threaded call of which nobody waits for the result; on the kernel thread. */
+  void runThreaded(UCallback callback, Runnable call) {
+    boolean started =
+        callback.execute(
+            this,
+            () -> {
+              try {
+                call.run();
+              } finally {
+                scheduler.inbox().post(scheduler.pace()::end);
+              }
+            });
+    if (started) {
+      scheduler.pace().begin();
+    }
+  }
+
+  /** Tells people of what went wrong on a thread; not when all comes to an end. */
+  void reportUnlessOver(String message) {
+    if (!over) {
+      report(message);
+    }
+  }
+
   /** Calls a function in a job, and reports what it throws. */
   void callBack(Job job, UrbiObject lobby, UCallback callback) {
     Frame frame = Frame.top(interpreter, job, lobby, new FrameLayout());
