@@ -383,7 +383,8 @@ class RemoteUObjectTest {
     remote.close();
     assertTrue(
         error.get(20, TimeUnit.SECONDS).contains("the remote process has gone"), error.get());
-    assertTrue(error("a.add(1)").contains("the remote process has gone"), error("a.add(1)"));
+    eval("while (uobjects.hasLocalSlot(\"Adder\")) sleep(1ms)");
+    assertTrue(error("a.add(1)").contains("the object has been destroyed"), error("a.add(1)"));
     assertEquals("0", eval("if (uobjects.hasLocalSlot(\"Adder\")) 1 else 0"));
     remote = new RemoteContext(HOST, server.port());
     remote.start(type("Adder", Adder::new));
