@@ -58,7 +58,7 @@ final class KernelSession implements AutoCloseable {
   private static Kernel.Builder builder(BackEnd backEnd) {
     return Kernel.builder()
         .jobThreads(backEnd.jobThreads)
-        .searchPath(SEARCH_PATH)
+        .searchPath(List.of(LIBRARY))
         .library(LIBRARY)
         .log(line -> {})
         .moduleSearchPath(List.of(UObjectJars.folder()));
