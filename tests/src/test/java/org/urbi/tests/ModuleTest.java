@@ -55,7 +55,8 @@ class ModuleTest {
   @BeforeEach
   void start() {
     kernel = start(folder);
-    kernel.eval("var Global.heard = []|; function Global.changed(n) { heard << \"changed%s\" % n }|;");
+    kernel.eval(
+        "var Global.heard = []|; function Global.changed(n) { heard << \"changed%s\" % n }|;");
     kernel.eval("function Global.closed(n) { heard << \"closed%s\" % n }|;");
   }
 
@@ -102,7 +103,8 @@ class ModuleTest {
   @Test
   void theSameFileIsLoadedOnce() throws Exception {
     counter(1);
-    kernel.eval("loadModule(\"counter\"); var Global.c = Counter.new(10)|; loadModule(\"counter\");");
+    kernel.eval(
+        "loadModule(\"counter\"); var Global.c = Counter.new(10)|; loadModule(\"counter\");");
     assertEquals(List.of(), heard().stream().filter(text -> text.startsWith("closed")).toList());
   }
 
@@ -111,7 +113,9 @@ class ModuleTest {
     counter(1);
     kernel.eval("loadModule(\"counter\"); var Global.c = Counter.new(10)|;");
     String broken =
-        COUNTER.replace("STEP", "2").replace("count.setValue(start);", "count.setValue(9); add(1/0);");
+        COUNTER
+            .replace("STEP", "2")
+            .replace("count.setValue(start);", "count.setValue(9); add(1/0);");
     UObjectJars.make("Counter", broken, folder.resolve("counter.jar"));
     assertTrue(failure("loadModule(\"counter\");").contains("/ by zero"));
     assertEquals(1.0, kernel.eval("c.version;"));
@@ -125,7 +129,8 @@ class ModuleTest {
   @Test
   void anUnloadedModuleLeavesItsObjectsWithoutFunctions() throws Exception {
     counter(1);
-    kernel.eval("loadModule(\"counter\"); var Global.c = Counter.new(10)|; unloadModule(\"counter\");");
+    kernel.eval(
+        "loadModule(\"counter\"); var Global.c = Counter.new(10)|; unloadModule(\"counter\");");
     kernel.eval("sleep(10ms);");
     assertEquals(List.of("changed1", "closed1"), withChange());
     assertTrue(failure("c.add(1);").contains("lookup failed: add"));
@@ -150,7 +155,8 @@ class ModuleTest {
   @Test
   void whatCannotBeLoadedIsExplained() throws Exception {
     Files.writeString(folder.resolve("text.jar"), "this is no jar");
-    assertTrue(failure("loadModule(\"text\");").contains("not a jar"), failure("loadModule(\"text\");"));
+    assertTrue(
+        failure("loadModule(\"text\");").contains("not a jar"), failure("loadModule(\"text\");"));
     assertTrue(failure("loadModule(\"nothing\");").contains("file not found: nothing"));
     UObjectJars.make("Plain", "public class Plain {}", folder.resolve("plain.jar"));
     assertTrue(failure("loadModule(\"plain\");").contains("no UObject in"));
@@ -173,6 +179,33 @@ class ModuleTest {
             .contains("exception caught while constructing Thrower: no power"));
     assertTrue(failure("Thrower;").contains("lookup failed: Thrower"));
     assertEquals(2.0, kernel.eval("1 + 1;"));
+  }
+
+  @Test
+  void classesOfALibraryCanBeUsedByModules() throws Exception {
+    Path machine = Files.createDirectory(folder.resolve("classes"));
+    UObjectJars.compile(Path.of("src", "test", "resources", "uobjects", "machine"), machine);
+    UObjectJars.pack(machine, folder.resolve("wrapper.jar"), "Machine");
+    UObjectJars.pack(machine, folder.resolve("base.jar"), "UMachine");
+    assertTrue(failure("loadModule(\"base\");").contains("no UObject in"));
+    kernel.eval("loadLibrary(\"base\"); loadModule(\"wrapper\");");
+    assertEquals("ab", kernel.eval("UMachine.assemble([\"a\", \"b\"]);"));
+  }
+
+  @Test
+  void aConfinedKernelLoadsNoModules() throws Exception {
+    counter(1);
+    try (Kernel confined =
+        Kernel.builder()
+            .output(text -> {})
+            .moduleSearchPath(List.of(folder))
+            .confinedTo(folder)
+            .start()) {
+      String message =
+          assertThrows(UrbiError.class, () -> confined.eval("loadModule(\"counter\");"))
+              .getMessage();
+      assertTrue(message.contains("modules are not allowed in this kernel"), message);
+    }
   }
 
   @Test
@@ -227,7 +260,8 @@ class ModuleTest {
         }
         """;
     UObjectJars.make("Anchored", anchored, folder.resolve("anchored.jar"));
-    kernel.eval("loadModule(\"anchored\"); var Global.a = Anchored.new|; a.loader; Anchored.loader;");
+    kernel.eval(
+        "loadModule(\"anchored\"); var Global.a = Anchored.new|; a.loader; Anchored.loader;");
     WeakReference<?> loader = (WeakReference<?>) System.getProperties().remove("anchored");
     kernel.eval("sleep(50ms); unloadModule(\"anchored\");");
     for (int i = 0; i < 100 && !loader.refersTo(null); i++) {

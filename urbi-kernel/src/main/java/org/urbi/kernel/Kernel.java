@@ -374,9 +374,9 @@ public final class Kernel implements AutoCloseable, KernelControl {
   }
 
   /**
-   * Plugs in a class of UObjects of this program, as {@code loadModule} does with those of a jar; it
-   * need not call {@code UStart}. May be called from any thread; the constructor runs on the kernel
-   * thread.
+   * Plugs in a class of UObjects of this program, as {@code loadModule} does with those of a jar;
+   * it need not call {@code UStart}. May be called from any thread; the constructor runs on the
+   * kernel thread.
    *
    * @throws RuntimeException if it cannot be constructed
    */

@@ -11,7 +11,9 @@ import org.urbi.kernel.variable.Hook;
 import org.urbi.kernel.variable.UrbiUVar;
 import org.urbi.lang.source.Span;
 
-/** {@code Global.evaluate}: source text that is written to it becomes its value (manual, "Global"). */
+/**
+ * {@code Global.evaluate}: source text that is written to it becomes its value (manual, "Global").
+ */
 final class EvaluateVariable implements Hook {
   private static final CallSite ASSIGNMENT =
       new CallSite() {

@@ -172,6 +172,7 @@ public final class Library {
     types.get("System").addSlot(world.symbol("period"), values.number(0.02));
     types.get("Exception.Lookup").addSlot(world.symbol("fixSpelling"), values.trueObject);
     types.get("UVar").addSlot(world.symbol("hookChanged"), values.trueObject);
+    types.get("UVar").addSlot(world.symbol("eraseThrowingCallbacks"), values.falseObject);
     types.get("Exception").addSlot(world.symbol("message"), values.string("<no message>"));
   }
 
