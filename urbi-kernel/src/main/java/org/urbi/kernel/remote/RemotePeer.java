@@ -132,6 +132,10 @@ public final class RemotePeer {
         String name = in.text();
         yield answering(number, () -> startClass(name));
       }
+      case Frame.RTP ->
+          () -> {
+            // There are no datagrams in this version: values keep to the connection.
+          };
       case Frame.FENCE -> answering(in.size(), UValue::new);
       case Frame.ATTACH -> {
         int number = in.size();
