@@ -129,8 +129,7 @@ final class EclipseProject {
     }
     StringWriter messages = new StringWriter();
     PrintWriter writer = new PrintWriter(messages);
-    boolean compiled =
-        BatchCompiler.compile(command.toArray(String[]::new), writer, writer, null);
+    boolean compiled = BatchCompiler.compile(command.toArray(String[]::new), writer, writer, null);
     writer.flush();
     assertEquals(true, compiled, messages::toString);
     return messages.toString();

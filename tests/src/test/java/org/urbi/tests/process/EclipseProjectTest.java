@@ -41,7 +41,10 @@ class EclipseProjectTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"uobjectjava, urbi.UMain", "uobjectjava_withmain, examples.uobjectjava_withmain.Main"})
+  @CsvSource({
+    "uobjectjava, urbi.UMain",
+    "uobjectjava_withmain, examples.uobjectjava_withmain.Main"
+  })
   void itCompilesAndRuns(String name, String mainClass) throws Exception {
     Path original = ROOT.resolve("examples/eclipse").resolve(name);
     assertEquals(

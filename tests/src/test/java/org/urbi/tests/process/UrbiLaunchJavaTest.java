@@ -228,8 +228,7 @@ class UrbiLaunchJavaTest {
     Path library = Files.createDirectory(folder.resolve("library"));
     Path module = Files.createDirectory(folder.resolve("module"));
     javac(api, library, MACHINE.resolve("Machine.java"));
-    javac(
-        Path.of(api + ":" + library), module, MACHINE.resolve("UMachine.java"));
+    javac(Path.of(api + ":" + library), module, MACHINE.resolve("UMachine.java"));
     try (ServerProcess server = ServerProcess.in(folder);
         JavaProcess machine = launch("-P" + server.port(), "-c", library.toString(), "module")) {
       machine.awaitText("running on 127.0.0.1:" + server.port());
