@@ -44,8 +44,7 @@ public final class Arguments {
         site.calledName(),
         place,
         given,
-        prototype == null ? world.values().nil : prototype,
-        expected);
+        prototype == null ? world.values().nil : prototype);
   }
 
   /** A number. */

@@ -51,7 +51,7 @@ final class EventListening implements Embedding.Task<Listening>, Subscription {
     }
     throw interpreter
         .errors()
-        .argumentType("onEvent", 1, value, interpreter.prototypes().event, "Event");
+        .argumentType("onEvent", 1, value, interpreter.prototypes().event);
   }
 
   @Override

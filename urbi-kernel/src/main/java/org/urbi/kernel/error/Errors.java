@@ -17,21 +17,9 @@ public final class Errors {
   private final Values values;
   private final Map<String, UrbiObject> prototypes = new LinkedHashMap<>();
 
-  /** Shows a value as the console would; set by the library. */
-  public interface Shown {
-    String show(UrbiObject value);
-  }
-
-  private Shown shown = value -> "?";
-
   public Errors(World world) {
     this.world = world;
     this.values = world.values();
-  }
-
-  /** How values are shown in messages. */
-  public void setShown(Shown how) {
-    shown = how;
   }
 
   /** Declares the prototype of a type of exceptions, such as "Arity". */
@@ -46,9 +34,13 @@ public final class Errors {
 
   /** An exception of that type, with that message. */
   public Builder of(String type, String message) {
+    return of(type).with("message", values.string(message));
+  }
+
+  /** An exception of that type; who catches it finds as its message what its asString says. */
+  private Builder of(String type) {
     UrbiObject prototype = prototypes.get(type);
-    UrbiObject exception = prototype == null ? values.object.cloned() : prototype.cloned();
-    return new Builder(exception).with("message", values.string(message));
+    return new Builder(prototype == null ? values.object.cloned() : prototype.cloned());
   }
 
   /** An exception being filled. */
@@ -164,9 +156,9 @@ public final class Errors {
 
   /** {@code routine: argument 1: unexpected "x", expected a Float}; 0 is the target. */
   public UrbiException argumentType(
-      String routine, int index, UrbiObject effective, UrbiObject expected, String expectedName) {
+      String routine, int index, UrbiObject effective, UrbiObject expected) {
     UrbiObject cause =
-        of("Type", "unexpected " + shown.show(effective) + ", expected " + article(expectedName))
+        of("Type")
             .with("effective", effective)
             .with("expected", expected)
             .object();
@@ -186,7 +178,7 @@ public final class Errors {
       return badNumber(type, routine, message + "%s", effective);
     }
     UrbiObject cause =
-        of(type, message + shown.show(effective))
+        of(type)
             .with("fmt", message + "%s")
             .with("effective", effective)
             .object();
@@ -199,24 +191,11 @@ public final class Errors {
    * @param cause what was wrong with the argument
    */
   public UrbiException argument(String routine, int index, UrbiObject cause) {
-    return of("Argument", routine + ": " + place(index) + ": " + causeMessage(cause))
+    return of("Argument")
         .with("routine", routine)
         .with("index", index)
         .with("exception", cause)
         .build();
-  }
-
-  private String causeMessage(UrbiObject cause) {
-    UrbiObject message = cause.lookup(world.symbol("message"));
-    return message instanceof UrbiString s ? s.value() : "";
-  }
-
-  private static String place(int index) {
-    return index == 0 ? "target" : "argument " + index;
-  }
-
-  private static String article(String name) {
-    return ("AEIOUaeiou".indexOf(name.charAt(0)) >= 0 ? "an " : "a ") + name;
   }
 
   /** {@code routine: message} about a number. */

@@ -27,7 +27,7 @@ public final class Durations {
     throw frame.located(
         interpreter
             .errors()
-            .argumentType("duration", 0, value, interpreter.values().floatProto, "Float"),
+            .argumentType("duration", 0, value, interpreter.values().floatProto),
         expression.span());
   }
 

@@ -56,7 +56,7 @@ final class Hashing {
               .interpreter()
               .errors()
               .argumentType(
-                  "hash", 0, hash, caller.interpreter().world().prototype("Hash"), "Hash");
+                  "hash", 0, hash, caller.interpreter().world().prototype("Hash"));
     };
   }
 }

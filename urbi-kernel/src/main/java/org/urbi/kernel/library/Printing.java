@@ -97,7 +97,7 @@ final class Printing {
       throw caller
           .interpreter()
           .errors()
-          .argumentType("asString", 0, tuple, values.tupleProto, "Tuple");
+          .argumentType("asString", 0, tuple, values.tupleProto);
     }
     appendElements("(", members, members.size() == 1 ? ",)" : ")", repeated);
   }

@@ -191,8 +191,7 @@ final class TrajectoryType {
               "TrajectoryGenerator",
               index,
               value,
-              frame.interpreter().values().floatProto,
-              "Float");
+              frame.interpreter().values().floatProto);
     }
 
     // ---------------------------------------------------------------- attributes

@@ -28,7 +28,7 @@ public final class Tagged extends Node {
     if (!(value instanceof UrbiTag label)) {
       var interpreter = frame.interpreter();
       throw frame.located(
-          interpreter.errors().argumentType("tag", 0, value, interpreter.prototypes().tag, "Tag"),
+          interpreter.errors().argumentType("tag", 0, value, interpreter.prototypes().tag),
           tag.span());
     }
     return run(frame, label, body);
