@@ -25,9 +25,12 @@ import java.util.regex.Pattern;
  * package, together with what no module file can say: where the clock is read, who draws random
  * numbers, and which room talks to which library.
  */
-@AnalyzeClasses(packages = "org.urbi", importOptions = DoNotIncludeTests.class)
+@AnalyzeClasses(
+    packages = {"org.urbi", "urbi"},
+    importOptions = DoNotIncludeTests.class)
 class ArchitectureTest {
-  private static final DescribedPredicate<JavaClass> OURS = resideInAPackage("org.urbi..");
+  private static final DescribedPredicate<JavaClass> OURS =
+      resideInAnyPackage("org.urbi..", "urbi..");
 
   private static ArchRule knowsOnly(String room, String... others) {
     return classes()
@@ -44,7 +47,16 @@ class ArchitectureTest {
 
   @ArchTest
   static final ArchRule kernelKnowsLanguageAndBuiltins =
-      knowsOnly("org.urbi.kernel..", "org.urbi.lang..", "org.urbi.builtins..");
+      knowsOnly("org.urbi.kernel..", "org.urbi.lang..", "org.urbi.builtins..", "urbi..");
+
+  @ArchTest
+  static final ArchRule componentsCarryOneJar =
+      classes()
+          .that()
+          .resideInAPackage("urbi..")
+          .should()
+          .onlyDependOnClassesThat()
+          .resideInAnyPackage("urbi..", "java..", "javax.imageio..");
 
   private static ArchRule onlyIn(String room, String library) {
     return noClasses()

@@ -1,6 +1,9 @@
 package org.urbi.kernel.compile;
 
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 
 /** A lexical scope while it is compiled. */
@@ -10,8 +13,11 @@ final class Block {
   private final int region;
   private final boolean slots;
   private final boolean scope;
+  private final boolean parameters;
   private boolean redefines;
   private final Map<String, Variable> variables = new LinkedHashMap<>();
+  private Map<Object, Variable> begun;
+  private List<Import> imports;
 
   private Block(Block parent, Unit unit, int region, boolean slots, boolean scope) {
     this.parent = parent;
@@ -19,6 +25,7 @@ final class Block {
     this.region = region;
     this.slots = slots;
     this.scope = scope;
+    this.parameters = parent == null || parent.unit != unit;
   }
 
   /** The top level, where {@code var} makes slots of the lobby. */
@@ -78,7 +85,16 @@ final class Block {
     return block;
   }
 
-  /** Code of this scope asks for {@code redefinitionMode}. */
+  /** The parameters of the function around that has a call message; null at the top level. */
+  Block nearestFunction() {
+    Block block = this;
+    while (block != null && !(block.parameters && block.unit.callKey != null)) {
+      block = block.parent;
+    }
+    return block;
+  }
+
+  /** Code of this scope asks for {@code redefinitionMode} or {@code nonInterruptible}. */
   void setRedefines() {
     redefines = true;
   }
@@ -89,6 +105,58 @@ final class Block {
 
   void add(String name, Variable variable) {
     variables.put(name, variable);
+  }
+
+  /**
+   * An {@code import} in a scope.
+   *
+   * @param variable where the object is that names are imported from
+   * @param only the only name that is imported, or null
+   */
+  record Import(Variable variable, String only) {
+    boolean brings(String name) {
+      return only == null || only.equals(name);
+    }
+  }
+
+  /** Names are looked up in an object, too. */
+  void addImport(Import one) {
+    if (imports == null) {
+      imports = new ArrayList<>();
+    }
+    imports.addFirst(one);
+  }
+
+  /** The imports of this block, the last one first. */
+  List<Import> imports() {
+    return imports == null ? List.of() : imports;
+  }
+
+  Block parent() {
+    return parent;
+  }
+
+  /** Whether {@code this} may be another object than in the block around. */
+  boolean changesTarget() {
+    return parameters || (slots && scope);
+  }
+
+  /** A declaration of this block whose variable another block has begun. */
+  void addBegun(Object key, Variable variable) {
+    if (begun == null) {
+      begun = new IdentityHashMap<>();
+    }
+    begun.put(key, variable);
+  }
+
+  /** The variable of a declaration, if it has been begun elsewhere; or null. */
+  Variable begun(Object key) {
+    for (Block block = this; block != null; block = block.parent) {
+      if (block.begun != null && block.begun.containsKey(key)) {
+        return block.begun.get(key);
+      }
+    }
+    return null;
   }
 
   Variable local(String name) {

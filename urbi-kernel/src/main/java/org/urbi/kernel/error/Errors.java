@@ -3,7 +3,6 @@ package org.urbi.kernel.error;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import org.urbi.kernel.object.UrbiObject;
-import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.Values;
 import org.urbi.kernel.object.World;
 import org.urbi.lang.parse.SyntaxError;
@@ -157,12 +156,12 @@ public final class Errors {
   /** {@code routine: argument 1: unexpected "x", expected a Float}; 0 is the target. */
   public UrbiException argumentType(
       String routine, int index, UrbiObject effective, UrbiObject expected) {
-    UrbiObject cause =
-        of("Type")
-            .with("effective", effective)
-            .with("expected", expected)
-            .object();
-    return argument(routine, index, cause);
+    return argument(routine, index, type(effective, expected).value());
+  }
+
+  /** {@code unexpected "x", expected a Float}. */
+  public UrbiException type(UrbiObject effective, UrbiObject expected) {
+    return of("Type").with("effective", effective).with("expected", expected).build();
   }
 
   /**
@@ -177,11 +176,7 @@ public final class Errors {
     if (index == 0) {
       return badNumber(type, routine, message + "%s", effective);
     }
-    UrbiObject cause =
-        of(type)
-            .with("fmt", message + "%s")
-            .with("effective", effective)
-            .object();
+    UrbiObject cause = of(type).with("fmt", message + "%s").with("effective", effective).object();
     return argument(routine, index, cause);
   }
 

@@ -6,6 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.BiConsumer;
+import java.util.function.Function;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.time.Clock;
@@ -25,6 +26,9 @@ public final class Scheduler {
   /** …by that much, or a job that never waits would keep the others asleep for ever. */
   private static final long BUSY_STEP = 1_000_000;
 
+  /** Jobs that start jobs which start jobs… must let the others have their turn. */
+  private static final int BIRTHS_PER_TICK = 100_000;
+
   /** How many turns the jobs have to end in when the kernel does. */
   private static final int LAST_ROUNDS = 1000;
 
@@ -38,10 +42,14 @@ public final class Scheduler {
   private final JobThread.Factory threads;
   private final ArrayDeque<Job> runnable = new ArrayDeque<>();
   private final ArrayDeque<Job> ahead = new ArrayDeque<>();
+  private final ArrayDeque<Job> behind = new ArrayDeque<>();
+  private final ArrayDeque<Job> born = new ArrayDeque<>();
   private final Set<Job> jobs = new LinkedHashSet<>();
   private final TagScope rootScope = new TagScope();
   private final List<Runnable> endOfTick = new ArrayList<>();
   private final BiConsumer<Job, Throwable> uncaught;
+  private Function<String, RuntimeException> refusals = IllegalStateException::new;
+  private int births;
   private int spins;
   private long passed;
   private int busyTicks;
@@ -157,9 +165,23 @@ public final class Scheduler {
     return job;
   }
 
+  /** Like {@link #startDetached}, but its first turn comes when all the others have had theirs. */
+  public Job startBehind(UrbiObject lobby, TagScope scope, String prefix, Job.Body body) {
+    Job job = new Job(this, body, nextName(prefix), lobby, scope, null, 0);
+    jobs.add(job);
+    behind.add(job);
+    return job;
+  }
+
+  /** A job started by another one runs in the same tick, right behind it. */
   private Job start(Job job) {
     jobs.add(job);
-    runnable.add(job);
+    if (running == null || births >= BIRTHS_PER_TICK) {
+      runnable.add(job);
+    } else {
+      births++;
+      born.add(job);
+    }
     return job;
   }
 
@@ -187,7 +209,11 @@ public final class Scheduler {
 
   /** Whether a job that can go on had better let others run. */
   boolean hasOthers() {
-    if (!runnable.isEmpty() || !ahead.isEmpty() || inbox.isFilled()) {
+    if (!runnable.isEmpty()
+        || !born.isEmpty()
+        || !ahead.isEmpty()
+        || !behind.isEmpty()
+        || inbox.isFilled()) {
       spins = 0;
       return true;
     }
@@ -197,6 +223,26 @@ public final class Scheduler {
     }
     passed++;
     return false;
+  }
+
+  /** Whether there are others to run with at least that priority. */
+  boolean hasOthersFrom(double priority) {
+    for (Job job : runnable) {
+      if (job.priority >= priority) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** What a job is left with that waits where it must not. */
+  RuntimeException refusal(String message) {
+    return refusals.apply(message);
+  }
+
+  /** Sets how errors of jobs are made; once, by the interpreter. */
+  public void setRefusals(Function<String, RuntimeException> how) {
+    refusals = how;
   }
 
   /**
@@ -283,7 +329,7 @@ public final class Scheduler {
     while (!ahead.isEmpty()) {
       runnable.addFirst(ahead.poll());
     }
-    if (runnable.isEmpty()) {
+    if (runnable.isEmpty() && behind.isEmpty()) {
       runEndOfTick();
       busyTicks = 0;
       if (!stopped && endOfTick.isEmpty()) {
@@ -292,6 +338,7 @@ public final class Scheduler {
       return;
     }
     runOnce(false);
+    runBehind();
     runEndOfTick();
     if (!clock.isReal() && timeHolders == 0 && ++busyTicks >= BUSY_TICKS) {
       busyTicks = 0;
@@ -309,10 +356,26 @@ public final class Scheduler {
   }
 
   private void runOnce(boolean last) {
+    births = 0;
     for (int left = runnable.size(); left > 0 && (last || !stopped); left--) {
       Job job = runnable.poll();
       running = job;
       job.resume();
+      for (Job child = born.pollLast(); child != null; child = born.pollLast()) {
+        runnable.addFirst(child);
+        left++;
+      }
+    }
+    running = null;
+  }
+
+  private void runBehind() {
+    for (int left = behind.size(); left > 0 && !stopped; left--) {
+      Job job = behind.poll();
+      running = job;
+      job.resume();
+      runnable.addAll(born);
+      born.clear();
     }
     running = null;
   }

@@ -9,6 +9,7 @@ import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiHash;
 import org.urbi.kernel.object.UrbiList;
@@ -138,8 +139,9 @@ final class StringType {
   }
 
   @Builtin(value = "+", doc = "The target followed by the asString of other.")
-  static String plus(Frame caller, UrbiString self, UrbiObject other) {
-    return self.value() + caller.interpreter().asString(caller, other);
+  static UrbiObject plus(Frame caller, UrbiString self, UrbiObject other) {
+    Interpreter interpreter = caller.interpreter();
+    return interpreter.values().concatenation(self, interpreter.asString(caller, other));
   }
 
   @Builtin(value = "*", doc = "The target so many times.")

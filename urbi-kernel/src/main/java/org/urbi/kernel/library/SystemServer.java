@@ -6,7 +6,6 @@ import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Properties;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.lobby.UrbiLobby;
@@ -182,24 +181,5 @@ final class SystemServer {
               + " "
               + frame.interpreter().asPrintable(frame, rhs));
     }
-  }
-
-  // ------------------------------------------------------------------ modules
-
-  @Builtin(doc = "Loads a library of UObjects; its symbols are there for other ones.")
-  static void loadLibrary(
-      Frame frame, CallSite site, UrbiObject self, UrbiObject library, @Optional String options) {
-    throw noLoader(frame, site, library);
-  }
-
-  @Builtin(doc = "Loads a module of UObjects.")
-  static void loadModule(
-      Frame frame, CallSite site, UrbiObject self, UrbiObject module, @Optional String options) {
-    throw noLoader(frame, site, module);
-  }
-
-  private static RuntimeException noLoader(Frame frame, CallSite site, UrbiObject module) {
-    String name = frame.interpreter().asString(frame, module);
-    return error(frame, site, "cannot load " + name + ": this server has no loader of modules");
   }
 }

@@ -80,16 +80,7 @@ public final class Frame {
   /** The frame of code at the top level of a lobby, or called from Java. */
   public static Frame top(Interpreter interpreter, Job job, UrbiObject self, FrameLayout layout) {
     return new Frame(
-        interpreter,
-        job,
-        0,
-        null,
-        null,
-        self,
-        null,
-        layout.newLocals(),
-        layout.newCells(),
-        null);
+        interpreter, job, 0, null, null, self, null, layout.newLocals(), layout.newCells(), null);
   }
 
   /** The frame of a call made from this one; the locals begin with the arguments. */
@@ -125,16 +116,7 @@ public final class Frame {
   /** The same activation with another {@code this}: the body of {@code do}. */
   Frame withSelf(UrbiObject target) {
     return new Frame(
-        interpreter,
-        job,
-        depth,
-        caller,
-        site,
-        target,
-        function,
-        locals,
-        cells,
-        activation);
+        interpreter, job, depth, caller, site, target, function, locals, cells, activation);
   }
 
   /**
@@ -144,6 +126,18 @@ public final class Frame {
    */
   public Frame fork(Job other, boolean waited) {
     return copy(other, waited, null);
+  }
+
+  /** Like {@link #fork}, for a job that is waited for, as if called through these, inner first. */
+  Frame forkThrough(Job other, CallSite inner, CallSite outer) {
+    Frame around = fork(other, true);
+    Frame through = around.calledAt(outer, around);
+    return around.calledAt(inner, through);
+  }
+
+  private Frame calledAt(CallSite from, Frame by) {
+    return new Frame(
+        interpreter, job, by.depth + 1, by, from, self, function, locals, cells, activation);
   }
 
   /**
@@ -185,16 +179,7 @@ public final class Frame {
     return evaluator == job
         ? this
         : new Frame(
-            interpreter,
-            evaluator,
-            depth,
-            caller,
-            site,
-            self,
-            function,
-            locals,
-            cells,
-            activation);
+            interpreter, evaluator, depth, caller, site, self, function, locals, cells, activation);
   }
 
   // ------------------------------------------------------------------ for the library
@@ -241,7 +226,7 @@ public final class Frame {
   public List<UrbiException.Call> backtrace() {
     List<UrbiException.Call> calls = new ArrayList<>();
     for (Frame frame = this; frame != null; frame = frame.caller) {
-      if (frame.site != null) {
+      if (frame.site != null && frame.site.isTraced()) {
         calls.add(new UrbiException.Call(frame.site.calledName(), frame.site.calledSpan()));
       }
       if (calls.size() >= 10_000) {

@@ -55,7 +55,7 @@ public final class InPlace extends Node implements CallSite {
     public UrbiObject read(Frame frame, UrbiObject[] parts) {
       UrbiObject value = lookup.find(frame, parts[0]);
       if (value == null) {
-        throw frame.interpreter.errors().lookup(parts[0], lookup.name().name());
+        return frame.interpreter.send(frame, parts[0], lookup.name().name());
       }
       return value instanceof Code code ? frame.interpreter.call(frame, code, parts[0]) : value;
     }
@@ -73,7 +73,7 @@ public final class InPlace extends Node implements CallSite {
       UrbiObject[] parts = new UrbiObject[1 + indices.length];
       parts[0] = target.execute(frame);
       for (int i = 0; i < indices.length; i++) {
-        parts[i + 1] = Arguments.notVoid(frame, indices[i]);
+        parts[i + 1] = frame.interpreter.notVoid(indices[i].execute(frame));
       }
       return parts;
     }
@@ -185,16 +185,29 @@ public final class InPlace extends Node implements CallSite {
 
   @Override
   public UrbiObject execute(Frame frame) {
-    if (local >= 0
-        && frame.locals[local] instanceof UrbiFloat before
-        && before.shape() == values.floatShape
-        && !Double.isNaN(step)
-        && isIntact()) {
-      UrbiFloat after = values.number(before.value() + step);
+    if (local >= 0 && sign != 0 && frame.locals[local] instanceof UrbiFloat before) {
+      return count(frame, before);
+    }
+    return modify(frame);
+  }
+
+  /** A number in a plain local variable, which needs neither the access nor, often, the operand. */
+  private UrbiObject count(Frame frame, UrbiFloat before) {
+    if (!Double.isNaN(step) && before.shape() == values.floatShape && isIntact()) {
+      UrbiObject after = values.number(before.value() + step);
       frame.locals[local] = after;
       return operand == null ? before : after;
     }
-    return modify(frame);
+    try {
+      UrbiObject after =
+          operand == null
+              ? successor(frame, before)
+              : combined(frame, before, Arguments.notVoid(frame, operand, span()));
+      frame.locals[local] = after;
+      return operand == null ? before : after;
+    } catch (UrbiException e) {
+      throw frame.located(e, span());
+    }
   }
 
   /** The general way, for all places and operators. */
@@ -206,7 +219,7 @@ public final class InPlace extends Node implements CallSite {
         access.write(frame, parts, successor(frame, before));
         return before;
       }
-      UrbiObject after = combined(frame, before, Arguments.notVoid(frame, operand));
+      UrbiObject after = combined(frame, before, Arguments.notVoid(frame, operand, span()));
       access.write(frame, parts, after);
       return after;
     } catch (UrbiException e) {

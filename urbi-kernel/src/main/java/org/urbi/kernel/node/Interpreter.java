@@ -29,6 +29,11 @@ public final class Interpreter {
     public Span calledSpan() {
       return null;
     }
+
+    @Override
+    public boolean isTraced() {
+      return false;
+    }
   }
 
   /** No data are nested as deeply, unless they are within themselves. */
@@ -59,6 +64,7 @@ public final class Interpreter {
     this.symbols = new CoreSymbols(world);
     this.prototypes = prototypes;
     this.maximumDepth = scheduler.maximumDepth();
+    scheduler.setRefusals(errors::scheduling);
   }
 
   public World world() {
@@ -149,6 +155,9 @@ public final class Interpreter {
       return own.call(caller, site, code, values.listOf(all));
     }
     if (arguments.length > 0) {
+      if (code.lookup(symbols.parentheses) instanceof Code own) {
+        return call(caller, site, own, code, arguments);
+      }
       throw errors.arity(
           site.calledName() == null ? "apply" : site.calledName(), arguments.length, 0, 0);
     }
@@ -174,7 +183,11 @@ public final class Interpreter {
   /** Sends a message on behalf of a library function called at that site. */
   public UrbiObject send(
       Frame caller, CallSite site, UrbiObject target, Symbol message, UrbiObject... arguments) {
-    UrbiObject found = get(caller, target, message);
+    UrbiObject found = SlotLookup.find(caller, target, message);
+    if (found == null) {
+      return fallback(
+          caller, new EvaluatedSite(new JavaSite(message.name()), arguments), target, message);
+    }
     if (found instanceof Code) {
       return call(caller, site, found, target, arguments);
     }
@@ -182,6 +195,15 @@ public final class Interpreter {
       throw errors.arity(message.name(), arguments.length, 0, 0);
     }
     return found;
+  }
+
+  /**
+   * Sends a message for which the target has no slot: its {@code fallback} answers, if it has one.
+   *
+   * @param site has the name and the arguments of the message
+   */
+  public UrbiObject fallback(Frame caller, CallSite site, UrbiObject target, Symbol message) {
+    return Calls.fallback(caller, site, target, message, site.argumentNodes());
   }
 
   /** The value of a slot, not called if it is a function. */

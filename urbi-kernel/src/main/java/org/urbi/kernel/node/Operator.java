@@ -10,8 +10,8 @@ import org.urbi.lang.source.Span;
  * An operator between two operands. It is a message like any other; but when both are plain numbers
  * and nobody has redefined the operator of numbers, it is computed here.
  *
- * <p>The kinds are told apart by a switch, not by subclasses: a call which all operators share would
- * be megamorphic, and cost more than what it computes.
+ * <p>The kinds are told apart by a switch, not by subclasses: a call which all operators share
+ * would be megamorphic, and cost more than what it computes.
  */
 public final class Operator extends Node {
   private static final int ADD = 0;

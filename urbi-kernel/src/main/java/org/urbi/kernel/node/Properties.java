@@ -124,6 +124,9 @@ public final class Properties {
     private final String property;
     private final Node value;
 
+    /**
+     * @param span where the property is written, without the value
+     */
     public Write(Span span, Node target, Symbol slot, String property, Node value) {
       super(span);
       this.target = target;
@@ -135,7 +138,7 @@ public final class Properties {
     @Override
     public UrbiObject execute(Frame frame) {
       UrbiObject object = target.execute(frame);
-      UrbiObject assigned = Arguments.notVoid(frame, value);
+      UrbiObject assigned = Arguments.notVoid(frame, value, span());
       try {
         set(frame, object, slot, property, assigned);
       } catch (UrbiException e) {

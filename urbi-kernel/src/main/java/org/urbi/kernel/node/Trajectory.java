@@ -56,10 +56,12 @@ public final class Trajectory extends Node implements CallSite {
   public UrbiObject execute(Frame frame) {
     Interpreter interpreter = frame.interpreter;
     Map<UrbiDictionary.Key, UrbiObject> attributes = new LinkedHashMap<>();
+    // There must be something to move: the error is where it is written.
+    variable.execute(frame);
     for (int i = 0; i < names.length; i++) {
       attributes.put(
           DictionaryKey.of(frame, interpreter.values().string(names[i])),
-          Arguments.notVoid(frame, values[i]));
+          Arguments.notVoid(frame, values[i], span()));
     }
     UrbiObject goal = target.execute(frame);
     if (goal instanceof UrbiFloat number && Double.isNaN(number.value())) {
