@@ -137,7 +137,8 @@ public final class Interpreter {
 
   /** Calls a function; what is no function is its own value. */
   public UrbiObject call(Frame caller, UrbiObject code, UrbiObject self, UrbiObject... arguments) {
-    return call(caller, FROM_JAVA, code, self, arguments);
+    CallSite site = code instanceof Primitive own ? new JavaSite(own.name()) : FROM_JAVA;
+    return call(caller, site, code, self, arguments);
   }
 
   /** Calls a function on behalf of a library function called at that site. */
