@@ -35,8 +35,7 @@ final class TrajectoryType {
       throw frame
           .interpreter()
           .errors()
-          .argumentType(
-              "TrajectoryGenerator", 1, target, self.world().values().floatProto, "Float");
+          .argumentType("TrajectoryGenerator", 1, target, self.world().values().floatProto);
     }
     Motion motion = new Motion(frame, site, self, read, write, goal, attributes);
     UrbiObject kind = OwnSlots.get(frame, self, kind(frame, motion));
