@@ -215,7 +215,7 @@ public final class Errors {
   }
 
   private static String place(int index) {
-    return index == 0 ? "target" : "argument " + index;
+    return index == 0 ? "this" : "argument " + index;
   }
 
   private static String article(String name) {
