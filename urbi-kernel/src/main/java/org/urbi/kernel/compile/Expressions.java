@@ -92,8 +92,7 @@ final class Expressions {
     if (ast instanceof Ast.Property property) {
       return new Properties.Read(
           property.span(),
-          compilation.receivers.target(
-              property.target(), property.slot(), property.span(), block),
+          compilation.receivers.target(property.target(), property.slot(), property.span(), block),
           symbol(property.slot()),
           property.name());
     }

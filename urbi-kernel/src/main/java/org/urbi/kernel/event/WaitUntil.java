@@ -1,8 +1,8 @@
 package org.urbi.kernel.event;
 
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Timers;
-import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Truth;

@@ -124,7 +124,8 @@ final class LobbyType {
     }
   }
 
-  @Builtin(doc = "Has the lobby begin as those of new connections do: with local.u, if there is one.")
+  @Builtin(
+      doc = "Has the lobby begin as those of new connections do: with local.u, if there is one.")
   static void initialize(Frame frame, UrbiObject self, @Optional UrbiObject remote) {
     receive(frame, self, "maybeLoad(\"local.u\");");
   }

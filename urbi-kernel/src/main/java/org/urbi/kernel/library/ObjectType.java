@@ -3,7 +3,6 @@ package org.urbi.kernel.library;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.LinkedHashSet;
-import java.util.List;
 import java.util.Set;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
@@ -166,8 +165,7 @@ final class ObjectType {
   }
 
   /** Refuses to make something a number by its prototypes: it would have no value. */
-  private static void checkNumber(
-      Frame frame, CallSite site, UrbiObject self, UrbiObject proto) {
+  private static void checkNumber(Frame frame, CallSite site, UrbiObject self, UrbiObject proto) {
     if (proto instanceof UrbiFloat && !(self instanceof UrbiFloat)) {
       throw frame
           .interpreter()

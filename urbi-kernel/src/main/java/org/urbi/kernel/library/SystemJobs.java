@@ -40,7 +40,8 @@ final class SystemJobs {
     return LobbyType.of(frame);
   }
 
-  @Builtin(doc =
+  @Builtin(
+      doc =
           "How many cycles there were since resetStats, and how many seconds they took; nil right"
               + " after it.")
   static UrbiObject stats(Frame frame, UrbiObject self) {

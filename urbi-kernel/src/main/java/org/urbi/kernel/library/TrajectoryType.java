@@ -54,10 +54,7 @@ final class TrajectoryType {
             .entries()
             .get(DictionaryKey.of(frame, frame.interpreter().values().string(name)));
     if (value == null) {
-      throw frame
-          .interpreter()
-          .errors()
-          .primitive(site.calledName(), "missing attribute: " + name);
+      throw frame.interpreter().errors().primitive(site.calledName(), "missing attribute: " + name);
     }
     return value;
   }

@@ -137,16 +137,7 @@ public final class Frame {
 
   private Frame calledAt(CallSite from, Frame by) {
     return new Frame(
-        interpreter,
-        job,
-        by.depth + 1,
-        by,
-        from,
-        self,
-        function,
-        locals,
-        cells,
-        activation);
+        interpreter, job, by.depth + 1, by, from, self, function, locals, cells, activation);
   }
 
   /**
