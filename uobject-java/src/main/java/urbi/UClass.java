@@ -71,7 +71,7 @@ public final class UClass {
 
   /** The class of an object whose constructor has begun. */
   static UClass of(Class<? extends UObject> javaClass, String objectName) {
-    Creation creation = CREATION.orElse(null);
+    Creation creation = CREATION.isBound() ? CREATION.get() : null;
     if (creation != null && creation.name.equals(objectName)) {
       return creation.type;
     }
