@@ -1,0 +1,54 @@
+package org.urbi.bridge;
+
+import urbi.UContext;
+import urbi.UEmitter;
+import urbi.USlot;
+
+/** What one module has in one context. C++ code knows it by a number. */
+final class NativeContext {
+  private static final Handles<NativeContext> ALL = new Handles<>();
+
+  private final NativeModule module;
+  private final UContext context;
+  private final long number;
+
+  final Handles<NativeResident> residents = new Handles<>();
+  final Handles<USlot> slots = new Handles<>();
+  final Handles<UEmitter> events = new Handles<>();
+  final Handles<Runnable> timers = new Handles<>();
+
+  NativeContext(NativeModule module, UContext context) {
+    this.module = module;
+    this.context = context;
+    this.number = ALL.add(this);
+  }
+
+  /** The one of that number, or null. */
+  static NativeContext find(long number) {
+    return ALL.find(number);
+  }
+
+  NativeModule module() {
+    return module;
+  }
+
+  UContext context() {
+    return context;
+  }
+
+  long number() {
+    return number;
+  }
+
+  /** It is no longer used. */
+  void close() {
+    CallFrame frame = CallFrame.take();
+    try {
+      frame.prepare(0, number, 0);
+      module.entries().forget(frame.exchange);
+    } finally {
+      frame.release(module.entries());
+    }
+    ALL.remove(number);
+  }
+}
