@@ -110,8 +110,7 @@ final class Annotations {
       }
       Every every = method.getAnnotation(Every.class);
       if (every != null) {
-        bindings.add(
-            object -> object.setTimer(every.value(), object, method, every.afterPass()));
+        bindings.add(object -> object.setTimer(every.value(), object, method, every.afterPass()));
       }
     }
   }

@@ -5,8 +5,7 @@ import java.lang.StackWalker.Option;
 /** Finds out to which context the code of a thread belongs. */
 final class CurrentContext {
   private static final ThreadLocal<UContext> OF_THREAD = new ThreadLocal<>();
-  private static final StackWalker CALLERS =
-      StackWalker.getInstance(Option.RETAIN_CLASS_REFERENCE);
+  private static final StackWalker CALLERS = StackWalker.getInstance(Option.RETAIN_CLASS_REFERENCE);
 
   private CurrentContext() {}
 
@@ -26,12 +25,13 @@ final class CurrentContext {
     UContext own = OF_THREAD.get();
     if (own == null) {
       // A thread that the user has made: its code tells whose it is.
-      own = CALLERS.walk(frames ->
-          frames
-              .map(frame -> UModule.contextOf(frame.getDeclaringClass().getClassLoader()))
-              .filter(context -> context != null)
-              .findFirst()
-              .orElse(null));
+      own =
+          CALLERS.walk(frames ->
+              frames
+                  .map(frame -> UModule.contextOf(frame.getDeclaringClass().getClassLoader()))
+                  .filter(context -> context != null)
+                  .findFirst()
+                  .orElse(null));
     }
     if (own == null) {
       throw new IllegalStateException(

@@ -145,9 +145,7 @@ final class ModuleClassLoader extends ClassLoader {
   @Override
   protected Enumeration<URL> findResources(String name) {
     URL found = findResource(name);
-    return found == null
-        ? Collections.emptyEnumeration()
-        : Collections.enumeration(List.of(found));
+    return found == null ? Collections.emptyEnumeration() : Collections.enumeration(List.of(found));
   }
 
   /** Opens a resource that is in memory. */

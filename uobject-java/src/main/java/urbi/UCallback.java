@@ -46,12 +46,12 @@ public final class UCallback {
    *
    * @param parameterTypes what its arguments are, where more is known than classes
    */
-  public static UCallback of(String name, MethodHandle handle, List<? extends Type> parameterTypes) {
+  public static UCallback of(
+      String name, MethodHandle handle, List<? extends Type> parameterTypes) {
     if (handle.type().parameterCount() != parameterTypes.size()) {
       throw new IllegalArgumentException(name + ": " + parameterTypes + " for " + handle.type());
     }
-    return new UCallback(
-        name, handle.asFixedArity(), List.copyOf(parameterTypes), null, null);
+    return new UCallback(name, handle.asFixedArity(), List.copyOf(parameterTypes), null, null);
   }
 
   /**
@@ -113,14 +113,15 @@ public final class UCallback {
    * @return false if it was dropped, because too many wait
    */
   public boolean execute(UContext context, Runnable task) {
-    Runnable entered = () -> {
-      UContext before = UContext.enter(context);
-      try {
-        task.run();
-      } finally {
-        UContext.enter(before);
-      }
-    };
+    Runnable entered =
+        () -> {
+          UContext before = UContext.enter(context);
+          try {
+            task.run();
+          } finally {
+            UContext.enter(before);
+          }
+        };
     if (queue == null) {
       context.threads().execute(entered);
       return true;

@@ -82,8 +82,8 @@ public interface UContext {
   USlot variable(String name);
 
   /**
-   * A port of an object, into which urbiscript can lead the values of variables ({@code
-   * source.&val >> sink.&input}). It keeps no value: it passes on.
+   * A port of an object, into which urbiscript can lead the values of variables ({@code source.&val
+   * >> sink.&input}). It keeps no value: it passes on.
    */
   USlot inputPort(String name);
 

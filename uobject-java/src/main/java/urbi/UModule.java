@@ -10,11 +10,12 @@ import java.util.WeakHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 
 /**
- * The classes of UObjects that come together: those of a jar, of a shared library, or of the program
- * itself. {@link UObject#UStart} adds a class to the module whose class loader has loaded it.
+ * The classes of UObjects that come together: those of a jar, of a shared library, or of the
+ * program itself. {@link UObject#UStart} adds a class to the module whose class loader has loaded
+ * it.
  *
- * <p>A jar is read whole when it is loaded, into a class loader of its own; the file may be replaced
- * at any time. Two contexts that load the same jar share nothing.
+ * <p>A jar is read whole when it is loaded, into a class loader of its own; the file may be
+ * replaced at any time. Two contexts that load the same jar share nothing.
  */
 public final class UModule {
   /** The modules of class loaders that are not made here. */
@@ -32,8 +33,8 @@ public final class UModule {
   }
 
   /**
-   * Loads a jar: every class in it that calls {@link UObject#UStart} or {@link UObject#UStartHub} when
-   * it is initialized, or is annotated with {@link UStart}, is initialized now.
+   * Loads a jar: every class in it that calls {@link UObject#UStart} or {@link UObject#UStartHub}
+   * when it is initialized, or is annotated with {@link UStart}, is initialized now.
    *
    * @throws UModuleException if the file cannot be read or is no jar, has no such class, or one
    *     that cannot be loaded

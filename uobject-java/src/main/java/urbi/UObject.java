@@ -11,8 +11,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 
 /**
  * The Java side of an urbiscript object (manual, "The UObject Java API"). A subclass has a
- * constructor that takes its name, is declared by {@link #UStart}, and binds what urbiscript may see
- * of it: variables, functions, events.
+ * constructor that takes its name, is declared by {@link #UStart}, and binds what urbiscript may
+ * see of it: variables, functions, events.
  *
  * <p>One that implements {@link AutoCloseable} is closed when its urbiscript object has gone.
  */
@@ -69,6 +69,21 @@ public abstract non-sealed class UObject extends UResident {
             UModule.simpleName(javaClass),
             module,
             Constructors.of(javaClass, UObjectHub.class)::newInstance));
+  }
+
+  /**
+   * Runs the classes that the program has declared, connected to a server: for programs with a main
+   * of their own (manual, "Providing a main class or not"). The arguments are those of {@link
+   * UMain}; it returns when the connection ends.
+   *
+   * @throws IllegalStateException if that did not go well; the message has been printed
+   */
+  public static void main(String[] arguments) {
+    Class<?> caller =
+        StackWalker.getInstance(StackWalker.Option.RETAIN_CLASS_REFERENCE).getCallerClass();
+    if (UMain.runProgram(arguments, caller.getClassLoader()) != 0) {
+      throw new IllegalStateException("the UObjects could not be run");
+    }
   }
 
   // ------------------------------------------------------------------ what it is
@@ -227,7 +242,9 @@ public abstract non-sealed class UObject extends UResident {
     getUContext().bindFunction(this, urbiName, function);
   }
 
-  /** Binds a method of which each call runs on a thread of its own (manual, "Asynchronous binding"). */
+  /**
+   * Binds a method of which each call runs on a thread of its own (manual, "Asynchronous binding").
+   */
   protected void UBindThreadedFunction(String methodName, LockMode lock) {
     UBindThreadedFunctionRename(methodName, methodName, new LockSpec(lock));
   }
@@ -306,8 +323,8 @@ public abstract non-sealed class UObject extends UResident {
   }
 
   /**
-   * Has a method called on a thread of its own after each change. It takes nothing or the value, not
-   * the {@link UVar}: that may have changed again.
+   * Has a method called on a thread of its own after each change. It takes nothing or the value,
+   * not the {@link UVar}: that may have changed again.
    */
   protected void UNotifyThreadedChange(UVar v, String methodName, LockMode lock) {
     UNotifyThreadedChange(v, methodName, new LockSpec(lock));

@@ -6,8 +6,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 
 /**
  * Groups UObjects that have something to do together (manual, "Using hubs to group objects"): a
- * subclass is declared by {@link UObject#UStartHub} and has one instance in each context, with which
- * objects register by {@link UObject#URegister}.
+ * subclass is declared by {@link UObject#UStartHub} and has one instance in each context, with
+ * which objects register by {@link UObject#URegister}.
  */
 public abstract non-sealed class UObjectHub extends UResident {
   /** The objects that have registered, in the order in which they did. */

@@ -3,9 +3,9 @@ package urbi;
 /**
  * The context's side of one {@link UVar}: a variable of urbiscript as one module sees it.
  *
- * <p>An owned variable (manual, "The special case of sensor/actuator variables") has two values: the
- * module that owns it reads the target and writes the sensed value, all the others read the sensed
- * value and write the target.
+ * <p>An owned variable (manual, "The special case of sensor/actuator variables") has two values:
+ * the module that owns it reads the target and writes the sensed value, all the others read the
+ * sensed value and write the target.
  *
  * <p>Reading by {@link #get} has the access notifications of others called first; writing by {@link
  * #set} has the change notifications called after, as a read or a write in urbiscript does.
@@ -21,7 +21,9 @@ public interface USlot {
    */
   UValue get();
 
-  /** Changes the value; urbiscript may bring it into the range {@code rangemin}…{@code rangemax}. */
+  /**
+   * Changes the value; urbiscript may bring it into the range {@code rangemin}…{@code rangemax}.
+   */
   void set(UValue value);
 
   /** Asks the kernel for the value, and waits for it. */
@@ -55,8 +57,8 @@ public interface USlot {
   Runnable onChange(UObject object, UCallback function);
 
   /**
-   * Has a function called before each access, so that it may set the value; it has one argument, the
-   * value, or none.
+   * Has a function called before each access, so that it may set the value; it has one argument,
+   * the value, or none.
    *
    * @return what ends it
    */

@@ -3,7 +3,9 @@ package urbi;
 import java.util.ArrayDeque;
 import java.util.concurrent.Executor;
 
-/** Threaded calls that exclude one another: they run one at a time, in the order in which they came. */
+/**
+ * Threaded calls that exclude one another: they run one at a time, in the order in which they came.
+ */
 public final class UTaskQueue {
   private final ArrayDeque<Runnable> waiting = new ArrayDeque<>();
   private boolean running;

@@ -17,8 +17,7 @@ public final class UThreadPool implements Executor, AutoCloseable {
    * @param name what the threads are called
    */
   public UThreadPool(String name) {
-    threads =
-        Executors.newCachedThreadPool(Thread.ofPlatform().daemon().name(name, 0).factory());
+    threads = Executors.newCachedThreadPool(Thread.ofPlatform().daemon().name(name, 0).factory());
   }
 
   /** Limits the number of threads that run at a time; 0 for any number. */

@@ -74,8 +74,7 @@ final class KernelSession implements AutoCloseable {
 
   /** A kernel that lives in our time. */
   static KernelSession inRealTime(BackEnd backEnd) {
-    return new KernelSession(
-        builder(backEnd).virtualTime(false).start());
+    return new KernelSession(builder(backEnd).virtualTime(false).start());
   }
 
   /**

@@ -19,6 +19,7 @@ import org.urbi.kernel.embed.Listening;
 import org.urbi.kernel.embed.UrbiError;
 import org.urbi.kernel.embed.UrbiValue;
 import org.urbi.kernel.error.Errors;
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Inbox;
 import org.urbi.kernel.job.Job;
@@ -32,10 +33,14 @@ import org.urbi.kernel.library.LogLevel;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CorePrototypes;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.outside.Confinement;
 import org.urbi.kernel.outside.Outside;
+import org.urbi.kernel.remote.RemotePeer;
+import org.urbi.kernel.remote.RemoteWire;
 import org.urbi.kernel.tag.UrbiTag;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
@@ -438,6 +443,26 @@ public final class Kernel implements AutoCloseable, KernelControl {
   @Override
   public PluggedContext uobjects() {
     return uobjects;
+  }
+
+  /**
+   * Lets a process bring UObjects (docs/protocol.md).
+   *
+   * @param name of the process, for people
+   * @param wire the way to it
+   */
+  public RemotePeer connectRemote(String name, RemoteWire wire) {
+    return new RemotePeer(name, scheduler, uobjects, this::describe, wire);
+  }
+
+  /** What went wrong, for people; in a job. */
+  private String describe(RuntimeException failure) {
+    if (failure instanceof UrbiException thrown) {
+      Job job = scheduler.running();
+      return interpreter.asString(
+          Frame.top(interpreter, job, job.lobby(), new FrameLayout()), thrown.value());
+    }
+    return failure.getMessage() == null ? failure.toString() : failure.getMessage();
   }
 
   // ------------------------------------------------------------------ log

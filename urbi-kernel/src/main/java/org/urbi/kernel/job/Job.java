@@ -62,7 +62,8 @@ public final class Job implements Runnable {
   public Object activity;
 
   /**
-   * The activation that has called code which is not urbiscript, while that code runs; usually null.
+   * The activation that has called code which is not urbiscript, while that code runs; usually
+   * null.
    */
   public Object outgoing;
 

@@ -60,8 +60,7 @@ final class SystemModules {
           .interpreter()
           .errors()
           .primitive(
-              site.calledName(),
-              "not loaded: " + frame.interpreter().asString(frame, module));
+              site.calledName(), "not loaded: " + frame.interpreter().asString(frame, module));
     }
   }
 }

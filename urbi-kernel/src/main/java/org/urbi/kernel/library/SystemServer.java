@@ -6,7 +6,6 @@ import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Properties;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.lobby.UrbiLobby;

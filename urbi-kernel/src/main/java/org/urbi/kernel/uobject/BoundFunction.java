@@ -50,9 +50,7 @@ final class BoundFunction extends Code {
     }
     long started = statistics.begin();
     try {
-      return whole == null
-          ? threaded(caller, site, arguments)
-          : direct(caller, site, arguments);
+      return whole == null ? threaded(caller, site, arguments) : direct(caller, site, arguments);
     } finally {
       statistics.end(started);
     }
@@ -78,9 +76,7 @@ final class BoundFunction extends Code {
       return context
           .converters()
           .result(
-              result instanceof CompletionStage<?> stage
-                  ? context.await(caller, stage)
-                  : result);
+              result instanceof CompletionStage<?> stage ? context.await(caller, stage) : result);
     } catch (Throwable e) {
       throw Failures.inFunction(context, caller, site, callback.name(), arguments, e);
     }

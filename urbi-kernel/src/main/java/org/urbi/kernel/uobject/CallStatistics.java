@@ -6,7 +6,9 @@ import java.util.function.Consumer;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.variable.CallTimes;
 
-/** How often functions of UObjects are called and how long they take, while somebody asks for it. */
+/**
+ * How often functions of UObjects are called and how long they take, while somebody asks for it.
+ */
 public final class CallStatistics {
   /** The calls of one function. */
   final class Entry {

@@ -69,8 +69,7 @@ final class Converters {
   }
 
   private void direct(Class<?> type, String method) {
-    direct.put(
-        type, find(() -> LOOKUP.findStatic(Converters.class, method, methodType(type))));
+    direct.put(type, find(() -> LOOKUP.findStatic(Converters.class, method, methodType(type))));
   }
 
   private static MethodType methodType(Class<?> type) {
@@ -90,8 +89,7 @@ final class Converters {
   }
 
   private MethodHandle own(String name, Class<?> result, Class<?>... parameters) {
-    return find(() ->
-        LOOKUP.bind(this, name, MethodType.methodType(result, parameters)));
+    return find(() -> LOOKUP.bind(this, name, MethodType.methodType(result, parameters)));
   }
 
   // ------------------------------------------------------------------ whole functions
@@ -141,7 +139,8 @@ final class Converters {
     if (known != null) {
       return known.asType(MethodType.methodType(raw, UrbiObject.class));
     }
-    return MethodHandles.insertArguments(own("cast", Object.class, Type.class, UrbiObject.class), 0, type)
+    return MethodHandles.insertArguments(
+            own("cast", Object.class, Type.class, UrbiObject.class), 0, type)
         .asType(MethodType.methodType(raw, UrbiObject.class));
   }
 
@@ -231,8 +230,7 @@ final class Converters {
     if (given instanceof UrbiString name) {
       return new UVar(Texts.toJava(name.value()));
     }
-    throw new ConversionFailure(
-        given, "UVar", "invalid cast to UVar from non-string value.");
+    throw new ConversionFailure(given, "UVar", "invalid cast to UVar from non-string value.");
   }
 
   private Object cast(Type type, UrbiObject given) {

@@ -111,11 +111,7 @@ public final class Creation {
 
   /** Calls {@code init}, and looks at what it returns. */
   void initialize(
-      Frame frame,
-      CallSite site,
-      Instance instance,
-      UrbiObject object,
-      UrbiObject... arguments) {
+      Frame frame, CallSite site, Instance instance, UrbiObject object, UrbiObject... arguments) {
     Symbol init = interpreter.symbols().init;
     UrbiObject result = interpreter.send(frame, site, object, init, arguments);
     instance.setInitArguments(arguments);
@@ -157,8 +153,7 @@ public final class Creation {
                 .errors()
                 .primitive(
                     Texts.toUrbi(name),
-                    Texts.toUrbi(
-                        "exception caught while constructing " + name + ": " + text(e)));
+                    Texts.toUrbi("exception caught while constructing " + name + ": " + text(e)));
       };
     } finally {
       context.back(frame, outer);
@@ -197,8 +192,10 @@ public final class Creation {
   private void forget(Instance instance) {
     objects().remove(instance);
     instance.keepAlive(false);
-    instance.functions().values().forEach(function ->
-        context.statistics().forget(function.callback().name()));
+    instance
+        .functions()
+        .values()
+        .forEach(function -> context.statistics().forget(function.callback().name()));
   }
 
   /** Ends an object: the Java side is told, and the name no longer known. */

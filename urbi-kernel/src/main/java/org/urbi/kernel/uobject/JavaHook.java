@@ -60,8 +60,7 @@ final class JavaHook implements Hook {
       callback.call(arguments(value, false));
       return;
     }
-    UrbiObject[] arguments =
-        callback.arity() == 0 ? NONE : new UrbiObject[] {value.value()};
+    UrbiObject[] arguments = callback.arity() == 0 ? NONE : new UrbiObject[] {value.value()};
     UrbiObject ignored = (UrbiObject) whole.invokeExact(arguments);
   }
 
@@ -89,8 +88,7 @@ final class JavaHook implements Hook {
       case Unwinding unwinding -> unwinding;
       case UrbiException thrown -> thrown;
       case RaisedInUrbi raised -> raised.original();
-      default ->
-          frame.interpreter().errors().primitive(callback.name(), Texts.toUrbi(message(e)));
+      default -> frame.interpreter().errors().primitive(callback.name(), Texts.toUrbi(message(e)));
     };
   }
 

@@ -60,8 +60,7 @@ final class KernelRequests {
             "uobject",
             job -> {
               try {
-                future.complete(
-                    task.apply(Frame.top(interpreter, job, lobby, new FrameLayout())));
+                future.complete(task.apply(Frame.top(interpreter, job, lobby, new FrameLayout())));
               } catch (RuntimeException | Error e) {
                 future.completeExceptionally(e);
               }

@@ -267,6 +267,14 @@ public final class PluggedContext implements UContext {
     });
   }
 
+  /** Ends a class with all its objects, which stay in urbiscript without their functions. */
+  public void stop(UClass type) {
+    inKernel(frame -> {
+      creation.endClass(frame, type);
+      return null;
+    });
+  }
+
   @Override
   public void startHub(UHubClass type) {
     inKernel(frame -> {
@@ -398,8 +406,7 @@ public final class PluggedContext implements UContext {
   }
 
   @Override
-  public Runnable every(
-      Object owner, double milliseconds, UCallback function, boolean afterPass) {
+  public Runnable every(Object owner, double milliseconds, UCallback function, boolean afterPass) {
     return inKernel(frame -> {
       PeriodicCall call = periods.begin(frame, owner, milliseconds, function, afterPass);
       return () ->

@@ -51,8 +51,7 @@ final class PluggedSlot implements USlot {
       if (told != null && variable.isInput()) {
         return context.exchange().toJava(told.value());
       }
-      UrbiObject value =
-          owner || told != null ? seen().value() : variable.read(frame);
+      UrbiObject value = owner || told != null ? seen().value() : variable.read(frame);
       return context.exchange().toJava(value);
     });
   }
@@ -85,8 +84,7 @@ final class PluggedSlot implements USlot {
 
   @Override
   public long timestamp() {
-    return context.inKernel(
-        frame -> (long) (variable.written() / NANOSECONDS_PER_MICROSECOND));
+    return context.inKernel(frame -> (long) (variable.written() / NANOSECONDS_PER_MICROSECOND));
   }
 
   @Override
@@ -96,8 +94,7 @@ final class PluggedSlot implements USlot {
 
   @Override
   public double out() {
-    return context.inKernel(
-        frame -> owner ? number(variable.visible().value()) : lastWritten);
+    return context.inKernel(frame -> owner ? number(variable.visible().value()) : lastWritten);
   }
 
   private static double number(UrbiObject value) {
@@ -109,8 +106,7 @@ final class PluggedSlot implements USlot {
   @Override
   public UValue property(UProperty property) {
     return context.inKernel(frame -> {
-      UrbiObject value =
-          Properties.find(frame, object(), symbol(frame), property.text());
+      UrbiObject value = Properties.find(frame, object(), symbol(frame), property.text());
       return value == null ? new UValue() : context.exchange().toJava(value);
     });
   }

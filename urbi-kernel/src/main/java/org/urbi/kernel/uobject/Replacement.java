@@ -14,8 +14,8 @@ import urbi.UObject;
 
 /**
  * Puts new Java objects behind urbiscript objects that stay: another version of a class. They are
- * initialized as the old ones were, and find their variables with the values that they had. One that
- * cannot be made leaves the old one in its place.
+ * initialized as the old ones were, and find their variables with the values that they had. One
+ * that cannot be made leaves the old one in its place.
  */
 final class Replacement {
   private static final CallSite SITE =
@@ -78,7 +78,8 @@ final class Replacement {
       }
     }
     clean(frame, before.java);
-    before.targets.forEach((variable, datum) -> variable.restore(datum, before.sensed.get(variable)));
+    before.targets.forEach(
+        (variable, datum) -> variable.restore(datum, before.sensed.get(variable)));
   }
 
   private static Before before(Instance instance, UrbiObject object) {
@@ -112,7 +113,8 @@ final class Replacement {
     if (failed != before.java) {
       clean(frame, failed);
     }
-    before.targets.forEach((variable, datum) -> variable.restore(datum, before.sensed.get(variable)));
+    before.targets.forEach(
+        (variable, datum) -> variable.restore(datum, before.sensed.get(variable)));
   }
 
   private void clean(Frame frame, UObject java) {

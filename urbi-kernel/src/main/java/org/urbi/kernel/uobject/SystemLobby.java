@@ -34,8 +34,7 @@ final class SystemLobby {
             }
           };
       lobby =
-          UrbiLobby.start(
-              interpreter, new Output(interpreter.scheduler(), this::log), listener);
+          UrbiLobby.start(interpreter, new Output(interpreter.scheduler(), this::log), listener);
       lobby.shell().start();
     }
     return lobby;

@@ -30,8 +30,7 @@ final class ThreadedCall {
    * @return null if the call was dropped because too many wait
    * @throws Throwable what the function throws
    */
-  static Object await(
-      PluggedContext context, Frame caller, UCallback callback, Object[] arguments)
+  static Object await(PluggedContext context, Frame caller, UCallback callback, Object[] arguments)
       throws Throwable {
     ThreadedCall call = new ThreadedCall(callback, arguments, caller.job());
     Scheduler scheduler = caller.job().scheduler();
@@ -58,13 +57,15 @@ final class ThreadedCall {
     } catch (Throwable e) {
       failure = e;
     } finally {
-      scheduler.inbox().post(() -> {
-        scheduler.pace().end();
-        done = true;
-        if (!abandoned) {
-          job.wake();
-        }
-      });
+      scheduler
+          .inbox()
+          .post(() -> {
+            scheduler.pace().end();
+            done = true;
+            if (!abandoned) {
+              job.wake();
+            }
+          });
     }
   }
 }

@@ -24,7 +24,9 @@ import urbi.UDictionary;
 import urbi.UList;
 import urbi.UValue;
 
-/** Values of urbiscript as {@link UValue}s, and the other way round (manual, "Binding functions"). */
+/**
+ * Values of urbiscript as {@link UValue}s, and the other way round (manual, "Binding functions").
+ */
 final class ValueExchange {
   private static final int DEEPEST = 200;
 
@@ -163,8 +165,7 @@ final class ValueExchange {
   private Map<UrbiDictionary.Key, UrbiObject> entries(Frame frame, UDictionary dictionary) {
     Map<UrbiDictionary.Key, UrbiObject> entries = new LinkedHashMap<>();
     dictionary.forEach((name, value) ->
-        entries.put(
-            DictionaryKey.of(frame, values.string(Texts.toUrbi(name))), content(value)));
+        entries.put(DictionaryKey.of(frame, values.string(Texts.toUrbi(name))), content(value)));
     return entries;
   }
 

@@ -26,8 +26,8 @@ final class Hooks {
   }
 
   /**
-   * Runs them all; one that fails keeps no other from running. What a hook does to the variable runs
-   * none of them again.
+   * Runs them all; one that fails keeps no other from running. What a hook does to the variable
+   * runs none of them again.
    *
    * @param removeFailed whether one that fails is removed
    */

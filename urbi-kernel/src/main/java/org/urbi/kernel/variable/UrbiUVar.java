@@ -23,8 +23,8 @@ import org.urbi.kernel.object.UrbiObject;
 /**
  * A variable with hooks, which stands behind a slot (manual, "UVar").
  *
- * <p>An owned one has two values: a target, which everybody writes and its owner reads, and a sensed
- * value, which its owner writes and everybody reads.
+ * <p>An owned one has two values: a target, which everybody writes and its owner reads, and a
+ * sensed value, which its owner writes and everybody reads.
  *
  * <p>It does not keep the objects alive behind whose slots it stands.
  */
@@ -97,8 +97,7 @@ public final class UrbiUVar extends UrbiObject {
    * @param shown the name of the object in messages
    * @param tellsChanges whether the slot has the property {@code changed}, an event
    */
-  public void bind(
-      Frame frame, UrbiObject owner, Symbol slot, String shown, boolean tellsChanges) {
+  public void bind(Frame frame, UrbiObject owner, Symbol slot, String shown, boolean tellsChanges) {
     UrbiObject known = owner.localSlot(slot);
     if (places.isEmpty()) {
       name = shown + "." + slot.name();
@@ -164,8 +163,8 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   /**
-   * Switches the bypass mode, in which the value can be read only while hooks are told of it (manual,
-   * "0-copy mode").
+   * Switches the bypass mode, in which the value can be read only while hooks are told of it
+   * (manual, "0-copy mode").
    */
   public void setBypass(boolean on) {
     bypass = on;
@@ -245,9 +244,7 @@ public final class UrbiUVar extends UrbiObject {
    */
   private void reviewAccess(Interpreter interpreter) {
     // A condition that is being evaluated will watch what it reads.
-    if (accessLoop == null
-        && !onAccess.isEmpty()
-        && (world().tracker != null || isWatched())) {
+    if (accessLoop == null && !onAccess.isEmpty() && (world().tracker != null || isWatched())) {
       accessLoop = new AccessLoop(interpreter, this);
     }
   }
@@ -430,8 +427,7 @@ public final class UrbiUVar extends UrbiObject {
 
   void reportFailure(Frame frame, UrbiException failure) {
     if (frame.job().lobby() instanceof UrbiLobby told && told.output() != null) {
-      told.output()
-          .send("error", "!!! Exception caught while processing notify on " + name + ":");
+      told.output().send("error", "!!! Exception caught while processing notify on " + name + ":");
     }
     frame.interpreter().report(frame.job(), failure);
   }

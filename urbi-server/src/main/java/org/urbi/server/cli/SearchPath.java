@@ -7,7 +7,10 @@ import java.util.List;
 import java.util.Optional;
 import org.urbi.server.options.Failure;
 
-/** Where files are looked for: {@code URBI_PATH}, {@code URBI_UOBJECT_PATH} (manual, section 21.1.1). */
+/**
+ * Where files are looked for: {@code URBI_PATH}, {@code URBI_UOBJECT_PATH} (manual, section
+ * 21.1.1).
+ */
 public record SearchPath(List<Path> directories) {
   /**
    * Reads the value of a path variable: folders between colons; a lone colon (at the beginning, at

@@ -110,7 +110,11 @@ final class Server {
     try {
       ConsoleServer server =
           new ConsoleServer(
-              address, client -> connect(client, false), Limits.DEFAULT, settings.trace());
+              address,
+              client -> connect(client, false),
+              kernel::connectRemote,
+              Limits.DEFAULT,
+              settings.trace());
       writePortFile(server.port());
       if (!settings.quiet()) {
         settings.trace().log("listening on " + settings.host() + ":" + server.port());
