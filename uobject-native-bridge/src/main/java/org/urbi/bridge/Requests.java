@@ -46,7 +46,8 @@ final class Requests {
   private static final int REPORT = 31;
   private static final int THREAD_LIMIT = 32;
   private static final int MODE = 33;
-  private static final int CHECK = 34;
+  private static final int CONVERT = 34;
+  private static final int CHECK = 35;
 
   private static final UProperty[] PROPERTIES = UProperty.values();
 
@@ -70,12 +71,7 @@ final class Requests {
     ValueWriter reply = new ValueWriter(given, Exchange.replyCapacity(exchange));
     long result;
     try {
-      NativeContext in = NativeContext.find(Exchange.context(exchange));
-      if (in == null) {
-        throw new IllegalStateException("this code belongs to no kernel, or to one that has ended");
-      }
-      result =
-          new Requests(in, exchange, reply).carryOutOperation((int) Exchange.operation(exchange));
+      result = carryOut(exchange, (int) Exchange.operation(exchange), reply);
     } catch (Throwable e) {
       result = Exchange.FAILED;
       reply.restart();
@@ -85,6 +81,19 @@ final class Requests {
     Exchange.setReply(exchange, reply.address());
     Exchange.setReplyLength(exchange, reply.length());
     return result;
+  }
+
+  private static long carryOut(long exchange, int operation, ValueWriter reply) {
+    if (operation == CONVERT) {
+      var arguments = new ValueReader(Exchange.data(exchange), Exchange.length(exchange));
+      reply.value(Conversions.convert(arguments));
+      return 0;
+    }
+    NativeContext in = NativeContext.find(Exchange.context(exchange));
+    if (in == null) {
+      throw new IllegalStateException("this code belongs to no kernel, or to one that has ended");
+    }
+    return new Requests(in, exchange, reply).carryOutOperation(operation);
   }
 
   private long carryOutOperation(int operation) {

@@ -64,6 +64,7 @@ enum urbi_request
   URBI_REPORT,           /* text */
   URBI_THREAD_LIMIT,     /* number */
   URBI_MODE,             /* -> 1 plugged, 2 remote */
+  URBI_CONVERT,          /* no context; value, value of the wanted kind, quality -> ; value */
   URBI_CHECK             /* -> 0; asks for nothing: what a call costs */
 };
 

@@ -10,7 +10,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** The examples: each compiles without a warning, and answers as its dialogue says. */
 class ExamplesTest {
   @ParameterizedTest
-  @ValueSource(strings = {"adder", "machine"})
+  @ValueSource(strings = {
+        "adder", "camera", "machine", "point", "servo", "servohub", "sound", "tracker", "zerocopy"
+      })
   void dialogue(String name) throws IOException {
     Path library = CxxCompiler.library(CxxCompiler.EXAMPLES.resolve(name + ".uob"), name);
     Path dialogue = CxxCompiler.EXAMPLES.resolve(name + ".u");
