@@ -73,8 +73,8 @@ public abstract non-sealed class UObject extends UResident {
 
   /**
    * Runs the classes that the program has declared, connected to a server: for programs with a main
-   * of their own (manual, "Providing a main class or not"). The arguments are those of {@link
-   * UMain}; it returns when the connection ends.
+   * of their own (manual, "Providing a main class or not"). The arguments are those of {@link UMain};
+   * it returns when the connection ends.
    *
    * @throws IllegalStateException if that did not go well; the message has been printed
    */
@@ -240,6 +240,52 @@ public abstract non-sealed class UObject extends UResident {
   /** Binds what can be called. */
   protected final void bind(String urbiName, UCallback function) {
     getUContext().bindFunction(this, urbiName, function);
+  }
+
+  /** Binds a method reference: {@code bind("add", this::add)}. */
+  protected final <R> void bind(String urbiName, UFunctions.F0<R> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, R> void bind(String urbiName, UFunctions.F1<A, R> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, B, R> void bind(String urbiName, UFunctions.F2<A, B, R> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, B, C, R> void bind(String urbiName, UFunctions.F3<A, B, C, R> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, B, C, D, R> void bind(
+      String urbiName, UFunctions.F4<A, B, C, D, R> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final void bind(String urbiName, UFunctions.P0 function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A> void bind(String urbiName, UFunctions.P1<A> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, B> void bind(String urbiName, UFunctions.P2<A, B> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, B, C> void bind(String urbiName, UFunctions.P3<A, B, C> function) {
+    bindReference(urbiName, function);
+  }
+
+  protected final <A, B, C, D> void bind(String urbiName, UFunctions.P4<A, B, C, D> function) {
+    bindReference(urbiName, function);
+  }
+
+  private void bindReference(String urbiName, UFunctions.Bindable function) {
+    bind(urbiName, UFunctions.callback(name + "." + urbiName, function));
   }
 
   /**

@@ -58,18 +58,14 @@ final class KernelSession implements AutoCloseable {
   private static Kernel.Builder builder(BackEnd backEnd) {
     return Kernel.builder()
         .jobThreads(backEnd.jobThreads)
+        .searchPath(SEARCH_PATH)
         .log(line -> {})
         .moduleSearchPath(List.of(UObjectJars.folder()));
   }
 
   /** A kernel whose time jumps from deadline to deadline. */
   static KernelSession inVirtualTime(BackEnd backEnd) {
-    return new KernelSession(
-        Kernel.builder()
-            .virtualTime(true)
-            .jobThreads(backEnd.jobThreads)
-            .searchPath(SEARCH_PATH)
-            .start());
+    return new KernelSession(builder(backEnd).virtualTime(true).start());
   }
 
   /** A kernel that lives in our time. */
