@@ -25,7 +25,7 @@ public final class UMain {
             --port-file FILE  take the port from FILE
             --reconnect       connect again whenever the connection is lost
 
-      JARs hold UObjects; they are looked for in the folders of URBI_UOBJECT_PATH.
+      JARs, or folders of classes, hold UObjects; they are looked for in the folders of URBI_UOBJECT_PATH.
       """;
 
   private static final int RECONNECT_MILLISECONDS = 1000;
@@ -135,7 +135,7 @@ public final class UMain {
     String path = System.getenv("URBI_UOBJECT_PATH");
     for (String folder : (path == null ? "." : path).split(File.pathSeparator)) {
       Path found = Path.of(folder.isEmpty() ? "." : folder).resolve(jar);
-      if (Files.isRegularFile(found)) {
+      if (Files.isRegularFile(found) || Files.isDirectory(found)) {
         return found;
       }
       if (Files.isRegularFile(Path.of(found + ".jar"))) {

@@ -33,8 +33,9 @@ public final class UModule {
   }
 
   /**
-   * Loads a jar: every class in it that calls {@link UObject#UStart} or {@link UObject#UStartHub}
-   * when it is initialized, or is annotated with {@link UStart}, is initialized now.
+   * Loads a jar, or a folder of classes: every class in it that calls {@link UObject#UStart} or
+   * {@link UObject#UStartHub} when it is initialized, or is annotated with {@link UStart}, is
+   * initialized now; which these are {@linkplain UModuleIndex the manifest} may say.
    *
    * @throws UModuleException if the file cannot be read or is no jar, has no such class, or one
    *     that cannot be loaded
@@ -46,7 +47,7 @@ public final class UModule {
     } catch (IOException e) {
       throw new UModuleException("cannot read " + jar + ": " + JarContent.reason(e), e);
     }
-    var classLoader = new ModuleClassLoader(content, UModule.class.getClassLoader());
+    var classLoader = new ModuleClassLoader(content, ModuleParent.LOADER);
     UModule module = new UModule(jar.getFileName().toString());
     classLoader.setModule(module);
     classLoader.initialize();
