@@ -2,7 +2,6 @@ package org.urbi.bridge;
 
 import urbi.UContext;
 import urbi.UEmitter;
-import urbi.USlot;
 
 /** What one module has in one context. C++ code knows it by a number. */
 final class NativeContext {
@@ -13,7 +12,7 @@ final class NativeContext {
   private final long number;
 
   final Handles<NativeResident> residents = new Handles<>();
-  final Handles<USlot> slots = new Handles<>();
+  final Handles<NativeVariable> variables = new Handles<>();
   final Handles<UEmitter> events = new Handles<>();
   final Handles<Runnable> timers = new Handles<>();
 
@@ -38,6 +37,15 @@ final class NativeContext {
 
   long number() {
     return number;
+  }
+
+  /** Deletes the hubs: nobody else does. */
+  void endHubs() {
+    for (NativeResident each : residents.all()) {
+      if (each.javaSide() instanceof NativeHub hub) {
+        hub.close();
+      }
+    }
   }
 
   /** It is no longer used. */

@@ -51,7 +51,7 @@ public final class NativeModule implements AutoCloseable {
     this.fileKey = fileKey;
     this.library = library;
     this.entries = library.entries();
-    this.module = new UModule(shown);
+    this.module = new UModule(shown, this::close);
   }
 
   /**
@@ -208,6 +208,7 @@ public final class NativeModule implements AutoCloseable {
         return;
       }
       closed = true;
+      contexts.forEach(NativeContext::endHubs);
     }
     release();
   }

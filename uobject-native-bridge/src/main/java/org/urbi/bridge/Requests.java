@@ -98,7 +98,7 @@ final class Requests {
 
   private long carryOutOperation(int operation) {
     if (operation >= VARIABLE_CLOSE && operation <= VARIABLE_RTP) {
-      return onVariable(operation, slot());
+      return onVariable(operation, variable());
     }
     switch (operation) {
       case OBJECT_NEW -> {
@@ -126,7 +126,8 @@ final class Requests {
       case VARIABLE -> {
         String name = arguments.text();
         boolean port = arguments.rawLong() != 0;
-        return in.slots.add(port ? context.inputPort(name) : context.variable(name));
+        return in.variables.add(
+            new NativeVariable(port ? context.inputPort(name) : context.variable(name)));
       }
       case EVENT -> {
         return in.events.add(context.event(arguments.text()));
@@ -209,22 +210,26 @@ final class Requests {
 
   // ------------------------------------------------------------------ variables
 
-  private USlot slot() {
-    USlot found = in.slots.find(subject);
+  private NativeVariable variable() {
+    NativeVariable found = in.variables.find(subject);
     if (found == null) {
       throw new IllegalStateException("invalid use of unbound UVar");
     }
     return found;
   }
 
-  private long onVariable(int operation, USlot slot) {
+  private long onVariable(int operation, NativeVariable variable) {
+    USlot slot = variable.slot();
     switch (operation) {
       case VARIABLE_GET -> reply.value(slot.get());
-      case VARIABLE_SET -> slot.set(arguments.value());
+      case VARIABLE_SET -> variable.set(arguments);
       case VARIABLE_SYNC -> reply.value(slot.sync());
-      case VARIABLE_CLOSE -> in.slots.remove(subject).close();
+      case VARIABLE_CLOSE -> {
+        in.variables.remove(subject);
+        slot.close();
+      }
       case VARIABLE_BYPASS -> {
-        return slot.setBypass(arguments.rawLong() != 0) ? 1 : 0;
+        return variable.setBypass(arguments.rawLong() != 0) ? 1 : 0;
       }
       case VARIABLE_TIME -> {
         return slot.timestamp();

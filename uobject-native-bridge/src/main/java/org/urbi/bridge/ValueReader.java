@@ -45,6 +45,17 @@ final class ValueReader {
     return RawMemory.getText(take(length), length);
   }
 
+  /** The binary that is next, if only its address was written; null otherwise. */
+  SharedBinary shared() {
+    if (ended() || RawMemory.getByte(at) != ValueWriter.MARK_POINTER) {
+      return null;
+    }
+    take(1);
+    String header = text();
+    int size = Math.toIntExact(rawLong());
+    return new SharedBinary(header, rawLong(), size);
+  }
+
   UValue value() {
     byte mark = RawMemory.getByte(take(1));
     return switch (mark) {

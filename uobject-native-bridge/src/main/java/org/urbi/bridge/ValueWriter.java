@@ -136,9 +136,14 @@ final class ValueWriter {
   }
 
   private void binary(UBinary binary) {
-    mark(MARK_BINARY);
+    long shared = SharedBinary.addressOf(binary);
+    mark(shared == 0 ? MARK_BINARY : MARK_POINTER);
     text(binary.getMessage());
     rawLong(binary.getSize());
-    bytes(binary.getData());
+    if (shared == 0) {
+      bytes(binary.getData());
+    } else {
+      rawLong(shared);
+    }
   }
 }

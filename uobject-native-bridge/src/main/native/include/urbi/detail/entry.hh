@@ -111,6 +111,7 @@ namespace urbi
 
       static void destroy(urbi_exchange* exchange)
       {
+        thread_state().destroying = true;
         intptr_t at = static_cast<intptr_t>(exchange->subject);
         if (exchange->operation)
         {

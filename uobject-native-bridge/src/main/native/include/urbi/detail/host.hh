@@ -51,6 +51,7 @@ namespace urbi
     {
       int64_t context;
       Creation* creation;
+      bool destroying; ///< whether a destructor runs, from which no exception may come
     };
 
     URBI_LOCAL inline ThreadState& thread_state()
@@ -121,6 +122,17 @@ namespace urbi
         exchange_.data = out.data();
         exchange_.length = out.size();
         int64_t result = host(&exchange_);
+        if (result == URBI_FAILED && thread_state().destroying)
+        {
+          // The kernel may have ended already. Whoever reads a value gets the number 0.
+          if (exchange_.reply != answer_)
+            std::free(exchange_.reply);
+          exchange_.reply = answer_;
+          Writer nothing(answer_, sizeof answer_, false);
+          nothing.number(0);
+          exchange_.reply_length = nothing.size();
+          return 0;
+        }
         if (result == URBI_FAILED)
           throw std::runtime_error(std::string(reinterpret_cast<const char*>(exchange_.reply),
                                                static_cast<size_t>(exchange_.reply_length)));
