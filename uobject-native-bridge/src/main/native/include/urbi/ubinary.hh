@@ -7,7 +7,6 @@
 #include <list>
 #include <new>
 #include <ostream>
-#include <sstream>
 #include <string>
 
 #include <urbi/export.hh>
@@ -135,21 +134,28 @@ namespace urbi
     /// The header: the words that stand between the size and the data in urbiscript.
     std::string getMessage() const
     {
-      std::ostringstream out;
       switch (type)
       {
       case BINARY_IMAGE:
-        out << image.format_string() << " " << image.width << " " << image.height;
-        break;
-      case BINARY_SOUND:
-        out << sound.format_string() << " " << sound.channels << " " << sound.rate << " "
-            << sound.sampleSize << " " << static_cast<int>(sound.sampleFormat);
-        break;
-      case BINARY_NONE:
-      case BINARY_UNKNOWN:
-        return message;
+      {
+        std::string words(image.format_string());
+        add(words, image.width);
+        add(words, image.height);
+        return words;
       }
-      return out.str();
+      case BINARY_SOUND:
+      {
+        std::string words(sound.format_string());
+        add(words, sound.channels);
+        add(words, sound.rate);
+        add(words, sound.sampleSize);
+        add(words, static_cast<size_t>(sound.sampleFormat));
+        return words;
+      }
+      case BINARY_NONE:
+      case BINARY_UNKNOWN: break;
+      }
+      return message;
     }
 
     /// Makes `message` what the fields say.
@@ -164,21 +170,25 @@ namespace urbi
     void set(const std::string& header, void* bytes, size_t length, bool copy = true)
     {
       clear();
-      std::istringstream words(header);
-      std::string first;
-      words >> first;
+      size_t at = header.find(' ');
+      std::string first = header.substr(0, at);
       UImageFormat imageFormat = parse_image_format(first);
-      USoundFormat soundFormat = parse_sound_format(first);
+      USoundFormat soundFormat
+        = imageFormat == IMAGE_UNKNOWN ? parse_sound_format(first) : SOUND_UNKNOWN;
       if (imageFormat != IMAGE_UNKNOWN)
       {
         type = BINARY_IMAGE;
-        words >> image.width >> image.height;
+        image.width = number(header, at);
+        image.height = number(header, at);
         image.imageFormat = imageFormat;
       }
       else if (soundFormat != SOUND_UNKNOWN)
       {
         type = BINARY_SOUND;
-        words >> sound.channels >> sound.rate >> sound.sampleSize >> sound.sampleFormat;
+        sound.channels = number(header, at);
+        sound.rate = number(header, at);
+        sound.sampleSize = number(header, at);
+        sound.sampleFormat = static_cast<USoundSampleFormat>(number(header, at));
         sound.soundFormat = soundFormat;
       }
       else
@@ -217,6 +227,29 @@ namespace urbi
     bool temporary_;     ///< Whether its data may be taken away when it is copied.
 
   private:
+    /// Appends a number to the words of a header.
+    static void add(std::string& words, size_t number)
+    {
+      char digits[24];
+      char* at = digits + sizeof digits;
+      do
+        *--at = static_cast<char>('0' + number % 10);
+      while (number /= 10);
+      *--at = ' ';
+      words.append(at, digits + sizeof digits);
+    }
+
+    /// The next number of a header; 0 without.
+    static size_t number(const std::string& words, size_t& at)
+    {
+      size_t read = 0;
+      while (at < words.size() && words[at] == ' ')
+        ++at;
+      for (; at < words.size() && '0' <= words[at] && words[at] <= '9'; ++at)
+        read = read * 10 + static_cast<size_t>(words[at] - '0');
+      return read;
+    }
+
     void zero()
     {
       sound.init();

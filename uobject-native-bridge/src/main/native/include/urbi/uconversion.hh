@@ -86,8 +86,8 @@ namespace urbi
         UBinary(image_of(format, source, 3 * width * height, width, height), false), wanted,
         quality);
       if (size < made.common.size)
-        throw std::runtime_error("the JPEG image has " + std::to_string(made.common.size)
-                                 + " bytes, there is room for " + std::to_string(size));
+        throw std::runtime_error("the JPEG image has " + number_text(static_cast<ufloat>(made.common.size))
+                                 + " bytes, there is room for " + number_text(static_cast<ufloat>(size)));
       size = made.common.size;
       std::memcpy(dest, made.common.data, size);
       return 1;

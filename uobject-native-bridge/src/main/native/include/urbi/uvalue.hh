@@ -201,6 +201,6 @@ namespace urbi
 
 #define URBI_STRUCT_READ_(Cname, Field)                                                           \
   ::urbi::detail::read_field(res.Field, fields, #Cname, #Field);
-#define URBI_STRUCT_WRITE_(Cname, Field) fields[#Field] = s.Field;
+#define URBI_STRUCT_WRITE_(Cname, Field) ::urbi::detail::entry(fields, #Field) = s.Field;
 
 #endif

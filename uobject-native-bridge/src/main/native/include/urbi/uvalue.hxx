@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <map>
+#include <sstream>
 
 #include <urbi/detail/literal.hh>
 
@@ -171,7 +172,7 @@ namespace urbi
     {
       const size_t longest = 60;
       if (value.type == DATA_BINARY)
-        return "BIN " + std::to_string(value.binary->common.size) + " "
+        return "BIN " + number_text(static_cast<ufloat>(value.binary->common.size)) + " "
           + value.binary->getMessage();
       std::string text = literal_of(value);
       return text.size() <= longest ? text : text.substr(0, longest) + "...";
@@ -471,7 +472,7 @@ namespace urbi
     // In a reproducible order.
     std::map<std::string, const UValue*> sorted;
     for (const auto& entry : dictionary)
-      sorted[entry.first] = &entry.second;
+      sorted.insert(std::make_pair(entry.first, &entry.second));
     const char* separator = "[";
     for (const auto& entry : sorted)
     {

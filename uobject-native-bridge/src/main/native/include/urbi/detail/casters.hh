@@ -122,8 +122,8 @@ namespace urbi
       else if constexpr (is_dictionary<T>::value)
       {
         UDictionary made;
-        for (const auto& entry : object)
-          to_uvalue(made[entry.first], entry.second);
+        for (const auto& each : object)
+          to_uvalue(entry(made, each.first), each.second);
         out = UValue(made);
       }
       else if constexpr (is_range<T>::value)
@@ -151,7 +151,7 @@ namespace urbi
     inline UDictionary& make_structure(UValue& out, const char* type)
     {
       out = UValue(UDictionary());
-      (*out.dictionary)["$sn"] = UValue(type);
+      entry(*out.dictionary, "$sn") = UValue(type);
       return *out.dictionary;
     }
 
@@ -335,8 +335,8 @@ namespace urbi
     {
       UList& list = detail::elements(v);
       if (list.size() != Size)
-        throw std::runtime_error("a list of " + std::to_string(Size) + " elements is wanted, not of "
-                                 + std::to_string(list.size()));
+        throw std::runtime_error("a list of " + detail::number_text(static_cast<ufloat>(Size)) + " elements is wanted, not of "
+                                 + detail::number_text(static_cast<ufloat>(list.size())));
       std::array<T, Size> made;
       for (size_t i = 0; i < Size; ++i)
         made[i] = uvalue_cast<T>(list[i]);
@@ -375,7 +375,8 @@ namespace urbi
         detail::bad_cast("dictionary", v);
       T made;
       for (auto& entry : *v.dictionary)
-        made[entry.first] = uvalue_cast<typename T::mapped_type>(entry.second);
+        made.insert(typename T::value_type(entry.first,
+                                           uvalue_cast<typename T::mapped_type>(entry.second)));
       return made;
     }
   };

@@ -39,6 +39,15 @@ namespace urbi
       std::map<std::pair<int64_t, std::string>, UObjectHub*> hubs;
     };
 
+    /// Makes an object known by its name.
+    template <typename Map, typename T>
+    void enlist(Map& all, int64_t context, const std::string& name, T* object)
+    {
+      typename Map::key_type key(context, name);
+      all.erase(key);
+      all.insert(typename Map::value_type(key, object));
+    }
+
     URBI_LOCAL inline Module& module()
     {
       static Module all;

@@ -14,6 +14,13 @@ namespace urbi
 {
   namespace detail
   {
+    /// What operator[] does, without the variable of the standard library that this refers to: the
+    /// compiler may make it one of the whole process, and a module with such can not be unloaded.
+    inline UValue& entry(UDictionary& dictionary, const std::string& name)
+    {
+      return dictionary.insert(UDictionary::value_type(name, UValue())).first->second;
+    }
+
     /// A number as urbiscript writes it: without decimals where it has none.
     inline std::string number_text(ufloat number)
     {
@@ -141,12 +148,12 @@ namespace urbi
           ufloat read = 0;
           if (end_ - next >= 2 && next[0] == '0' && (next[1] == 'x' || next[1] == 'X'))
           {
-            unsigned long long bits = 0;
-            std::from_chars_result done = std::from_chars(next + 2, end_, bits, 16);
-            if (done.ec != std::errc())
+            at_ = next + 2;
+            const char* first = at_;
+            read = static_cast<ufloat>(digits(16, end_));
+            if (at_ == first)
               return false;
-            read = static_cast<ufloat>(bits);
-            next = done.ptr;
+            next = at_;
           }
           else
           {
@@ -172,18 +179,35 @@ namespace urbi
         return true;
       }
 
+      /// A whole number; the digits are read, if there are any.
+      size_t digits(int base, const char* limit)
+      {
+        size_t number = 0;
+        for (; at_ != limit; ++at_)
+        {
+          int digit = *at_ >= '0' && *at_ <= '9' ? *at_ - '0'
+            : *at_ >= 'a' && *at_ <= 'f'         ? *at_ - 'a' + 10
+            : *at_ >= 'A' && *at_ <= 'F'         ? *at_ - 'A' + 10
+                                                 : base;
+          if (digit >= base)
+            break;
+          number = number * static_cast<size_t>(base) + static_cast<size_t>(digit);
+        }
+        return number;
+      }
+
       /// The seconds of a unit of time; 0 if there is none.
       ufloat unit()
       {
-        static const struct
-        {
-          const char* name;
-          ufloat seconds;
-        } units[] = {{"ms", 0.001}, {"s", 1}, {"min", 60}, {"m", 60}, {"h", 3600}, {"d", 86400}};
-        for (const auto& each : units)
-          if (take(each.name))
-            return each.seconds;
-        return 0;
+        if (take("ms"))
+          return 0.001;
+        if (take("s"))
+          return 1;
+        if (take("min") || take("m"))
+          return 60;
+        if (take("h"))
+          return 3600;
+        return take("d") ? 86400 : 0;
       }
 
       bool text(std::string& out)
@@ -227,11 +251,7 @@ namespace urbi
 
       void code(std::string& out, int base, int most)
       {
-        unsigned number = 0;
-        const char* limit = end_ - at_ < most ? end_ : at_ + most;
-        std::from_chars_result done = std::from_chars(at_, limit, number, base);
-        at_ = done.ptr;
-        out += static_cast<char>(number);
+        out += static_cast<char>(digits(base, end_ - at_ < most ? end_ : at_ + most));
       }
 
       bool string(UValue& out)
@@ -271,7 +291,7 @@ namespace urbi
             if (element.type != DATA_STRING || (!named && list.size()))
               return false;
             named = true;
-            if (!value(dictionary[*element.stringValue]))
+            if (!value(entry(dictionary, *element.stringValue)))
               return false;
           }
           else if (named)
@@ -316,11 +336,10 @@ namespace urbi
 
       bool binary(UValue& out)
       {
-        size_t size = 0;
-        std::from_chars_result done = std::from_chars(at_, end_, size);
-        if (done.ec != std::errc())
+        const char* first = at_;
+        size_t size = digits(10, end_);
+        if (at_ == first)
           return false;
-        at_ = done.ptr;
         const char* stop = at_;
         while (stop != end_ && *stop != ';' && *stop != '\n')
           ++stop;

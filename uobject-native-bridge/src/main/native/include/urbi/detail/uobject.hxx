@@ -48,7 +48,7 @@ namespace urbi
     remote = isRemoteMode();
     {
       std::lock_guard<std::mutex> guard(detail::module().lock);
-      detail::module().objects[{ctx_, __name}] = this;
+      detail::enlist(detail::module().objects, ctx_, __name, this);
     }
     UBindVar(UObject, load);
     load = 1;
@@ -115,7 +115,7 @@ namespace urbi
       creation = creation->outer;
     }
     std::lock_guard<std::mutex> guard(detail::module().lock);
-    detail::module().hubs[{ctx_, name}] = this;
+    detail::enlist(detail::module().hubs, ctx_, name, this);
   }
 
   inline UObjectHub::~UObjectHub()

@@ -253,7 +253,7 @@ namespace urbi
           for (uint32_t i = 0; i < count; ++i)
           {
             std::string key = text();
-            value((*made.dictionary)[key]);
+            value(entry(*made.dictionary, key));
           }
           out = std::move(made);
           break;
