@@ -73,8 +73,8 @@ public abstract non-sealed class UObject extends UResident {
 
   /**
    * Runs the classes that the program has declared, connected to a server: for programs with a main
-   * of their own (manual, "Providing a main class or not"). The arguments are those of {@link UMain};
-   * it returns when the connection ends.
+   * of their own (manual, "Providing a main class or not"). The arguments are those of {@link
+   * UMain}; it returns when the connection ends.
    *
    * @throws IllegalStateException if that did not go well; the message has been printed
    */

@@ -12,7 +12,9 @@ import urbi.UValue;
 final class Conversions {
   private Conversions() {}
 
-  /** Reads the source, the header of what is wanted, and a quality for JPEG, 0 for the usual one. */
+  /**
+   * Reads the source, the header of what is wanted, and a quality for JPEG, 0 for the usual one.
+   */
   static UValue convert(ValueReader arguments) {
     UBinary source = arguments.value().ubinaryValue();
     UBinary wanted = arguments.value().ubinaryValue();

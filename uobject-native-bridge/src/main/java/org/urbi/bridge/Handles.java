@@ -5,7 +5,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** Things that C++ code knows by a number, from 1. They are found from any thread without a lock. */
+/**
+ * Things that C++ code knows by a number, from 1. They are found from any thread without a lock.
+ */
 final class Handles<T> {
   private static final int FIRST_CAPACITY = 16;
 

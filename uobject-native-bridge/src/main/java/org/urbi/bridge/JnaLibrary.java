@@ -70,9 +70,7 @@ final class JnaLibrary implements AutoCloseable {
     NativeLibrary library = null;
     try {
       library =
-          NativeLibrary.getInstance(
-              file.toString(),
-              Map.of(Library.OPTION_OPEN_FLAGS, RTLD_NOW));
+          NativeLibrary.getInstance(file.toString(), Map.of(Library.OPTION_OPEN_FLAGS, RTLD_NOW));
       for (String function : FUNCTIONS) {
         checkFunction(library, function, shown);
       }
@@ -97,7 +95,10 @@ final class JnaLibrary implements AutoCloseable {
       library.getFunction(name);
     } catch (UnsatisfiedLinkError e) {
       throw new UModuleException(
-          "no UObject in " + shown + ": it has no symbol " + name
+          "no UObject in "
+              + shown
+              + ": it has no symbol "
+              + name
               + ", which urbi/uobject.hh defines",
           e);
     }
@@ -131,8 +132,7 @@ final class JnaLibrary implements AutoCloseable {
       try (InputStream in =
           JnaEntries.class.getResourceAsStream(JnaEntries.class.getSimpleName() + ".class")) {
         byte[] bytes = in.readAllBytes();
-        return defineClass(
-            name, bytes, 0, bytes.length, JnaEntries.class.getProtectionDomain());
+        return defineClass(name, bytes, 0, bytes.length, JnaEntries.class.getProtectionDomain());
       }
     }
   }

@@ -121,8 +121,13 @@ public final class NativeModule implements AutoCloseable {
     long version = entries.version();
     if (version != BOUNDARY_VERSION) {
       throw new UModuleException(
-          "cannot load " + path + ": it was compiled with the headers of another version of Urbi ("
-              + version + ", not " + BOUNDARY_VERSION + "): compile it again");
+          "cannot load "
+              + path
+              + ": it was compiled with the headers of another version of Urbi ("
+              + version
+              + ", not "
+              + BOUNDARY_VERSION
+              + "): compile it again");
     }
     CallFrame frame = CallFrame.take();
     try {
@@ -143,8 +148,7 @@ public final class NativeModule implements AutoCloseable {
       if (kind.equals("hub")) {
         module.add(new UHubClass(name, module, created -> NativeHub.create(this, created)));
       } else {
-        module.add(
-            new UClass(name, module, created -> NativeObject.create(this, name, created)));
+        module.add(new UClass(name, module, created -> NativeObject.create(this, name, created)));
       }
     }
     if (module.classes().isEmpty() && module.hubs().isEmpty()) {

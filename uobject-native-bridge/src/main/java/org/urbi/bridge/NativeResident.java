@@ -1,11 +1,10 @@
 package org.urbi.bridge;
 
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import urbi.LockMode;
 import urbi.UContext;
-import urbi.UModuleException;
 import urbi.UTaskQueue;
 
 /**
@@ -154,8 +153,7 @@ final class NativeResident {
       try {
         frame.prepare(kind, in.number(), address);
         if (entries.destroy(frame.exchange) == Exchange.FAILED) {
-          in.context()
-              .report("exception caught while deleting " + name + ": " + frame.error());
+          in.context().report("exception caught while deleting " + name + ": " + frame.error());
         }
         address = 0;
       } finally {

@@ -4,7 +4,9 @@ import java.lang.foreign.MemorySegment;
 import java.lang.foreign.ValueLayout;
 import java.nio.charset.StandardCharsets;
 
-/** Memory that C++ code reads and writes too, by its address; numbers in the machine's byte order. */
+/**
+ * Memory that C++ code reads and writes too, by its address; numbers in the machine's byte order.
+ */
 final class RawMemory {
   private static final MemorySegment ALL = MemorySegment.NULL.reinterpret(Long.MAX_VALUE);
 

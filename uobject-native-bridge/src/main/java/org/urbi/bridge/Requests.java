@@ -176,8 +176,7 @@ final class Requests {
   private void bind(NativeResident owner) {
     String name = arguments.text();
     NativeObject object = (NativeObject) owner.javaSide();
-    object.bindNative(
-        name, NativeCallback.read(arguments, owner, owner.name() + "." + name, name));
+    object.bindNative(name, NativeCallback.read(arguments, owner, owner.name() + "." + name, name));
   }
 
   private long every(NativeResident owner) {
@@ -186,10 +185,7 @@ final class Requests {
     String name = owner.name() + (after ? ".update" : ".timer");
     return in.timers.add(
         context.every(
-            owner.javaSide(),
-            period,
-            NativeCallback.read(arguments, owner, name, name),
-            after));
+            owner.javaSide(), period, NativeCallback.read(arguments, owner, name, name), after));
   }
 
   private UEmitter event() {

@@ -4,8 +4,9 @@ import java.util.Arrays;
 import urbi.UBinary;
 
 /**
- * A binary whose data are in C++ memory, while a variable in bypass mode is written (manual, "0-copy
- * mode"): C++ code that is notified gets their address, and Java code a copy if it looks at them.
+ * A binary whose data are in C++ memory, while a variable in bypass mode is written (manual,
+ * "0-copy mode"): C++ code that is notified gets their address, and Java code a copy if it looks at
+ * them.
  */
 final class SharedBinary implements AutoCloseable {
   /** Those that are being written, in all threads; hardly ever more than one. */

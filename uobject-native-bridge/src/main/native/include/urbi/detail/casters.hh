@@ -384,7 +384,8 @@ namespace urbi
   /// Sequences and sets of any kind.
   template <typename T>
   struct uvalue_caster<
-    T, std::enable_if_t<detail::can_grow<T>::value && !detail::is_dictionary<T>::value>>
+    T, std::enable_if_t<detail::can_grow<T>::value && !detail::is_dictionary<T>::value
+                         && !detail::is_packed<T>::value && !std::is_same<T, std::string>::value>>
   {
     T operator()(UValue& v)
     {

@@ -76,12 +76,18 @@ namespace urbi
       }
       catch (...)
       {
-        // Even out of memory there is room for the text, the host's buffer.
         result = URBI_FAILED;
         std::string text = current_exception_text();
-        size_t room = static_cast<size_t>(exchange->reply_capacity);
         out.restart();
-        out.bytes(text.data(), text.size() < room ? text.size() : room);
+        try
+        {
+          out.bytes(text.data(), text.size());
+        }
+        catch (const std::bad_alloc&)
+        {
+          // There is always room for some of it in the host's buffer.
+          out.bytes(text.data(), static_cast<size_t>(exchange->reply_capacity));
+        }
       }
       answer(exchange, out);
       thread_state() = before;

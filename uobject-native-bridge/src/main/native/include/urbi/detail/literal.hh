@@ -351,7 +351,7 @@ namespace urbi
         {
           if (*binpos_ == bins_->end())
             return false;
-          at_ = stop == end_ || *stop != ';' ? stop : stop + 1;
+          at_ = stop == end_ ? stop : stop + 1;
           made.set(header, (*binpos_)->data, (*binpos_)->size);
           ++*binpos_;
         }

@@ -104,13 +104,34 @@ final class CxxCompiler {
     return true;
   }
 
-  /** Compiles, and accepts no warning. */
+  /** Compiles a program, and accepts no warning. */
+  static void compileProgram(String compiler, Path program, Path source, String... options) {
+    List<String> command =
+        new ArrayList<>(
+            List.of(
+                compiler, "-std=c++17", "-Wall", "-Wextra", "-Werror", "-I", HEADERS.toString()));
+    command.addAll(List.of(options));
+    command.addAll(List.of(source.toString(), "-o", program.toString(), "-pthread"));
+    Run made = run(command);
+    if (made.status() != 0) {
+      throw new AssertionError(String.join(" ", command) + "\n" + made.output());
+    }
+  }
+
+  /** Compiles a library, and accepts no warning. */
   static void compile(String compiler, Path library, List<Path> files, String... options) {
     List<String> command =
         new ArrayList<>(
             List.of(
-                compiler, "-std=c++17", "-Wall", "-Wextra", "-Werror", "-I", HEADERS.toString(),
-                "-fPIC", "-shared"));
+                compiler,
+                "-std=c++17",
+                "-Wall",
+                "-Wextra",
+                "-Werror",
+                "-I",
+                HEADERS.toString(),
+                "-fPIC",
+                "-shared"));
     command.addAll(List.of(options));
     files.forEach(file -> command.add(file.toString()));
     command.addAll(List.of("-o", library.toString()));

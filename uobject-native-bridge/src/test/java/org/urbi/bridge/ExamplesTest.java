@@ -10,8 +10,17 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** The examples: each compiles without a warning, and answers as its dialogue says. */
 class ExamplesTest {
   @ParameterizedTest
-  @ValueSource(strings = {
-        "adder", "camera", "machine", "point", "servo", "servohub", "sound", "tracker", "zerocopy"
+  @ValueSource(
+      strings = {
+        "adder",
+        "camera",
+        "machine",
+        "point",
+        "servo",
+        "servohub",
+        "sound",
+        "tracker",
+        "zerocopy"
       })
   void dialogue(String name) throws IOException {
     Path library = CxxCompiler.library(CxxCompiler.EXAMPLES.resolve(name + ".uob"), name);

@@ -99,8 +99,7 @@ class FailuresTest {
             };
             UStart(Throwing);
             """);
-    RuntimeException e =
-        assertThrows(RuntimeException.class, () -> Dialogue.run("1;", file));
+    RuntimeException e = assertThrows(RuntimeException.class, () -> Dialogue.run("1;", file));
     assertTrue(
         e.getMessage()
             .endsWith(

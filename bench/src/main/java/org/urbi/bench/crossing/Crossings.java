@@ -59,7 +59,8 @@ public final class Crossings {
               new Item("notify-change of C++", n -> kernel.call("changes", n), empty),
               new Item(
                   "640x480 image in bypass mode", n -> kernel.eval("Crossings.images(" + n + ")")));
-      List<Target> targets = List.of(new Target(2, 0, 6), new Target(3, 1, 4), new Target(4, 0, 10));
+      List<Target> targets =
+          List.of(new Target(2, 0, 6), new Target(3, 1, 4), new Target(4, 0, 10));
       met = print(items, targets, measure(items, rounds));
     }
     System.exit(met ? 0 : 1);
@@ -70,7 +71,15 @@ public final class Crossings {
     Path library = Files.createTempDirectory("urbi-bench").resolve("crossings.so");
     int status =
         new ProcessBuilder(
-                "g++", "-std=c++17", "-O2", "-I", headers, "-fPIC", "-shared", source, "-o",
+                "g++",
+                "-std=c++17",
+                "-O2",
+                "-I",
+                headers,
+                "-fPIC",
+                "-shared",
+                source,
+                "-o",
                 library.toString())
             .inheritIO()
             .start()
@@ -135,7 +144,8 @@ public final class Crossings {
                   ratio <= target.most ? "met" : "MISSED");
         }
       }
-      System.out.printf(Locale.ROOT, "%-40s %10.0f  %s%n", items.get(i).name, nanoseconds[i], compared);
+      System.out.printf(
+          Locale.ROOT, "%-40s %10.0f  %s%n", items.get(i).name, nanoseconds[i], compared);
     }
     return met;
   }

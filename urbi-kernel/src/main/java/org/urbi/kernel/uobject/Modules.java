@@ -17,8 +17,8 @@ import urbi.UModule;
 import urbi.UModuleException;
 
 /**
- * The modules that are loaded: jars and libraries with UObjects (manual, "System", loadModule). A module that is
- * loaded again is replaced if its file has changed: its urbiscript objects stay.
+ * The modules that are loaded: jars and libraries with UObjects (manual, "System", loadModule). A
+ * module that is loaded again is replaced if its file has changed: its urbiscript objects stay.
  */
 public final class Modules {
   /** A module, and how its file was when it was read. */

@@ -17,9 +17,14 @@ import org.urbi.server.tools.Target;
 final class PluginRequest {
   private static final String ERROR = ":error] !!! ";
 
+  private final String program;
   private final PrintStream err;
 
-  PluginRequest(PrintStream err) {
+  /**
+   * @param program whom errors come from
+   */
+  PluginRequest(String program, PrintStream err) {
+    this.program = program;
     this.err = err;
   }
 
@@ -60,7 +65,7 @@ final class PluginRequest {
   private int report(String answer) {
     List<String> errors = answer.lines().filter(line -> line.contains(ERROR)).toList();
     for (String error : errors) {
-      err.println("urbi-launch-java: " + error.substring(error.indexOf(ERROR) + ERROR.length()));
+      err.println(program + ": " + error.substring(error.indexOf(ERROR) + ERROR.length()));
     }
     return errors.isEmpty() ? 0 : 1;
   }
