@@ -24,6 +24,8 @@ public class BallTracker extends UObject {
   public void init(String camera) {
     UBindVars(visible, "visible", x, "x", y, "y");
     visible.setValue(0);
+    x.setValue(0);
+    y.setValue(0);
     UNotifyChange(camera, "newImage");
   }
 
@@ -31,10 +33,11 @@ public class BallTracker extends UObject {
   public void newImage(UVar v) {
     UImage image = v.uimageValue();
     Optional<BallDetector.Place> ball = BallDetector.detectBall(image);
-    visible.setValue(ball.isPresent());
+    // The place first: whoever waits for visible finds it.
     ball.ifPresent(place -> {
       x.setValue(place.x() / image.getWidth());
       y.setValue(place.y() / image.getHeight());
     });
+    visible.setValue(ball.isPresent());
   }
 }

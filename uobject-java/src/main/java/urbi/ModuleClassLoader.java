@@ -16,19 +16,19 @@ import java.util.Optional;
 /** The classes and resources of one module. It looks into the module before it asks its parent. */
 final class ModuleClassLoader extends ClassLoader {
   private final JarContent content;
-  private UModule module;
+  private final UModule module;
+  private final List<UModule> libraries;
 
-  ModuleClassLoader(JarContent content, ClassLoader parent) {
+  ModuleClassLoader(
+      JarContent content, UModule module, List<UModule> libraries, ClassLoader parent) {
     super(content.file().getFileName().toString(), parent);
     this.content = content;
+    this.module = module;
+    this.libraries = libraries;
   }
 
   UModule module() {
     return module;
-  }
-
-  void setModule(UModule of) {
-    module = of;
   }
 
   /** Initializes the classes that declare UObjects: those of the index, or of all that are here. */
@@ -98,17 +98,34 @@ final class ModuleClassLoader extends ClassLoader {
 
   @Override
   protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+    Class<?> own = own(name);
+    return own == null ? super.loadClass(name, resolve) : own;
+  }
+
+  /** A class of the jar; null if it has none of that name. */
+  Class<?> own(String name) {
     synchronized (getClassLoadingLock(name)) {
       Class<?> known = findLoadedClass(name);
       if (known != null) {
         return known;
       }
       byte[] bytes = content.classBytes(name);
-      if (bytes == null || name.startsWith("java.") || name.startsWith("urbi.")) {
-        return super.loadClass(name, resolve);
-      }
-      return defineClass(name, bytes, 0, bytes.length);
+      return bytes == null || name.startsWith("java.") || name.startsWith("urbi.")
+          ? null
+          : defineClass(name, bytes, 0, bytes.length);
     }
+  }
+
+  /** What neither the jar nor the parent has may be in a library. */
+  @Override
+  protected Class<?> findClass(String name) throws ClassNotFoundException {
+    for (UModule library : libraries) {
+      Class<?> found = library.findClass(name);
+      if (found != null) {
+        return found;
+      }
+    }
+    throw new ClassNotFoundException(name);
   }
 
   // ------------------------------------------------------------------ resources

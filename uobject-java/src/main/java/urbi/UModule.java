@@ -29,6 +29,7 @@ public final class UModule {
   private final List<UContext> contexts = new CopyOnWriteArrayList<>();
   private final UTaskQueue queue = new UTaskQueue();
   private final Runnable whenLeft;
+  private ModuleClassLoader loader;
 
   /** A module to be filled by hand, for classes that are not of Java. */
   public UModule(String name) {
@@ -46,11 +47,15 @@ public final class UModule {
     this.whenLeft = Objects.requireNonNull(whenLeft, "whenLeft");
   }
 
+  /** Those who load what is no jar. */
+  private static ServiceLoader<UModuleLoader> loaders() {
+    return ServiceLoader.load(UModuleLoader.class, UModule.class.getClassLoader());
+  }
+
   /** What the names of files with modules end with, with the dot; those of jars come first. */
   public static List<String> suffixes() {
     List<String> suffixes = new ArrayList<>(List.of(".jar"));
-    ServiceLoader.load(UModuleLoader.class, UModule.class.getClassLoader())
-        .forEach(loader -> suffixes.add(loader.suffix()));
+    loaders().forEach(other -> suffixes.add(other.suffix()));
     return suffixes;
   }
 
@@ -64,10 +69,32 @@ public final class UModule {
    *     that cannot be loaded
    */
   public static UModule load(Path jar) {
-    for (UModuleLoader loader :
-        ServiceLoader.load(UModuleLoader.class, UModule.class.getClassLoader())) {
-      if (jar.toString().endsWith(loader.suffix())) {
-        return loader.load(jar);
+    return load(jar, List.of());
+  }
+
+  /**
+   * Loads a jar that may use classes of other ones, too.
+   *
+   * @param libraries looked into for classes that the jar lacks, whenever one is needed
+   * @throws UModuleException as {@link #load(Path)}
+   */
+  public static UModule load(Path jar, List<UModule> libraries) {
+    UModule module = loadLibrary(jar, libraries);
+    if (module.classes.isEmpty() && module.hubs.isEmpty()) {
+      throw new UModuleException("no UObject in " + jar);
+    }
+    return module;
+  }
+
+  /**
+   * Loads a jar for the classes in it, which may be UObjects.
+   *
+   * @throws UModuleException as {@link #load(Path)}, but it need not have UObjects
+   */
+  public static UModule loadLibrary(Path jar, List<UModule> libraries) {
+    for (UModuleLoader other : loaders()) {
+      if (jar.toString().endsWith(other.suffix())) {
+        return other.load(jar);
       }
     }
     JarContent content;
@@ -76,13 +103,9 @@ public final class UModule {
     } catch (IOException e) {
       throw new UModuleException("cannot read " + jar + ": " + JarContent.reason(e), e);
     }
-    var classLoader = new ModuleClassLoader(content, ModuleParent.LOADER);
     UModule module = new UModule(jar.getFileName().toString());
-    classLoader.setModule(module);
-    classLoader.initialize();
-    if (module.classes.isEmpty() && module.hubs.isEmpty()) {
-      throw new UModuleException("no UObject in " + jar);
-    }
+    module.loader = new ModuleClassLoader(content, module, libraries, ModuleParent.LOADER);
+    module.loader.initialize();
     return module;
   }
 
@@ -107,6 +130,11 @@ public final class UModule {
       }
     }
     return module != null && module.contexts.size() == 1 ? module.contexts.getFirst() : null;
+  }
+
+  /** A class of the jar by its name, for other modules; null if it has none. */
+  Class<?> findClass(String className) {
+    return loader == null ? null : loader.own(className);
   }
 
   /** What it is called: the name of the file. */

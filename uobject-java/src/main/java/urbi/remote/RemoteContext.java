@@ -89,6 +89,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   }
 
   UValue ask(BiConsumer<WireOutput, Integer> question) {
+    dispatcher.letRead();
     return requests.ask(number -> sendNow(out -> question.accept(out, number)));
   }
 

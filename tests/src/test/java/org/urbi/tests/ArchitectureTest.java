@@ -47,16 +47,16 @@ class ArchitectureTest {
 
   @ArchTest
   static final ArchRule kernelKnowsLanguageAndBuiltins =
-      knowsOnly("org.urbi.kernel..", "org.urbi.lang..", "org.urbi.builtins..", "urbi");
+      knowsOnly("org.urbi.kernel..", "org.urbi.lang..", "org.urbi.builtins..", "urbi..");
 
   @ArchTest
   static final ArchRule componentsCarryOneJar =
       classes()
           .that()
-          .resideInAPackage("urbi")
+          .resideInAPackage("urbi..")
           .should()
           .onlyDependOnClassesThat()
-          .resideInAnyPackage("urbi", "java..");
+          .resideInAnyPackage("urbi..", "java..", "javax.imageio..");
 
   private static ArchRule onlyIn(String room, String library) {
     return noClasses()

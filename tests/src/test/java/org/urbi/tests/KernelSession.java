@@ -49,7 +49,7 @@ final class KernelSession implements AutoCloseable {
   private final Kernel kernel;
 
   /** The library's own source files, which installations have in their search path. */
-  private static final List<Path> SEARCH_PATH = List.of(Path.of("../share").toAbsolutePath());
+  private static final Path LIBRARY = Path.of("../share").toAbsolutePath();
 
   private KernelSession(Kernel kernel) {
     this.kernel = kernel;
@@ -58,7 +58,8 @@ final class KernelSession implements AutoCloseable {
   private static Kernel.Builder builder(BackEnd backEnd) {
     return Kernel.builder()
         .jobThreads(backEnd.jobThreads)
-        .searchPath(SEARCH_PATH)
+        .searchPath(List.of(LIBRARY))
+        .library(LIBRARY)
         .log(line -> {})
         .moduleSearchPath(List.of(UObjectJars.folder()));
   }

@@ -10,6 +10,7 @@ import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.ClassNodes;
 import org.urbi.kernel.node.CorePrototypes;
+import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.node.Primitive;
 import org.urbi.kernel.object.SlotData;
@@ -61,6 +62,7 @@ public final class Library {
     }
     inheritance(tables);
     constants();
+    EvaluateVariable.install(interpreter);
     errors();
     interpreter.setAfterStatements(Finalization.of(world)::run);
     interpreter.rememberNumberOperators();
@@ -167,9 +169,11 @@ public final class Library {
     lobby.addSlot(world.symbol("topLevel"), topLevel);
     lobby.addSlot(world.symbol("onDisconnect"), interpreter.prototypes().event.cloned());
     channel.addSlot(world.symbol("warning"), channel(channel, "warning", false));
+    types.get("Float").addSlot(world.symbol("epsilonTilde"), values.number(FloatType.TOLERANCE));
     types.get("System").addSlot(world.symbol("period"), values.number(0.02));
     types.get("Exception.Lookup").addSlot(world.symbol("fixSpelling"), values.trueObject);
     types.get("UVar").addSlot(world.symbol("hookChanged"), values.trueObject);
+    types.get("UVar").addSlot(world.symbol("eraseThrowingCallbacks"), values.falseObject);
     types.get("Exception").addSlot(world.symbol("message"), values.string("<no message>"));
   }
 
@@ -192,14 +196,34 @@ public final class Library {
     interpreter.setDescriber(this::describe);
   }
 
-  /** Gives a caught exception the place where it was thrown. */
-  private void describe(UrbiException exception) {
+  /** Gives a caught exception the place where it was thrown, and its message. */
+  private void describe(Frame frame, UrbiException exception) {
     UrbiObject value = exception.value();
+    addMessage(frame, value);
     if (value.isA(types.get("Exception")) && exception.isLocated()) {
       if (exception.span() != null) {
         OwnSlots.put(value, "location", LocationType.make(world, exception.span()));
       }
-      OwnSlots.put(value, "backtrace", StackFrameType.list(world, exception.backtrace()));
+      OwnSlots.put(value, "backtrace", StackFrameType.list(interpreter, exception.backtrace()));
+    }
+  }
+
+  /** An exception of the library that shows values has no message before it is caught. */
+  private void addMessage(Frame frame, UrbiObject value) {
+    boolean argument = value.isA(types.get("Exception.Argument"));
+    if ((argument
+            || value.isA(types.get("Exception.Type"))
+            || value.isA(types.get("Exception.BadNumber")))
+        && value.localSlot(world.symbol("message")) == null) {
+      if (argument && value.localSlot(world.symbol("exception")) instanceof UrbiObject cause) {
+        addMessage(frame, cause);
+      }
+      try {
+        String text = interpreter.asString(frame, value);
+        OwnSlots.put(value, "message", values.string(text));
+      } catch (UrbiException e) {
+        // A value that cannot be shown: the exception is the one that was thrown all the same.
+      }
     }
   }
 }

@@ -5,6 +5,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Function;
 import org.urbi.kernel.node.Tuples;
@@ -75,8 +76,11 @@ final class Printing {
 
   /** Whether it is shown by the library, and not by functions of a program. */
   private boolean isPlain(UrbiObject value) {
-    return !(value.lookup(asPrintable) instanceof Function)
-        && !(value.lookup(asString) instanceof Function);
+    return isOfLibrary(value.lookup(asPrintable)) && isOfLibrary(value.lookup(asString));
+  }
+
+  private static boolean isOfLibrary(UrbiObject method) {
+    return method instanceof Code && !(method instanceof Function);
   }
 
   private void appendContainer(UrbiObject container) {
@@ -94,10 +98,7 @@ final class Printing {
   private void appendTuple(UrbiObject tuple, boolean repeated) {
     List<UrbiObject> members = Tuples.members(caller, tuple);
     if (members == null) {
-      throw caller
-          .interpreter()
-          .errors()
-          .argumentType("asString", 0, tuple, values.tupleProto, "Tuple");
+      throw caller.interpreter().errors().argumentType("asString", 0, tuple, values.tupleProto);
     }
     appendElements("(", members, members.size() == 1 ? ",)" : ")", repeated);
   }

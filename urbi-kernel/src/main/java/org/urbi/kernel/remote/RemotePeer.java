@@ -132,6 +132,10 @@ public final class RemotePeer {
         String name = in.text();
         yield answering(number, () -> startClass(name));
       }
+      case Frame.RTP ->
+          () -> {
+            // There are no datagrams in this version: values keep to the connection.
+          };
       case Frame.FENCE -> answering(in.size(), UValue::new);
       case Frame.ATTACH -> {
         int number = in.size();
@@ -296,6 +300,11 @@ public final class RemotePeer {
     if (object != null) {
       object.clean();
     }
+  }
+
+  /** Why the connection is lost; null while it is not. */
+  String lost() {
+    return lost;
   }
 
   /** The urbiscript object has gone. */

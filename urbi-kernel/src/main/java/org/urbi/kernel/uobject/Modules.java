@@ -1,16 +1,17 @@
 package org.urbi.kernel.uobject;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
 import org.urbi.kernel.library.KernelControl;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.outside.ConfinedException;
+import org.urbi.kernel.outside.Disk;
 import urbi.UClass;
 import urbi.UHubClass;
 import urbi.UModule;
@@ -22,11 +23,14 @@ import urbi.UModuleException;
  */
 public final class Modules {
   /** A module, and how its file was when it was read. */
-  private record Loaded(UModule module, FileTime modified, long size) {}
+  private record Loaded(UModule module, long modified, long size) {}
 
   private final PluggedContext context;
   private final KernelControl kernel;
   private final Map<Path, Loaded> loaded = new LinkedHashMap<>();
+
+  /** The modules whose classes all the others can use. */
+  private final List<UModule> libraries = new CopyOnWriteArrayList<>();
 
   Modules(PluggedContext context, KernelControl kernel) {
     this.context = context;
@@ -56,11 +60,11 @@ public final class Modules {
         folders.add(working);
         for (Path folder : folders) {
           Path candidate = folder.resolve(path).normalize();
-          if (Files.isRegularFile(candidate)) {
+          if (disk().isRegularFile(candidate)) {
             return candidate;
           }
         }
-      } catch (InvalidPathException e) {
+      } catch (InvalidPathException | IOException e) {
         return null;
       }
     }
@@ -80,30 +84,40 @@ public final class Modules {
   /**
    * Loads a module; does nothing if that very file is loaded already.
    *
-   * @throws UModuleException if the file is no module
+   * @param library whether its classes can be used by all modules; it need not have UObjects then
+   * @throws UModuleException if the file is no module, or modules are not allowed
    * @throws org.urbi.kernel.error.UrbiException if a constructor fails
    */
-  public void load(Frame frame, Path file) {
-    Path key = key(file);
-    Loaded before = loaded.get(key);
+  public void load(Frame frame, Path file, boolean library) {
     try {
-      FileTime modified = Files.getLastModifiedTime(key);
-      long size = Files.size(key);
-      if (before != null && before.modified.equals(modified) && before.size == size) {
+      kernel.outside().confinement().checkModules();
+      Path key = disk().real(file);
+      Loaded before = loaded.get(key);
+      long modified = disk().lastModified(key);
+      long size = disk().size(key);
+      if (before != null && before.modified == modified && before.size == size) {
         return;
       }
-      UModule module = read(frame, key);
+      UModule module = read(frame, key, library);
       start(frame, module, before);
       loaded.put(key, new Loaded(module, modified, size));
+      if (before != null) {
+        libraries.remove(before.module);
+      }
+      if (library) {
+        libraries.add(module);
+      }
+    } catch (ConfinedException e) {
+      throw new UModuleException(e.getMessage(), e);
     } catch (IOException e) {
       throw new UModuleException("cannot read " + file + ": " + e.getMessage(), e);
     }
   }
 
-  private UModule read(Frame frame, Path file) {
+  private UModule read(Frame frame, Path file, boolean library) {
     Object outer = context.leave(frame);
     try {
-      return UModule.load(file);
+      return library ? UModule.loadLibrary(file, libraries) : UModule.load(file, libraries);
     } finally {
       context.back(frame, outer);
     }
@@ -156,6 +170,7 @@ public final class Modules {
     if (module == null) {
       return false;
     }
+    libraries.remove(module.module);
     end(frame, module.module);
     return true;
   }
@@ -165,12 +180,16 @@ public final class Modules {
     start(frame, module, null);
   }
 
-  private static Path key(Path file) {
+  private Path key(Path file) {
     try {
-      return file.toRealPath();
+      return disk().real(file);
     } catch (IOException e) {
       return file.toAbsolutePath().normalize();
     }
+  }
+
+  private Disk disk() {
+    return kernel.outside().disk();
   }
 
   /** The kernel has ended. */

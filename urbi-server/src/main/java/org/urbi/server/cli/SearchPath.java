@@ -40,13 +40,18 @@ public record SearchPath(List<Path> directories) {
    * known as {@code component.u} and {@code urbi/component.u}.
    */
   public static List<Path> standard(Path root) {
-    Path share = root.resolve("share");
+    Path share = library(root);
     return List.of(Path.of("."), share, share.resolve("urbi"));
+  }
+
+  /** Where an installation has the library's own source files. */
+  public static Path library(Path root) {
+    return root.resolve("share");
   }
 
   /** Where an installation has UObjects: the current folder, then its own. */
   public static List<Path> standardModules(Path root) {
-    Path uobjects = root.resolve("share").resolve("uobjects");
+    Path uobjects = library(root).resolve("uobjects");
     return Files.isDirectory(uobjects) ? List.of(Path.of("."), uobjects) : List.of(Path.of("."));
   }
 

@@ -179,7 +179,7 @@ final class ModuleLauncher {
     }
     ModulePath path = ModulePath.ofEnvironment();
     for (String module : arguments.rest()) {
-      options.addAll(List.of("--module", path.find(module).toString()));
+      options.addAll(List.of("--module", path.findJar(module).toString()));
     }
     options.addAll(moduleOptions);
     String other = arguments.value("--customize", null);

@@ -23,18 +23,21 @@ record ModulePath(SearchPath path) {
   }
 
   /**
-   * The library, the jar, or the folder of classes, of that name; the suffix may be left out.
+   * The jar or library of that name, or the folder of classes if there is none; the suffix may be left out.
    *
    * @return its absolute path
-   * @throws Failure if there is none
+   * @throws Failure if there is neither
    */
   Path find(String name) {
     for (Path folder : path.directories()) {
       for (String suffix : SUFFIXES) {
         Path file = folder.resolve(name + suffix);
-        if (Files.isRegularFile(file) || Files.isDirectory(file) && suffix.isEmpty()) {
+        if (Files.isRegularFile(file)) {
           return file.toAbsolutePath().normalize();
         }
+      }
+      if (Files.isDirectory(folder.resolve(name))) {
+        return folder.resolve(name).toAbsolutePath().normalize();
       }
     }
     if (Path.of(name).isAbsolute()) {
@@ -42,6 +45,19 @@ record ModulePath(SearchPath path) {
     }
     throw Failure.of(
         "no module " + name + " in " + shown() + " (" + VARIABLE + " says where to look)");
+  }
+
+  /**
+   * The jar or library of that name, which can be plugged into a server.
+   *
+   * @throws Failure if there is none
+   */
+  Path findJar(String name) {
+    Path found = find(name);
+    if (Files.isDirectory(found)) {
+      throw Failure.of(found + " is a folder, only a jar can be plugged: umake-java makes one");
+    }
+    return found;
   }
 
   private String shown() {

@@ -6,7 +6,6 @@ import java.io.PrintStream;
 import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.List;
 import org.urbi.server.SourceText;
 import org.urbi.server.options.Arguments;
@@ -16,6 +15,9 @@ import org.urbi.server.tools.Target;
 /** Asks a running server to load modules, and tells what it says to that. */
 final class PluginRequest {
   private static final String ERROR = ":error] !!! ";
+
+  /** Where in the request the error is, which tells nobody anything. */
+  private static final String LOCATION = "^\\d+\\.\\d+(-[\\d.]+)?: ";
 
   private final String program;
   private final PrintStream err;
@@ -54,8 +56,7 @@ final class PluginRequest {
   /** A server on this machine may have been started in another folder, but sees the same files. */
   private static String ownName(String module) {
     try {
-      Path found = ModulePath.ofEnvironment().find(module);
-      return found.toString();
+      return ModulePath.ofEnvironment().findJar(module).toString();
     } catch (Failure e) {
       // The server may look in other folders.
       return module;
@@ -65,7 +66,8 @@ final class PluginRequest {
   private int report(String answer) {
     List<String> errors = answer.lines().filter(line -> line.contains(ERROR)).toList();
     for (String error : errors) {
-      err.println(program + ": " + error.substring(error.indexOf(ERROR) + ERROR.length()));
+      String message = error.substring(error.indexOf(ERROR) + ERROR.length());
+      err.println(program + ": " + message.replaceFirst(LOCATION, ""));
     }
     return errors.isEmpty() ? 0 : 1;
   }

@@ -383,7 +383,8 @@ class RemoteUObjectTest {
     remote.close();
     assertTrue(
         error.get(20, TimeUnit.SECONDS).contains("the remote process has gone"), error.get());
-    assertTrue(error("a.add(1)").contains("the remote process has gone"), error("a.add(1)"));
+    eval("while (uobjects.hasLocalSlot(\"Adder\")) sleep(1ms)");
+    assertTrue(error("a.add(1)").contains("the object has been destroyed"), error("a.add(1)"));
     assertEquals("0", eval("if (uobjects.hasLocalSlot(\"Adder\")) 1 else 0"));
     remote = new RemoteContext(HOST, server.port());
     remote.start(type("Adder", Adder::new));
@@ -425,6 +426,22 @@ class RemoteUObjectTest {
       }
     }
     assertEquals("3", eval("1 + 2"));
+  }
+
+  @Test
+  void nothingIsLeftOfThoseWhoCameAndWent() {
+    eval("1");
+    double jobs = client.syncEval("jobs.size").doubleValue();
+    for (int i = 0; i < 100; i++) {
+      try (RemoteContext passing = new RemoteContext(HOST, server.port())) {
+        passing.start(type("Adder", Adder::new));
+        passing.variable("Adder.x").useRtp(true);
+        assertEquals("3", eval("Adder.new(1).add(2)"));
+      }
+      eval("while (uobjects.hasLocalSlot(\"Adder\")) sleep(1ms)");
+    }
+    eval("while (Lobby.instances.size > 3) sleep(1ms)");
+    eval("while (jobs.size > " + jobs + ") sleep(1ms)");
   }
 
   @Test
