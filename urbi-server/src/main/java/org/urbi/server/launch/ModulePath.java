@@ -23,7 +23,8 @@ record ModulePath(SearchPath path) {
   }
 
   /**
-   * The jar or library of that name, or the folder of classes if there is none; the suffix may be left out.
+   * The jar or library of that name, or the folder of classes if there is none; the suffix may be
+   * left out.
    *
    * @return its absolute path
    * @throws Failure if there is neither
