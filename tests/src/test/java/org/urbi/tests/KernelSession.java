@@ -1,5 +1,6 @@
 package org.urbi.tests;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -50,20 +51,30 @@ final class KernelSession implements AutoCloseable {
 
   private final Kernel kernel;
 
+  /** The library's own source files, which installations have in their search path. */
+  private static final Path LIBRARY = Path.of("../share").toAbsolutePath();
+
   private KernelSession(Kernel kernel) {
     this.kernel = kernel;
   }
 
+  private static Kernel.Builder builder(BackEnd backEnd) {
+    return Kernel.builder()
+        .jobThreads(backEnd.jobThreads)
+        .searchPath(List.of(LIBRARY))
+        .library(LIBRARY)
+        .log(line -> {})
+        .moduleSearchPath(List.of(UObjectJars.folder()));
+  }
+
   /** A kernel whose time jumps from deadline to deadline. */
   static KernelSession inVirtualTime(BackEnd backEnd) {
-    return new KernelSession(
-        Kernel.builder().virtualTime(true).jobThreads(backEnd.jobThreads).start());
+    return new KernelSession(builder(backEnd).virtualTime(true).start());
   }
 
   /** A kernel that lives in our time. */
   static KernelSession inRealTime(BackEnd backEnd) {
-    return new KernelSession(
-        Kernel.builder().virtualTime(false).jobThreads(backEnd.jobThreads).start());
+    return new KernelSession(builder(backEnd).virtualTime(false).start());
   }
 
   /**

@@ -203,18 +203,19 @@ final class Expressions {
         DETACHING.contains(message.name()) ? block.job(compilation.newRegion()) : block);
   }
 
-  /** {@code scopeTag}, and the manual's {@code Tag.scope}. */
+  /** {@code scopeTag}, and the manual's {@code System.scopeTag} and {@code Tag.scope}. */
   boolean isScopeTag(Ast.Message message) {
     if (message.arguments() != null) {
       return false;
     }
-    return message.target() == null
-        ? message.name().equals("scopeTag")
-        : message.name().equals("scope")
-            && message.target() instanceof Ast.Message tag
-            && tag.target() == null
-            && tag.arguments() == null
-            && tag.name().equals("Tag");
+    if (message.target() == null) {
+      return message.name().equals("scopeTag");
+    }
+    return message.target() instanceof Ast.Message owner
+        && owner.target() == null
+        && owner.arguments() == null
+        && (owner.name().equals("Tag") && message.name().equals("scope")
+            || owner.name().equals("System") && message.name().equals("scopeTag"));
   }
 
   private Node scopeTag(Ast.Message message, Block block) {

@@ -42,6 +42,7 @@ public final class Scheduler {
   private final JobThread.Factory threads;
   private final ArrayDeque<Job> runnable = new ArrayDeque<>();
   private final ArrayDeque<Job> ahead = new ArrayDeque<>();
+  private final ArrayDeque<Job> behind = new ArrayDeque<>();
   private final ArrayDeque<Job> born = new ArrayDeque<>();
   private final Set<Job> jobs = new LinkedHashSet<>();
   private final TagScope rootScope = new TagScope();
@@ -164,6 +165,14 @@ public final class Scheduler {
     return job;
   }
 
+  /** Like {@link #startDetached}, but its first turn comes when all the others have had theirs. */
+  public Job startBehind(UrbiObject lobby, TagScope scope, String prefix, Job.Body body) {
+    Job job = new Job(this, body, nextName(prefix), lobby, scope, null, 0);
+    jobs.add(job);
+    behind.add(job);
+    return job;
+  }
+
   /** A job started by another one runs in the same tick, right behind it. */
   private Job start(Job job) {
     jobs.add(job);
@@ -200,7 +209,11 @@ public final class Scheduler {
 
   /** Whether a job that can go on had better let others run. */
   boolean hasOthers() {
-    if (!runnable.isEmpty() || !born.isEmpty() || !ahead.isEmpty() || inbox.isFilled()) {
+    if (!runnable.isEmpty()
+        || !born.isEmpty()
+        || !ahead.isEmpty()
+        || !behind.isEmpty()
+        || inbox.isFilled()) {
       spins = 0;
       return true;
     }
@@ -316,7 +329,7 @@ public final class Scheduler {
     while (!ahead.isEmpty()) {
       runnable.addFirst(ahead.poll());
     }
-    if (runnable.isEmpty()) {
+    if (runnable.isEmpty() && behind.isEmpty()) {
       runEndOfTick();
       busyTicks = 0;
       if (!stopped && endOfTick.isEmpty()) {
@@ -325,6 +338,7 @@ public final class Scheduler {
       return;
     }
     runOnce(false);
+    runBehind();
     runEndOfTick();
     if (!clock.isReal() && timeHolders == 0 && ++busyTicks >= BUSY_TICKS) {
       busyTicks = 0;
@@ -351,6 +365,17 @@ public final class Scheduler {
         runnable.addFirst(child);
         left++;
       }
+    }
+    running = null;
+  }
+
+  private void runBehind() {
+    for (int left = behind.size(); left > 0 && !stopped; left--) {
+      Job job = behind.poll();
+      running = job;
+      job.resume();
+      runnable.addAll(born);
+      born.clear();
     }
     running = null;
   }

@@ -4,6 +4,7 @@ import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
 import java.util.concurrent.Executor;
+import java.util.concurrent.ForkJoinPool;
 import java.util.function.Consumer;
 
 /**
@@ -17,9 +18,13 @@ final class TickLoopThread implements JobThread, Executor {
   private final Factory factory;
   private final Job job;
   private final Thread thread;
+  private Runnable own;
   private Runnable continuation;
   private boolean started;
   private boolean resumed;
+
+  /** Whether the loop is about to get the continuation because it asked for it. */
+  private boolean handing;
 
   private TickLoopThread(Factory factory, Job job) {
     this.factory = factory;
@@ -58,10 +63,19 @@ final class TickLoopThread implements JobThread, Executor {
 
   @Override
   public void execute(Runnable task) {
-    if (Thread.currentThread() == factory.loop) {
+    if (own == null) {
+      own = task;
+    }
+    if (task != own) {
+      // Code that a job has called has made a virtual thread; that is no job.
+      ForkJoinPool.commonPool().execute(task);
+    } else if (handing && Thread.currentThread() == factory.loop) {
+      handing = false;
       continuation = task;
     } else {
-      // A timed park, a future or I/O inside a library call ended: that is news for the inbox.
+      // A lock, a timed park, a future or I/O inside a library call ended: that is news for the
+      // inbox. It comes from another thread; or from the loop's own, if the wait ended while it
+      // began.
       factory.inbox.accept(() -> {
         continuation = task;
         job.wakeFromOutside();
@@ -74,6 +88,7 @@ final class TickLoopThread implements JobThread, Executor {
     resumed = true;
     if (!started) {
       started = true;
+      handing = true;
       thread.start();
     }
     Runnable next = continuation;
@@ -86,9 +101,11 @@ final class TickLoopThread implements JobThread, Executor {
   @Override
   public void suspend() {
     resumed = false;
+    handing = true;
     // Hands the continuation to execute(), and returns when the loop has run it again.
     Thread.yield();
     if (!resumed) {
+      handing = false;
       throw new IllegalStateException("a job cannot wait inside a native call");
     }
   }

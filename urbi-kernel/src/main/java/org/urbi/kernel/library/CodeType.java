@@ -21,7 +21,7 @@ final class CodeType {
   private CodeType() {}
 
   @Builtin(doc = "Calls the function: the list holds the target, then the arguments.")
-  static UrbiObject apply(Frame frame, CallSite site, UrbiObject self, UrbiObject list) {
+  static UrbiObject apply(Frame frame, CallSite site, Code self, UrbiObject list) {
     if (!(list instanceof UrbiList arguments)) {
       // The list begins with the target: that is what is missing.
       throw Arguments.type(frame, site, 0, list, "List");

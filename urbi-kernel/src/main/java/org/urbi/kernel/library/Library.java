@@ -1,5 +1,6 @@
 package org.urbi.kernel.library;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -9,6 +10,7 @@ import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.ClassNodes;
 import org.urbi.kernel.node.CorePrototypes;
+import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.node.Primitive;
 import org.urbi.kernel.object.SlotData;
@@ -30,9 +32,15 @@ public final class Library {
     this.values = interpreter.values();
   }
 
-  /** Installs the library. */
-  public static void install(Interpreter interpreter) {
-    new Library(interpreter).install();
+  /**
+   * Installs the library.
+   *
+   * @param workingDirectory where relative paths start from in the beginning
+   */
+  public static void install(Interpreter interpreter, Path workingDirectory) {
+    Library library = new Library(interpreter);
+    library.install();
+    ((UrbiPath) library.types.get("Path")).working().path = workingDirectory;
   }
 
   private void install() {
@@ -54,6 +62,7 @@ public final class Library {
     }
     inheritance(tables);
     constants();
+    EvaluateVariable.install(interpreter);
     errors();
     interpreter.setAfterStatements(Finalization.of(world)::run);
     interpreter.rememberNumberOperators();
@@ -162,6 +171,7 @@ public final class Library {
     types.get("System").addSlot(world.symbol("period"), values.number(0.02));
     types.get("Exception.Lookup").addSlot(world.symbol("fixSpelling"), values.trueObject);
     types.get("UVar").addSlot(world.symbol("hookChanged"), values.trueObject);
+    types.get("UVar").addSlot(world.symbol("eraseThrowingCallbacks"), values.falseObject);
     types.get("Exception").addSlot(world.symbol("message"), values.string("<no message>"));
   }
 
@@ -191,14 +201,34 @@ public final class Library {
     interpreter.setDescriber(this::describe);
   }
 
-  /** Gives a caught exception the place where it was thrown. */
-  private void describe(UrbiException exception) {
+  /** Gives a caught exception the place where it was thrown, and its message. */
+  private void describe(Frame frame, UrbiException exception) {
     UrbiObject value = exception.value();
+    addMessage(frame, value);
     if (value.isA(types.get("Exception")) && exception.isLocated()) {
       if (exception.span() != null) {
         OwnSlots.put(value, "location", LocationType.make(world, exception.span()));
       }
-      OwnSlots.put(value, "backtrace", StackFrameType.list(world, exception.backtrace()));
+      OwnSlots.put(value, "backtrace", StackFrameType.list(interpreter, exception.backtrace()));
+    }
+  }
+
+  /** An exception of the library that shows values has no message before it is caught. */
+  private void addMessage(Frame frame, UrbiObject value) {
+    boolean argument = value.isA(types.get("Exception.Argument"));
+    if ((argument
+            || value.isA(types.get("Exception.Type"))
+            || value.isA(types.get("Exception.BadNumber")))
+        && value.localSlot(world.symbol("message")) == null) {
+      if (argument && value.localSlot(world.symbol("exception")) instanceof UrbiObject cause) {
+        addMessage(frame, cause);
+      }
+      try {
+        String text = interpreter.asString(frame, value);
+        OwnSlots.put(value, "message", values.string(text));
+      } catch (UrbiException e) {
+        // A value that cannot be shown: the exception is the one that was thrown all the same.
+      }
     }
   }
 }

@@ -146,11 +146,7 @@ final class StringType {
 
   @Builtin(value = "*", doc = "The target so many times.")
   static String multiply(Frame caller, CallSite site, UrbiString self, UrbiFloat n) {
-    int count = Counting.nonNegative(caller, site, 1, n);
-    if ((long) count * self.value().length() > Integer.MAX_VALUE - 8) {
-      throw error(caller, site, "string too long");
-    }
-    return self.value().repeat(count);
+    return self.value().repeat(Counting.ofStrings(caller, site, 1, n, self.value().length()));
   }
 
   @Builtin(value = "%", doc = "The target as a format string, filled with args.")

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.UrbiException;
@@ -35,6 +36,9 @@ public final class Interpreter {
     }
   }
 
+  /** No data are nested as deeply, unless they are within themselves. */
+  private static final int MAXIMUM_NESTED_SENDS = 10_000;
+
   private static final CallSite FROM_JAVA = new JavaSite(null);
 
   private final World world;
@@ -44,7 +48,7 @@ public final class Interpreter {
   private final CoreSymbols symbols;
   private final Map<Symbol, UrbiObject> numberOperators = new LinkedHashMap<>();
   final CorePrototypes prototypes;
-  private Consumer<UrbiException> describer = exception -> {};
+  private BiConsumer<Frame, UrbiException> describer = (frame, exception) -> {};
   private Consumer<Frame> afterStatements = frame -> {};
   private boolean assertionsDisabled;
   private boolean assertionsShowValues = true;
@@ -133,7 +137,8 @@ public final class Interpreter {
 
   /** Calls a function; what is no function is its own value. */
   public UrbiObject call(Frame caller, UrbiObject code, UrbiObject self, UrbiObject... arguments) {
-    return call(caller, FROM_JAVA, code, self, arguments);
+    CallSite site = code instanceof Primitive own ? new JavaSite(own.name()) : FROM_JAVA;
+    return call(caller, site, code, self, arguments);
   }
 
   /** Calls a function on behalf of a library function called at that site. */
@@ -160,15 +165,30 @@ public final class Interpreter {
     return code;
   }
 
-  /** Sends a message. */
+  /**
+   * Sends a message. What recurs here without end, such as the comparison of a list with another
+   * one when both are their own elements, has exhausted the stack.
+   */
   public UrbiObject send(Frame caller, UrbiObject target, String message, UrbiObject... arguments) {
-    return send(caller, new JavaSite(message), target, world.symbol(message), arguments);
+    if (++caller.job.nestedSends > Math.min(MAXIMUM_NESTED_SENDS, maximumDepth)) {
+      caller.job.nestedSends--;
+      throw errors.scheduling("stack exhausted");
+    }
+    try {
+      return send(caller, new JavaSite(message), target, world.symbol(message), arguments);
+    } finally {
+      caller.job.nestedSends--;
+    }
   }
 
   /** Sends a message on behalf of a library function called at that site. */
   public UrbiObject send(
       Frame caller, CallSite site, UrbiObject target, Symbol message, UrbiObject... arguments) {
-    UrbiObject found = get(caller, target, message);
+    UrbiObject found = SlotLookup.find(caller, target, message);
+    if (found == null) {
+      return fallback(
+          caller, new EvaluatedSite(new JavaSite(message.name()), arguments), target, message);
+    }
     if (found instanceof Code) {
       return call(caller, site, found, target, arguments);
     }
@@ -176,6 +196,15 @@ public final class Interpreter {
       throw errors.arity(message.name(), arguments.length, 0, 0);
     }
     return found;
+  }
+
+  /**
+   * Sends a message for which the target has no slot: its {@code fallback} answers, if it has one.
+   *
+   * @param site has the name and the arguments of the message
+   */
+  public UrbiObject fallback(Frame caller, CallSite site, UrbiObject target, Symbol message) {
+    return Calls.fallback(caller, site, target, message, site.argumentNodes());
   }
 
   /** The value of a slot, not called if it is a function. */
@@ -214,7 +243,7 @@ public final class Interpreter {
     if (text instanceof UrbiString string) {
       return string.value();
     }
-    throw errors.argumentType(how.name(), 0, text, values.stringProto, "String");
+    throw errors.argumentType(how.name(), 0, text, values.stringProto);
   }
 
   /** Whether {@code assert} checks nothing ({@code System.ndebug}). */
@@ -235,13 +264,13 @@ public final class Interpreter {
     assertionsShowValues = shown;
   }
 
-  /** Gives a caught exception its {@code location} and {@code backtrace}. */
-  void describe(UrbiException exception) {
-    describer.accept(exception);
+  /** Gives a caught exception its {@code location}, {@code backtrace} and {@code message}. */
+  void describe(Frame frame, UrbiException exception) {
+    describer.accept(frame, exception);
   }
 
   /** Sets what {@link #describe} does; once, by the library. */
-  public void setDescriber(Consumer<UrbiException> how) {
+  public void setDescriber(BiConsumer<Frame, UrbiException> how) {
     describer = how;
   }
 

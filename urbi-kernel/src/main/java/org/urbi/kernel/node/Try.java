@@ -55,16 +55,21 @@ public final class Try extends Node {
     } catch (UrbiException e) {
       return handle(frame, e);
     } catch (StackOverflowError e) {
-      return handle(
-          frame, frame.located(frame.interpreter.errors().scheduling("stack exhausted"), span()));
+      return handle(frame, exhausted(frame, "stack exhausted"));
+    } catch (OutOfMemoryError e) {
+      return handle(frame, exhausted(frame, "memory exhausted"));
     }
     return elseClause == null || frame.completion != null ? value : elseClause.execute(frame);
+  }
+
+  private UrbiException exhausted(Frame frame, String message) {
+    return frame.located(frame.interpreter.errors().scheduling(message), span());
   }
 
   private UrbiObject handle(Frame frame, UrbiException exception) {
     for (Clause clause : clauses) {
       if (clause.pattern != null) {
-        frame.interpreter.describe(exception);
+        frame.interpreter.describe(frame, exception);
         if (!clause.pattern.matches(frame, exception.value())) {
           continue;
         }

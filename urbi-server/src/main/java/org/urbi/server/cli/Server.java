@@ -49,6 +49,8 @@ final class Server {
         Kernel.builder()
             .virtualTime(settings.fast())
             .searchPath(settings.searchPath().directories())
+            .library(SearchPath.library(SearchPath.root()))
+            .moduleSearchPath(settings.moduleSearchPath().directories())
             .stackSize(settings.stackSize())
             .commandLine(settings.program(), settings.arguments())
             .onHalt(this::halt)
@@ -109,7 +111,11 @@ final class Server {
     try {
       ConsoleServer server =
           new ConsoleServer(
-              address, client -> connect(client, false), Limits.DEFAULT, settings.trace());
+              address,
+              client -> connect(client, false),
+              kernel::connectRemote,
+              Limits.DEFAULT,
+              settings.trace());
       writePortFile(server.port());
       if (!settings.quiet()) {
         settings.trace().log("listening on " + settings.host() + ":" + server.port());

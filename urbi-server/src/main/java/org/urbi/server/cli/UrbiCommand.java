@@ -33,6 +33,11 @@ public final class UrbiCommand {
     Runtime.getRuntime().halt(status);
   }
 
+  /** Runs the program and returns its exit status. */
+  public static int run(String[] args, PrintStream out, PrintStream err) {
+    return new UrbiCommand(out, err).run(args);
+  }
+
   int run(String... args) {
     Program program =
         new Program(
@@ -104,6 +109,8 @@ public final class UrbiCommand {
     return new Settings(
         trace(arguments),
         SearchPath.of(System.getenv("URBI_PATH"), SearchPath.standard(SearchPath.root())),
+        SearchPath.of(
+            System.getenv("URBI_UOBJECT_PATH"), SearchPath.standardModules(SearchPath.root())),
         arguments.has("--fast"),
         stackSize(arguments),
         arguments.has("--quiet"),
