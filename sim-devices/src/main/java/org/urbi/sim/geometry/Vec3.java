@@ -1,5 +1,7 @@
 package org.urbi.sim.geometry;
 
+import org.urbi.sim.SimulationException;
+
 /** A vector, or a point, in three dimensions. */
 public record Vec3(double x, double y, double z) {
   public static final Vec3 ZERO = new Vec3(0, 0, 0);
@@ -35,12 +37,12 @@ public record Vec3(double x, double y, double z) {
   /**
    * The vector of length 1 in this direction.
    *
-   * @throws ArithmeticException if it has no direction
+   * @throws SimulationException if it has no direction
    */
   public Vec3 normalized() {
     double length = length();
     if (!(length > 0) || Double.isInfinite(length)) {
-      throw new ArithmeticException("no direction: " + this);
+      throw new SimulationException("no direction: " + this);
     }
     return times(1 / length);
   }

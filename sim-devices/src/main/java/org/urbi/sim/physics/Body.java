@@ -1,6 +1,7 @@
 package org.urbi.sim.physics;
 
 import java.util.List;
+import org.urbi.sim.SimulationException;
 import org.urbi.sim.geometry.Pose;
 import org.urbi.sim.geometry.Rotation;
 import org.urbi.sim.geometry.Vec3;
@@ -112,11 +113,11 @@ public final class Body {
   /**
    * Puts it somewhere else, as it is.
    *
-   * @throws PhysicsException if the place is not finite
+   * @throws SimulationException if the place is not finite
    */
   public void place(Pose newPose) {
     if (!newPose.isFinite()) {
-      throw new PhysicsException(name + ": the place is not finite");
+      throw new SimulationException(name + ": the place is not finite");
     }
     if (isFixed()) {
       for (int i = 0; i < parts.size(); i++) {
@@ -134,11 +135,11 @@ public final class Body {
   /**
    * Gives it a velocity, in m/s, and a rotation about the axes of the world, in rad/s.
    *
-   * @throws PhysicsException if one is not finite, or if the body is fixed
+   * @throws SimulationException if one is not finite, or if the body is fixed
    */
   public void move(Vec3 velocity, Vec3 spin) {
     if (!velocity.isFinite() || !spin.isFinite()) {
-      throw new PhysicsException(name + ": the velocity is not finite");
+      throw new SimulationException(name + ": the velocity is not finite");
     }
     requireFree();
     world.dynamics().moveBody(number, velocity, spin);
@@ -148,11 +149,11 @@ public final class Body {
   /**
    * Has a force, in newtons, act during the next step at a point of the world.
    *
-   * @throws PhysicsException if it is not finite, or if the body is fixed
+   * @throws SimulationException if it is not finite, or if the body is fixed
    */
   public void push(Vec3 force, Vec3 point) {
     if (!force.isFinite() || !point.isFinite()) {
-      throw new PhysicsException(name + ": the force is not finite");
+      throw new SimulationException(name + ": the force is not finite");
     }
     requireFree();
     world.dynamics().addForce(number, force, point);
@@ -160,7 +161,7 @@ public final class Body {
 
   private void requireFree() {
     if (isFixed()) {
-      throw new PhysicsException(name + ": does not move: it has no mass");
+      throw new SimulationException(name + ": does not move: it has no mass");
     }
   }
 

@@ -1,6 +1,7 @@
 package org.urbi.sim.physics;
 
 import java.util.List;
+import org.urbi.sim.SimulationException;
 import org.urbi.sim.geometry.Pose;
 import org.urbi.sim.geometry.Shape;
 
@@ -21,16 +22,16 @@ public record BodyDescription(String name, Pose pose, double mass, List<Part> pa
   public BodyDescription {
     parts = List.copyOf(parts);
     if (!pose.isFinite()) {
-      throw new PhysicsException(name + ": the place is not finite");
+      throw new SimulationException(name + ": the place is not finite");
     }
     if (!(mass >= 0) || Double.isInfinite(mass)) {
-      throw new PhysicsException(name + ": mass: 0 or more expected, not " + mass);
+      throw new SimulationException(name + ": mass: 0 or more expected, not " + mass);
     }
     if (mass > 0 && parts.isEmpty()) {
-      throw new PhysicsException(name + ": has a mass, but no shape");
+      throw new SimulationException(name + ": has a mass, but no shape");
     }
     if (mass > 0 && parts.stream().anyMatch(p -> p.shape() instanceof Shape.Plane)) {
-      throw new PhysicsException(name + ": a plane has no mass: it cannot move");
+      throw new SimulationException(name + ": a plane has no mass: it cannot move");
     }
   }
 

@@ -1,5 +1,6 @@
 package org.urbi.sim.physics;
 
+import org.urbi.sim.SimulationException;
 import org.urbi.sim.physics.JointDescription.Kind;
 
 /**
@@ -77,9 +78,9 @@ public final class Joint {
    */
   public void drive(double velocity, double force) {
     requireAxis();
-    PhysicsException.finite(velocity, name() + ": velocity");
-    if (!(PhysicsException.finite(force, name() + ": force") >= 0)) {
-      throw new PhysicsException(name() + ": force: 0 or more expected, not " + force);
+    SimulationException.finite(velocity, name() + ": velocity");
+    if (!(SimulationException.finite(force, name() + ": force") >= 0)) {
+      throw new SimulationException(name() + ": force: 0 or more expected, not " + force);
     }
     world.dynamics().setMotor(number, velocity, force);
   }
@@ -87,12 +88,12 @@ public final class Joint {
   /** Has a torque or force act along the axis during the next step. */
   public void push(double force) {
     requireAxis();
-    world.dynamics().addJointForce(number, PhysicsException.finite(force, name() + ": force"));
+    world.dynamics().addJointForce(number, SimulationException.finite(force, name() + ": force"));
   }
 
   private void requireAxis() {
     if (!canBeDriven()) {
-      throw new PhysicsException(name() + ": not a hinge or a slider");
+      throw new SimulationException(name() + ": not a hinge or a slider");
     }
   }
 

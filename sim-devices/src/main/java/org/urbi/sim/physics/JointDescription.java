@@ -1,5 +1,6 @@
 package org.urbi.sim.physics;
 
+import org.urbi.sim.SimulationException;
 import org.urbi.sim.geometry.Vec3;
 
 /**
@@ -35,21 +36,21 @@ public record JointDescription(
 
   public JointDescription {
     if (second == null || second.isFixed()) {
-      throw new PhysicsException(name + ": the second body has to be one that can move");
+      throw new SimulationException(name + ": the second body has to be one that can move");
     }
     if (first == second) {
-      throw new PhysicsException(name + ": joins " + second.name() + " to itself");
+      throw new SimulationException(name + ": joins " + second.name() + " to itself");
     }
     if (!anchor.isFinite() || !axis.isFinite() || !(axis.length() > 0)) {
-      throw new PhysicsException(name + ": anchor and axis have to be finite, the axis not 0");
+      throw new SimulationException(name + ": anchor and axis have to be finite, the axis not 0");
     }
     axis = axis.normalized();
     if (!(low <= high)) {
-      throw new PhysicsException(name + ": limits: " + low + " is more than " + high);
+      throw new SimulationException(name + ": limits: " + low + " is more than " + high);
     }
     boolean limited = low != Double.NEGATIVE_INFINITY || high != Double.POSITIVE_INFINITY;
     if (limited && (kind == Kind.FIXED || kind == Kind.BALL)) {
-      throw new PhysicsException(name + ": only a hinge and a slider have limits");
+      throw new SimulationException(name + ": only a hinge and a slider have limits");
     }
   }
 

@@ -1,5 +1,7 @@
 package org.urbi.sim.physics;
 
+import org.urbi.sim.SimulationException;
+
 /**
  * How a surface behaves.
  *
@@ -17,13 +19,13 @@ public record Material(double friction, double bounce, double rolling) {
 
   public Material {
     if (!(friction >= 0 && friction <= 100)) {
-      throw new PhysicsException("friction: between 0 and 100 expected, not " + friction);
+      throw new SimulationException("friction: between 0 and 100 expected, not " + friction);
     }
     if (!(bounce >= 0 && bounce <= 1)) {
-      throw new PhysicsException("bounce: between 0 and 1 expected, not " + bounce);
+      throw new SimulationException("bounce: between 0 and 1 expected, not " + bounce);
     }
     if (!(rolling >= 0 && rolling <= 1)) {
-      throw new PhysicsException("rolling: between 0 and 1 expected, not " + rolling);
+      throw new SimulationException("rolling: between 0 and 1 expected, not " + rolling);
     }
   }
 

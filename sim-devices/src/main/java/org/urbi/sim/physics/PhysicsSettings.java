@@ -1,5 +1,6 @@
 package org.urbi.sim.physics;
 
+import org.urbi.sim.SimulationException;
 import org.urbi.sim.geometry.Vec3;
 
 /**
@@ -17,13 +18,13 @@ public record PhysicsSettings(Vec3 gravity, double step, Solver solver, int iter
 
   public PhysicsSettings {
     if (!gravity.isFinite()) {
-      throw new PhysicsException("gravity: not finite: " + gravity);
+      throw new SimulationException("gravity: not finite: " + gravity);
     }
     if (!(step > 0 && step <= 0.1)) {
-      throw new PhysicsException("step: between 0 and 0.1 s expected, not " + step);
+      throw new SimulationException("step: between 0 and 0.1 s expected, not " + step);
     }
     if (iterations < 1 || iterations > 1000) {
-      throw new PhysicsException("iterations: between 1 and 1000 expected, not " + iterations);
+      throw new SimulationException("iterations: between 1 and 1000 expected, not " + iterations);
     }
   }
 

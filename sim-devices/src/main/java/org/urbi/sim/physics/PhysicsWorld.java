@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
+import org.urbi.sim.SimulationException;
 import org.urbi.sim.geometry.Pose;
 import org.urbi.sim.geometry.Vec3;
 
@@ -83,7 +84,7 @@ public final class PhysicsWorld implements AutoCloseable {
 
   Dynamics dynamics() {
     if (closed) {
-      throw new PhysicsException("this world has been closed");
+      throw new SimulationException("this world has been closed");
     }
     return dynamics;
   }
@@ -251,7 +252,7 @@ public final class PhysicsWorld implements AutoCloseable {
    */
   public Optional<RayHit> castRay(Vec3 from, Vec3 direction, double length, Predicate<Body> seen) {
     if (!from.isFinite() || !direction.isFinite() || !Double.isFinite(length)) {
-      throw new PhysicsException("a ray that is not finite");
+      throw new SimulationException("a ray that is not finite");
     }
     Vec3 unit = direction.normalized();
     List<Integer> candidates = new ArrayList<>();

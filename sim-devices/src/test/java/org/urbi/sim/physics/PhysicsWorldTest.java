@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.urbi.sim.SimulationException;
 import org.urbi.sim.geometry.Pose;
 import org.urbi.sim.geometry.Rotation;
 import org.urbi.sim.geometry.Shape;
@@ -329,6 +330,6 @@ class PhysicsWorldTest {
   }
 
   private static void refused(String message, org.junit.jupiter.api.function.Executable wrong) {
-    assertEquals(message, assertThrows(PhysicsException.class, wrong).getMessage());
+    assertEquals(message, assertThrows(SimulationException.class, wrong).getMessage());
   }
 }

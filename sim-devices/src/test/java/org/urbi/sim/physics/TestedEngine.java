@@ -2,6 +2,7 @@ package org.urbi.sim.physics;
 
 import static org.junit.jupiter.api.Assumptions.abort;
 
+import org.urbi.sim.SimulationException;
 import org.urbi.sim.physics.ode.NativeOde;
 import org.urbi.sim.physics.ode4j.JavaOde;
 
@@ -16,7 +17,7 @@ public enum TestedEngine {
     }
     try {
       return new NativeOde();
-    } catch (PhysicsException e) {
+    } catch (SimulationException e) {
       return abort("skipped: " + e.getMessage());
     }
   }

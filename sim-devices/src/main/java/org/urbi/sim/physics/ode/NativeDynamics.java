@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.urbi.sim.SimulationException;
 import org.urbi.sim.geometry.Pose;
 import org.urbi.sim.geometry.Rotation;
 import org.urbi.sim.geometry.Shape;
@@ -16,7 +17,6 @@ import org.urbi.sim.geometry.Vec3;
 import org.urbi.sim.physics.Dynamics;
 import org.urbi.sim.physics.JointDescription;
 import org.urbi.sim.physics.Material;
-import org.urbi.sim.physics.PhysicsException;
 import org.urbi.sim.physics.PhysicsSettings;
 
 /** A world of libode. */
@@ -349,7 +349,7 @@ final class NativeDynamics implements Dynamics {
       dJointGroupEmpty(contactGroup);
       String complaint = complaint();
       if (complaint != null) {
-        throw new PhysicsException("ODE: " + complaint);
+        throw new SimulationException("ODE: " + complaint);
       }
     }
   }

@@ -1,14 +1,14 @@
 package org.urbi.sim.physics.ode;
 
+import org.urbi.sim.SimulationException;
 import org.urbi.sim.physics.Dynamics;
 import org.urbi.sim.physics.PhysicsEngine;
-import org.urbi.sim.physics.PhysicsException;
 import org.urbi.sim.physics.PhysicsSettings;
 
 /** The Open Dynamics Engine, where a libode of double precision is installed. */
 public final class NativeOde implements PhysicsEngine {
   /**
-   * @throws PhysicsException if there is no libode, or none that can be used
+   * @throws SimulationException if there is no libode, or none that can be used
    */
   public NativeOde() {
     OdeLibrary.require();

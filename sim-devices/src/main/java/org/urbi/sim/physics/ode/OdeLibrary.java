@@ -5,7 +5,7 @@ import com.sun.jna.Native;
 import com.sun.jna.NativeLibrary;
 import com.sun.jna.Pointer;
 import java.util.List;
-import org.urbi.sim.physics.PhysicsException;
+import org.urbi.sim.SimulationException;
 
 /**
  * The functions of libode that are needed, and nothing else: their names and types are those of its
@@ -36,25 +36,31 @@ final class OdeLibrary {
     void message(int number, String format, Pointer arguments);
   }
 
-  private static final PhysicsException FAILURE;
+  private static final SimulationException FAILURE;
 
-  private static final MessageCallback MESSAGES = (number, format, arguments) -> note(format);
+  private static final MessageCallback ERRORS = (number, format, arguments) -> note(format);
+
+  /**
+   * Messages are of the solver, about contacts that say the same thing twice: it goes on, and ode4j
+   * is silent about them.
+   */
+  private static final MessageCallback MESSAGES = (number, format, arguments) -> {};
 
   private static String noted;
 
   static {
-    PhysicsException failure = null;
+    SimulationException failure = null;
     try {
       Native.register(OdeLibrary.class, find());
       requireDoublePrecision(dGetConfiguration());
       dInitODE2(0);
       dSetMessageHandler(MESSAGES);
-      dSetErrorHandler(MESSAGES);
-      dSetDebugHandler(MESSAGES);
-    } catch (PhysicsException e) {
+      dSetErrorHandler(ERRORS);
+      dSetDebugHandler(ERRORS);
+    } catch (SimulationException e) {
       failure = e;
     } catch (LinkageError e) {
-      failure = new PhysicsException("libode does not fit: " + e.getMessage(), e);
+      failure = new SimulationException("libode does not fit: " + e.getMessage(), e);
     }
     FAILURE = failure;
   }
@@ -63,7 +69,7 @@ final class OdeLibrary {
 
   private static NativeLibrary find() {
     if (Native.POINTER_SIZE != Long.BYTES) {
-      throw new PhysicsException("libode: only used on 64-bit machines");
+      throw new SimulationException("libode: only used on 64-bit machines");
     }
     String named = System.getProperty(PROPERTY);
     List<String> names = named == null ? NAMES : List.of(named);
@@ -74,25 +80,25 @@ final class OdeLibrary {
         // The next name may fit; the message below tells what was looked for.
       }
     }
-    throw new PhysicsException(
+    throw new SimulationException(
         "libode not found (looked for " + String.join(", ", names) + "; Debian: libode8)");
   }
 
   /** Refuses what computes in single precision: contacts and states would have other layouts. */
   static void requireDoublePrecision(String configuration) {
     if (!List.of(configuration.split(" ")).contains("ODE_double_precision")) {
-      throw new PhysicsException("libode: not of double precision: " + configuration);
+      throw new SimulationException("libode: not of double precision: " + configuration);
     }
   }
 
   /**
    * Has the library ready for this thread.
    *
-   * @throws PhysicsException if there is none that can be used
+   * @throws SimulationException if there is none that can be used
    */
   static void require() {
     if (FAILURE != null) {
-      throw new PhysicsException(FAILURE.getMessage(), FAILURE);
+      throw new SimulationException(FAILURE.getMessage(), FAILURE);
     }
     dAllocateODEDataForThread(ALLOCATE_ALL);
   }
