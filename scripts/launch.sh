@@ -32,6 +32,9 @@ cache=
 [ -f "$root/$dist/urbi.aot" ] && cache=-XX:AOTCache=$root/$dist/urbi.aot
 typing=false
 [ -t 0 ] && typing=true
+# Programs that urbi starts find its sister tools, after all others.
+PATH=${PATH:+$PATH:}$root
+export PATH
 # shellcheck disable=SC2086
 exec "$java" $jvm_flags ${cache:+"$cache"} ${URBI_JAVA_OPTS:-} -Durbi.root="${URBI_ROOT:-$root}" \
   -Durbi.stdin.terminal=$typing -Durbi.program="$0" -cp "$cp" "$main" "$@"

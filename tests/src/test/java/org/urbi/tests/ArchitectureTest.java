@@ -18,15 +18,19 @@ import com.tngtech.archunit.lang.ArchRule;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.regex.Pattern;
 
 /**
  * Who may know whom. The modules' arrows are Maven's business as well; here they are said by
  * package, together with what no module file can say: where the clock is read, who draws random
  * numbers, and which room talks to which library.
  */
-@AnalyzeClasses(packages = "org.urbi", importOptions = DoNotIncludeTests.class)
+@AnalyzeClasses(
+    packages = {"org.urbi", "urbi"},
+    importOptions = DoNotIncludeTests.class)
 class ArchitectureTest {
-  private static final DescribedPredicate<JavaClass> OURS = resideInAPackage("org.urbi..");
+  private static final DescribedPredicate<JavaClass> OURS =
+      resideInAnyPackage("org.urbi..", "urbi..");
 
   private static ArchRule knowsOnly(String room, String... others) {
     return classes()
@@ -43,7 +47,16 @@ class ArchitectureTest {
 
   @ArchTest
   static final ArchRule kernelKnowsLanguageAndBuiltins =
-      knowsOnly("org.urbi.kernel..", "org.urbi.lang..", "org.urbi.builtins..");
+      knowsOnly("org.urbi.kernel..", "org.urbi.lang..", "org.urbi.builtins..", "urbi..");
+
+  @ArchTest
+  static final ArchRule componentsCarryOneJar =
+      classes()
+          .that()
+          .resideInAPackage("urbi..")
+          .should()
+          .onlyDependOnClassesThat()
+          .resideInAnyPackage("urbi..", "java..", "javax.imageio..");
 
   private static ArchRule onlyIn(String room, String library) {
     return noClasses()
@@ -109,6 +122,53 @@ class ArchitectureTest {
           .resideOutsideOfPackages("org.urbi.kernel.random..", "org.urbi.bench..")
           .should()
           .callCodeUnitWhere(are(callsOf("a source of random numbers", DICE)));
+
+  /** Files, processes and connections: what a kernel may be kept away from. */
+  private static final DescribedPredicate<JavaClass> MACHINE =
+      new DescribedPredicate<>("files, processes or connections") {
+        private static final Pattern NAMES =
+            Pattern.compile(
+                "java\\.nio\\.file\\.(Files|FileSystems?|WatchService|DirectoryStream|FileVisitor)"
+                    + "|java\\.nio\\.channels\\..*"
+                    + "|java\\.io\\.(File|FileInputStream|FileOutputStream|FileReader|FileWriter"
+                    + "|RandomAccessFile)"
+                    + "|java\\.lang\\.(Process|ProcessBuilder|ProcessHandle|Runtime)"
+                    + "|java\\.net\\.(Socket|ServerSocket|DatagramSocket|MulticastSocket|URL|URI"
+                    + "|URLConnection|NetworkInterface|http\\..*)"
+                    + "|java\\.util\\.(zip\\.ZipFile|jar\\.JarFile|Scanner|logging\\..*)"
+                    + "|javax\\.net\\..*");
+
+        @Override
+        public boolean test(JavaClass used) {
+          return NAMES.matcher(used.getName()).matches();
+        }
+      };
+
+  private static final Map<String, Set<String>> MACHINE_CALLS =
+      Map.of(
+          "java.nio.file.Path", Set.of("toRealPath", "toFile", "register"),
+          "java.net.InetAddress",
+              Set.of(
+                  "getByName",
+                  "getAllByName",
+                  "getLocalHost",
+                  "getHostName",
+                  "getCanonicalHostName",
+                  "isReachable"),
+          "java.net.InetSocketAddress", Set.of("<init>", "getHostName"),
+          "java.lang.System", Set.of("load", "loadLibrary", "exit", "setProperty"));
+
+  @ArchTest
+  static final ArchRule onlyTheOutsideRoomTouchesTheMachine =
+      noClasses()
+          .that()
+          .resideInAPackage("org.urbi.kernel..")
+          .and()
+          .resideOutsideOfPackage("org.urbi.kernel.outside..")
+          .should()
+          .dependOnClassesThat(MACHINE)
+          .orShould()
+          .callCodeUnitWhere(are(callsOf("the machine", MACHINE_CALLS)));
 
   /** Calls that take whatever character set the machine happens to have. */
   private static final Map<String, List<List<String>>> DEFAULT_CHARSETS =

@@ -1,5 +1,6 @@
 package org.urbi.tests;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -47,20 +48,33 @@ final class KernelSession implements AutoCloseable {
 
   private final Kernel kernel;
 
+  /** The library's own source files, which installations have in their search path. */
+  private static final List<Path> SEARCH_PATH = List.of(Path.of("../share").toAbsolutePath());
+
   private KernelSession(Kernel kernel) {
     this.kernel = kernel;
+  }
+
+  private static Kernel.Builder builder(BackEnd backEnd) {
+    return Kernel.builder()
+        .jobThreads(backEnd.jobThreads)
+        .log(line -> {})
+        .moduleSearchPath(List.of(UObjectJars.folder()));
   }
 
   /** A kernel whose time jumps from deadline to deadline. */
   static KernelSession inVirtualTime(BackEnd backEnd) {
     return new KernelSession(
-        Kernel.builder().virtualTime(true).jobThreads(backEnd.jobThreads).start());
+        Kernel.builder()
+            .virtualTime(true)
+            .jobThreads(backEnd.jobThreads)
+            .searchPath(SEARCH_PATH)
+            .start());
   }
 
   /** A kernel that lives in our time. */
   static KernelSession inRealTime(BackEnd backEnd) {
-    return new KernelSession(
-        Kernel.builder().virtualTime(false).jobThreads(backEnd.jobThreads).start());
+    return new KernelSession(builder(backEnd).virtualTime(false).start());
   }
 
   /**

@@ -1,5 +1,7 @@
 package org.urbi.kernel;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -17,6 +19,7 @@ import org.urbi.kernel.embed.Listening;
 import org.urbi.kernel.embed.UrbiError;
 import org.urbi.kernel.embed.UrbiValue;
 import org.urbi.kernel.error.Errors;
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Inbox;
 import org.urbi.kernel.job.Job;
@@ -30,13 +33,19 @@ import org.urbi.kernel.library.LogLevel;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CorePrototypes;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.World;
+import org.urbi.kernel.outside.Confinement;
 import org.urbi.kernel.outside.Outside;
+import org.urbi.kernel.remote.RemotePeer;
+import org.urbi.kernel.remote.RemoteWire;
 import org.urbi.kernel.tag.UrbiTag;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
 import org.urbi.kernel.time.VirtualClock;
+import org.urbi.kernel.uobject.PluggedContext;
 
 /**
  * An urbiscript engine. Several can run in one process, and any thread may use one: what it asks
@@ -47,6 +56,8 @@ public final class Kernel implements AutoCloseable, KernelControl {
   private final Interpreter interpreter;
   private final Embedding embedding;
   private final List<Path> searchPath;
+  private final List<Path> moduleSearchPath;
+  private final PluggedContext uobjects;
   private final Outside outside;
   private final Environment environment = new Environment();
   private final LoadedFiles loadedFiles = new LoadedFiles();
@@ -68,6 +79,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
     private boolean virtualTime;
     private JobThreads jobThreads = JobThreads.AUTO;
     private List<Path> searchPath = List.of();
+    private List<Path> moduleSearchPath = List.of(Path.of("."));
     private int stackSize;
     private long seed;
     private String programName = "urbi";
@@ -77,6 +89,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
     private Consumer<String> output = text -> System.out.print(text);
     private LogLevel logLevel = LogLevel.of(System.getenv("GD_LEVEL"));
     private Consumer<String> log = System.err::println;
+    private Confinement confinement = Confinement.none();
 
     private Builder() {}
 
@@ -95,6 +108,12 @@ public final class Kernel implements AutoCloseable, KernelControl {
     /** Where source files are looked for, first to last. */
     public Builder searchPath(List<Path> folders) {
       searchPath = List.copyOf(folders);
+      return this;
+    }
+
+    /** Where modules with UObjects are looked for, first to last. */
+    public Builder moduleSearchPath(List<Path> folders) {
+      moduleSearchPath = List.copyOf(folders);
       return this;
     }
 
@@ -151,6 +170,25 @@ public final class Kernel implements AutoCloseable, KernelControl {
       return this;
     }
 
+    /**
+     * Keeps what runs in the kernel away from the machine around it. It can use the files below
+     * that directory, links followed, which is also where relative paths start from; it can start
+     * no program and open no connection. What is refused is an exception of urbiscript that says
+     * so. Folders of the search path elsewhere are not looked into. What is {@link Kernel#define
+     * defined}, and who shares the directory, are not confined: links must not change while the
+     * kernel runs.
+     *
+     * @throws UncheckedIOException when there is no such directory
+     */
+    public Builder confinedTo(Path directory) {
+      try {
+        confinement = Confinement.to(directory);
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
+      return this;
+    }
+
     /** Starts the kernel. */
     public Kernel start() {
       Kernel kernel = new Kernel(this);
@@ -169,7 +207,8 @@ public final class Kernel implements AutoCloseable, KernelControl {
     World world = new World();
     this.scheduler = new Scheduler(world, clock, builder.jobThreads, this::report);
     this.searchPath = builder.searchPath;
-    this.outside = new Outside(scheduler);
+    this.moduleSearchPath = builder.moduleSearchPath;
+    this.outside = new Outside(scheduler, builder.confinement);
     this.programName = builder.programName;
     this.arguments = builder.arguments;
     this.onHalt = builder.onHalt == null ? this::requestShutdown : builder.onHalt;
@@ -183,10 +222,11 @@ public final class Kernel implements AutoCloseable, KernelControl {
             new UrbiTag(world.values().object.cloneShape()));
     this.interpreter = new Interpreter(world, scheduler, new Errors(world), core);
     interpreter.setHost(this);
+    this.uobjects = new PluggedContext(interpreter, this);
     if (builder.stackSize > 0) {
       interpreter.limitDepth(builder.stackSize * CALLS_PER_KIBIBYTE);
     }
-    Library.install(interpreter);
+    Library.install(interpreter, builder.confinement.workingDirectory());
     embedding = new Embedding(interpreter, builder.output, this::isStopping);
   }
 
@@ -223,6 +263,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
     for (KernelConnection connection : new ArrayList<>(connections)) {
       connection.finish();
     }
+    uobjects.close();
     outside.close();
     embedding.kernelEnded();
     try {
@@ -240,6 +281,11 @@ public final class Kernel implements AutoCloseable, KernelControl {
   public int awaitTermination() {
     embedding.awaitEnd(termination::join);
     return termination.join();
+  }
+
+  /** Whether {@link Builder#confinedTo} keeps it away from the machine around it. */
+  public boolean isConfined() {
+    return outside.confinement().isConfined();
   }
 
   public boolean isRunning() {
@@ -386,6 +432,37 @@ public final class Kernel implements AutoCloseable, KernelControl {
   @Override
   public List<Path> searchPath() {
     return searchPath;
+  }
+
+  @Override
+  public List<Path> moduleSearchPath() {
+    return moduleSearchPath;
+  }
+
+  /** The UObjects in this kernel, and where more of them can be started. */
+  @Override
+  public PluggedContext uobjects() {
+    return uobjects;
+  }
+
+  /**
+   * Lets a process bring UObjects (docs/protocol.md).
+   *
+   * @param name of the process, for people
+   * @param wire the way to it
+   */
+  public RemotePeer connectRemote(String name, RemoteWire wire) {
+    return new RemotePeer(name, scheduler, uobjects, this::describe, wire);
+  }
+
+  /** What went wrong, for people; in a job. */
+  private String describe(RuntimeException failure) {
+    if (failure instanceof UrbiException thrown) {
+      Job job = scheduler.running();
+      return interpreter.asString(
+          Frame.top(interpreter, job, job.lobby(), new FrameLayout()), thrown.value());
+    }
+    return failure.getMessage() == null ? failure.toString() : failure.getMessage();
   }
 
   // ------------------------------------------------------------------ log

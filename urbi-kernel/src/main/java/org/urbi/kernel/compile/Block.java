@@ -1,5 +1,6 @@
 package org.urbi.kernel.compile;
 
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
@@ -10,8 +11,10 @@ final class Block {
   private final int region;
   private final boolean slots;
   private final boolean scope;
+  private final boolean parameters;
   private boolean redefines;
   private final Map<String, Variable> variables = new LinkedHashMap<>();
+  private Map<Object, Variable> begun;
 
   private Block(Block parent, Unit unit, int region, boolean slots, boolean scope) {
     this.parent = parent;
@@ -19,6 +22,7 @@ final class Block {
     this.region = region;
     this.slots = slots;
     this.scope = scope;
+    this.parameters = parent == null || parent.unit != unit;
   }
 
   /** The top level, where {@code var} makes slots of the lobby. */
@@ -78,6 +82,15 @@ final class Block {
     return block;
   }
 
+  /** The parameters of the function around that has a call message; null at the top level. */
+  Block nearestFunction() {
+    Block block = this;
+    while (block != null && !(block.parameters && block.unit.callKey != null)) {
+      block = block.parent;
+    }
+    return block;
+  }
+
   /** Code of this scope asks for {@code redefinitionMode}. */
   void setRedefines() {
     redefines = true;
@@ -89,6 +102,24 @@ final class Block {
 
   void add(String name, Variable variable) {
     variables.put(name, variable);
+  }
+
+  /** A declaration of this block whose variable another block has begun. */
+  void addBegun(Object key, Variable variable) {
+    if (begun == null) {
+      begun = new IdentityHashMap<>();
+    }
+    begun.put(key, variable);
+  }
+
+  /** The variable of a declaration, if it has been begun elsewhere; or null. */
+  Variable begun(Object key) {
+    for (Block block = this; block != null; block = block.parent) {
+      if (block.begun != null && block.begun.containsKey(key)) {
+        return block.begun.get(key);
+      }
+    }
+    return null;
   }
 
   Variable local(String name) {

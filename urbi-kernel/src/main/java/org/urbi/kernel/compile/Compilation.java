@@ -24,6 +24,7 @@ public final class Compilation {
   private int regions;
   final Statements statements;
   final Expressions expressions;
+  final Claims claims;
   final Functions functions;
   final Handlers handlers;
 
@@ -31,6 +32,7 @@ public final class Compilation {
     this.interpreter = interpreter;
     this.statements = new Statements(this);
     this.expressions = new Expressions(this);
+    this.claims = new Claims(this);
     this.functions = new Functions(this);
     this.handlers = new Handlers(this);
   }
@@ -78,6 +80,11 @@ public final class Compilation {
   /** Where a variable is, seen from a block. */
   Variables.Place place(Variable variable, Block block) {
     return new Variables.Place(indexFrom(variable, block), variable.shared());
+  }
+
+  /** Where a variable is that has been begun elsewhere, seen from the block that declares it. */
+  Variables.Place placeBegun(Variable variable, Block block) {
+    return new Variables.Place(indexFrom(variable, block), variable.shared(), true);
   }
 
   /** Reads a variable from a block. */

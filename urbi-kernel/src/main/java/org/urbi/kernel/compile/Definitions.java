@@ -51,11 +51,18 @@ final class Definitions {
           type);
     }
     return new Variables.Declare(
-        span, declaration.name(), declare(block, declaration.name(), declaration), value, type);
+        declaration.nameSpan(),
+        declaration.name(),
+        declare(block, declaration.name(), declaration),
+        value,
+        type);
   }
 
   private Variables.Place declare(Block block, String name, Ast key) {
-    return compilation.place(compilation.declare(block, name, key), block);
+    Variable begun = block.begun(key);
+    return begun == null
+        ? compilation.place(compilation.declare(block, name, key), block)
+        : compilation.placeBegun(begun, block);
   }
 
   /** Gives a name, a slot or a local variable, to a value. */

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Set;
 import org.urbi.kernel.event.Emit;
 import org.urbi.kernel.event.WatchExpression;
-import org.urbi.kernel.node.Assertion;
 import org.urbi.kernel.node.CallMessageNode;
 import org.urbi.kernel.node.Conditionals;
 import org.urbi.kernel.node.Interpreter;
@@ -19,15 +18,14 @@ import org.urbi.kernel.node.Sequences;
 import org.urbi.kernel.node.Slots;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.lang.ast.Ast;
-import org.urbi.lang.print.Printer;
 import org.urbi.lang.source.Span;
 
 /** Compiles expressions. */
 final class Expressions {
-  private static final Set<String> COMPARISONS =
-      Set.of("==", "!=", "===", "!==", "<", "<=", ">", ">=", "~=", "=~=");
-
   private static final Node[] NONE = {};
+
+  /** Functions of the library that execute their argument in another job. */
+  private static final Set<String> DETACHING = Set.of("detach", "disown");
 
   private final Compilation compilation;
   private final Definitions definitions;
@@ -181,7 +179,7 @@ final class Expressions {
       }
     }
     Node target = message.target() == null ? null : operand(message.target(), block);
-    Node[] arguments = message.arguments() == null ? null : all(message.arguments(), block);
+    Node[] arguments = message.arguments() == null ? null : all(message, block);
     var sent = new Message(span, Slots.lookup(interpreter(), message.name()), target, arguments);
     if (target != null && arguments != null && arguments.length == 1) {
       Node computed = Operator.make(span, target, arguments[0], sent, interpreter());
@@ -192,18 +190,26 @@ final class Expressions {
     return sent;
   }
 
-  /** {@code scopeTag}, and the manual's {@code Tag.scope}. */
+  /** The arguments; those which become jobs share the variables that they use. */
+  private Node[] all(Ast.Message message, Block block) {
+    return all(
+        message.arguments(),
+        DETACHING.contains(message.name()) ? block.job(compilation.newRegion()) : block);
+  }
+
+  /** {@code scopeTag}, and the manual's {@code System.scopeTag} and {@code Tag.scope}. */
   boolean isScopeTag(Ast.Message message) {
     if (message.arguments() != null) {
       return false;
     }
-    return message.target() == null
-        ? message.name().equals("scopeTag")
-        : message.name().equals("scope")
-            && message.target() instanceof Ast.Message tag
-            && tag.target() == null
-            && tag.arguments() == null
-            && tag.name().equals("Tag");
+    if (message.target() == null) {
+      return message.name().equals("scopeTag");
+    }
+    return message.target() instanceof Ast.Message owner
+        && owner.target() == null
+        && owner.arguments() == null
+        && (owner.name().equals("Tag") && message.name().equals("scope")
+            || owner.name().equals("System") && message.name().equals("scopeTag"));
   }
 
   private Node scopeTag(Ast.Message message, Block block) {
@@ -232,8 +238,16 @@ final class Expressions {
   }
 
   private Node callMessage(Ast.CallMessage call, Block block) {
-    block.unit().usesCall = true;
-    return new CallMessageNode(call.span());
+    Block function = block.nearestFunction();
+    if (function == null) {
+      return new CallMessageNode(call.span());
+    }
+    Variable variable = function.local(Functions.CALL);
+    if (variable == null) {
+      variable = compilation.declare(function, Functions.CALL, function.unit().callKey);
+    }
+    function.unit().usesCall = true;
+    return compilation.read(call.span(), variable, block);
   }
 
   private Node doScope(Ast.Do scope, Block block) {
@@ -274,38 +288,5 @@ final class Expressions {
   private Pattern elements(List<Ast> elements, Block block, boolean tuple) {
     return new Pattern.Elements(
         elements.stream().map(element -> pattern(element, block)).toArray(Pattern[]::new), tuple);
-  }
-
-  /** The claim of an assertion. */
-  Assertion.Claim claim(Ast ast, Block block) {
-    String text = claimText(ast);
-    boolean local =
-        ast instanceof Ast.Message message
-            && message.target() == null
-            && block.find(message.name()) != null;
-    if (ast instanceof Ast.Message message && !local && !isScopeTag(message)) {
-      return new Assertion.Claim(
-          text,
-          null,
-          message.target() == null ? null : operand(message.target(), block),
-          symbol(message.name()),
-          message.arguments() == null ? List.of() : List.of(all(message.arguments(), block)));
-    }
-    return new Assertion.Claim(text, operand(ast, block), null, null, List.of());
-  }
-
-  /** Of a comparison, the message shows what is compared. */
-  private static String claimText(Ast ast) {
-    return ast instanceof Ast.Message message
-            && message.target() != null
-            && message.arguments() != null
-            && message.arguments().size() == 1
-            && COMPARISONS.contains(message.name())
-        ? Printer.print(message.target())
-            + " "
-            + message.name()
-            + " "
-            + Printer.print(message.arguments().getFirst())
-        : Printer.print(ast);
   }
 }

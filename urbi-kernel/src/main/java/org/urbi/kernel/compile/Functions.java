@@ -1,6 +1,7 @@
 package org.urbi.kernel.compile;
 
 import java.util.List;
+import org.urbi.kernel.node.CallMessageNode;
 import org.urbi.kernel.node.Formals;
 import org.urbi.kernel.node.Function;
 import org.urbi.kernel.node.Literals;
@@ -9,6 +10,9 @@ import org.urbi.lang.ast.Ast;
 
 /** Compiles functions and closures. */
 final class Functions {
+  /** The variable of the call message: no identifier, so nobody else has it. */
+  static final String CALL = "<call>";
+
   private final Compilation compilation;
 
   Functions(Compilation compilation) {
@@ -17,6 +21,8 @@ final class Functions {
 
   Node compile(Ast.Function function, Block block) {
     Unit unit = new Unit(block.unit());
+    // In a closure, "call" is that of the function around, as "this" is.
+    unit.callKey = function.closure() ? null : function.body();
     Block parameters = block.function(unit, compilation.newRegion());
     Formals formals = null;
     int[] cells = null;
@@ -27,6 +33,10 @@ final class Functions {
     // The variables of the body must not clash with the parameters: they may hide them.
     Node code =
         compilation.statements.scopeIn(function.body(), parameters.construct().scope(), Seen.ALL);
+    Variable call = parameters.local(CALL);
+    if (call != null) {
+      code = new CallMessageNode.Declared(code, compilation.place(call, parameters));
+    }
     var body =
         new Function.Body(
             function,

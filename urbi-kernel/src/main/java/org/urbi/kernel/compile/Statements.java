@@ -13,9 +13,11 @@ import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Redefinition;
 import org.urbi.kernel.node.Sequences;
 import org.urbi.kernel.node.Try;
+import org.urbi.kernel.node.Variables;
 import org.urbi.kernel.tag.ScopeTag;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.ast.Ast.Flavor;
+import org.urbi.lang.ast.LocalNames;
 import org.urbi.lang.source.Span;
 
 /** Compiles statements; whatever is no statement goes to {@link Expressions}. */
@@ -140,15 +142,17 @@ final class Statements {
    * @param around what surrounds the statements, but not the wait for those in the background
    */
   private Node sequence(Ast.Sequence sequence, Block block, Seen seen, UnaryOperator<Node> around) {
+    List<Node> statements = new ArrayList<>();
+    List<Boolean> yields = new ArrayList<>();
     if (sequence.separators().contains(Flavor.AND)) {
       Node[] branches =
           sequence.statements().stream()
-              .map(ast -> compile(ast, block.jobOf(compilation.newRegion()), Seen.ALL))
+              .map(ast -> branch(ast, block, statements, yields))
               .toArray(Node[]::new);
-      return around.apply(new Sequences.Parallel(sequence.span(), branches));
+      statements.add(new Sequences.Parallel(sequence.span(), branches));
+      yields.add(false);
+      return around.apply(chain(sequence, statements, yields));
     }
-    List<Node> statements = new ArrayList<>();
-    List<Boolean> yields = new ArrayList<>();
     boolean background = false;
     for (int i = 0; i < sequence.statements().size(); i++) {
       Ast ast = sequence.statements().get(i);
@@ -158,9 +162,8 @@ final class Statements {
       }
       if (after == Flavor.COMMA) {
         background = true;
-        statements.add(
-            new Sequences.Spawn(
-                ast.span(), compile(ast, block.jobOf(compilation.newRegion()), Seen.ALL)));
+        Node code = branch(ast, block, statements, yields);
+        statements.add(new Sequences.Spawn(ast.span(), code));
         yields.add(false);
       } else {
         statements.add(compile(ast, block, seen));
@@ -169,6 +172,27 @@ final class Statements {
     }
     Node code = around.apply(chain(sequence, statements, yields));
     return background ? new Sequences.WithBackground(sequence.span(), code) : code;
+  }
+
+  /**
+   * A statement for a job of its own. What it declares belongs to the scope around: so the
+   * variables are begun there, before the job is.
+   */
+  private Node branch(Ast ast, Block block, List<Node> before, List<Boolean> yields) {
+    Block inner = block.jobOf(compilation.newRegion());
+    if (!block.declaresSlots()) {
+      for (LocalNames.Named named : LocalNames.in(ast)) {
+        if (block.begun(named.declaration()) == null) {
+          Variable variable = compilation.declare(block, named.name(), named.declaration());
+          inner.addBegun(named.declaration(), variable);
+          before.add(
+              new Variables.Declare(
+                  named.span(), named.name(), compilation.place(variable, block), null, null));
+          yields.add(false);
+        }
+      }
+    }
+    return compile(ast, inner, Seen.ALL);
   }
 
   private static Node chain(Ast.Sequence sequence, List<Node> statements, List<Boolean> yields) {
@@ -292,9 +316,13 @@ final class Statements {
   private Node assertion(Ast.Assert statement, Block block) {
     List<Node> claims = new ArrayList<>();
     List<Boolean> yields = new ArrayList<>();
+    Block inner = block.construct();
     for (Ast claim : statement.claims()) {
+      // What is declared in the middle of the claims is there for those that follow.
       claims.add(
-          new Assertion(claim.span(), compilation.expressions.claim(claim, block.construct())));
+          LocalNames.in(claim).isEmpty()
+              ? new Assertion(claim.span(), compilation.claims.claim(claim, inner.construct()))
+              : new Assertion.Declared(claim.span(), compile(claim, inner, Seen.NOTHING)));
       yields.add(false);
     }
     return chain(new Ast.Sequence(statement.span(), statement.claims(), List.of()), claims, yields);

@@ -14,6 +14,9 @@ final class Unit {
   private final List<Integer> capturedFrom = new ArrayList<>();
   boolean usesCall;
 
+  /** By what the variable of the call message is known; null where there is no call message. */
+  Object callKey;
+
   Unit(Unit parent) {
     this.parent = parent;
   }

@@ -165,12 +165,15 @@ public final class Errors {
   /** {@code routine: argument 1: unexpected "x", expected a Float}; 0 is the target. */
   public UrbiException argumentType(
       String routine, int index, UrbiObject effective, UrbiObject expected, String expectedName) {
-    UrbiObject cause =
-        of("Type", "unexpected " + shown.show(effective) + ", expected " + article(expectedName))
-            .with("effective", effective)
-            .with("expected", expected)
-            .object();
-    return argument(routine, index, cause);
+    return argument(routine, index, type(effective, expected, expectedName).value());
+  }
+
+  /** {@code unexpected "x", expected a Float}. */
+  public UrbiException type(UrbiObject effective, UrbiObject expected, String expectedName) {
+    return of("Type", "unexpected " + shown.show(effective) + ", expected " + article(expectedName))
+        .with("effective", effective)
+        .with("expected", expected)
+        .build();
   }
 
   /**

@@ -5,6 +5,7 @@ import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.Timers;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.Profiler;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
@@ -61,7 +62,12 @@ public final class AtCondition extends Node {
     Armed(Handler handler, long hold) {
       this.handler = handler;
       this.hold = hold;
-      this.watch = new Watch(handler.home(), condition, this);
+      Job creator = handler.home().job();
+      Node watched =
+          creator.observer == null
+              ? condition
+              : Profiler.observing(creator, "at: { " + condition.span().text() + " }", condition);
+      this.watch = new Watch(handler.home(), watched, this);
     }
 
     @Override

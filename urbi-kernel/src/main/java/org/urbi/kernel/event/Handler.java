@@ -5,6 +5,7 @@ import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.Timers;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.Profiler;
 
 /**
  * What {@code at} does when its condition begins and ceases to hold: executes the body and the
@@ -25,8 +26,8 @@ final class Handler {
   Handler(Frame home, Node body, Node onLeave, boolean sync) {
     this.home = home;
     this.scope = home.job().scope();
-    this.body = body;
-    this.onLeave = onLeave;
+    this.body = Profiler.observing(home.job(), "event", body);
+    this.onLeave = Profiler.observing(home.job(), "event", onLeave);
     this.sync = sync;
   }
 

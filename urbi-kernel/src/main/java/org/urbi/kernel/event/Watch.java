@@ -30,7 +30,7 @@ final class Watch implements Dependencies.Watcher {
   private final Node expression;
   private final Listener listener;
   private Set<Dependencies> sources = new LinkedHashSet<>();
-  private boolean evaluating;
+  private Job evaluator;
   private boolean again;
   private boolean closed;
 
@@ -41,17 +41,17 @@ final class Watch implements Dependencies.Watcher {
   }
 
   /** Evaluates the expression, and watches what it reads from now on. */
-  UrbiObject evaluate(Job evaluator) {
+  UrbiObject evaluate(Job job) {
     World world = home.interpreter().world();
     Set<Dependencies> old = sources;
     Set<Dependencies> read = new LinkedHashSet<>();
     Dependencies.Tracker outer = world.tracker;
     world.tracker = read::add;
-    evaluating = true;
+    evaluator = job;
     try {
-      return expression.execute(home.in(evaluator));
+      return expression.execute(home.in(job));
     } finally {
-      evaluating = false;
+      evaluator = null;
       world.tracker = outer;
       sources = read;
       if (closed) {
@@ -79,13 +79,14 @@ final class Watch implements Dependencies.Watcher {
     if (closed) {
       return;
     }
-    if (evaluating) {
-      // The expression changes what it reads: once more when it is done.
-      again = true;
-      return;
-    }
     Scheduler scheduler = home.job().scheduler();
     Job running = scheduler.running();
+    if (evaluator != null) {
+      // Others change what the expression reads: once more when it is done. What it changes itself
+      // does not count.
+      again |= running != evaluator;
+      return;
+    }
     if (running == null) {
       scheduler.startDetached(
           home.job().lobby(), scheduler.rootScope(), "watch", this::evaluateAgain);
@@ -94,7 +95,7 @@ final class Watch implements Dependencies.Watcher {
     }
   }
 
-  private void evaluateAgain(Job evaluator) {
+  private void evaluateAgain(Job job) {
     // A condition that feeds itself is not followed for ever.
     for (int rounds = 0; rounds < 100 && !closed; rounds++) {
       again = false;
@@ -103,9 +104,9 @@ final class Watch implements Dependencies.Watcher {
       Dependencies.Tracker outer = world.tracker;
       world.tracker = null;
       try {
-        value = evaluate(evaluator);
+        value = evaluate(job);
         if (!closed) {
-          listener.evaluated(value, evaluator);
+          listener.evaluated(value, job);
         }
       } catch (UrbiException e) {
         home.interpreter().report(home.job(), e);

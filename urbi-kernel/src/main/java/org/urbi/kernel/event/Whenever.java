@@ -99,7 +99,8 @@ public final class Whenever extends Node {
               }
             }
           };
-      Job job = home.job().scheduler().startDetached(home.job().lobby(), scope, "whenever", code);
+      // Of emissions at the same time, the last one comes first.
+      Job job = home.job().scheduler().startAhead(home.job().lobby(), scope, "whenever", code);
       code.frame = variables.fork(job, false);
     }
   }

@@ -61,6 +61,15 @@ public final class Job implements Runnable {
   /** What it was doing when it last began to wait, for the library to show; may be null. */
   public Object activity;
 
+  /**
+   * The activation that has called code which is not urbiscript, while that code runs; usually
+   * null.
+   */
+  public Object outgoing;
+
+  /** What unwinds the job although code that is not urbiscript may have caught it; usually null. */
+  public Unwinding unwinding;
+
   /** Somebody who measures what a job does. */
   public interface Observer {
     /** The job lets others run. */
@@ -75,6 +84,9 @@ public final class Job implements Runnable {
 
   /** Who measures what this job does; usually null. */
   public Observer observer;
+
+  /** How many calls from Java to urbiscript are going on, one within the other. */
+  public int nestedSends;
 
   /** How many scopes there are around in which slots may be defined again. */
   public int redefinitions;

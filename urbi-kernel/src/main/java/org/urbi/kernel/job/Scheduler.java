@@ -25,6 +25,9 @@ public final class Scheduler {
   /** …by that much, or a job that never waits would keep the others asleep for ever. */
   private static final long BUSY_STEP = 1_000_000;
 
+  /** Jobs that start jobs which start jobs… must let the others have their turn. */
+  private static final int BIRTHS_PER_TICK = 100_000;
+
   /** How many turns the jobs have to end in when the kernel does. */
   private static final int LAST_ROUNDS = 1000;
 
@@ -38,10 +41,13 @@ public final class Scheduler {
   private final JobThread.Factory threads;
   private final ArrayDeque<Job> runnable = new ArrayDeque<>();
   private final ArrayDeque<Job> ahead = new ArrayDeque<>();
+  private final ArrayDeque<Job> behind = new ArrayDeque<>();
+  private final ArrayDeque<Job> born = new ArrayDeque<>();
   private final Set<Job> jobs = new LinkedHashSet<>();
   private final TagScope rootScope = new TagScope();
   private final List<Runnable> endOfTick = new ArrayList<>();
   private final BiConsumer<Job, Throwable> uncaught;
+  private int births;
   private int spins;
   private long passed;
   private int busyTicks;
@@ -157,9 +163,23 @@ public final class Scheduler {
     return job;
   }
 
+  /** Like {@link #startDetached}, but its first turn comes when all the others have had theirs. */
+  public Job startBehind(UrbiObject lobby, TagScope scope, String prefix, Job.Body body) {
+    Job job = new Job(this, body, nextName(prefix), lobby, scope, null, 0);
+    jobs.add(job);
+    behind.add(job);
+    return job;
+  }
+
+  /** A job started by another one runs in the same tick, right behind it. */
   private Job start(Job job) {
     jobs.add(job);
-    runnable.add(job);
+    if (running == null || births >= BIRTHS_PER_TICK) {
+      runnable.add(job);
+    } else {
+      births++;
+      born.add(job);
+    }
     return job;
   }
 
@@ -187,7 +207,11 @@ public final class Scheduler {
 
   /** Whether a job that can go on had better let others run. */
   boolean hasOthers() {
-    if (!runnable.isEmpty() || !ahead.isEmpty() || inbox.isFilled()) {
+    if (!runnable.isEmpty()
+        || !born.isEmpty()
+        || !ahead.isEmpty()
+        || !behind.isEmpty()
+        || inbox.isFilled()) {
       spins = 0;
       return true;
     }
@@ -283,7 +307,7 @@ public final class Scheduler {
     while (!ahead.isEmpty()) {
       runnable.addFirst(ahead.poll());
     }
-    if (runnable.isEmpty()) {
+    if (runnable.isEmpty() && behind.isEmpty()) {
       runEndOfTick();
       busyTicks = 0;
       if (!stopped && endOfTick.isEmpty()) {
@@ -292,6 +316,7 @@ public final class Scheduler {
       return;
     }
     runOnce(false);
+    runBehind();
     runEndOfTick();
     if (!clock.isReal() && timeHolders == 0 && ++busyTicks >= BUSY_TICKS) {
       busyTicks = 0;
@@ -309,10 +334,26 @@ public final class Scheduler {
   }
 
   private void runOnce(boolean last) {
+    births = 0;
     for (int left = runnable.size(); left > 0 && (last || !stopped); left--) {
       Job job = runnable.poll();
       running = job;
       job.resume();
+      for (Job child = born.pollLast(); child != null; child = born.pollLast()) {
+        runnable.addFirst(child);
+        left++;
+      }
+    }
+    running = null;
+  }
+
+  private void runBehind() {
+    for (int left = behind.size(); left > 0 && !stopped; left--) {
+      Job job = behind.poll();
+      running = job;
+      job.resume();
+      runnable.addAll(born);
+      born.clear();
     }
     running = null;
   }

@@ -4,6 +4,7 @@ import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
 import java.util.concurrent.Executor;
+import java.util.concurrent.ForkJoinPool;
 import java.util.function.Consumer;
 
 /**
@@ -17,6 +18,7 @@ final class TickLoopThread implements JobThread, Executor {
   private final Factory factory;
   private final Job job;
   private final Thread thread;
+  private Runnable own;
   private Runnable continuation;
   private boolean started;
   private boolean resumed;
@@ -58,7 +60,13 @@ final class TickLoopThread implements JobThread, Executor {
 
   @Override
   public void execute(Runnable task) {
-    if (Thread.currentThread() == factory.loop) {
+    if (own == null) {
+      own = task;
+    }
+    if (task != own) {
+      // Code that a job has called has made a virtual thread; that is no job.
+      ForkJoinPool.commonPool().execute(task);
+    } else if (Thread.currentThread() == factory.loop) {
       continuation = task;
     } else {
       // A timed park, a future or I/O inside a library call ended: that is news for the inbox.

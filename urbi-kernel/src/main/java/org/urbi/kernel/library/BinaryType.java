@@ -58,6 +58,11 @@ final class BinaryType {
     return out.append('\n').append(self.data()).toString();
   }
 
+  @Builtin(doc = "Another binary with the same header and data.")
+  static UrbiObject copy(Frame frame, UrbiBinary self) {
+    return binary(frame, self.keywords(), self.data());
+  }
+
   @Builtin(doc = "The data.")
   static String data(UrbiBinary self) {
     return self.data();

@@ -8,6 +8,7 @@ import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
+import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
@@ -30,7 +31,9 @@ final class CallMessageType {
     return arguments(frame, self).size();
   }
 
-  @Builtin(doc = "Evaluates the argument at that index; each time anew.")
+  @Builtin(
+      value = {"evalArgAt", "argAt"},
+      doc = "Evaluates the argument at that index; each time anew.")
   static UrbiObject evalArgAt(Frame frame, CallSite site, UrbiObject self, double index) {
     List<UrbiObject> arguments = arguments(frame, self);
     if (index < 0 || index >= arguments.size() || index != Math.rint(index)) {
@@ -66,9 +69,13 @@ final class CallMessageType {
   /** Makes a call on a target; functions that want their arguments unevaluated get them so. */
   static UrbiObject send(Frame frame, UrbiObject self, UrbiObject target) {
     String name = frame.interpreter().asString(frame, slot(frame, self, "message"));
+    CallSite site = new MessageSite(name, frame, arguments(frame, self));
+    Symbol message = self.world().symbol(name);
+    if (target.locate(message) == null) {
+      return frame.interpreter().fallback(frame, site, target, message);
+    }
     UrbiObject called = slot(frame, target, name);
     if (called instanceof Code code) {
-      CallSite site = new MessageSite(name, frame, arguments(frame, self));
       UrbiObject[] arguments =
           code.isLazy()
               ? new UrbiObject[arguments(frame, self).size()]

@@ -1,5 +1,10 @@
 package org.urbi.kernel.library;
 
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Set;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
@@ -29,19 +34,32 @@ final class ChannelFilterType {
   }
 
   private static boolean isReadable(UrbiObject value) {
+    return isReadable(value, Collections.newSetFromMap(new IdentityHashMap<>()));
+  }
+
+  /** What is within itself can be written down no better than it is as a message. */
+  private static boolean isReadable(UrbiObject value, Set<UrbiObject> around) {
     return switch (value) {
       case UrbiFloat number -> true;
       case UrbiString string -> true;
-      case UrbiList list -> list.elements().stream().allMatch(ChannelFilterType::isReadable);
-      case UrbiDictionary dictionary ->
-          dictionary.entries().entrySet().stream()
-              .allMatch(
-                  entry -> isReadable(entry.getKey().value()) && isReadable(entry.getValue()));
+      case UrbiList list -> around.add(list) && areReadable(list, list.elements(), around);
+      case UrbiDictionary dictionary -> {
+        List<UrbiObject> all = new ArrayList<>(dictionary.entries().values());
+        dictionary.entries().keySet().forEach(key -> all.add(key.value()));
+        yield around.add(dictionary) && areReadable(dictionary, all, around);
+      }
       default ->
           value == value.world().values().nil
               || value == value.world().values().voidObject
               || isBinary(value);
     };
+  }
+
+  private static boolean areReadable(
+      UrbiObject container, List<UrbiObject> members, Set<UrbiObject> around) {
+    boolean readable = members.stream().allMatch(member -> isReadable(member, around));
+    around.remove(container);
+    return readable;
   }
 
   private static boolean isBinary(UrbiObject value) {

@@ -20,7 +20,7 @@ final class CodeType {
   private CodeType() {}
 
   @Builtin(doc = "Calls the function: the list holds the target, then the arguments.")
-  static UrbiObject apply(Frame frame, CallSite site, UrbiObject self, UrbiList arguments) {
+  static UrbiObject apply(Frame frame, CallSite site, Code self, UrbiList arguments) {
     UrbiObject[] all = arguments.elements().toArray(UrbiObject[]::new);
     if (all.length == 0) {
       throw frame.interpreter().errors().primitive("apply", "argument list must begin with `this'");

@@ -11,8 +11,12 @@ import org.urbi.kernel.object.UrbiObject;
 final class ComparableType {
   private ComparableType() {}
 
-  @Builtin(value = "==", doc = "The negation of '!='.")
+  @Builtin(value = "==", doc = "The negation of '!=', or identity where that is not defined.")
   static boolean equals(Frame caller, UrbiObject self, UrbiObject that) {
+    UrbiObject definer = self.locate(self.world().symbol("!="));
+    if (definer == null || definer == self.world().prototype("Comparable")) {
+      return self == that;
+    }
     return !Truth.of(caller, caller.interpreter().send(caller, self, "!=", that));
   }
 

@@ -1,7 +1,5 @@
 package org.urbi.kernel.library;
 
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.urbi.builtins.Builtin;
@@ -41,11 +39,11 @@ final class DirectoryType {
   /** The path of a directory that must exist. */
   static UrbiPath existing(Frame frame, CallSite site, int place, UrbiObject name) {
     UrbiPath path = FileAccess.path(frame, site, place, name);
-    if (!Files.isDirectory(path.file())) {
+    if (!FileAccess.isDirectory(frame, site, path)) {
       throw FileAccess.error(
           frame,
           site,
-          Files.exists(path.file()) ? "not a directory" : "directory does not exist",
+          FileAccess.exists(frame, site, path) ? "not a directory" : "directory does not exist",
           path);
     }
     return path;
@@ -53,10 +51,10 @@ final class DirectoryType {
 
   /** Nothing of that name may exist. */
   private static void checkAbsent(Frame frame, CallSite site, UrbiPath path) {
-    if (Files.isDirectory(path.file())) {
+    if (FileAccess.isDirectory(frame, site, path)) {
       throw FileAccess.error(frame, site, "directory exists", path);
     }
-    if (FileAccess.exists(path)) {
+    if (FileAccess.hasEntry(frame, site, path)) {
       throw FileAccess.error(frame, site, "file exists", path);
     }
   }
@@ -65,6 +63,7 @@ final class DirectoryType {
 
   @Builtin(doc = "Makes it the directory of that name, which must exist.")
   static UrbiObject init(Frame frame, CallSite site, UrbiDirectory self, UrbiObject name) {
+    FileAccess.checkNotPrototype(frame, site, self, "Directory");
     self.setPath(existing(frame, site, 1, name));
     DirectoryEvents.add(frame, self);
     return self;
@@ -74,14 +73,15 @@ final class DirectoryType {
   static UrbiObject create(Frame frame, CallSite site, UrbiObject self, UrbiObject name) {
     UrbiPath path = FileAccess.path(frame, site, 1, name);
     checkAbsent(frame, site, path);
-    FileAccess.quickly(frame, site, path, () -> Files.createDirectory(path.file()));
+    FileAccess.change(frame, site, path, () -> FileAccess.disk(frame).createDirectory(path.file()));
     return directory(frame, path);
   }
 
   @Builtin(doc = "The directory of that name; it and those around it are made if missing.")
   static UrbiObject createAll(Frame frame, CallSite site, UrbiObject self, UrbiObject name) {
     UrbiPath path = FileAccess.path(frame, site, 1, name);
-    FileAccess.quickly(frame, site, path, () -> Files.createDirectories(path.file()));
+    FileAccess.change(
+        frame, site, path, () -> FileAccess.disk(frame).createDirectories(path.file()));
     return directory(frame, path);
   }
 
@@ -125,11 +125,12 @@ final class DirectoryType {
 
   @Builtin(value = "/", doc = "The File or the Directory of that name in it.")
   static UrbiObject divide(Frame frame, CallSite site, UrbiDirectory self, String str) {
+    FileAccess.checkName(frame, site, str);
     UrbiPath inside = FileAccess.inside(path(frame, site, self), str);
-    if (Files.isDirectory(inside.file())) {
+    if (FileAccess.isDirectory(frame, site, inside)) {
       return directory(frame, inside);
     }
-    if (!Files.exists(inside.file())) {
+    if (!FileAccess.exists(frame, site, inside)) {
       throw FileAccess.error(frame, site, "no such file or directory", inside);
     }
     return FileType.file(frame, inside);
@@ -139,7 +140,9 @@ final class DirectoryType {
 
   private static List<String> names(Frame frame, CallSite site, UrbiDirectory self) {
     UrbiPath path = path(frame, site, self);
-    return FileAccess.quickly(frame, site, path, () -> DirectoryTree.names(path.file()));
+    List<Path> names =
+        FileAccess.quickly(frame, site, path, () -> FileAccess.disk(frame).names(path.file()));
+    return names.stream().map(UrbiPath::encoded).sorted().toList();
   }
 
   @Builtin(doc = "The paths of what is in it, which begin with its own.")
@@ -157,12 +160,12 @@ final class DirectoryType {
   @Builtin(doc = "Whether there is nothing in it.")
   static boolean empty(Frame frame, CallSite site, UrbiDirectory self) {
     UrbiPath path = path(frame, site, self);
-    return FileAccess.quickly(frame, site, path, () -> DirectoryTree.isEmpty(path.file()));
+    return FileAccess.quickly(frame, site, path, () -> FileAccess.disk(frame).isEmpty(path.file()));
   }
 
   @Builtin(doc = "Whether there is still such a directory.")
   static boolean exists(Frame frame, CallSite site, UrbiDirectory self) {
-    return Files.isDirectory(path(frame, site, self).file());
+    return FileAccess.isDirectory(frame, site, path(frame, site, self));
   }
 
   @Builtin(doc = "The date at which the directory was last modified.")
@@ -173,7 +176,8 @@ final class DirectoryType {
   @Builtin(doc = "The sizes of all files in it and its directories together, in bytes.")
   static double size(Frame frame, CallSite site, UrbiDirectory self) {
     UrbiPath path = path(frame, site, self);
-    return FileAccess.slowly(frame, site, path, () -> (double) DirectoryTree.size(path.file()));
+    return FileAccess.slowly(
+        frame, site, path, () -> (double) FileAccess.disk(frame).treeSize(path.file()));
   }
 
   // ------------------------------------------------------------------ changes
@@ -207,7 +211,8 @@ final class DirectoryType {
   private static UrbiObject copied(Frame frame, CallSite site, UrbiDirectory self, UrbiPath to) {
     checkAbsent(frame, site, to);
     UrbiPath from = path(frame, site, self);
-    change(frame, site, from, () -> DirectoryTree.copy(from.file(), to.file()));
+    FileAccess.changeSlowly(
+        frame, site, from, () -> FileAccess.disk(frame).copyTree(from.file(), to.file()));
     return directory(frame, to);
   }
 
@@ -224,41 +229,28 @@ final class DirectoryType {
   private static UrbiObject moved(Frame frame, CallSite site, UrbiDirectory self, UrbiPath to) {
     checkAbsent(frame, site, to);
     UrbiPath from = path(frame, site, self);
-    change(frame, site, from, () -> Files.move(from.file(), to.file()));
+    FileAccess.changeSlowly(
+        frame, site, from, () -> FileAccess.disk(frame).move(from.file(), to.file()));
     self.setPath(to);
     return self;
   }
 
   @Builtin(doc = "Removes all that is in it.")
   static void clear(Frame frame, CallSite site, UrbiDirectory self) {
-    Path file = path(frame, site, self).file();
-    change(frame, site, self.path(), () -> DirectoryTree.remove(file, false));
+    UrbiPath path = path(frame, site, self);
+    FileAccess.changeSlowly(frame, site, path, () -> FileAccess.disk(frame).clear(path.file()));
   }
 
   @Builtin(doc = "Removes it, if there is nothing in it.")
   static void remove(Frame frame, CallSite site, UrbiDirectory self) {
-    Path file = existing(frame, site, 0, self).file();
-    change(frame, site, self.path(), () -> Files.delete(file));
+    UrbiPath path = existing(frame, site, 0, self);
+    FileAccess.changeSlowly(frame, site, path, () -> FileAccess.disk(frame).delete(path.file()));
   }
 
   @Builtin(doc = "Removes it and all that is in it.")
   static void removeAll(Frame frame, CallSite site, UrbiDirectory self) {
-    Path file = path(frame, site, self).file();
-    change(frame, site, self.path(), () -> DirectoryTree.remove(file, true));
-  }
-
-  private interface Change {
-    void run() throws IOException;
-  }
-
-  private static void change(Frame frame, CallSite site, UrbiPath path, Change change) {
-    FileAccess.slowly(
-        frame,
-        site,
-        path,
-        () -> {
-          change.run();
-          return null;
-        });
+    UrbiPath path = path(frame, site, self);
+    FileAccess.changeSlowly(
+        frame, site, path, () -> FileAccess.disk(frame).removeTree(path.file()));
   }
 }

@@ -6,8 +6,6 @@ import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.FileSystemLoopException;
-import java.nio.file.Files;
-import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import java.util.Locale;
@@ -18,6 +16,7 @@ import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
+import org.urbi.kernel.outside.Disk;
 import org.urbi.lang.print.StringEscape;
 
 /** What File, Directory and the streams have in common: names, errors, waiting for the disk. */
@@ -27,24 +26,38 @@ final class FileAccess {
   /** The path that an argument names: a String, a Path, a File or a Directory. */
   static UrbiPath path(Frame frame, CallSite site, int place, UrbiObject given) {
     return switch (given) {
-      case UrbiPath path -> path;
-      case UrbiEntry entry -> entry.path();
+      case UrbiPath path when path != anyPath(frame) -> path;
+      case UrbiEntry entry when entry.path() != null -> entry.path();
       case UrbiString text -> {
-        if (text.value().isEmpty() || text.value().indexOf('\0') >= 0) {
-          throw frame
-              .interpreter()
-              .errors()
-              .primitive(site.calledName(), "invalid path: " + text.value());
-        }
+        checkName(frame, site, text.value());
         yield anyPath(frame).sibling(text.value());
       }
+      case UrbiPath prototype ->
+          throw frame.interpreter().errors().primitive(site.calledName(), "not a path");
       default -> Arguments.unexpected(frame, site, place, given, "Path");
     };
+  }
+
+  /** {@code routine: invalid path: …} unless it may be the name of something. */
+  static void checkName(Frame frame, CallSite site, String name) {
+    if (name.isEmpty() || name.indexOf('\0') >= 0) {
+      throw frame.interpreter().errors().primitive(site.calledName(), "invalid path: " + name);
+    }
   }
 
   /** The prototype of paths, from which others can be made. */
   static UrbiPath anyPath(Frame frame) {
     return (UrbiPath) frame.interpreter().world().prototype("Path");
+  }
+
+  /** What was made by {@code new} can be made something of the machine; what all share cannot. */
+  static void checkNotPrototype(Frame frame, CallSite site, UrbiObject self, String type) {
+    if (self == frame.interpreter().world().prototype(type)) {
+      throw frame
+          .interpreter()
+          .errors()
+          .primitive(site.calledName(), type + " is a prototype: use " + type + ".new");
+    }
   }
 
   /** The path of a name in a directory. */
@@ -58,9 +71,29 @@ final class FileAccess {
     return path.text().substring(path.text().lastIndexOf('/') + 1);
   }
 
+  /** The files that this kernel may use. */
+  static Disk disk(Frame frame) {
+    return KernelControl.of(frame).outside().disk();
+  }
+
+  /** Whether there is something of that name; a link to nowhere is nothing. */
+  static boolean exists(Frame frame, CallSite site, UrbiPath path) {
+    return quickly(frame, site, path, () -> disk(frame).exists(path.file()));
+  }
+
   /** Whether there is something of that name, be it a link to nowhere. */
-  static boolean exists(UrbiPath path) {
-    return Files.exists(path.file(), LinkOption.NOFOLLOW_LINKS);
+  static boolean hasEntry(Frame frame, CallSite site, UrbiPath path) {
+    return quickly(frame, site, path, () -> disk(frame).hasEntry(path.file()));
+  }
+
+  /** Whether there is a directory of that name. */
+  static boolean isDirectory(Frame frame, CallSite site, UrbiPath path) {
+    return quickly(frame, site, path, () -> disk(frame).isDirectory(path.file()));
+  }
+
+  /** Whether there is a regular file of that name. */
+  static boolean isRegularFile(Frame frame, CallSite site, UrbiPath path) {
+    return quickly(frame, site, path, () -> disk(frame).isRegularFile(path.file()));
   }
 
   /** {@code routine: message: "path"}. */
@@ -92,6 +125,26 @@ final class FileAccess {
     } catch (IOException e) {
       throw failed(frame, site, path, e);
     }
+  }
+
+  /** Something that changes files. */
+  interface Change {
+    void run() throws IOException;
+  }
+
+  /** Makes a change that is quick. */
+  static void change(Frame frame, CallSite site, UrbiPath path, Change change) {
+    quickly(frame, site, path, () -> done(change));
+  }
+
+  /** Makes a change that may take long, while the job waits. */
+  static void changeSlowly(Frame frame, CallSite site, UrbiPath path, Change change) {
+    slowly(frame, site, path, () -> done(change));
+  }
+
+  private static Void done(Change change) throws IOException {
+    change.run();
+    return null;
   }
 
   private static UrbiException failed(

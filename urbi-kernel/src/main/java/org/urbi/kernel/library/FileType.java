@@ -1,13 +1,9 @@
 package org.urbi.kernel.library;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
@@ -16,6 +12,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.World;
+import org.urbi.kernel.outside.Disk;
 import org.urbi.lang.print.StringEscape;
 
 /** Files (manual, "File"). */
@@ -47,11 +44,12 @@ final class FileType {
 
   @Builtin(doc = "Makes it the file of that name, which must exist.")
   static UrbiObject init(Frame frame, CallSite site, UrbiFile self, UrbiObject name) {
+    FileAccess.checkNotPrototype(frame, site, self, "File");
     UrbiPath path = FileAccess.path(frame, site, 1, name);
-    if (Files.isDirectory(path.file())) {
+    if (FileAccess.isDirectory(frame, site, path)) {
       throw FileAccess.error(frame, site, "not a file", path);
     }
-    if (!Files.exists(path.file())) {
+    if (!FileAccess.exists(frame, site, path)) {
       throw FileAccess.error(frame, site, "file does not exist", path);
     }
     self.setPath(path);
@@ -76,21 +74,15 @@ final class FileType {
   }
 
   private static void write(Frame frame, CallSite site, UrbiPath path, byte[] bytes) {
-    Path file = path.file();
-    if (bytes.length <= LARGE && (Files.isRegularFile(file) || !Files.exists(file))) {
-      FileAccess.quickly(frame, site, path, () -> Files.write(file, bytes));
+    boolean quick =
+        bytes.length <= LARGE
+            && (FileAccess.isRegularFile(frame, site, path)
+                || !FileAccess.exists(frame, site, path));
+    FileAccess.Change change = () -> FileAccess.disk(frame).write(path.file(), bytes);
+    if (quick) {
+      FileAccess.change(frame, site, path, change);
     } else {
-      FileAccess.slowly(
-          frame,
-          site,
-          path,
-          () ->
-              Files.write(
-                  file,
-                  bytes,
-                  StandardOpenOption.CREATE,
-                  StandardOpenOption.WRITE,
-                  StandardOpenOption.TRUNCATE_EXISTING));
+      FileAccess.changeSlowly(frame, site, path, change);
     }
   }
 
@@ -121,9 +113,10 @@ final class FileType {
   private static byte[] bytes(Frame frame, CallSite site, UrbiFile self) {
     UrbiPath path = path(frame, site, self);
     Path file = path.file();
+    Disk disk = FileAccess.disk(frame);
     try {
-      if (Files.isRegularFile(file) && Files.size(file) <= LARGE) {
-        return Files.readAllBytes(file);
+      if (disk.isRegularFile(file) && disk.size(file) <= LARGE) {
+        return disk.read(file);
       }
     } catch (IOException e) {
       // The other way says what is wrong.
@@ -133,10 +126,10 @@ final class FileType {
         site,
         path,
         () -> {
-          if (Files.isRegularFile(file) && Files.size(file) > Integer.MAX_VALUE - 8) {
+          if (disk.isRegularFile(file) && disk.size(file) > Integer.MAX_VALUE - 8) {
             throw new IOException("file too large");
           }
-          return Files.readAllBytes(file);
+          return disk.read(file);
         });
   }
 
@@ -163,7 +156,8 @@ final class FileType {
   @Builtin(doc = "The size of the file, in bytes.")
   static double size(Frame frame, CallSite site, UrbiFile self) {
     UrbiPath path = path(frame, site, self);
-    return FileAccess.quickly(frame, site, path, () -> (double) Files.size(path.file()));
+    return FileAccess.quickly(
+        frame, site, path, () -> (double) FileAccess.disk(frame).size(path.file()));
   }
 
   @Builtin(doc = "The date at which the file was last modified.")
@@ -175,10 +169,7 @@ final class FileType {
   static UrbiObject lastModified(Frame frame, CallSite site, UrbiPath path) {
     long microseconds =
         FileAccess.quickly(
-            frame,
-            site,
-            path,
-            () -> Files.getLastModifiedTime(path.file()).to(TimeUnit.MICROSECONDS));
+            frame, site, path, () -> FileAccess.disk(frame).lastModified(path.file()));
     UrbiObject prototype = frame.interpreter().world().prototype("Date");
     return new UrbiDate(prototype.cloneShape(), microseconds);
   }
@@ -199,10 +190,11 @@ final class FileType {
 
   private static UrbiObject copied(Frame frame, CallSite site, UrbiFile self, UrbiPath to) {
     UrbiPath from = path(frame, site, self);
-    if (!FileAccess.exists(from)) {
+    if (!FileAccess.hasEntry(frame, site, from)) {
       throw FileAccess.error(frame, site, "no such file or directory", from);
     }
-    FileAccess.slowly(frame, site, to, () -> Files.copy(from.file(), to.file()));
+    FileAccess.changeSlowly(
+        frame, site, to, () -> FileAccess.disk(frame).copy(from.file(), to.file()));
     return file(frame, to);
   }
 
@@ -220,14 +212,11 @@ final class FileType {
 
   private static UrbiObject moved(Frame frame, CallSite site, UrbiFile self, UrbiPath to) {
     UrbiPath from = path(frame, site, self);
-    if (Files.isDirectory(to.file())) {
+    if (FileAccess.isDirectory(frame, site, to)) {
       throw FileAccess.error(frame, site, "is a directory", to);
     }
-    FileAccess.slowly(
-        frame,
-        site,
-        from,
-        () -> Files.move(from.file(), to.file(), StandardCopyOption.REPLACE_EXISTING));
+    FileAccess.changeSlowly(
+        frame, site, from, () -> FileAccess.disk(frame).replace(from.file(), to.file()));
     self.setPath(to);
     return self;
   }
@@ -235,16 +224,9 @@ final class FileType {
   @Builtin(doc = "Removes the file.")
   static void remove(Frame frame, CallSite site, UrbiFile self) {
     UrbiPath path = path(frame, site, self);
-    if (Files.isDirectory(path.file())) {
+    if (FileAccess.isDirectory(frame, site, path)) {
       throw FileAccess.error(frame, site, "is a directory", path);
     }
-    FileAccess.quickly(
-        frame,
-        site,
-        path,
-        () -> {
-          Files.delete(path.file());
-          return null;
-        });
+    FileAccess.change(frame, site, path, () -> FileAccess.disk(frame).delete(path.file()));
   }
 }

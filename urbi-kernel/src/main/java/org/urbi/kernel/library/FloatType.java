@@ -164,7 +164,7 @@ final class FloatType {
       value = {"seq", "asList"},
       doc = "The list of the integers from 0 to the target, which is not in it.")
   static List<UrbiObject> seq(Frame caller, CallSite site, UrbiFloat self) {
-    int count = Counting.nonNegative(caller, site, 0, self);
+    int count = Counting.ofLists(caller, site, 0, self, 1);
     List<UrbiObject> numbers = new ArrayList<>(count);
     for (int i = 0; i < count; i++) {
       numbers.add(number(caller, i));
@@ -262,6 +262,7 @@ final class FloatType {
   static void eachTight(Frame caller, CallSite site, UrbiFloat self, UrbiObject fun) {
     int count = Counting.nonNegative(caller, site, 0, self);
     for (int i = 0; i < count; i++) {
+      caller.job().checkInterrupted();
       caller.interpreter().call(caller, site, fun, self, number(caller, i));
     }
   }

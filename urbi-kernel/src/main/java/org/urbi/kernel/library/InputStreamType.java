@@ -1,8 +1,6 @@
 package org.urbi.kernel.library;
 
-import java.io.FileInputStream;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -13,7 +11,6 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.outside.ByteSource;
-import org.urbi.kernel.outside.FileSource;
 import org.urbi.kernel.outside.Outside;
 import org.urbi.kernel.outside.PipeSource;
 
@@ -37,15 +34,15 @@ final class InputStreamType {
 
   @Builtin(doc = "Makes it read from the beginning of that file.")
   static UrbiObject init(Frame frame, CallSite site, UrbiInputStream self, UrbiFile file) {
+    FileAccess.checkNotPrototype(frame, site, self, "InputStream");
     Outside outside = KernelControl.of(frame).outside();
     UrbiPath name = FileType.path(frame, site, file);
     Path path = name.file();
     ByteSource source =
-        Files.isRegularFile(path)
-            ? FileAccess.quickly(frame, site, name, () -> new FileSource(path))
+        FileAccess.isRegularFile(frame, site, name)
+            ? FileAccess.quickly(frame, site, name, () -> outside.disk().source(path))
             : new PipeSource(
-                outside,
-                FileAccess.slowly(frame, site, name, () -> new FileInputStream(path.toFile())));
+                outside, FileAccess.slowly(frame, site, name, () -> outside.disk().input(path)));
     outside.opened(source);
     self.open(source);
     return self;

@@ -5,6 +5,7 @@ import java.util.List;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.outside.Outside;
+import org.urbi.kernel.uobject.PluggedContext;
 
 /** What the library needs of the kernel around it. */
 public interface KernelControl {
@@ -13,6 +14,12 @@ public interface KernelControl {
 
   /** Where source files are looked for, first to last. */
   List<Path> searchPath();
+
+  /** Where modules with UObjects are looked for, first to last. */
+  List<Path> moduleSearchPath();
+
+  /** The UObjects of the kernel. */
+  PluggedContext uobjects();
 
   /** The lobbies of all connections, and those made by programs. */
   List<UrbiLobby> lobbies();

@@ -1,5 +1,6 @@
 package org.urbi.kernel.library;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -30,9 +31,15 @@ public final class Library {
     this.values = interpreter.values();
   }
 
-  /** Installs the library. */
-  public static void install(Interpreter interpreter) {
-    new Library(interpreter).install();
+  /**
+   * Installs the library.
+   *
+   * @param workingDirectory where relative paths start from in the beginning
+   */
+  public static void install(Interpreter interpreter, Path workingDirectory) {
+    Library library = new Library(interpreter);
+    library.install();
+    ((UrbiPath) library.types.get("Path")).working().path = workingDirectory;
   }
 
   private void install() {

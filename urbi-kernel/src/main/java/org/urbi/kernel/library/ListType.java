@@ -255,11 +255,8 @@ final class ListType {
 
   @Builtin(value = "*", doc = "The elements, so many times.")
   static List<UrbiObject> multiply(Frame caller, CallSite site, UrbiList self, UrbiFloat n) {
-    int count = Counting.nonNegative(caller, site, 1, n);
     List<UrbiObject> elements = self.elements();
-    if ((long) count * elements.size() > Integer.MAX_VALUE - 8) {
-      throw error(caller, site, "list too long");
-    }
+    int count = Counting.ofLists(caller, site, 1, n, elements.size());
     List<UrbiObject> product = new ArrayList<>(count * elements.size());
     for (int i = 0; i < count; i++) {
       product.addAll(elements);

@@ -13,6 +13,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
+import org.urbi.kernel.uobject.PluggedContext;
 
 /** The environment of a connection (manual, "Lobby"). */
 @UrbiType(
@@ -59,6 +60,11 @@ final class LobbyType {
   @Builtin(doc = "The lobby for which this code runs.")
   static UrbiObject lobby(Frame frame, UrbiObject self) {
     return of(frame);
+  }
+
+  @Builtin(doc = "The lobby of code that belongs to no connection, such as what UObjects send.")
+  static UrbiObject systemLobby(Frame frame, UrbiObject self) {
+    return PluggedContext.of(frame).lobby();
   }
 
   @Builtin(doc = "Whether somebody is at the other end.")

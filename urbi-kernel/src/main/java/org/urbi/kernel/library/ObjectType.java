@@ -55,7 +55,10 @@ final class ObjectType {
   @Builtin(doc = "The object itself, whatever the one argument in the list is.")
   static UrbiObject apply(Frame frame, UrbiObject self, UrbiList arguments) {
     int given = arguments.elements().size();
-    if (given != 1) {
+    if (given == 0) {
+      throw frame.interpreter().errors().primitive("apply", "argument list must begin with `this'");
+    }
+    if (given > 1) {
       throw frame.interpreter().errors().arity("apply", given - 1, 0, 0);
     }
     return self;
@@ -86,7 +89,7 @@ final class ObjectType {
     return self.localSlot(type) != null ? name : name + "_" + uid(self);
   }
 
-  @Builtin(doc = "Asks the object what it is and has: its prototypes and its slots.")
+  @Builtin(doc = "The object as the top level shows it.")
   static UrbiObject asToplevelPrintable(Frame frame, UrbiObject self) {
     return frame.interpreter().send(frame, self, "asPrintable");
   }

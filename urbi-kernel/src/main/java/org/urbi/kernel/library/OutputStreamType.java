@@ -1,8 +1,6 @@
 package org.urbi.kernel.library;
 
-import java.io.FileOutputStream;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
@@ -13,7 +11,6 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.outside.ByteSink;
-import org.urbi.kernel.outside.FileSink;
 import org.urbi.kernel.outside.Outside;
 import org.urbi.kernel.outside.PipeSink;
 
@@ -39,16 +36,16 @@ final class OutputStreamType {
 
   @Builtin(doc = "Makes it write at the end of that file.")
   static UrbiObject init(Frame frame, CallSite site, UrbiOutputStream self, UrbiFile file) {
+    FileAccess.checkNotPrototype(frame, site, self, "OutputStream");
     Outside outside = KernelControl.of(frame).outside();
     UrbiPath name = FileType.path(frame, site, file);
     Path path = name.file();
     ByteSink sink =
-        Files.isRegularFile(path) || !Files.exists(path)
-            ? FileAccess.quickly(frame, site, name, () -> new FileSink(path))
+        FileAccess.isRegularFile(frame, site, name) || !FileAccess.exists(frame, site, name)
+            ? FileAccess.quickly(frame, site, name, () -> outside.disk().sink(path))
             : new PipeSink(
                 outside,
-                FileAccess.slowly(
-                    frame, site, name, () -> new FileOutputStream(path.toFile(), true)),
+                FileAccess.slowly(frame, site, name, () -> outside.disk().output(path)),
                 false);
     outside.opened(sink);
     self.open(sink);

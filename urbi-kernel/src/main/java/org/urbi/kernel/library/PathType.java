@@ -1,7 +1,5 @@
 package org.urbi.kernel.library;
 
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.List;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
@@ -33,6 +31,7 @@ final class PathType {
 
   @Builtin(doc = "Makes it the path of that text.")
   static UrbiObject init(Frame caller, CallSite site, UrbiPath self, String path) {
+    FileAccess.checkNotPrototype(caller, site, self, "Path");
     if (path.isEmpty() || path.indexOf('\0') >= 0) {
       throw error(caller, site, "invalid path: " + path);
     }
@@ -102,11 +101,10 @@ final class PathType {
 
   @Builtin(doc = "Makes it the working directory, and returns that.")
   static UrbiObject cd(Frame caller, CallSite site, UrbiPath self) {
-    Path directory = self.file();
-    if (!Files.isDirectory(directory)) {
+    if (!FileAccess.isDirectory(caller, site, self)) {
       throw error(caller, site, "no such directory: " + self.text());
     }
-    self.working().path = directory;
+    self.working().path = self.file();
     return cwd(self);
   }
 
@@ -116,23 +114,24 @@ final class PathType {
   }
 
   @Builtin(doc = "Whether there is something of that name.")
-  static boolean exists(UrbiPath self) {
-    return Files.exists(self.file());
+  static boolean exists(Frame caller, CallSite site, UrbiPath self) {
+    return FileAccess.exists(caller, site, self);
   }
 
   @Builtin(doc = "Whether it is a directory.")
-  static boolean isDir(UrbiPath self) {
-    return Files.isDirectory(self.file());
+  static boolean isDir(Frame caller, CallSite site, UrbiPath self) {
+    return FileAccess.isDirectory(caller, site, self);
   }
 
   @Builtin(doc = "Whether it is a regular file.")
-  static boolean isReg(UrbiPath self) {
-    return Files.isRegularFile(self.file());
+  static boolean isReg(Frame caller, CallSite site, UrbiPath self) {
+    return FileAccess.isRegularFile(caller, site, self);
   }
 
   @Builtin(doc = "The File or the Directory of that name.")
   static UrbiObject open(Frame caller, CallSite site, UrbiPath self) {
-    String type = Files.isDirectory(existing(caller, site, self)) ? "Directory" : "File";
+    checkExists(caller, site, self);
+    String type = FileAccess.isDirectory(caller, site, self) ? "Directory" : "File";
     return caller
         .interpreter()
         .send(caller, caller.interpreter().world().prototype(type), "new", self);
@@ -140,18 +139,21 @@ final class PathType {
 
   @Builtin(doc = "Whether it can be read.")
   static boolean readable(Frame caller, CallSite site, UrbiPath self) {
-    return Files.isReadable(existing(caller, site, self));
+    checkExists(caller, site, self);
+    return FileAccess.quickly(
+        caller, site, self, () -> FileAccess.disk(caller).isReadable(self.file()));
   }
 
   @Builtin(doc = "Whether it can be written.")
   static boolean writable(Frame caller, CallSite site, UrbiPath self) {
-    return Files.isWritable(existing(caller, site, self));
+    checkExists(caller, site, self);
+    return FileAccess.quickly(
+        caller, site, self, () -> FileAccess.disk(caller).isWritable(self.file()));
   }
 
-  private static Path existing(Frame caller, CallSite site, UrbiPath self) {
-    if (!Files.exists(self.file())) {
+  private static void checkExists(Frame caller, CallSite site, UrbiPath self) {
+    if (!FileAccess.exists(caller, site, self)) {
       throw error(caller, site, "does not exist: " + self.text());
     }
-    return self.file();
   }
 }

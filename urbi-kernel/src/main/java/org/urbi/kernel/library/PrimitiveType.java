@@ -3,6 +3,7 @@ package org.urbi.kernel.library;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
@@ -16,7 +17,7 @@ final class PrimitiveType {
   private PrimitiveType() {}
 
   @Builtin(doc = "Calls the primitive: the list holds the target, then the arguments.")
-  static UrbiObject apply(Frame frame, CallSite site, UrbiObject self, UrbiList arguments) {
+  static UrbiObject apply(Frame frame, CallSite site, Code self, UrbiList arguments) {
     return CodeType.apply(frame, site, self, arguments);
   }
 

@@ -27,6 +27,7 @@ final class ProcessType {
   @Builtin(doc = "Makes it the program of that name with these arguments; it does not run yet.")
   static UrbiObject init(
       Frame frame, CallSite site, UrbiProcess self, UrbiObject name, UrbiList arguments) {
+    FileAccess.checkNotPrototype(frame, site, self, "Process");
     List<String> command = new ArrayList<>();
     command.add(
         NativeText.toJava(

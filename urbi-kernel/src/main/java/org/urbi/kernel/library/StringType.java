@@ -9,6 +9,7 @@ import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiHash;
 import org.urbi.kernel.object.UrbiList;
@@ -138,17 +139,14 @@ final class StringType {
   }
 
   @Builtin(value = "+", doc = "The target followed by the asString of other.")
-  static String plus(Frame caller, UrbiString self, UrbiObject other) {
-    return self.value() + caller.interpreter().asString(caller, other);
+  static UrbiObject plus(Frame caller, UrbiString self, UrbiObject other) {
+    Interpreter interpreter = caller.interpreter();
+    return interpreter.values().concatenation(self, interpreter.asString(caller, other));
   }
 
   @Builtin(value = "*", doc = "The target so many times.")
   static String multiply(Frame caller, CallSite site, UrbiString self, UrbiFloat n) {
-    int count = Counting.nonNegative(caller, site, 1, n);
-    if ((long) count * self.value().length() > Integer.MAX_VALUE - 8) {
-      throw error(caller, site, "string too long");
-    }
-    return self.value().repeat(count);
+    return self.value().repeat(Counting.ofStrings(caller, site, 1, n, self.value().length()));
   }
 
   @Builtin(value = "%", doc = "The target as a format string, filled with args.")

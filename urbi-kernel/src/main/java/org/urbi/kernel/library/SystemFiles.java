@@ -2,7 +2,6 @@ package org.urbi.kernel.library;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -23,7 +22,7 @@ final class SystemFiles {
   static UrbiObject load(
       Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
     String name = frame.interpreter().asString(frame, file);
-    return evaluate(frame, site, self, found(frame, name), target);
+    return evaluate(frame, site, self, found(frame, site, name), target);
   }
 
   @Builtin(doc = "Evaluates a source file, and returns its last value.")
@@ -31,7 +30,7 @@ final class SystemFiles {
       Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
     String name = frame.interpreter().asString(frame, file);
     Path path = workingDirectory(frame).resolve(path(frame, name));
-    if (!Files.isRegularFile(path)) {
+    if (!isFile(frame, site, path)) {
       throw notFound(frame, name);
     }
     return evaluate(frame, site, self, path, target);
@@ -41,7 +40,7 @@ final class SystemFiles {
   static UrbiObject maybeLoad(
       Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject channel) {
     String name = frame.interpreter().asString(frame, file);
-    Path path = search(frame, name);
+    Path path = search(frame, site, name);
     if (path == null) {
       return frame.interpreter().values().voidObject;
     }
@@ -54,9 +53,9 @@ final class SystemFiles {
   }
 
   @Builtin(doc = "The path of a source file, looked for in the search path.")
-  static UrbiObject searchFile(Frame frame, UrbiObject self, UrbiObject file) {
+  static UrbiObject searchFile(Frame frame, CallSite site, UrbiObject self, UrbiObject file) {
     String name = frame.interpreter().asString(frame, file);
-    return urbiPath(frame, found(frame, name));
+    return urbiPath(frame, found(frame, site, name));
   }
 
   @Builtin(doc = "The folders where source files are looked for.")
@@ -71,10 +70,15 @@ final class SystemFiles {
   @Builtin(doc = "Evaluates a source file found in the search path, unless that was done before.")
   static void requireFile(
       Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
-    Path path = found(frame, frame.interpreter().asString(frame, file));
-    if (!KernelControl.of(frame).loadedFiles().contains(frame.job(), key(path))) {
+    Path path = found(frame, site, frame.interpreter().asString(frame, file));
+    if (!KernelControl.of(frame).loadedFiles().contains(frame.job(), key(frame, path))) {
       evaluate(frame, site, self, path, target);
     }
+  }
+
+  private static boolean isFile(Frame frame, CallSite site, Path path) {
+    UrbiPath shown = FileAccess.anyPath(frame).sibling(UrbiPath.encoded(path));
+    return FileAccess.quickly(frame, site, shown, () -> FileAccess.disk(frame).isRegularFile(path));
   }
 
   private static UrbiObject urbiPath(Frame frame, Path path) {
@@ -93,28 +97,32 @@ final class SystemFiles {
     }
   }
 
-  private static Path found(Frame frame, String name) {
-    Path path = search(frame, name);
+  private static Path found(Frame frame, CallSite site, String name) {
+    Path path = search(frame, site, name);
     if (path == null) {
       throw notFound(frame, name);
     }
     return path;
   }
 
-  private static Path search(Frame frame, String name) {
+  private static Path search(Frame frame, CallSite site, String name) {
     Path path = path(frame, name);
     Path working = workingDirectory(frame);
     if (path.isAbsolute()) {
-      return Files.isRegularFile(path) ? path : null;
+      return isFile(frame, site, path) ? path : null;
     }
     for (Path folder : KernelControl.of(frame).searchPath()) {
       Path candidate = working.resolve(folder).normalize().resolve(path);
-      if (Files.isRegularFile(candidate)) {
-        return candidate;
+      try {
+        if (FileAccess.disk(frame).isRegularFile(candidate)) {
+          return candidate;
+        }
+      } catch (IOException e) {
+        // That folder is not for this kernel.
       }
     }
     Path here = working.resolve(path);
-    return Files.isRegularFile(here) ? here : null;
+    return isFile(frame, site, here) ? here : null;
   }
 
   /** The name of a file in messages: short when it is below the working directory. */
@@ -124,9 +132,9 @@ final class SystemFiles {
   }
 
   /** By what a file is known, whatever the links that lead there. */
-  private static Path key(Path file) {
+  private static Path key(Frame frame, Path file) {
     try {
-      return file.toRealPath();
+      return FileAccess.disk(frame).real(file);
     } catch (IOException e) {
       return file.toAbsolutePath().normalize();
     }
@@ -144,7 +152,7 @@ final class SystemFiles {
   private static UrbiObject evaluate(
       Frame frame, CallSite site, UrbiObject self, Path path, UrbiObject target) {
     LoadedFiles files = KernelControl.of(frame).loadedFiles();
-    Path key = key(path);
+    Path key = key(frame, path);
     boolean complete = false;
     files.begin(frame.job(), key);
     try {
@@ -153,7 +161,7 @@ final class SystemFiles {
               frame,
               site,
               FileAccess.anyPath(frame).sibling(UrbiPath.encoded(path)),
-              () -> Files.readString(path, StandardCharsets.ISO_8859_1));
+              () -> new String(FileAccess.disk(frame).read(path), StandardCharsets.ISO_8859_1));
       UrbiObject value =
           Evaluation.eval(frame, site, target == null ? self : target, text, shown(frame, path));
       complete = true;

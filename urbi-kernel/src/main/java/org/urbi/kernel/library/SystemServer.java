@@ -3,12 +3,9 @@ package org.urbi.kernel.library;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
-import java.net.InetAddress;
-import java.net.UnknownHostException;
 import java.util.List;
 import java.util.Properties;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.lobby.UrbiLobby;
@@ -19,6 +16,7 @@ import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.outside.ChildProcess;
+import org.urbi.kernel.outside.Network;
 import org.urbi.lang.parse.Parsed;
 import org.urbi.lang.parse.UrbiParser;
 import org.urbi.lang.print.Printer;
@@ -72,14 +70,11 @@ final class SystemServer {
   @Builtin(doc = "The name of this machine.")
   static String hostName(Frame frame, UrbiObject self) {
     try {
-      return KernelControl.of(frame).outside().await(frame.job(), SystemServer::localHostName);
+      return NativeText.toUrbi(
+          Network.localHostName(KernelControl.of(frame).outside(), frame.job()));
     } catch (IOException e) {
       return "localhost";
     }
-  }
-
-  private static String localHostName() throws UnknownHostException {
-    return NativeText.toUrbi(InetAddress.getLocalHost().getHostName());
   }
 
   @Builtin(doc = "The date at which System.time was 0.")
@@ -186,24 +181,5 @@ final class SystemServer {
               + " "
               + frame.interpreter().asPrintable(frame, rhs));
     }
-  }
-
-  // ------------------------------------------------------------------ modules
-
-  @Builtin(doc = "Loads a library of UObjects; its symbols are there for other ones.")
-  static void loadLibrary(
-      Frame frame, CallSite site, UrbiObject self, UrbiObject library, @Optional String options) {
-    throw noLoader(frame, site, library);
-  }
-
-  @Builtin(doc = "Loads a module of UObjects.")
-  static void loadModule(
-      Frame frame, CallSite site, UrbiObject self, UrbiObject module, @Optional String options) {
-    throw noLoader(frame, site, module);
-  }
-
-  private static RuntimeException noLoader(Frame frame, CallSite site, UrbiObject module) {
-    String name = frame.interpreter().asString(frame, module);
-    return error(frame, site, "cannot load " + name + ": this server has no loader of modules");
   }
 }

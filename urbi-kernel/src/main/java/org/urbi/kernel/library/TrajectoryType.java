@@ -2,12 +2,8 @@ package org.urbi.kernel.library;
 
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
-import org.urbi.kernel.event.Durations;
-import org.urbi.kernel.job.Job;
 import org.urbi.kernel.node.CallSite;
-import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
-import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
@@ -18,11 +14,6 @@ import org.urbi.kernel.object.UrbiObject;
     doc = "Changes a variable over time, from its initial value to a target.")
 final class TrajectoryType {
   private TrajectoryType() {}
-
-  /** The value of a variable at a time since the beginning, in seconds. */
-  private interface Curve {
-    double at(double seconds);
-  }
 
   @Builtin(
       doc =
@@ -36,197 +27,30 @@ final class TrajectoryType {
       UrbiObject write,
       UrbiFloat target,
       UrbiDictionary attributes) {
-    new Motion(frame, site, self, read, write, target, attributes).run();
+    Motion motion = new Motion(frame, site, self, read, write, target, attributes);
+    UrbiObject kind = OwnSlots.get(frame, self, kind(frame, motion));
+    frame
+        .interpreter()
+        .send(frame, site, kind, self.world().symbol("follow"), read, write, target, attributes);
   }
 
-  /** One motion of one variable. */
-  private static final class Motion {
-    private final Frame frame;
-    private final CallSite site;
-    private final UrbiObject self;
-    private final UrbiObject read;
-    private final UrbiObject write;
-    private final double target;
-    private final UrbiDictionary attributes;
-    private final Job job;
-    private final double start;
-
-    Motion(
-        Frame frame,
-        CallSite site,
-        UrbiObject self,
-        UrbiObject read,
-        UrbiObject write,
-        UrbiFloat target,
-        UrbiDictionary attributes) {
-      this.frame = frame;
-      this.site = site;
-      this.self = self;
-      this.read = read;
-      this.write = write;
-      this.target = target.value();
-      this.attributes = attributes;
-      this.job = frame.job();
-      this.start = now();
+  /** The kind of motion that the attributes ask for. */
+  private static String kind(Frame frame, Motion motion) {
+    if (motion.has("sin") || motion.has("cos")) {
+      return "Sin";
     }
-
-    void run() {
-      if (has("sin") || has("cos")) {
-        swing();
-      } else if (has("smooth")) {
-        double duration = positive("smooth");
-        double from = current();
-        along(duration, t -> from + (target - from) * (1 - Math.cos(Math.PI * t / duration)) / 2);
-      } else if (has("time")) {
-        if (isAdaptive()) {
-          adapt(positive("time"));
-        } else {
-          straight(positive("time"));
-        }
-      } else if (has("speed")) {
-        if (isAdaptive()) {
-          chase(positive("speed"));
-        } else {
-          straight(Math.abs(target - current()) / positive("speed"));
-        }
-      } else if (has("accel")) {
-        double from = current();
-        double acceleration = positive("accel");
-        double way = Math.abs(target - from);
-        double sign = Math.signum(target - from);
-        along(Math.sqrt(2 * way / acceleration), t -> from + sign * acceleration * t * t / 2);
-      } else {
-        throw frame.interpreter().errors().primitive("TrajectoryGenerator", "unknown trajectory");
-      }
+    if (motion.has("smooth")) {
+      return "Smooth";
     }
-
-    // ---------------------------------------------------------------- the kinds of motion
-
-    private void straight(double duration) {
-      double from = current();
-      along(duration, t -> from + (target - from) * t / duration);
+    if (motion.has("time")) {
+      return motion.isAdaptive() ? "TimeAdaptive" : "Time";
     }
-
-    /** Around the target, for ever. */
-    private void swing() {
-      boolean sine = has("sin");
-      double period = positive(sine ? "sin" : "cos");
-      double amplitude = has("ampli") ? number("ampli") : 1;
-      double phase = has("phase") ? number("phase") : 0;
-      double shift = sine ? phase : phase + Math.PI / 2;
-      along(
-          Double.POSITIVE_INFINITY,
-          t -> target + amplitude * Math.sin(2 * Math.PI * t / period + shift));
+    if (motion.has("speed")) {
+      return motion.isAdaptive() ? "SpeedAdaptive" : "Time";
     }
-
-    /** Follows a curve, whatever else happens to the variable, and ends at the target. */
-    private void along(double duration, Curve curve) {
-      for (double t = 0; t < duration; t = now() - start) {
-        set(curve.at(t));
-        pause(duration - t);
-      }
-      set(target);
+    if (motion.has("accel")) {
+      return "Accel";
     }
-
-    /** Goes from wherever the variable is, so as to arrive in time. */
-    private void adapt(double duration) {
-      double last = 0;
-      for (double t = 0; t < duration; t = now() - start) {
-        if (t > last) {
-          double left = duration - last;
-          set(current() + (target - current()) * (t - last) / left);
-          last = t;
-        }
-        pause(duration - t);
-      }
-      set(target);
-    }
-
-    /** Goes from wherever the variable is, at that speed. */
-    private void chase(double speed) {
-      double last = now();
-      while (current() != target) {
-        pause(Math.abs(target - current()) / speed);
-        double step = speed * (now() - last);
-        last = now();
-        double way = target - current();
-        set(Math.abs(way) <= step ? target : current() + Math.signum(way) * step);
-      }
-    }
-
-    // ---------------------------------------------------------------- time and values
-
-    /** The time that this code has not been frozen. */
-    private double now() {
-      return Durations.seconds(job.scheduler().now() - job.timeShift());
-    }
-
-    /** Waits for the period of the kernel, or less if less is left. */
-    private void pause(double left) {
-      UrbiObject period = frame.interpreter().send(frame, self, "period");
-      double step = period instanceof UrbiFloat seconds ? seconds.value() : 0.02;
-      job.sleepUntil(
-          job.scheduler().now() + Math.max(1, Durations.nanoseconds(Math.min(step, left))));
-    }
-
-    private double current() {
-      UrbiObject value = frame.interpreter().call(frame, site, read, self);
-      if (value instanceof UrbiFloat number) {
-        return number.value();
-      }
-      throw wrongType(0, value);
-    }
-
-    private void set(double value) {
-      frame
-          .interpreter()
-          .call(frame, site, write, self, frame.interpreter().values().number(value));
-    }
-
-    private RuntimeException wrongType(int index, UrbiObject value) {
-      return frame
-          .interpreter()
-          .errors()
-          .argumentType(
-              "TrajectoryGenerator",
-              index,
-              value,
-              frame.interpreter().values().floatProto,
-              "Float");
-    }
-
-    // ---------------------------------------------------------------- attributes
-
-    private UrbiObject attribute(String name) {
-      return attributes
-          .entries()
-          .get(DictionaryKey.of(frame, frame.interpreter().values().string(name)));
-    }
-
-    private boolean has(String name) {
-      return attribute(name) != null;
-    }
-
-    private boolean isAdaptive() {
-      return has("adaptive") && Truth.of(frame, attribute("adaptive"));
-    }
-
-    private double number(String name) {
-      if (attribute(name) instanceof UrbiFloat number) {
-        return number.value();
-      }
-      throw wrongType(1, attribute(name));
-    }
-
-    private double positive(String name) {
-      double value = number(name);
-      if (!(value > 0)) {
-        throw frame
-            .interpreter()
-            .errors()
-            .primitive("TrajectoryGenerator", name + " must be positive");
-      }
-      return value;
-    }
+    throw frame.interpreter().errors().primitive("TrajectoryGenerator", "unknown trajectory");
   }
 }

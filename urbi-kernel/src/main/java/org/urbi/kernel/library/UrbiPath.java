@@ -11,7 +11,7 @@ import org.urbi.kernel.object.UrbiObject;
 public final class UrbiPath extends UrbiObject {
   /** Where relative paths start from: one for each kernel, shared by all its paths. */
   static final class WorkingDirectory {
-    Path path = Path.of("").toAbsolutePath();
+    Path path;
   }
 
   private final WorkingDirectory working;

@@ -253,6 +253,7 @@ public final class Shell {
   private boolean isShown(UrbiObject value) {
     return value != null
         && value != interpreter.values().voidObject
+        && value != interpreter.values().acceptedVoid
         && value != interpreter.values().nil;
   }
 

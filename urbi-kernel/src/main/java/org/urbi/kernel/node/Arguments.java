@@ -2,28 +2,37 @@ package org.urbi.kernel.node;
 
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Span;
 
 /** Evaluates the arguments of calls: none may be void. */
 final class Arguments {
   private Arguments() {}
 
-  static UrbiObject notVoid(Frame frame, Node node) {
+  /**
+   * The value of a node that a construct uses.
+   *
+   * @param at the construct, which is where the error is
+   */
+  static UrbiObject notVoid(Frame frame, Node node, Span at) {
     UrbiObject value = node.execute(frame);
     if (value == frame.interpreter.values().voidObject) {
-      throw unexpectedVoid(frame, node);
+      throw unexpectedVoid(frame, at);
     }
     return value;
   }
 
-  private static UrbiException unexpectedVoid(Frame frame, Node node) {
-    return frame.located(frame.interpreter.errors().unexpectedVoid(), node.span());
+  private static UrbiException unexpectedVoid(Frame frame, Span at) {
+    return frame.located(frame.interpreter.errors().unexpectedVoid(), at);
   }
 
-  /** Evaluates the arguments into an array of at least that size, from its beginning. */
+  /**
+   * Evaluates the arguments into an array of at least that size, from its beginning. The call says
+   * where the error is.
+   */
   static UrbiObject[] evaluate(Frame frame, Node[] nodes, int size) {
     UrbiObject[] values = new UrbiObject[size];
     for (int i = 0; i < nodes.length; i++) {
-      values[i] = notVoid(frame, nodes[i]);
+      values[i] = frame.interpreter.notVoid(nodes[i].execute(frame));
     }
     return values;
   }

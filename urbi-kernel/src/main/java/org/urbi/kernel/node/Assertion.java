@@ -1,7 +1,6 @@
 package org.urbi.kernel.node;
 
 import java.util.List;
-import java.util.Map;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
@@ -12,13 +11,32 @@ import org.urbi.lang.source.Span;
  * the values that it had (manual, "Assertions").
  */
 public final class Assertion extends Node {
-  private static final Map<String, String> OPPOSITES =
-      Map.of(
-          "==", "!=", "!=", "==", "===", "!==", "!==", "===", "<", ">=", "<=", ">", ">", "<=", ">=",
-          "<", "~=", "!~=", "in", "not in");
-
   /** The claim, taken apart so that the message can show the values of its parts. */
-  public record Claim(String text, Node whole, Node target, Symbol message, List<Node> arguments) {}
+  public record Claim(
+      String text,
+      Node whole,
+      String operator,
+      Node target,
+      Symbol message,
+      List<Node> arguments) {}
+
+  /** What is declared among the claims; like them, only if they are checked. */
+  public static final class Declared extends Node {
+    private final Node declaration;
+
+    public Declared(Span span, Node declaration) {
+      super(span);
+      this.declaration = declaration;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      if (!frame.interpreter.assertionsDisabled()) {
+        declaration.execute(frame);
+      }
+      return frame.interpreter.values().voidObject;
+    }
+  }
 
   private final Claim claim;
 
@@ -39,7 +57,12 @@ public final class Assertion extends Node {
     if (claim.message == null) {
       UrbiObject value = claim.whole.execute(frame);
       if (!Truth.of(frame, value)) {
-        fail(frame, claim.text + " == " + interpreter.asPrintable(frame, value));
+        // A construct, printed on lines of its own, says what it does: no value is added.
+        fail(
+            frame,
+            claim.text.indexOf('\n') >= 0
+                ? null
+                : claim.text + " == " + interpreter.asPrintable(frame, value));
       }
       return interpreter.values().voidObject;
     }
@@ -52,6 +75,9 @@ public final class Assertion extends Node {
     return interpreter.values().voidObject;
   }
 
+  /**
+   * @param effective the claim with the values of its parts, or null
+   */
   private void fail(Frame frame, String effective) {
     UrbiException error =
         frame
@@ -61,9 +87,29 @@ public final class Assertion extends Node {
                 "Assertion",
                 "failed assertion: "
                     + claim.text
-                    + (frame.interpreter.assertionsShowValues() ? " (" + effective + ")" : ""))
+                    + (frame.interpreter.assertionsShowValues() && effective != null
+                        ? " (" + effective + ")"
+                        : ""))
             .build();
     throw frame.located(error, span());
+  }
+
+  /** What holds where a comparison does not. */
+  private static String opposite(String operator) {
+    return switch (operator) {
+      case "==" -> "!=";
+      case "!=" -> "==";
+      case "===" -> "!==";
+      case "!==" -> "===";
+      case "<" -> ">=";
+      case "<=" -> ">";
+      case ">" -> "<=";
+      case ">=" -> "<";
+      case "~=" -> "!~=";
+      case "in" -> "not in";
+      case "not in" -> "in";
+      default -> null;
+    };
   }
 
   /** Sends the message of a claim and remembers the arguments that were evaluated. */
@@ -108,13 +154,13 @@ public final class Assertion extends Node {
 
     String shown(Frame frame, UrbiObject target, UrbiObject value) {
       Interpreter interpreter = frame.interpreter;
-      String opposite = OPPOSITES.get(claim.message.name());
-      if (opposite != null && seen.length == 1) {
-        return interpreter.asPrintable(frame, target)
-            + " "
-            + opposite
-            + " "
-            + (seen[0] == null ? "?" : interpreter.asPrintable(frame, seen[0]));
+      String opposite = claim.operator == null ? null : opposite(claim.operator);
+      if (opposite != null) {
+        String left = interpreter.asPrintable(frame, target);
+        String right = seen[0] == null ? "?" : interpreter.asPrintable(frame, seen[0]);
+        return claim.operator.endsWith("in")
+            ? right + " " + opposite + " " + left
+            : left + " " + opposite + " " + right;
       }
       var text = new StringBuilder();
       if (claim.target != null) {

@@ -3,7 +3,7 @@ package org.urbi.kernel.node;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
-/** {@code call}. */
+/** {@code call} outside of functions; in a function, the call message is a variable. */
 public final class CallMessageNode extends Node {
   public CallMessageNode(Span span) {
     super(span);
@@ -12,5 +12,23 @@ public final class CallMessageNode extends Node {
   @Override
   public UrbiObject execute(Frame frame) {
     return CallMessages.of(frame);
+  }
+
+  /** The body of a function that asks for its call message: one for each call. */
+  public static final class Declared extends Node {
+    private final Node body;
+    private final Variables.Place place;
+
+    public Declared(Node body, Variables.Place place) {
+      super(body.span());
+      this.body = body;
+      this.place = place;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      place.declare(frame, CallMessages.of(frame));
+      return body.execute(frame);
+    }
   }
 }

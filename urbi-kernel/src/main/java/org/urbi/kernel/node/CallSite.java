@@ -10,6 +10,11 @@ public interface CallSite {
   /** The place in the backtrace; null when there is none. */
   Span calledSpan();
 
+  /** Whether backtraces tell of it. */
+  default boolean isTraced() {
+    return true;
+  }
+
   /** The arguments, as code; null when they came from Java. */
   default Node[] argumentNodes() {
     return null;

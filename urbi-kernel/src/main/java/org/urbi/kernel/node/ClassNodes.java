@@ -33,7 +33,7 @@ public final class ClassNodes {
     public UrbiObject execute(Frame frame) {
       UrbiObject[] parents = new UrbiObject[protos.length];
       for (int i = 0; i < parents.length; i++) {
-        parents[i] = Arguments.notVoid(frame, protos[i]);
+        parents[i] = Arguments.notVoid(frame, protos[i], span());
       }
       UrbiObject first = parents.length == 0 ? interpreter.values().object : parents[0];
       UrbiObject object = first.cloned();

@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
@@ -25,7 +26,13 @@ public final class Conditionals {
 
     @Override
     public UrbiObject execute(Frame frame) {
-      if (condition.test(frame)) {
+      boolean holds;
+      try {
+        holds = condition.test(frame);
+      } catch (UrbiException e) {
+        throw frame.located(e, span());
+      }
+      if (holds) {
         return thenClause.execute(frame);
       }
       return elseClause == null ? frame.interpreter.values().voidObject : elseClause.execute(frame);

@@ -17,6 +17,7 @@ public final class CoreSymbols {
   public final Symbol fallback;
   public final Symbol init;
   public final Symbol matchAgainst;
+  public final Symbol parentheses;
   public final Symbol type;
 
   CoreSymbols(World world) {
@@ -32,6 +33,7 @@ public final class CoreSymbols {
     fallback = world.symbol("fallback");
     init = world.symbol("init");
     matchAgainst = world.symbol("matchAgainst");
+    parentheses = world.symbol("()");
     type = world.symbol("type");
   }
 }

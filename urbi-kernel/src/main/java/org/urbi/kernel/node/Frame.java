@@ -214,7 +214,7 @@ public final class Frame {
   public List<UrbiException.Call> backtrace() {
     List<UrbiException.Call> calls = new ArrayList<>();
     for (Frame frame = this; frame != null; frame = frame.caller) {
-      if (frame.site != null) {
+      if (frame.site != null && frame.site.isTraced()) {
         calls.add(new UrbiException.Call(frame.site.calledName(), frame.site.calledSpan()));
       }
       if (calls.size() >= 10_000) {

@@ -73,7 +73,7 @@ public final class InPlace extends Node implements CallSite {
       UrbiObject[] parts = new UrbiObject[1 + indices.length];
       parts[0] = target.execute(frame);
       for (int i = 0; i < indices.length; i++) {
-        parts[i + 1] = Arguments.notVoid(frame, indices[i]);
+        parts[i + 1] = frame.interpreter.notVoid(indices[i].execute(frame));
       }
       return parts;
     }
@@ -202,7 +202,7 @@ public final class InPlace extends Node implements CallSite {
       UrbiObject after =
           operand == null
               ? successor(frame, before)
-              : combined(frame, before, Arguments.notVoid(frame, operand));
+              : combined(frame, before, Arguments.notVoid(frame, operand, span()));
       frame.locals[local] = after;
       return operand == null ? before : after;
     } catch (UrbiException e) {
@@ -219,7 +219,7 @@ public final class InPlace extends Node implements CallSite {
         access.write(frame, parts, successor(frame, before));
         return before;
       }
-      UrbiObject after = combined(frame, before, Arguments.notVoid(frame, operand));
+      UrbiObject after = combined(frame, before, Arguments.notVoid(frame, operand, span()));
       access.write(frame, parts, after);
       return after;
     } catch (UrbiException e) {

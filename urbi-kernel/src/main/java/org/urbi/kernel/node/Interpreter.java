@@ -28,7 +28,15 @@ public final class Interpreter {
     public Span calledSpan() {
       return null;
     }
+
+    @Override
+    public boolean isTraced() {
+      return false;
+    }
   }
+
+  /** No data are nested as deeply, unless they are within themselves. */
+  private static final int MAXIMUM_NESTED_SENDS = 10_000;
 
   private static final CallSite FROM_JAVA = new JavaSite(null);
 
@@ -145,21 +153,39 @@ public final class Interpreter {
       return own.call(caller, site, code, values.listOf(all));
     }
     if (arguments.length > 0) {
+      if (code.lookup(symbols.parentheses) instanceof Code own) {
+        return call(caller, site, own, code, arguments);
+      }
       throw errors.arity(
           site.calledName() == null ? "apply" : site.calledName(), arguments.length, 0, 0);
     }
     return code;
   }
 
-  /** Sends a message. */
+  /**
+   * Sends a message. What recurs here without end, such as the comparison of a list with another
+   * one when both are their own elements, has exhausted the stack.
+   */
   public UrbiObject send(Frame caller, UrbiObject target, String message, UrbiObject... arguments) {
-    return send(caller, new JavaSite(message), target, world.symbol(message), arguments);
+    if (++caller.job.nestedSends > Math.min(MAXIMUM_NESTED_SENDS, maximumDepth)) {
+      caller.job.nestedSends--;
+      throw errors.scheduling("stack exhausted");
+    }
+    try {
+      return send(caller, new JavaSite(message), target, world.symbol(message), arguments);
+    } finally {
+      caller.job.nestedSends--;
+    }
   }
 
   /** Sends a message on behalf of a library function called at that site. */
   public UrbiObject send(
       Frame caller, CallSite site, UrbiObject target, Symbol message, UrbiObject... arguments) {
-    UrbiObject found = get(caller, target, message);
+    UrbiObject found = SlotLookup.find(caller, target, message);
+    if (found == null) {
+      return fallback(
+          caller, new EvaluatedSite(new JavaSite(message.name()), arguments), target, message);
+    }
     if (found instanceof Code) {
       return call(caller, site, found, target, arguments);
     }
@@ -167,6 +193,15 @@ public final class Interpreter {
       throw errors.arity(message.name(), arguments.length, 0, 0);
     }
     return found;
+  }
+
+  /**
+   * Sends a message for which the target has no slot: its {@code fallback} answers, if it has one.
+   *
+   * @param site has the name and the arguments of the message
+   */
+  public UrbiObject fallback(Frame caller, CallSite site, UrbiObject target, Symbol message) {
+    return Calls.fallback(caller, site, target, message, site.argumentNodes());
   }
 
   /** The value of a slot, not called if it is a function. */

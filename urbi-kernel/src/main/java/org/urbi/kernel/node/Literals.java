@@ -65,7 +65,7 @@ public final class Literals {
     public UrbiObject execute(Frame frame) {
       var list = new ArrayList<UrbiObject>(elements.length);
       for (Node element : elements) {
-        list.add(Arguments.notVoid(frame, element));
+        list.add(Arguments.notVoid(frame, element, span()));
       }
       var values = frame.interpreter.values();
       return tuple ? values.tuple(list) : values.listOf(list);
@@ -88,8 +88,8 @@ public final class Literals {
       Map<UrbiDictionary.Key, UrbiObject> entries = new LinkedHashMap<>();
       for (int i = 0; i < keys.length; i++) {
         entries.put(
-            DictionaryKey.of(frame, Arguments.notVoid(frame, keys[i])),
-            Arguments.notVoid(frame, values[i]));
+            DictionaryKey.of(frame, Arguments.notVoid(frame, keys[i], span())),
+            Arguments.notVoid(frame, values[i], span()));
       }
       return frame.interpreter.values().dictionary(entries);
     }

@@ -6,6 +6,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.time.Clock;
 
 /** What a piece of code calls, how often, and for how long (manual, "Profile"). */
@@ -89,10 +90,56 @@ public final class Profiler {
     return null;
   }
 
+  /**
+   * Code that a job leaves behind, to be executed later and perhaps elsewhere: what that does then
+   * still counts for the profiler of the job.
+   *
+   * @param name what the executions of the code count as
+   * @param code may be null
+   * @return the code itself, when nobody observes the job
+   */
+  public static Node observing(Job job, String name, Node code) {
+    return code != null && job.observer instanceof Stack stack
+        ? stack.profiler().new Observed(name, code)
+        : code;
+  }
+
+  /** Code that counts for this profiler, whoever executes it. */
+  private final class Observed extends Node {
+    private final String name;
+    private final Node code;
+
+    Observed(String name, Node code) {
+      super(code.span());
+      this.name = name;
+      this.code = code;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      Job job = frame.job;
+      Job.Observer before = job.observer;
+      Stack stack =
+          before instanceof Stack going && going.profiler() == Profiler.this ? going : new Stack();
+      job.observer = stack;
+      stack.enter(name, code);
+      try {
+        return code.execute(frame);
+      } finally {
+        stack.leave();
+        job.observer = before;
+      }
+    }
+  }
+
   /** The calls that are going on in one job. */
   final class Stack implements Job.Observer {
     private final ArrayDeque<Calls> going = new ArrayDeque<>();
     private long since = clock.now();
+
+    private Profiler profiler() {
+      return Profiler.this;
+    }
 
     private void enter(String name, Object key) {
       account();

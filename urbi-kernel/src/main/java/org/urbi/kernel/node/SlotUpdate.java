@@ -14,6 +14,9 @@ public final class SlotUpdate {
     void emit(Frame frame, UrbiObject... payload);
   }
 
+  /** A setter that does all there is to do: it tells those who watch the slot, too. */
+  public interface Whole {}
+
   /**
    * {@code setSlot}: creates a slot.
    *
@@ -51,7 +54,8 @@ public final class SlotUpdate {
     }
     UrbiObject holder = target.locate(name);
     if (holder == null) {
-      throw frame.interpreter.errors().lookup(target, name.name());
+      assignMissing(frame, target, name, value);
+      return;
     }
     int inherited = holder.shape().indexOf(name);
     if (holder.shape().writeSpecial(inherited)) {
@@ -64,6 +68,17 @@ public final class SlotUpdate {
     target.addSlot(name, value);
   }
 
+  /** What an assignment means that finds no slot: an error, unless the object says otherwise. */
+  private static void assignMissing(Frame frame, UrbiObject target, Symbol name, UrbiObject value) {
+    Symbol updateSlot = frame.interpreter.world().symbol("updateSlot");
+    UrbiObject own = target.lookup(updateSlot);
+    if (!(own instanceof Function)) {
+      throw frame.interpreter.errors().lookup(target, name.name());
+    }
+    frame.interpreter.call(
+        frame, own, target, frame.interpreter.values().string(name.name()), value);
+  }
+
   private static void assignSpecial(
       Frame frame, UrbiObject target, UrbiObject holder, Symbol name, UrbiObject value) {
     SlotData data = holder.slotData(name);
@@ -72,6 +87,9 @@ public final class SlotUpdate {
     }
     if (data.setter != null) {
       frame.interpreter.call(frame, data.setter, target, value);
+      if (data.setter instanceof Whole) {
+        return;
+      }
     } else {
       holder.setSlotAt(holder.shape().indexOf(name), value);
     }

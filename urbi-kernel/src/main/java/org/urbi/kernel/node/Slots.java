@@ -44,7 +44,7 @@ public final class Slots {
     @Override
     public UrbiObject execute(Frame frame) {
       UrbiObject object = target.execute(frame);
-      UrbiObject initial = Variables.initialValue(frame, value);
+      UrbiObject initial = Variables.initialValue(frame, value, nameSpan);
       try {
         if (type != null && value != null) {
           TypeCheck.check(frame, name.name(), 1, initial, type.execute(frame));
@@ -78,7 +78,7 @@ public final class Slots {
     @Override
     public UrbiObject execute(Frame frame) {
       UrbiObject object = target.execute(frame);
-      UrbiObject assigned = Arguments.notVoid(frame, value);
+      UrbiObject assigned = Arguments.notVoid(frame, value, span());
       return assign(frame, object, assigned);
     }
 

@@ -59,7 +59,7 @@ public final class Trajectory extends Node implements CallSite {
     for (int i = 0; i < names.length; i++) {
       attributes.put(
           DictionaryKey.of(frame, interpreter.values().string(names[i])),
-          Arguments.notVoid(frame, values[i]));
+          Arguments.notVoid(frame, values[i], span()));
     }
     UrbiObject goal = target.execute(frame);
     if (goal instanceof UrbiFloat number && Double.isNaN(number.value())) {

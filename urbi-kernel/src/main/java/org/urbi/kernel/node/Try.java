@@ -55,10 +55,15 @@ public final class Try extends Node {
     } catch (UrbiException e) {
       return handle(frame, e);
     } catch (StackOverflowError e) {
-      return handle(
-          frame, frame.located(frame.interpreter.errors().scheduling("stack exhausted"), span()));
+      return handle(frame, exhausted(frame, "stack exhausted"));
+    } catch (OutOfMemoryError e) {
+      return handle(frame, exhausted(frame, "memory exhausted"));
     }
     return elseClause == null || frame.completion != null ? value : elseClause.execute(frame);
+  }
+
+  private UrbiException exhausted(Frame frame, String message) {
+    return frame.located(frame.interpreter.errors().scheduling(message), span());
   }
 
   private UrbiObject handle(Frame frame, UrbiException exception) {

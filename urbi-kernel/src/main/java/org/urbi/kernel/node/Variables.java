@@ -62,10 +62,19 @@ public final class Variables {
   public static final class Place {
     private final int index;
     private final boolean shared;
+    private final boolean begun;
 
     public Place(int index, boolean shared) {
+      this(index, shared, false);
+    }
+
+    /**
+     * @param begun whether the variable lives already when it is declared: another job declares it
+     */
+    public Place(int index, boolean shared, boolean begun) {
       this.index = index;
       this.shared = shared;
+      this.begun = begun;
     }
 
     /** The index of a plain variable among the locals of its frame; -1 for a shared one. */
@@ -75,7 +84,9 @@ public final class Variables {
 
     /** Begins the life of the variable. */
     public void declare(Frame frame, UrbiObject value) {
-      if (shared) {
+      if (begun) {
+        assign(frame, value);
+      } else if (shared) {
         frame.cells[index] = new Cell(value);
       } else {
         frame.locals[index] = value;
@@ -100,6 +111,7 @@ public final class Variables {
     private final String name;
 
     /**
+     * @param span where the name is written
      * @param value null for void
      * @param type the type that it must have, or null
      */
@@ -113,7 +125,7 @@ public final class Variables {
 
     @Override
     public UrbiObject execute(Frame frame) {
-      UrbiObject initial = initialValue(frame, value);
+      UrbiObject initial = initialValue(frame, value, span());
       if (type != null && value != null) {
         TypeCheck.check(frame, name, 1, initial, type.execute(frame));
       }
@@ -144,8 +156,10 @@ public final class Variables {
   }
 
   /** The initial value of a variable: void when there is none, but void itself is refused. */
-  static UrbiObject initialValue(Frame frame, Node value) {
-    return value == null ? frame.interpreter.values().voidObject : Arguments.notVoid(frame, value);
+  static UrbiObject initialValue(Frame frame, Node value, Span at) {
+    return value == null
+        ? frame.interpreter.values().voidObject
+        : Arguments.notVoid(frame, value, at);
   }
 
   /** {@code x = value}. */
@@ -161,7 +175,7 @@ public final class Variables {
 
     @Override
     public UrbiObject execute(Frame frame) {
-      UrbiObject assigned = Arguments.notVoid(frame, value);
+      UrbiObject assigned = Arguments.notVoid(frame, value, span());
       place.assign(frame, assigned);
       return assigned;
     }

@@ -63,6 +63,11 @@ public final class Values {
     return new UrbiString(stringShape, value);
   }
 
+  /** A new string: one, and then the other. */
+  public UrbiString concatenation(UrbiString first, String second) {
+    return first.followedBy(stringShape, second);
+  }
+
   public UrbiObject bool(boolean value) {
     return value ? trueObject : falseObject;
   }

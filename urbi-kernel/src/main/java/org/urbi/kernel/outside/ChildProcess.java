@@ -45,6 +45,7 @@ public final class ChildProcess {
   public static ChildProcess start(
       Outside outside, Job job, List<String> command, Path directory, Map<String, String> env)
       throws IOException {
+    outside.confinement().checkProcesses();
     return new ChildProcess(
         outside, outside.await(job, () -> builder(command, directory, env).start()));
   }
@@ -57,6 +58,7 @@ public final class ChildProcess {
   public static int run(
       Outside outside, Job job, List<String> command, Path directory, Map<String, String> env)
       throws IOException {
+    outside.confinement().checkProcesses();
     return outside.await(job, () -> builder(command, directory, env).inheritIO().start().waitFor());
   }
 

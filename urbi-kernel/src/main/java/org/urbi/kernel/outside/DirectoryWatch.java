@@ -3,9 +3,7 @@ package org.urbi.kernel.outside;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.ClosedWatchServiceException;
-import java.nio.file.DirectoryStream;
 import java.nio.file.FileSystems;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardWatchEventKinds;
 import java.nio.file.WatchEvent;
@@ -107,9 +105,7 @@ public final class DirectoryWatch implements Closeable {
 
   private static Set<String> names(Path directory) throws IOException {
     Set<String> names = new TreeSet<>();
-    try (DirectoryStream<Path> files = Files.newDirectoryStream(directory)) {
-      files.forEach(file -> names.add(file.getFileName().toString()));
-    }
+    DirectoryTree.names(directory).forEach(name -> names.add(name.toString()));
     return names;
   }
 

@@ -11,7 +11,7 @@ import org.urbi.kernel.job.Job;
 public final class FileSink implements ByteSink {
   private final FileChannel channel;
 
-  public FileSink(Path file) throws IOException {
+  FileSink(Path file) throws IOException {
     channel = FileChannel.open(file, StandardOpenOption.WRITE, StandardOpenOption.APPEND);
   }
 

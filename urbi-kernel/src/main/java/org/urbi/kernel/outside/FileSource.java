@@ -14,7 +14,7 @@ public final class FileSource implements ByteSource {
   private final FileChannel channel;
   private final ByteBuffer buffer = ByteBuffer.allocate(BUFFER).limit(0);
 
-  public FileSource(Path file) throws IOException {
+  FileSource(Path file) throws IOException {
     channel = FileChannel.open(file, StandardOpenOption.READ);
   }
 

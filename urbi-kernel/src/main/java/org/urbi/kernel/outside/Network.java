@@ -39,6 +39,7 @@ public final class Network {
    */
   public static Connected connect(Outside outside, Job job, String host, String port)
       throws IOException {
+    outside.confinement().checkConnections();
     SocketChannel channel = outside.await(job, () -> SocketChannel.open(address(host, port)));
     return connected(outside, channel);
   }
@@ -70,6 +71,7 @@ public final class Network {
   public static Listening listen(
       Outside outside, Job job, String host, String port, Consumer<Connected> listener)
       throws IOException {
+    outside.confinement().checkConnections();
     ServerSocketChannel place =
         outside.await(
             job,
@@ -149,12 +151,23 @@ public final class Network {
   }
 
   /**
+   * The name of this machine, which takes a moment.
+   *
+   * @throws IOException when it has none
+   */
+  public static String localHostName(Outside outside, Job job) throws IOException {
+    outside.confinement().checkConnections();
+    return outside.await(job, () -> InetAddress.getLocalHost().getHostName());
+  }
+
+  /**
    * Opens a serial line while the job waits.
    *
    * @throws IOException when it cannot be opened or has no such speed; the message says why
    */
   public static Link serial(Outside outside, Job job, Path device, int baudRate)
       throws IOException {
+    outside.confinement().checkConnections();
     return outside.await(
         job,
         () -> {

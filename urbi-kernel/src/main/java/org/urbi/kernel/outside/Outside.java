@@ -27,6 +27,8 @@ public final class Outside implements Closeable {
   private static final int WATCH_SPINS = 10_000_000;
 
   private final Scheduler scheduler;
+  private final Confinement confinement;
+  private final Disk disk;
   private final ExecutorService threads =
       Executors.newCachedThreadPool(
           Thread.ofPlatform().daemon().name("urbi-outside-", 0).factory());
@@ -34,8 +36,20 @@ public final class Outside implements Closeable {
   private DirectoryWatch directories;
   private boolean closed;
 
-  public Outside(Scheduler scheduler) {
+  public Outside(Scheduler scheduler, Confinement confinement) {
     this.scheduler = scheduler;
+    this.confinement = confinement;
+    disk = new Disk(confinement);
+  }
+
+  /** What is allowed. */
+  public Confinement confinement() {
+    return confinement;
+  }
+
+  /** Files and directories. */
+  public Disk disk() {
+    return disk;
   }
 
   public Scheduler scheduler() {
@@ -74,7 +88,7 @@ public final class Outside implements Closeable {
     await(
         job,
         () -> {
-          directories().watch(directory, listener);
+          directories().watch(confinement.followed(directory), listener);
           return null;
         },
         WATCH_SPINS);

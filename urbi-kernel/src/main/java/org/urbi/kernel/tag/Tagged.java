@@ -25,11 +25,13 @@ public final class Tagged extends Node {
   @Override
   public UrbiObject execute(Frame frame) {
     UrbiObject value = tag.execute(frame);
+    if (value == frame.interpreter().values().voidObject) {
+      throw frame.located(frame.interpreter().errors().unexpectedVoid(), span());
+    }
     if (!(value instanceof UrbiTag label)) {
       var interpreter = frame.interpreter();
       throw frame.located(
-          interpreter.errors().argumentType("tag", 0, value, interpreter.prototypes().tag, "Tag"),
-          tag.span());
+          interpreter.errors().type(value, interpreter.prototypes().tag, "Tag"), span());
     }
     return run(frame, label, body);
   }

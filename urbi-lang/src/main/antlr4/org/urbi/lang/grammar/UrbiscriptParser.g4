@@ -119,8 +119,8 @@ accessor : (GET | SET) path formals? scope ;
 /** The deprecated "emit e(arguments) ~ duration". */
 emitStatement : EMIT expression (TILDE expression)? ;
 
-/** An expression, "tag: statement", or "e!(arguments) ~ duration". */
-expressionStatement : expression (COLON body | TILDE expression)? ;
+/** An expression, "tag: statement" (the tag is one operand), or "e!(arguments) ~ duration". */
+expressionStatement : head=expression ({isTag($head.ctx)}? COLON body | TILDE expression)? ;
 
 // ------------------------------------------------------------------------------ expressions
 

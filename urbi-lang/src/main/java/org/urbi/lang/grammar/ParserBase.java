@@ -3,6 +3,7 @@ package org.urbi.lang.grammar;
 import org.antlr.v4.runtime.Parser;
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.TokenStream;
+import org.urbi.lang.grammar.UrbiscriptParser.AssignmentContext;
 
 /** Bounds the depth of what is parsed, since the parser is recursive. */
 public abstract class ParserBase extends Parser {
@@ -13,6 +14,13 @@ public abstract class ParserBase extends Parser {
 
   protected ParserBase(TokenStream input) {
     super(input);
+  }
+
+  /** Whether an expression may stand before a colon: it has no operators but assignment. */
+  protected static boolean isTag(ParserRuleContext expression) {
+    return expression == null
+        || expression.getChildCount() == 1
+        || (expression.getChildCount() == 2 && expression.getChild(1) instanceof AssignmentContext);
   }
 
   @Override

@@ -100,13 +100,13 @@ final class FunctionBuilder {
         builder.span(context),
         lvalue(context.postfix()),
         protos(context.protos()),
-        context.scope() == null ? null : builder.statements.scope(context.scope()));
+        context.scope() == null ? null : builder.statements.slots(context.scope()));
   }
 
   Ast packageDefinition(PackageDefinitionContext context) {
     Span span = builder.span(context);
     Ast.Message name = path(context.path());
-    Ast.Scope body = builder.statements.scope(context.scope());
+    Ast.Scope body = builder.statements.slots(context.scope());
     // A package with prototypes is a class in a package: "package lang.Point : Serializable {}".
     return context.protos() == null
         ? new Ast.PackageDefinition(span, name, body)

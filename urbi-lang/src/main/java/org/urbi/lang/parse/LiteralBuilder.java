@@ -74,7 +74,7 @@ final class LiteralBuilder {
           new Ast.Do(
               span,
               context.expression() == null ? null : plain(context.expression()),
-              outsidePattern(() -> builder.statements.scope(context.scope())));
+              outsidePattern(() -> builder.statements.slots(context.scope())));
     };
   }
 

@@ -2,6 +2,7 @@ package org.urbi.lang.parse;
 
 import java.util.ArrayList;
 import java.util.EnumSet;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import org.antlr.v4.runtime.ParserRuleContext;
@@ -10,6 +11,7 @@ import org.antlr.v4.runtime.tree.ParseTree;
 import org.antlr.v4.runtime.tree.TerminalNode;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.ast.Ast.Flavor;
+import org.urbi.lang.ast.LocalNames;
 import org.urbi.lang.grammar.UrbiscriptParser;
 import org.urbi.lang.grammar.UrbiscriptParser.AccessorContext;
 import org.urbi.lang.grammar.UrbiscriptParser.AssertStatementContext;
@@ -130,8 +132,21 @@ final class StatementBuilder {
     return new Ast.Scope(span, new Ast.Sequence(span, List.of(), List.of()));
   }
 
-  Ast.Scope scope(ScopeContext context) {
+  /** A scope whose declarations make slots of an object: the body of a class. */
+  Ast.Scope slots(ScopeContext context) {
     return new Ast.Scope(builder.span(context), sequence(context.sequence()));
+  }
+
+  /** A scope whose declarations make local variables, each once. */
+  Ast.Scope scope(ScopeContext context) {
+    Ast.Scope scope = slots(context);
+    var names = new HashSet<String>();
+    for (LocalNames.Named named : LocalNames.in(scope.body())) {
+      if (!names.add(named.name())) {
+        throw builder.failure(named.declaration().span(), "variable redefinition: " + named.name());
+      }
+    }
+    return scope;
   }
 
   /** What a control structure governs; nothing at all is allowed but suspect. */

@@ -7,7 +7,10 @@ import java.util.List;
 import java.util.Optional;
 import org.urbi.server.options.Failure;
 
-/** Where urbiscript files are looked for: {@code URBI_PATH} (manual, section 21.1.1). */
+/**
+ * Where files are looked for: {@code URBI_PATH}, {@code URBI_UOBJECT_PATH} (manual, section
+ * 21.1.1).
+ */
 public record SearchPath(List<Path> directories) {
   /**
    * Reads the value of a path variable: folders between colons; a lone colon (at the beginning, at
@@ -32,10 +35,19 @@ public record SearchPath(List<Path> directories) {
     return new SearchPath(List.copyOf(directories));
   }
 
-  /** The standard path of an installation: the current folder, then the library's. */
+  /**
+   * The standard path of an installation: the current folder, then the library's, whose files are
+   * known as {@code component.u} and {@code urbi/component.u}.
+   */
   public static List<Path> standard(Path root) {
-    Path share = root.resolve("share").resolve("urbi");
-    return Files.isDirectory(share) ? List.of(Path.of("."), share) : List.of(Path.of("."));
+    Path share = root.resolve("share");
+    return List.of(Path.of("."), share, share.resolve("urbi"));
+  }
+
+  /** Where an installation has UObjects: the current folder, then its own. */
+  public static List<Path> standardModules(Path root) {
+    Path uobjects = root.resolve("share").resolve("uobjects");
+    return Files.isDirectory(uobjects) ? List.of(Path.of("."), uobjects) : List.of(Path.of("."));
   }
 
   /** The first file of one of these names. */

@@ -49,6 +49,7 @@ final class Server {
         Kernel.builder()
             .virtualTime(settings.fast())
             .searchPath(settings.searchPath().directories())
+            .moduleSearchPath(settings.moduleSearchPath().directories())
             .stackSize(settings.stackSize())
             .commandLine(settings.program(), settings.arguments())
             .onHalt(this::halt)
@@ -109,7 +110,11 @@ final class Server {
     try {
       ConsoleServer server =
           new ConsoleServer(
-              address, client -> connect(client, false), Limits.DEFAULT, settings.trace());
+              address,
+              client -> connect(client, false),
+              kernel::connectRemote,
+              Limits.DEFAULT,
+              settings.trace());
       writePortFile(server.port());
       if (!settings.quiet()) {
         settings.trace().log("listening on " + settings.host() + ":" + server.port());
@@ -130,6 +135,8 @@ final class Server {
       Path part = file.resolveSibling(file.getFileName() + ".part");
       Files.writeString(part, port + "\n");
       Files.move(part, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+      // A termination signal ends the process without what follows the end of the kernel.
+      file.toFile().deleteOnExit();
     } catch (IOException e) {
       throw Failure.of("cannot write the port file " + file + ": " + e.getMessage());
     }

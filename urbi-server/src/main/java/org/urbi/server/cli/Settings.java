@@ -7,6 +7,7 @@ import org.urbi.server.Trace;
 /**
  * What the command line of {@code urbi} asks for.
  *
+ * @param moduleSearchPath where UObjects are looked for
  * @param fast whether time is simulated
  * @param stackSize of a job, in KiB; 0: the kernel's choice
  * @param quiet whether clients are not sent a banner
@@ -21,6 +22,7 @@ import org.urbi.server.Trace;
 record Settings(
     Trace trace,
     SearchPath searchPath,
+    SearchPath moduleSearchPath,
     boolean fast,
     int stackSize,
     boolean quiet,

@@ -104,6 +104,8 @@ public final class UrbiCommand {
     return new Settings(
         trace(arguments),
         SearchPath.of(System.getenv("URBI_PATH"), SearchPath.standard(SearchPath.root())),
+        SearchPath.of(
+            System.getenv("URBI_UOBJECT_PATH"), SearchPath.standardModules(SearchPath.root())),
         arguments.has("--fast"),
         stackSize(arguments),
         arguments.has("--quiet"),

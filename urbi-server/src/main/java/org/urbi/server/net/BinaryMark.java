@@ -2,18 +2,21 @@ package org.urbi.server.net;
 
 /**
  * Tells which bytes of a stream of urbiscript belong to the payload of a binary literal: in {@code
- * BIN 4 jpeg 2 2;abcd} the four after the semicolon. They may have any value, and are not to be
- * taken for telnet commands.
+ * BIN 4 jpeg 2 2;abcd} the four after the semicolon, and so in {@code "\\B(4)(abcd)"}. They may
+ * have any value, and are not to be taken for telnet commands.
  *
  * <p>It looks at one byte after the other and knows nothing of strings or comments: at worst a
  * telnet command that follows a string with such a text goes to the parser.
  */
 final class BinaryMark {
   private static final String WORD = "BIN";
-  private static final int LONGEST_HEADER = 256;
+  private static final String ESCAPE_BEFORE = "B(";
+  private static final String ESCAPE_AFTER = ")(";
+  private static final int LONGEST_HEADER = 1024;
 
   private enum State {
     TEXT,
+    ESCAPE,
     SIZE,
     KEYWORDS,
     PAYLOAD
@@ -35,6 +38,7 @@ final class BinaryMark {
   void accept(byte b) {
     switch (state) {
       case TEXT -> text(b);
+      case ESCAPE -> escape(b);
       case SIZE, KEYWORDS -> header(b);
       case PAYLOAD -> {
         if (--size == 0) {
@@ -45,6 +49,13 @@ final class BinaryMark {
   }
 
   private void text(byte b) {
+    if (b == '\\') {
+      state = State.ESCAPE;
+      matched = 0;
+      sized = false;
+      size = 0;
+      return;
+    }
     boolean letter = Character.isLetterOrDigit(b & 0xff) || b == '_';
     if (matched == WORD.length() && (b == ' ' || b == '\t')) {
       state = State.SIZE;
@@ -56,6 +67,30 @@ final class BinaryMark {
     boolean next = matched < WORD.length() && b == WORD.charAt(matched);
     matched = next && (matched > 0 || !inWord) ? matched + 1 : 0;
     inWord = letter;
+  }
+
+  /** What follows a backslash: {@code B(size)(}, or anything else. */
+  private void escape(byte b) {
+    int after = matched - ESCAPE_BEFORE.length();
+    if (after < 0 && b == ESCAPE_BEFORE.charAt(matched)
+        || after >= 0 && sized && b == ESCAPE_AFTER.charAt(after)) {
+      matched++;
+    } else if (after == 0 && b >= '0' && b <= '9') {
+      sized = true;
+      size = Math.min(size * 10 + (b - '0'), Integer.MAX_VALUE);
+    } else {
+      boolean first = matched == 0;
+      reset();
+      if (!first) {
+        text(b);
+      }
+    }
+    if (state == State.ESCAPE && after == ESCAPE_AFTER.length() - 1) {
+      state = State.PAYLOAD;
+      if (size == 0) {
+        reset();
+      }
+    }
   }
 
   private void header(byte b) {

@@ -16,10 +16,14 @@ import io.netty.util.concurrent.GlobalEventExecutor;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BiFunction;
 import java.util.function.Function;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
+import org.urbi.kernel.remote.RemotePeer;
+import org.urbi.kernel.remote.RemoteWire;
 import org.urbi.server.Trace;
+import org.urbi.server.Version;
 
 /**
  * Listens for telnet-like clients and gives each its lobby (options {@code --host} and {@code
@@ -44,6 +48,26 @@ public final class ConsoleServer implements AutoCloseable {
   public ConsoleServer(
       InetSocketAddress address, Function<Client, Connection> lobbies, Limits limits, Trace trace)
       throws IOException {
+    this(address, lobbies, null, limits, trace);
+  }
+
+  /**
+   * Starts listening, for processes with UObjects, too.
+   *
+   * @param address where; port 0 takes any free one, see {@link #port}
+   * @param lobbies makes the lobby of a new client, and may welcome it; called on the network
+   *     thread
+   * @param remotes makes the kernel's side of a process with UObjects, given its name for people
+   *     and the way to it; null if there are to be none
+   * @throws IOException if the address cannot be listened to; the message says which and why
+   */
+  public ConsoleServer(
+      InetSocketAddress address,
+      Function<Client, Connection> lobbies,
+      BiFunction<String, RemoteWire, RemotePeer> remotes,
+      Limits limits,
+      Trace trace)
+      throws IOException {
     loop =
         new MultiThreadIoEventLoopGroup(
             1, new DefaultThreadFactory("urbi-network", true), NioIoHandler.newFactory());
@@ -61,6 +85,13 @@ public final class ConsoleServer implements AutoCloseable {
                   @Override
                   protected void initChannel(Channel client) {
                     clients.add(client);
+                    if (remotes != null) {
+                      client
+                          .pipeline()
+                          .addLast(
+                              new ProtocolSwitch(
+                                  () -> new FrameHandler(remotes, trace), Version.number()));
+                    }
                     client
                         .pipeline()
                         .addLast(new TelnetDecoder(), new ConsoleHandler(lobbies, limits, trace));

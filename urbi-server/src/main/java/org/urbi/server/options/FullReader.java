@@ -9,6 +9,7 @@ import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.PositionalParamSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Reads any command line, prints the help, and says what is wrong; the only user of picocli. */
 final class FullReader {
@@ -105,6 +106,10 @@ final class FullReader {
       List<String> rest = parsed.matchedPositionalValue(0, List.of());
       reading.rest().addAll(rest);
       return Optional.of(reading);
+    } catch (UnmatchedArgumentException e) {
+      String unmatched = e.getUnmatched().getFirst();
+      throw Failure.usage(
+          unmatched.startsWith("-") ? "invalid option: " + unmatched : e.getMessage());
     } catch (ParameterException e) {
       throw Failure.usage(e.getMessage());
     }

@@ -75,7 +75,7 @@ public final class Program {
     } catch (Failure e) {
       err.println(name + ": " + e.getMessage());
       if (e.isMisuse()) {
-        err.println("Try '" + name + " --help' for more information.");
+        err.println("Try `" + name + " --help' for more information.");
       }
       return e.status();
     }

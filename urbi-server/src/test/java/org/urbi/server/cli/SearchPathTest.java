@@ -39,6 +39,12 @@ class SearchPathTest {
   }
 
   @Test
+  void theStandardPathHasTheLibraryWithAndWithoutItsName(@TempDir Path root) {
+    Path share = root.resolve("share");
+    assertEquals(List.of(Path.of("."), share, share.resolve("urbi")), SearchPath.standard(root));
+  }
+
+  @Test
   void theFirstFolderThatHasTheFileWins(@TempDir Path folder) throws IOException {
     Path first = Files.createDirectory(folder.resolve("first"));
     Path second = Files.createDirectory(folder.resolve("second"));

@@ -111,6 +111,19 @@ class UrbiCommandTest {
   }
 
   @Test
+  void aTerminatedServerLeavesNoPortFile() throws Exception {
+    Path portFile = folder.resolve("port");
+    try (UrbiProcess urbi =
+        new UrbiProcess(
+            folder, Map.of(), "-q", "--port=0", "--port-file=" + portFile, "-e", "echo(\"up\");")) {
+      assertEquals("[] *** up", urbi.line());
+      assertTrue(Files.exists(portFile));
+      urbi.terminate();
+      assertFalse(Files.exists(portFile));
+    }
+  }
+
+  @Test
   void anInterruptKillsTheForegroundJobOfASession() throws Exception {
     try (UrbiProcess urbi = new UrbiProcess(folder, Map.of(), "-q", "-i")) {
       urbi.send("echo(\"busy\"); sleep(inf);\n");

@@ -55,6 +55,12 @@ final class UrbiProcess implements AutoCloseable {
     new ProcessBuilder("kill", "-INT", String.valueOf(process.pid())).start().waitFor();
   }
 
+  /** Asks it to terminate, and waits until it has. */
+  void terminate() throws InterruptedException {
+    process.destroy();
+    process.waitFor();
+  }
+
   boolean isAlive() {
     return process.isAlive();
   }

@@ -73,7 +73,15 @@ class ProgramTest {
     List<String> lines = err.toString(StandardCharsets.UTF_8).lines().toList();
     assertEquals(2, lines.size(), lines.toString());
     assertTrue(lines.get(0).startsWith("tool: "), lines.get(0));
-    assertEquals("Try 'tool --help' for more information.", lines.get(1));
+    assertEquals("Try `tool --help' for more information.", lines.get(1));
+  }
+
+  @Test
+  void anUnknownOptionIsInvalid() {
+    assertEquals(2, run("--bogus"));
+    assertEquals(
+        List.of("tool: invalid option: --bogus", "Try `tool --help' for more information."),
+        err.toString(StandardCharsets.UTF_8).lines().toList());
   }
 
   @ParameterizedTest

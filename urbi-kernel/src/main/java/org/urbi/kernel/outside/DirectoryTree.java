@@ -1,4 +1,4 @@
-package org.urbi.kernel.library;
+package org.urbi.kernel.outside;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -18,17 +18,14 @@ import java.util.List;
 final class DirectoryTree {
   private DirectoryTree() {}
 
-  /** The names of what is in it, in the order of the alphabet. */
-  static List<String> names(Path directory) throws IOException {
-    List<String> names = new ArrayList<>();
+  /** The names of what is in it, in no order. */
+  static List<Path> names(Path directory) throws IOException {
+    List<Path> names = new ArrayList<>();
     try (DirectoryStream<Path> entries = Files.newDirectoryStream(directory)) {
-      for (Path entry : entries) {
-        names.add(UrbiPath.encoded(entry.getFileName()));
-      }
+      entries.forEach(entry -> names.add(entry.getFileName()));
     } catch (DirectoryIteratorException e) {
       throw e.getCause();
     }
-    names.sort(null);
     return names;
   }
 
@@ -38,12 +35,17 @@ final class DirectoryTree {
     }
   }
 
-  /**
-   * Removes all that is in it.
-   *
-   * @param itself whether to remove the directory, too
-   */
-  static void remove(Path directory, boolean itself) throws IOException {
+  /** Removes all that is in it. */
+  static void clear(Path directory) throws IOException {
+    remove(directory, false);
+  }
+
+  /** Removes it and all that is in it. */
+  static void remove(Path directory) throws IOException {
+    remove(directory, true);
+  }
+
+  private static void remove(Path directory, boolean itself) throws IOException {
     Files.walkFileTree(
         directory,
         new SimpleFileVisitor<>() {

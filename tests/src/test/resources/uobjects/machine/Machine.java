@@ -1,0 +1,19 @@
+import java.util.List;
+
+/** Joins pieces, which takes its time; it knows nothing of Urbi. */
+class Machine {
+  private final long milliseconds;
+
+  Machine(double seconds) {
+    milliseconds = Math.round(seconds * 1000);
+  }
+
+  String assemble(List<String> pieces) {
+    try {
+      Thread.sleep(milliseconds);
+    } catch (InterruptedException e) {
+      throw new IllegalStateException("the machine was interrupted", e);
+    }
+    return String.join("", pieces);
+  }
+}

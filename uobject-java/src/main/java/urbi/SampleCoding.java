@@ -1,0 +1,67 @@
+package urbi;
+
+/**
+ * How a sample, from -1 to 1, is kept in bytes, lowest first.
+ *
+ * @param size in bits: 8, 16, 24 or 32, and 64 for floats
+ */
+record SampleCoding(int size, USoundSampleFormat meaning) {
+  SampleCoding {
+    boolean floating = meaning == USoundSampleFormat.SAMPLE_FLOAT;
+    if (floating ? size != 32 && size != 64 : size % 8 != 0 || size < 8 || size > 32) {
+      throw new UConversionException(
+          "samples of " + size + " bits, " + meaning + ", are not supported");
+    }
+  }
+
+  /** How a raw sound keeps them; one that does not tell has bytes without a sign, others with. */
+  static SampleCoding of(USound raw) {
+    USoundSampleFormat meaning = raw.getSampleFormat();
+    if (meaning == null) {
+      meaning =
+          raw.getSampleSize() == 8
+              ? USoundSampleFormat.SAMPLE_UNSIGNED
+              : USoundSampleFormat.SAMPLE_SIGNED;
+    }
+    return new SampleCoding(raw.getSampleSize(), meaning);
+  }
+
+  int bytes() {
+    return size / 8;
+  }
+
+  private double scale() {
+    return 1L << size - 1;
+  }
+
+  double read(byte[] data, int at) {
+    long bits = 0;
+    for (int i = bytes() - 1; i >= 0; i--) {
+      bits = bits << 8 | data[at + i] & 0xff;
+    }
+    return switch (meaning) {
+      case SAMPLE_FLOAT ->
+          size == 32 ? Float.intBitsToFloat((int) bits) : Double.longBitsToDouble(bits);
+      case SAMPLE_SIGNED -> (bits << 64 - size >> 64 - size) / scale();
+      case SAMPLE_UNSIGNED -> (bits - scale()) / scale();
+    };
+  }
+
+  void write(double sample, byte[] data, int at) {
+    long bits =
+        switch (meaning) {
+          case SAMPLE_FLOAT ->
+              size == 32 ? Float.floatToIntBits((float) sample) : Double.doubleToLongBits(sample);
+          case SAMPLE_SIGNED -> quantized(sample);
+          case SAMPLE_UNSIGNED -> quantized(sample) + (1L << size - 1);
+        };
+    for (int i = 0; i < bytes(); i++) {
+      data[at + i] = (byte) (bits >> 8 * i);
+    }
+  }
+
+  private long quantized(double sample) {
+    long most = 1L << size - 1;
+    return Math.clamp(Math.round(sample * most), -most, most - 1);
+  }
+}

@@ -1,0 +1,142 @@
+package urbi;
+
+import java.util.Arrays;
+import java.util.Objects;
+
+/**
+ * Bytes with a header that says what they are (manual, "Using binary types"): {@code jpeg 320 240},
+ * {@code raw 2 44100 16 1} or what their users agree upon.
+ *
+ * <p>Nothing is copied: the binary, the images and sounds made from it and its maker share one
+ * array.
+ */
+public final class UBinary {
+  private static final byte[] NOTHING = {};
+
+  private String message;
+  private byte[] data;
+
+  public UBinary() {
+    this("", NOTHING);
+  }
+
+  /**
+   * @param keywords the header
+   * @param data the bytes; not copied
+   */
+  public UBinary(String keywords, byte[] data) {
+    setMessage(keywords);
+    setData(data);
+  }
+
+  /** Bytes without a header. */
+  public UBinary(byte[] data) {
+    this("", data);
+  }
+
+  /** The same header, and a copy of the data. */
+  public UBinary(UBinary other) {
+    this(other.message, other.data.clone());
+  }
+
+  public UBinary(UImage image) {
+    this(image.headers(), image.getData());
+  }
+
+  public UBinary(USound sound) {
+    this(sound.headers(), sound.getData());
+  }
+
+  /** What the header says it is. */
+  public UBinaryType getType() {
+    if (message.isEmpty() && data.length == 0) {
+      return UBinaryType.BINARY_NONE;
+    }
+    String word = BinaryWords.first(message);
+    if (UImageFormat.parse(word) != UImageFormat.IMAGE_UNKNOWN) {
+      return UBinaryType.BINARY_IMAGE;
+    }
+    return USoundFormat.parse(word) == USoundFormat.SOUND_UNKNOWN
+        ? UBinaryType.BINARY_UNKNOWN
+        : UBinaryType.BINARY_SOUND;
+  }
+
+  /** The header: all that is between the size and the data. */
+  public String getMessage() {
+    return message;
+  }
+
+  /**
+   * Sets the header.
+   *
+   * @throws IllegalArgumentException if it has what ends a header: a semicolon or a line end
+   */
+  public void setMessage(String keywords) {
+    String stripped = keywords.strip();
+    for (int i = 0; i < stripped.length(); i++) {
+      char c = stripped.charAt(i);
+      if (c == ';' || c == '\n' || c == '\r') {
+        throw new IllegalArgumentException(
+            "the header of a binary cannot have a semicolon or a line end: " + stripped);
+      }
+    }
+    message = stripped;
+  }
+
+  /** The bytes; not copied. */
+  public byte[] getData() {
+    return data;
+  }
+
+  /** Sets the bytes; not copied. */
+  public void setData(byte[] bytes) {
+    data = Objects.requireNonNull(bytes, "data");
+  }
+
+  /** How many bytes there are. */
+  public int getSize() {
+    return data.length;
+  }
+
+  /** Makes it empty. */
+  public void clear() {
+    message = "";
+    data = NOTHING;
+  }
+
+  /**
+   * The image that it is.
+   *
+   * @throws UCastException if its header is not an image's
+   */
+  public UImage uimageValue() {
+    return UImage.of(this);
+  }
+
+  /**
+   * The sound that it is.
+   *
+   * @throws UCastException if its header is not a sound's
+   */
+  public USound usoundValue() {
+    return USound.of(this);
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof UBinary that
+        && message.equals(that.message)
+        && Arrays.equals(data, that.data);
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * message.hashCode() + Arrays.hashCode(data);
+  }
+
+  /** The binary as an urbiscript literal, one character for each byte of data. */
+  @Override
+  public String toString() {
+    return UValueWriter.text(new UValue(this));
+  }
+}

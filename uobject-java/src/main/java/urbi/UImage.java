@@ -1,0 +1,109 @@
+package urbi;
+
+import java.util.Arrays;
+import java.util.Objects;
+
+/** An image (manual, "Using binary types"). Its data are shared, not copied. */
+public final class UImage {
+  private static final byte[] NOTHING = {};
+
+  private byte[] data = NOTHING;
+  private int width;
+  private int height;
+  private UImageFormat format = UImageFormat.IMAGE_UNKNOWN;
+
+  /** An image that has nothing yet. */
+  public UImage() {}
+
+  /**
+   * @param width in pixels
+   * @param height in pixels
+   * @param data not copied
+   */
+  public UImage(UImageFormat format, int width, int height, byte[] data) {
+    setImageFormat(format);
+    setWidth(width);
+    setHeight(height);
+    setData(data);
+  }
+
+  static UImage of(UBinary binary) {
+    String header = binary.getMessage();
+    UImageFormat format = UImageFormat.parse(BinaryWords.first(header));
+    if (format == UImageFormat.IMAGE_UNKNOWN) {
+      throw UCastException.to("UImage", new UValue(binary));
+    }
+    var words = new BinaryWords(header);
+    return new UImage(format, words.number(), words.number(), binary.getData());
+  }
+
+  String headers() {
+    return format.format_string() + " " + width + " " + height;
+  }
+
+  /** The bytes; not copied. */
+  public byte[] getData() {
+    return data;
+  }
+
+  /** Sets the bytes; not copied. */
+  public void setData(byte[] bytes) {
+    data = Objects.requireNonNull(bytes, "data");
+  }
+
+  /** How many bytes there are. */
+  public int getSize() {
+    return data.length;
+  }
+
+  /** Pixels in a row. */
+  public int getWidth() {
+    return width;
+  }
+
+  public void setWidth(long pixels) {
+    width = Math.toIntExact(pixels);
+  }
+
+  /** Number of rows. */
+  public int getHeight() {
+    return height;
+  }
+
+  public void setHeight(long pixels) {
+    height = Math.toIntExact(pixels);
+  }
+
+  public UImageFormat getImageFormat() {
+    return format;
+  }
+
+  public void setImageFormat(UImageFormat other) {
+    format = Objects.requireNonNull(other, "format");
+  }
+
+  /** The format's name. */
+  public String format_string() {
+    return format.format_string();
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof UImage that
+        && format == that.format
+        && width == that.width
+        && height == that.height
+        && Arrays.equals(data, that.data);
+  }
+
+  @Override
+  public int hashCode() {
+    return Objects.hash(format, width, height, Arrays.hashCode(data));
+  }
+
+  /** What it is, without the data. */
+  @Override
+  public String toString() {
+    return headers() + " (" + data.length + " bytes)";
+  }
+}

@@ -1,0 +1,186 @@
+package urbi;
+
+import java.io.File;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import urbi.remote.RemoteContext;
+
+/**
+ * Runs UObjects in a process of their own, connected to a server (manual, "Providing a main class
+ * or not"): {@code java -cp liburbijava.jar urbi.UMain machine.jar}.
+ */
+public final class UMain {
+  private static final String USAGE =
+      """
+      usage: java -cp liburbijava.jar urbi.UMain [OPTIONS] JAR... [-- [OPTIONS]]
+
+      Options:
+        -h, --help            output this message and exit successfully
+        -H, --host ADDRESS    address of the server (default: 127.0.0.1)
+        -P, --port PORT       port of the server (default: 54000)
+            --port-file FILE  take the port from FILE
+            --reconnect       connect again whenever the connection is lost
+
+      JARs hold UObjects; they are looked for in the folders of URBI_UOBJECT_PATH.
+      """;
+
+  private static final int RECONNECT_MILLISECONDS = 1000;
+
+  private final PrintStream out;
+  private final PrintStream err;
+  private final List<String> jars = new ArrayList<>();
+  private String host = UAbstractClient.default_host();
+  private int port = UAbstractClient.URBI_PORT;
+  private boolean reconnect;
+
+  private UMain(PrintStream out, PrintStream err) {
+    this.out = out;
+    this.err = err;
+  }
+
+  /** Runs the program until the connection ends. */
+  public static void main(String[] arguments) {
+    System.exit(run(arguments, System.out, System.err));
+  }
+
+  /** Runs the program, and returns its exit status: 0 if the server has said good-bye. */
+  public static int run(String[] arguments, PrintStream out, PrintStream err) {
+    try {
+      UMain main = new UMain(out, err);
+      return main.parse(arguments) ? main.run(UMain::loadAll) : 0;
+    } catch (UModuleException | UClientException | IllegalArgumentException e) {
+      err.println("urbi.UMain: " + e.getMessage());
+      return 1;
+    }
+  }
+
+  /** Runs the UObjects that the program itself has declared, see {@link UObject#UStart}. */
+  static int runProgram(String[] arguments, ClassLoader program) {
+    try {
+      UMain main = new UMain(System.out, System.err);
+      return main.parse(arguments) ? main.run(ignored -> List.of(UModule.of(program))) : 0;
+    } catch (UClientException | IllegalArgumentException e) {
+      System.err.println("urbi.UMain: " + e.getMessage());
+      return 1;
+    }
+  }
+
+  /** What there is to be run. */
+  private interface Modules {
+    List<UModule> load(List<String> jars);
+  }
+
+  private boolean parse(String[] arguments) {
+    for (int i = 0; i < arguments.length; i++) {
+      switch (arguments[i]) {
+        case "-h", "--help" -> {
+          out.print(USAGE);
+          return false;
+        }
+        case "-H", "--host" -> host = value(arguments, ++i);
+        case "-P", "--port" -> port = port(value(arguments, ++i));
+        case "--port-file" -> port = portFrom(value(arguments, ++i));
+        case "--reconnect" -> reconnect = true;
+        case "--" -> {}
+        default -> {
+          if (arguments[i].startsWith("-")) {
+            throw new IllegalArgumentException("unknown option " + arguments[i] + ", see --help");
+          }
+          jars.add(arguments[i]);
+        }
+      }
+    }
+    return true;
+  }
+
+  private static String value(String[] arguments, int index) {
+    if (index >= arguments.length) {
+      throw new IllegalArgumentException(arguments[index - 1] + " wants a value");
+    }
+    return arguments[index];
+  }
+
+  private static int port(String text) {
+    if (!text.matches("\\d{1,5}") || Integer.parseInt(text) > 65535) {
+      throw new IllegalArgumentException("no port: " + text);
+    }
+    return Integer.parseInt(text);
+  }
+
+  private static int portFrom(String file) {
+    try {
+      return port(Files.readString(Path.of(file)).strip());
+    } catch (IOException e) {
+      throw new IllegalArgumentException(
+          "cannot read the port file " + file + ": is the server running?", e);
+    }
+  }
+
+  private static List<UModule> loadAll(List<String> jars) {
+    if (jars.isEmpty()) {
+      throw new IllegalArgumentException("no jar given, see --help");
+    }
+    List<UModule> modules = new ArrayList<>();
+    for (String jar : jars) {
+      modules.add(UModule.load(find(jar)));
+    }
+    return modules;
+  }
+
+  private static Path find(String jar) {
+    String path = System.getenv("URBI_UOBJECT_PATH");
+    for (String folder : (path == null ? "." : path).split(File.pathSeparator)) {
+      Path found = Path.of(folder.isEmpty() ? "." : folder).resolve(jar);
+      if (Files.isRegularFile(found)) {
+        return found;
+      }
+      if (Files.isRegularFile(Path.of(found + ".jar"))) {
+        return Path.of(found + ".jar");
+      }
+    }
+    throw new UModuleException(
+        "JAR archive " + jar + " not found (is URBI_UOBJECT_PATH correctly set?)");
+  }
+
+  private int run(Modules modules) {
+    while (true) {
+      List<UModule> loaded = modules.load(jars);
+      try {
+        String why = serve(loaded);
+        err.println("urbi.UMain: " + why);
+      } catch (UClientException e) {
+        if (!reconnect) {
+          throw e;
+        }
+        err.println("urbi.UMain: " + e.getMessage());
+      }
+      if (!reconnect) {
+        return 0;
+      }
+      try {
+        Thread.sleep(RECONNECT_MILLISECONDS);
+      } catch (InterruptedException e) {
+        return 0;
+      }
+    }
+  }
+
+  /** Runs modules until the connection ends, and tells why it did. */
+  private String serve(List<UModule> loaded) {
+    try (RemoteContext context = new RemoteContext(host, port)) {
+      context.onOutput(text -> err.write(text, 0, text.length));
+      for (UModule module : loaded) {
+        module.startIn(context);
+        module.classes().forEach(type -> out.println("started " + type.name()));
+      }
+      out.println("running on " + host + ":" + port);
+      String why = context.onClosed().join();
+      loaded.forEach(module -> module.leave(context));
+      return why;
+    }
+  }
+}

@@ -1,0 +1,46 @@
+package urbi.remote;
+
+import java.util.concurrent.TimeUnit;
+
+/** Notices when the other side is silent for too long. */
+final class LinkWatch implements AutoCloseable {
+  private final Thread thread;
+  private volatile long last = System.nanoTime();
+
+  /**
+   * @param ask asks for a sign of life
+   * @param giveUp is called once
+   */
+  LinkWatch(Runnable ask, Runnable giveUp) {
+    thread =
+        Thread.ofVirtual()
+            .name("urbi-remote-watch")
+            .start(() -> {
+              try {
+                while (silence() < Protocol.PATIENCE_SECONDS) {
+                  TimeUnit.SECONDS.sleep(1);
+                  if (silence() >= Protocol.SILENCE_SECONDS) {
+                    ask.run();
+                  }
+                }
+                giveUp.run();
+              } catch (InterruptedException | RuntimeException e) {
+                // The connection has ended otherwise.
+              }
+            });
+  }
+
+  private long silence() {
+    return TimeUnit.NANOSECONDS.toSeconds(System.nanoTime() - last);
+  }
+
+  /** There has been a sign of life. */
+  void alive() {
+    last = System.nanoTime();
+  }
+
+  @Override
+  public void close() {
+    thread.interrupt();
+  }
+}

@@ -1,0 +1,497 @@
+package urbi.remote;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.Executor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import urbi.UCallback;
+import urbi.UCast;
+import urbi.UClass;
+import urbi.UClientException;
+import urbi.UContext;
+import urbi.UEmitter;
+import urbi.UHubClass;
+import urbi.UObject;
+import urbi.UObjectHub;
+import urbi.UObjectMode;
+import urbi.USlot;
+import urbi.UThreadPool;
+import urbi.UValue;
+
+/**
+ * The context of UObjects in a process that is connected to a kernel.
+ *
+ * <p>UObjects are called by one thread at a time. What they ask for and need no answer to is sent
+ * and not waited for; the connection keeps the order.
+ */
+public final class RemoteContext implements UContext, AutoCloseable {
+  private static final int CONNECT_MILLISECONDS = 10_000;
+
+  private final Link link;
+  private final Dispatcher dispatcher = new Dispatcher(this::readOne, this::execute);
+  private final Requests requests = new Requests();
+  private final UThreadPool threads = new UThreadPool("urbi-remote-function-");
+  private final RemoteTimers timers = new RemoteTimers(dispatcher);
+  private final Map<String, UClass> classes = new ConcurrentHashMap<>();
+  private final Map<String, UObject> objects = new ConcurrentHashMap<>();
+  private final Map<String, Map<String, UCallback>> functions = new ConcurrentHashMap<>();
+  private final Map<String, String> failures = new ConcurrentHashMap<>();
+  private final Map<String, UObjectHub> hubs = new ConcurrentHashMap<>();
+  private final Map<Integer, RemoteSlot> slots = new ConcurrentHashMap<>();
+  private final AtomicInteger lastSlot = new AtomicInteger();
+  private final CompletableFuture<String> closed = new CompletableFuture<>();
+  private final List<Consumer<byte[]>> listeners = new CopyOnWriteArrayList<>();
+  private final LinkWatch watch;
+
+  /**
+   * Connects to a server.
+   *
+   * @throws UClientException if nobody answers, or somebody who does not speak the protocol
+   */
+  public RemoteContext(String host, int port) {
+    link = new Link(host, port, CONNECT_MILLISECONDS);
+    watch =
+        new LinkWatch(
+            () -> sendNow(out -> out.begin(Frame.PING).end()),
+            () -> end("the server does not answer any more"));
+    dispatcher.start();
+  }
+
+  /** Has what the server shows to this connection passed on, in pieces as they come. */
+  public void onOutput(Consumer<byte[]> listener) {
+    listeners.add(listener);
+  }
+
+  /** Completed with the reason when the connection ends. */
+  public CompletableFuture<String> onClosed() {
+    return closed.copy();
+  }
+
+  // ------------------------------------------------------------------ sending
+
+  void send(Consumer<WireOutput> frames) {
+    link.send(frames, false);
+  }
+
+  void sendNow(Consumer<WireOutput> frames) {
+    link.send(frames, true);
+  }
+
+  UValue ask(BiConsumer<WireOutput, Integer> question) {
+    return requests.ask(number -> sendNow(out -> question.accept(out, number)));
+  }
+
+  // ------------------------------------------------------------------ receiving
+
+  private boolean readOne() {
+    try {
+      WireInput frame = link.receive();
+      watch.alive();
+      take(frame.octet(), frame);
+      return true;
+    } catch (IOException e) {
+      end("connection lost: " + e.getMessage());
+    } catch (WireException e) {
+      end("the server does not keep to the protocol: " + e.getMessage());
+    } catch (UClientException e) {
+      end(e.getMessage());
+    }
+    return false;
+  }
+
+  private void take(int type, WireInput frame) {
+    switch (type) {
+      case Frame.PING -> sendNow(out -> out.begin(Frame.PONG).end());
+      case Frame.PONG -> {}
+      case Frame.CALL -> call(frame.size(), frame.text(), frame.text(), frame.values());
+      case Frame.CHANGED -> {
+        RemoteSlot slot = slots.get(frame.size());
+        if (slot != null) {
+          slot.changed(frame.number(), frame.value());
+        }
+      }
+      case Frame.REPLY -> requests.answer(frame.size(), frame.value());
+      case Frame.REFUSAL -> requests.refuse(frame.size(), frame.text());
+      case Frame.NEW -> {
+        String className = frame.text();
+        String name = frame.text();
+        later(() -> make(className, name));
+      }
+      case Frame.GONE -> {
+        String name = frame.text();
+        later(() -> gone(name));
+      }
+      case Frame.ACCESS -> {
+        RemoteSlot slot = slots.get(frame.size());
+        int number = frame.size();
+        if (slot != null) {
+          slot.accessed(number);
+        } else {
+          sendNow(out -> out.begin(Frame.ACCESSED).size(number).end());
+        }
+      }
+      case Frame.OUTPUT -> {
+        byte[] text = frame.rest();
+        listeners.forEach(listener -> listener.accept(text));
+      }
+      default -> throw new WireException("no kind of frame: " + type);
+    }
+  }
+
+  /** Has something executed by the thread that calls UObjects, in turn. */
+  void later(Runnable task) {
+    dispatcher.run(task);
+  }
+
+  private void execute(Runnable task) {
+    UContext before = UContext.enter(this);
+    try {
+      task.run();
+    } catch (UClientException e) {
+      // The connection is lost, and whoever wants to know is told by that.
+    } catch (Throwable e) {
+      complain("exception caught: " + Failure.text(e));
+    } finally {
+      UContext.enter(before);
+    }
+  }
+
+  private void complain(String text) {
+    try {
+      report(text);
+    } catch (UClientException e) {
+      // Nobody is there to read it.
+    }
+  }
+
+  // ------------------------------------------------------------------ classes and objects
+
+  @Override
+  public UObjectMode getRunningMode() {
+    return UObjectMode.MODE_REMOTE;
+  }
+
+  @Override
+  public void start(UClass type) {
+    classes.put(type.name(), type);
+    inTurn(() -> {
+      ask((out, number) -> out.begin(Frame.CLASS).size(number).text(type.name()).end());
+      return type.create(type.name());
+    });
+  }
+
+  @Override
+  public void startHub(UHubClass type) {
+    inTurn(() -> hubs.put(type.name(), type.create()));
+  }
+
+  private interface Making {
+    Object make() throws Exception;
+  }
+
+  /** Makes something while no function of a UObject is called. */
+  private void inTurn(Making making) {
+    var done = new CompletableFuture<Void>();
+    Runnable task =
+        () -> {
+          UContext before = UContext.enter(this);
+          try {
+            making.make();
+            done.complete(null);
+          } catch (Throwable e) {
+            done.completeExceptionally(e);
+          } finally {
+            UContext.enter(before);
+          }
+        };
+    if (dispatcher.isExecuting()) {
+      task.run();
+    } else {
+      dispatcher.runHere(task);
+    }
+    try {
+      done.join();
+    } catch (CompletionException e) {
+      throw e.getCause() instanceof RuntimeException known ? known : e;
+    }
+  }
+
+  private void make(String className, String name) {
+    UClass type = classes.get(className);
+    try {
+      if (type == null) {
+        throw new IllegalStateException("no class " + className);
+      }
+      type.create(name);
+    } catch (Throwable e) {
+      failures.put(name, "exception caught while making a " + className + ": " + Failure.text(e));
+      objects.remove(name);
+    }
+  }
+
+  private void gone(String name) {
+    failures.remove(name);
+    UObject object = objects.get(name);
+    if (object != null) {
+      object.clean();
+    }
+  }
+
+  @Override
+  public String attach(UObject object, String name) {
+    String known = name;
+    if (known == null) {
+      String className = object.getUClass().name();
+      classes.putIfAbsent(className, object.getUClass());
+      known =
+          ask((out, number) -> out.begin(Frame.ATTACH).size(number).text(className).end())
+              .stringValue();
+    }
+    objects.put(known, object);
+    return known;
+  }
+
+  @Override
+  public void detach(UObject object) {
+    String name = object.get__name();
+    if (objects.remove(name, object)) {
+      functions.remove(name);
+      timers.end(object);
+      send(out -> out.begin(Frame.DETACH).text(name).end());
+    }
+  }
+
+  @Override
+  public UObject getUObject(String name) {
+    return objects.get(name);
+  }
+
+  @Override
+  public UObjectHub getUObjectHub(String name) {
+    return hubs.get(name);
+  }
+
+  // ------------------------------------------------------------------ functions
+
+  @Override
+  public void bindFunction(UObject object, String name, UCallback function) {
+    String owner = object.get__name();
+    functions.computeIfAbsent(owner, key -> new ConcurrentHashMap<>()).put(name, function);
+    send(out -> out.begin(Frame.BIND).text(owner).text(name).octet(function.arity()).end());
+  }
+
+  private UCallback function(String object, String name) {
+    Map<String, UCallback> all = functions.get(object);
+    return all == null ? null : all.get(name);
+  }
+
+  private void call(int number, String object, String name, UValue[] arguments) {
+    UCallback known = function(object, name);
+    if (known != null && known.isThreaded()) {
+      if (!known.execute(this, () -> perform(known, number, arguments))) {
+        result(number, null);
+      }
+    } else {
+      later(() -> perform(number, object, name, arguments));
+    }
+  }
+
+  private void perform(int number, String object, String name, UValue[] arguments) {
+    UCallback function = function(object, name);
+    if (function != null) {
+      perform(function, number, arguments);
+    } else {
+      error(number, failures.getOrDefault(object, "no function " + object + "." + name));
+    }
+  }
+
+  private void perform(UCallback function, int number, UValue[] arguments) {
+    try {
+      Object result = invoke(function, arguments);
+      if (result instanceof CompletionStage<?> stage) {
+        stage.whenComplete((value, failure) -> {
+          if (failure == null) {
+            result(number, value);
+          } else {
+            error(number, Failure.text(failure));
+          }
+        });
+      } else {
+        result(number, result);
+      }
+    } catch (Throwable e) {
+      error(number, Failure.text(e));
+    }
+  }
+
+  private static Object invoke(UCallback function, UValue... arguments) throws Throwable {
+    Object[] converted = new Object[function.arity()];
+    if (arguments.length != converted.length) {
+      throw new IllegalArgumentException(
+          function.name()
+              + ": expected "
+              + converted.length
+              + " arguments, given "
+              + arguments.length);
+    }
+    for (int i = 0; i < converted.length; i++) {
+      converted[i] = UCast.to(arguments[i], function.parameterTypes().get(i));
+    }
+    return function.call(converted);
+  }
+
+  private void result(int number, Object result) {
+    try {
+      UValue value = UCast.toUValue(result);
+      sendNow(out -> out.begin(Frame.RESULT).size(number).value(value).end());
+    } catch (UClientException e) {
+      throw e;
+    } catch (RuntimeException e) {
+      error(number, Failure.text(e));
+    }
+  }
+
+  private void error(int number, String text) {
+    sendNow(out -> out.begin(Frame.ERROR).size(number).text(text).end());
+  }
+
+  /** Tells a callback of a value, in turn or on its own thread. */
+  void notify(UCallback callback, UValue value) {
+    UValue[] arguments = callback.arity() == 0 ? new UValue[0] : new UValue[] {value};
+    Runnable task =
+        () -> {
+          try {
+            invoke(callback, arguments);
+          } catch (Throwable e) {
+            complain("exception caught while calling " + callback.name() + ": " + Failure.text(e));
+          }
+        };
+    if (callback.isThreaded()) {
+      callback.execute(this, task);
+    } else {
+      later(task);
+    }
+  }
+
+  // ------------------------------------------------------------------ variables and events
+
+  @Override
+  public USlot variable(String name) {
+    return open(name, 0);
+  }
+
+  @Override
+  public USlot inputPort(String name) {
+    return open(name, 1);
+  }
+
+  private USlot open(String name, int kind) {
+    RemoteSlot slot = new RemoteSlot(this, lastSlot.incrementAndGet(), name);
+    slots.put(slot.id(), slot);
+    try {
+      UValue value =
+          ask((out, number) ->
+              out.begin(Frame.OPEN).size(number).size(slot.id()).octet(kind).text(name).end());
+      slot.setInitial(value);
+      return slot;
+    } catch (RuntimeException e) {
+      slots.remove(slot.id());
+      throw e;
+    }
+  }
+
+  void forget(RemoteSlot slot) {
+    if (slots.remove(slot.id()) != null) {
+      send(out -> out.begin(Frame.CLOSE).size(slot.id()).end());
+    }
+  }
+
+  @Override
+  public UEmitter event(String name) {
+    send(out -> out.begin(Frame.EVENT).text(name).end());
+    return payload -> send(out -> out.begin(Frame.EMIT).text(name).values(payload).end());
+  }
+
+  @Override
+  public Runnable every(Object owner, double milliseconds, UCallback function, boolean afterPass) {
+    return timers.every(
+        owner,
+        milliseconds,
+        () -> {
+          try {
+            invoke(function);
+          } catch (Throwable e) {
+            complain("exception caught while calling " + function.name() + ": " + Failure.text(e));
+          }
+        },
+        this::execute);
+  }
+
+  // ------------------------------------------------------------------ urbiscript
+
+  @Override
+  public void send(String code) {
+    byte[] bytes = code.getBytes(StandardCharsets.UTF_8);
+    send(out -> out.begin(Frame.CODE).bytes(bytes, 0, bytes.length).end());
+  }
+
+  @Override
+  public void call(String object, String method, UValue... arguments) {
+    send(out -> out.begin(Frame.CALL_URBI).text(object).text(method).values(arguments).end());
+  }
+
+  @Override
+  public void report(String message) {
+    send(out -> out.begin(Frame.REPORT).text(message).end());
+  }
+
+  // ------------------------------------------------------------------ time and threads
+
+  @Override
+  public void yieldFor(Duration time) {
+    // The job in the kernel that waits for a function waits anyway, and the kernel goes on.
+    try {
+      TimeUnit.NANOSECONDS.sleep(time.toNanos());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  @Override
+  public Executor threads() {
+    return threads;
+  }
+
+  @Override
+  public void setThreadLimit(int most) {
+    threads.setLimit(most);
+  }
+
+  // ------------------------------------------------------------------ the end
+
+  private void end(String why) {
+    link.close();
+    watch.close();
+    timers.close();
+    threads.close();
+    requests.lost(why);
+    closed.complete(why);
+  }
+
+  /** Ends the connection: the kernel forgets what was started here. */
+  @Override
+  public void close() {
+    end("closed");
+  }
+}

@@ -1,0 +1,201 @@
+package urbi.remote;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import urbi.UCallback;
+import urbi.UObject;
+import urbi.UProperty;
+import urbi.USlot;
+import urbi.UValue;
+
+/** A variable of the kernel, as a remote process sees it: its value is a copy that is kept up. */
+final class RemoteSlot implements USlot {
+  /** How much the kernel is to tell about a variable. */
+  static final int NOTHING = 0;
+
+  static final int CHANGES_OF_OTHERS = 1;
+  static final int ALL_CHANGES = 2;
+
+  private static final UValue NONE = new UValue();
+
+  private final RemoteContext context;
+  private final int id;
+  private final String name;
+  private final List<UCallback> onChange = new CopyOnWriteArrayList<>();
+  private final List<UCallback> onAccess = new CopyOnWriteArrayList<>();
+  private volatile UValue value = NONE;
+  private volatile UValue written = NONE;
+  private volatile long timestamp;
+  private volatile boolean owned;
+  private int watched = CHANGES_OF_OTHERS;
+
+  RemoteSlot(RemoteContext context, int id, String name) {
+    this.context = context;
+    this.id = id;
+    this.name = name;
+  }
+
+  int id() {
+    return id;
+  }
+
+  @Override
+  public String name() {
+    return name;
+  }
+
+  @Override
+  public UValue get() {
+    return value;
+  }
+
+  @Override
+  public void set(UValue other) {
+    written = other;
+    if (!owned) {
+      value = other;
+    }
+    context.send(out -> out.begin(Frame.SET).size(id).value(other).end());
+  }
+
+  @Override
+  public UValue sync() {
+    UValue fresh = context.ask((out, number) -> out.begin(Frame.SYNC).size(number).size(id).end());
+    value = fresh;
+    return fresh;
+  }
+
+  /** The kernel tells of a new value. */
+  void changed(long time, UValue other) {
+    timestamp = time;
+    value = other;
+    for (UCallback callback : onChange) {
+      context.notify(callback, other);
+    }
+  }
+
+  /**
+   * The kernel tells that the value is about to be read; it waits until it hears that all is said.
+   */
+  void accessed(int number) {
+    Runnable done = () -> context.sendNow(out -> out.begin(Frame.ACCESSED).size(number).end());
+    for (UCallback callback : onAccess) {
+      context.notify(callback, value);
+    }
+    context.later(done);
+  }
+
+  void setInitial(UValue initial) {
+    value = initial;
+  }
+
+  @Override
+  public long timestamp() {
+    return timestamp;
+  }
+
+  @Override
+  public double in() {
+    return number(value);
+  }
+
+  @Override
+  public double out() {
+    return number(written);
+  }
+
+  private static double number(UValue of) {
+    return switch (of.getType()) {
+      case DATA_DOUBLE -> of.doubleValue();
+      default -> Double.NaN;
+    };
+  }
+
+  @Override
+  public UValue property(UProperty property) {
+    return context.ask((out, number) ->
+        out.begin(Frame.GET_PROPERTY).size(number).size(id).text(property.text()).end());
+  }
+
+  @Override
+  public void setProperty(UProperty property, UValue other) {
+    context.send(
+        out -> out.begin(Frame.SET_PROPERTY).size(id).text(property.text()).value(other).end());
+  }
+
+  @Override
+  public void own() {
+    owned = true;
+    context.send(out -> out.begin(Frame.OWN).size(id).end());
+  }
+
+  @Override
+  public boolean isOwned() {
+    return owned;
+  }
+
+  @Override
+  public Runnable onChange(UObject object, UCallback function) {
+    onChange.add(function);
+    watch(ALL_CHANGES);
+    return () -> {
+      if (onChange.remove(function) && onChange.isEmpty()) {
+        watch(CHANGES_OF_OTHERS);
+      }
+    };
+  }
+
+  @Override
+  public Runnable onAccess(UObject object, UCallback function) {
+    if (onAccess.isEmpty()) {
+      intercept(true);
+    }
+    onAccess.add(function);
+    return () -> {
+      if (onAccess.remove(function) && onAccess.isEmpty()) {
+        intercept(false);
+      }
+    };
+  }
+
+  private void intercept(boolean on) {
+    context.send(out -> out.begin(Frame.INTERCEPT).size(id).octet(on ? 1 : 0).end());
+  }
+
+  private synchronized void watch(int how) {
+    if (watched != how) {
+      watched = how;
+      context.send(out -> out.begin(Frame.WATCH).size(id).octet(how).end());
+    }
+  }
+
+  @Override
+  public void unnotify() {
+    onChange.clear();
+    if (!onAccess.isEmpty()) {
+      onAccess.clear();
+      intercept(false);
+    }
+    watch(NOTHING);
+  }
+
+  @Override
+  public void keepSynchronized() {
+    watch(onChange.isEmpty() ? CHANGES_OF_OTHERS : ALL_CHANGES);
+  }
+
+  @Override
+  public boolean setBypass(boolean on) {
+    return false;
+  }
+
+  @Override
+  public void useRtp(boolean on) {
+    context.send(out -> out.begin(Frame.RTP).size(id).octet(on ? 1 : 0).end());
+  }
+
+  @Override
+  public void close() {
+    context.forget(this);
+  }
+}

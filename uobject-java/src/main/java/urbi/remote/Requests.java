@@ -1,0 +1,67 @@
+package urbi.remote;
+
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.atomic.AtomicInteger;
+import urbi.UClientException;
+import urbi.UValue;
+
+/** What the remote process has asked the kernel, and waits for. */
+final class Requests {
+  private final AtomicInteger last = new AtomicInteger();
+  private final Map<Integer, CompletableFuture<UValue>> waiting = new ConcurrentHashMap<>();
+  private volatile String lost;
+
+  /** Sends a question. */
+  interface Question {
+    void send(int number);
+  }
+
+  /**
+   * Asks and waits.
+   *
+   * @throws IllegalArgumentException with the kernel's words, if it refuses
+   * @throws UClientException if the connection is lost before the answer
+   */
+  UValue ask(Question question) {
+    int number = last.incrementAndGet();
+    var answer = new CompletableFuture<UValue>();
+    waiting.put(number, answer);
+    try {
+      if (lost != null) {
+        throw new UClientException(lost);
+      }
+      question.send(number);
+      return answer.get();
+    } catch (ExecutionException e) {
+      throw (RuntimeException) e.getCause();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new UClientException("interrupted while waiting for the kernel", e);
+    } finally {
+      waiting.remove(number);
+    }
+  }
+
+  void answer(int number, UValue value) {
+    CompletableFuture<UValue> answer = waiting.get(number);
+    if (answer != null) {
+      answer.complete(value);
+    }
+  }
+
+  void refuse(int number, String reason) {
+    CompletableFuture<UValue> answer = waiting.get(number);
+    if (answer != null) {
+      answer.completeExceptionally(new IllegalArgumentException(reason));
+    }
+  }
+
+  /** There will be no more answers. */
+  void lost(String reason) {
+    lost = reason;
+    waiting.values().forEach(answer -> answer.completeExceptionally(new UClientException(reason)));
+  }
+}

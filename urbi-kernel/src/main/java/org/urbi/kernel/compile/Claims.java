@@ -1,0 +1,84 @@
+package org.urbi.kernel.compile;
+
+import java.util.List;
+import java.util.Set;
+import org.urbi.kernel.node.Assertion;
+import org.urbi.lang.ast.Ast;
+import org.urbi.lang.print.Printer;
+
+/** Compiles the claims of assertions (manual, "Assertions"). */
+final class Claims {
+  private static final Set<String> COMPARISONS =
+      Set.of("==", "!=", "===", "!==", "<", "<=", ">", ">=", "~=", "=~=");
+
+  private final Compilation compilation;
+
+  Claims(Compilation compilation) {
+    this.compilation = compilation;
+  }
+
+  /** A claim, taken apart as far as the message of its failure shows it in parts. */
+  Assertion.Claim claim(Ast ast, Block block) {
+    if (!(ast instanceof Ast.Message message)
+        || (message.target() == null && block.find(message.name()) != null)
+        || compilation.expressions.isScopeTag(message)) {
+      return new Assertion.Claim(
+          text(ast), compilation.expressions.operand(ast, block), null, null, null, List.of());
+    }
+    return new Assertion.Claim(
+        text(ast),
+        null,
+        operator(message),
+        message.target() == null ? null : compilation.expressions.operand(message.target(), block),
+        compilation.interpreter().world().symbol(message.name()),
+        message.arguments() == null
+            ? List.of()
+            : List.of(compilation.expressions.all(message.arguments(), block)));
+  }
+
+  /** The operator as it was written, if the claim compares or looks into a container; or null. */
+  private static String operator(Ast.Message message) {
+    if (message.target() == null
+        || message.arguments() == null
+        || message.arguments().size() != 1) {
+      return null;
+    }
+    if (COMPARISONS.contains(message.name())) {
+      return message.name();
+    }
+    // "a in b" is "b.has(a)": only the text tells them apart.
+    String written = message.nameSpan().text();
+    return switch (message.name()) {
+      case "has" -> written.equals("in") ? "in" : null;
+      case "hasNot" -> written.startsWith("not") ? "not in" : null;
+      default -> null;
+    };
+  }
+
+  /** Of an operator, the message shows the operands; of {@code &&} and {@code ||}, what they do. */
+  private static String text(Ast ast) {
+    return switch (ast) {
+      case Ast.And and -> logical(and.left(), Printer.print(and.right()), "'$t1'");
+      case Ast.Or or -> logical(or.left(), "'$t1'", Printer.print(or.right()));
+      case Ast.Message message when operator(message) != null -> {
+        String operator = operator(message);
+        String target = Printer.print(message.target());
+        String argument = Printer.print(message.arguments().getFirst());
+        yield COMPARISONS.contains(operator)
+            ? target + " " + operator + " " + argument
+            : argument + " " + operator + " " + target;
+      }
+      default -> Printer.print(ast);
+    };
+  }
+
+  private static String logical(Ast left, String whenTrue, String whenFalse) {
+    return "var '$t1' = "
+        + Printer.print(left)
+        + " | if ('$t1')\n{ "
+        + whenTrue
+        + " }\nelse\n{ "
+        + whenFalse
+        + " }";
+  }
+}

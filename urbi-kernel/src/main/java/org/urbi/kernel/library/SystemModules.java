@@ -1,0 +1,66 @@
+package org.urbi.kernel.library;
+
+import java.nio.file.Path;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Optional;
+import org.urbi.builtins.UrbiTypePart;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.uobject.Modules;
+import org.urbi.kernel.uobject.PluggedContext;
+import urbi.UModuleException;
+
+/** Modules with UObjects (manual, "System": loadModule, loadLibrary). */
+@UrbiTypePart("System")
+final class SystemModules {
+  private SystemModules() {}
+
+  private static Modules modules(Frame frame) {
+    return PluggedContext.of(frame).modules();
+  }
+
+  private static Path file(Frame frame, UrbiObject module) {
+    String name = frame.interpreter().asString(frame, module);
+    Path working = FileAccess.anyPath(frame).working().path;
+    Path found = modules(frame).find(working, NativeText.toJava(name));
+    if (found == null) {
+      throw frame
+          .interpreter()
+          .errors()
+          .of("FileNotFound", "file not found: " + name)
+          .with("name", name)
+          .build();
+    }
+    return found;
+  }
+
+  @Builtin(
+      value = {"loadModule", "loadLibrary"},
+      doc =
+          "Loads the UObjects of a module. One that is loaded already is replaced if the file has"
+              + " changed; its objects stay.")
+  static void loadModule(
+      Frame frame, CallSite site, UrbiObject self, UrbiObject module, @Optional String options) {
+    Path file = file(frame, module);
+    try {
+      modules(frame).load(frame, file);
+    } catch (UModuleException e) {
+      throw frame
+          .interpreter()
+          .errors()
+          .primitive(site.calledName(), NativeText.toUrbi(e.getMessage()));
+    }
+  }
+
+  @Builtin(doc = "Unloads a module: its objects are no longer UObjects.")
+  static void unloadModule(Frame frame, CallSite site, UrbiObject self, UrbiObject module) {
+    if (!modules(frame).unload(frame, file(frame, module))) {
+      throw frame
+          .interpreter()
+          .errors()
+          .primitive(
+              site.calledName(), "not loaded: " + frame.interpreter().asString(frame, module));
+    }
+  }
+}

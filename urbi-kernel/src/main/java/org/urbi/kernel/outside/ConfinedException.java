@@ -1,0 +1,12 @@
+package org.urbi.kernel.outside;
+
+import java.io.IOException;
+
+/** A confined kernel may not do that; the message says what. */
+public final class ConfinedException extends IOException {
+  private static final long serialVersionUID = 1;
+
+  ConfinedException(String message) {
+    super(message);
+  }
+}

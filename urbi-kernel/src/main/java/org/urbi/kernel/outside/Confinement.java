@@ -1,0 +1,135 @@
+package org.urbi.kernel.outside;
+
+import java.io.IOException;
+import java.nio.file.FileSystemLoopException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.Deque;
+
+/**
+ * What one kernel may do to the machine around it. Everything in this package that touches files,
+ * processes or connections asks here first.
+ */
+public final class Confinement {
+  private static final int MOST_LINKS = 40;
+
+  /** Null when all is allowed. */
+  private final Path directory;
+
+  private Confinement(Path directory) {
+    this.directory = directory;
+  }
+
+  /** All is allowed that the operating system allows. */
+  public static Confinement none() {
+    return new Confinement(null);
+  }
+
+  /**
+   * Files below that directory only, wherever links lead; no processes and no connections.
+   *
+   * @throws IOException when there is no such directory
+   */
+  public static Confinement to(Path directory) throws IOException {
+    Path real = directory.toRealPath();
+    if (!Files.isDirectory(real)) {
+      throw new IOException("not a directory: " + directory);
+    }
+    return new Confinement(real);
+  }
+
+  /** Whether anything is forbidden. */
+  public boolean isConfined() {
+    return directory != null;
+  }
+
+  /** Where relative paths start from in the beginning. */
+  public Path workingDirectory() {
+    return directory == null ? Path.of("").toAbsolutePath() : directory;
+  }
+
+  /**
+   * The file to which a path leads, links followed.
+   *
+   * @throws ConfinedException when it may not be used
+   */
+  Path followed(Path path) throws IOException {
+    return directory == null ? path : checked(resolved(path));
+  }
+
+  /**
+   * The entry of a directory that a path names, which may be a link.
+   *
+   * @throws ConfinedException when it may not be used
+   */
+  Path entry(Path path) throws IOException {
+    Path name = path.getFileName();
+    return directory == null || name == null
+        ? followed(path)
+        : checked(resolved(path.getParent()).resolve(name));
+  }
+
+  /**
+   * The entry that is to be created, renamed or deleted: not the directory of the kernel itself.
+   *
+   * @throws ConfinedException when it may not be used
+   */
+  Path changed(Path path) throws IOException {
+    Path entry = entry(path);
+    if (entry.equals(directory)) {
+      throw new ConfinedException("is the directory of this kernel");
+    }
+    return entry;
+  }
+
+  private Path checked(Path resolved) throws ConfinedException {
+    if (!resolved.startsWith(directory)) {
+      throw new ConfinedException("outside of the directory of this kernel");
+    }
+    return resolved;
+  }
+
+  /** Where a path leads, whether there is something or not. */
+  private static Path resolved(Path path) throws IOException {
+    Deque<Path> names = new ArrayDeque<>();
+    path.forEach(names::addLast);
+    Path current = path.getRoot();
+    int links = 0;
+    while (!names.isEmpty()) {
+      Path name = names.removeFirst();
+      Path next = current.resolve(name);
+      if (name.toString().equals("..")) {
+        current = current.getParent() == null ? current : current.getParent();
+      } else if (name.toString().isEmpty() || name.toString().equals(".")) {
+        continue;
+      } else if (Files.isSymbolicLink(next)) {
+        if (++links > MOST_LINKS) {
+          throw new FileSystemLoopException(path.toString());
+        }
+        Path target = Files.readSymbolicLink(next);
+        for (int i = target.getNameCount() - 1; i >= 0; i--) {
+          names.addFirst(target.getName(i));
+        }
+        current = target.isAbsolute() ? target.getRoot() : current;
+      } else {
+        current = next;
+      }
+    }
+    return current;
+  }
+
+  /** Refuses to start a program if that is not allowed. */
+  void checkProcesses() throws ConfinedException {
+    if (directory != null) {
+      throw new ConfinedException("processes are not allowed in this kernel");
+    }
+  }
+
+  /** Refuses connections, over the network or a serial line, if they are not allowed. */
+  void checkConnections() throws ConfinedException {
+    if (directory != null) {
+      throw new ConfinedException("connections are not allowed in this kernel");
+    }
+  }
+}

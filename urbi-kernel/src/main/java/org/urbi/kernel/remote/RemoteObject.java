@@ -1,0 +1,62 @@
+package org.urbi.kernel.remote;
+
+import java.lang.invoke.MethodHandle;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.MethodType;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.concurrent.CompletionStage;
+import urbi.UCallback;
+import urbi.UObject;
+import urbi.UValue;
+
+/** A UObject of another process, as the kernel sees it: its functions are called there. */
+final class RemoteObject extends UObject implements AutoCloseable {
+  private static final MethodHandle CALL;
+
+  static {
+    try {
+      CALL =
+          MethodHandles.lookup()
+              .findVirtual(
+                  RemoteObject.class,
+                  "call",
+                  MethodType.methodType(CompletionStage.class, String.class, UValue[].class));
+    } catch (ReflectiveOperationException e) {
+      throw new ExceptionInInitializerError(e);
+    }
+  }
+
+  private final RemotePeer peer;
+  private final Map<String, Integer> arities = new HashMap<>();
+
+  RemoteObject(RemotePeer peer, String name) {
+    super(name);
+    this.peer = peer;
+  }
+
+  /** Makes a function of the process one of the urbiscript object. */
+  void bindRemote(String function, int arity) {
+    Integer known = arities.put(function, arity);
+    if (known == null || known != arity) {
+      MethodHandle handle =
+          MethodHandles.insertArguments(CALL.bindTo(this), 0, function)
+              .asCollector(UValue[].class, arity);
+      bind(function, UCallback.of(get__name() + "." + function, handle));
+    }
+  }
+
+  /** What another one has bound when it was constructed, this one will have, too. */
+  void bindLike(RemoteObject other) {
+    other.arities.forEach(this::bindRemote);
+  }
+
+  CompletionStage<UValue> call(String function, UValue... arguments) {
+    return peer.call(get__name(), function, arguments);
+  }
+
+  @Override
+  public void close() {
+    peer.gone(this);
+  }
+}

@@ -1,0 +1,424 @@
+package org.urbi.kernel.remote;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.uobject.PluggedContext;
+import urbi.UClass;
+import urbi.UContext;
+import urbi.UEmitter;
+import urbi.UModule;
+import urbi.UObject;
+import urbi.UProperty;
+import urbi.UValue;
+import urbi.remote.Frame;
+import urbi.remote.WireException;
+import urbi.remote.WireInput;
+import urbi.remote.WireOutput;
+
+/**
+ * One remote process: its classes, objects and variables.
+ *
+ * <p>What it asks for is done by one job, in the order in which it came. Results for jobs that wait
+ * pass by it, so that it may itself wait for one.
+ */
+public final class RemotePeer {
+  /** When more waits to be sent, values of variables wait until they can be the latest. */
+  private static final long MOST_PENDING = 8L << 20;
+
+  /** How long an access waits for the process to set the value. */
+  private static final Duration ACCESS_PATIENCE = Duration.ofSeconds(2);
+
+  private static final Duration ACCESS_STEP = Duration.ofNanos(200_000);
+
+  private final Scheduler scheduler;
+  private final PluggedContext context;
+  private final RemoteWire wire;
+  private final UModule module;
+  private final RemoteTasks tasks;
+  private final Function<RuntimeException, String> describe;
+  private final Map<String, UClass> classes = new LinkedHashMap<>();
+  private final Map<String, RemoteObject> objects = new LinkedHashMap<>();
+  private final Map<Integer, RemoteVariable> variables = new HashMap<>();
+  private final Map<String, UEmitter> events = new HashMap<>();
+  private final Map<Integer, CompletableFuture<UValue>> calls = new ConcurrentHashMap<>();
+  private final WireOutput out = new WireOutput(1 << 12);
+  private boolean flushing;
+  private int lastCall;
+  private boolean making;
+  private boolean behind;
+  private volatile String lost;
+
+  /**
+   * @param name of the process, for people
+   * @param describe says what went wrong; called in a job
+   */
+  public RemotePeer(
+      String name,
+      Scheduler scheduler,
+      PluggedContext context,
+      Function<RuntimeException, String> describe,
+      RemoteWire wire) {
+    this.scheduler = scheduler;
+    this.context = context;
+    this.describe = describe;
+    this.wire = wire;
+    this.module = new UModule(name);
+    this.tasks = new RemoteTasks(scheduler, context::lobby, wire::consumed, this::failed);
+  }
+
+  // ------------------------------------------------------------------ on the network thread
+
+  /**
+   * Takes a frame.
+   *
+   * @throws WireException if it is none
+   */
+  public void receive(int size, WireInput in) {
+    int type = in.octet();
+    switch (type) {
+      case Frame.RESULT -> complete(in.size(), in.value(), null);
+      case Frame.ERROR -> complete(in.size(), null, in.text());
+      case Frame.ACCESSED -> complete(in.size(), new UValue(), null);
+      default -> tasks.add(task(type, in), size);
+    }
+  }
+
+  /** All that has come together has been given to {@link #receive}. */
+  public void received() {
+    tasks.start();
+  }
+
+  /** The connection is lost: calls that wait fail, and what the process has brought goes. */
+  public void lost(String why) {
+    lost = why;
+    tasks.add(this::clear, 0);
+    tasks.start();
+  }
+
+  /** What waited to be sent has left. */
+  public void drained() {
+    tasks.add(this::refresh, 0);
+    tasks.start();
+  }
+
+  private void complete(int number, UValue value, String error) {
+    CompletableFuture<UValue> call = calls.remove(number);
+    if (call != null) {
+      if (error == null) {
+        call.complete(value);
+      } else {
+        call.completeExceptionally(new RuntimeException(error));
+      }
+    }
+  }
+
+  private Runnable task(int type, WireInput in) {
+    return switch (type) {
+      case Frame.CLASS -> {
+        int number = in.size();
+        String name = in.text();
+        yield answering(number, () -> startClass(name));
+      }
+      case Frame.ATTACH -> {
+        int number = in.size();
+        String className = in.text();
+        yield answering(number, () -> attach(className));
+      }
+      case Frame.DETACH -> {
+        String name = in.text();
+        yield () -> detach(name);
+      }
+      case Frame.BIND -> {
+        String object = in.text();
+        String function = in.text();
+        int arity = in.octet();
+        yield () -> object(object).bindRemote(function, arity);
+      }
+      case Frame.OPEN -> {
+        int number = in.size();
+        int id = in.size();
+        boolean port = in.octet() == 1;
+        String name = in.text();
+        yield answering(number, () -> open(id, port, name));
+      }
+      case Frame.SET -> {
+        int id = in.size();
+        UValue value = in.value();
+        yield () -> variable(id).set(value);
+      }
+      case Frame.CLOSE, Frame.OWN -> {
+        int id = in.size();
+        yield type == Frame.OWN ? () -> variable(id).own() : () -> variables.remove(id).close();
+      }
+      case Frame.WATCH, Frame.INTERCEPT -> {
+        int id = in.size();
+        int how = in.octet();
+        yield type == Frame.WATCH
+            ? () -> variable(id).watch(how)
+            : () -> variable(id).intercept(how == 1);
+      }
+      case Frame.SYNC -> {
+        int number = in.size();
+        int id = in.size();
+        yield answering(number, () -> variable(id).slot().sync());
+      }
+      case Frame.GET_PROPERTY -> {
+        int number = in.size();
+        int id = in.size();
+        UProperty property = property(in.text());
+        yield answering(number, () -> variable(id).slot().property(property));
+      }
+      case Frame.SET_PROPERTY -> {
+        int id = in.size();
+        UProperty property = property(in.text());
+        UValue value = in.value();
+        yield () -> variable(id).slot().setProperty(property, value);
+      }
+      case Frame.EVENT, Frame.EMIT -> {
+        String name = in.text();
+        UValue[] payload = type == Frame.EMIT ? in.values() : null;
+        yield () -> emit(name, payload);
+      }
+      case Frame.CALL_URBI -> {
+        String object = in.text();
+        String method = in.text();
+        UValue[] arguments = in.values();
+        yield () -> context.call(object, method, arguments);
+      }
+      case Frame.REPORT -> {
+        String text = in.text();
+        yield () -> context.report(text);
+      }
+      default -> throw new WireException("no kind of frame: " + type);
+    };
+  }
+
+  private static UProperty property(String text) {
+    for (UProperty property : UProperty.values()) {
+      if (property.text().equals(text)) {
+        return property;
+      }
+    }
+    throw new WireException("no property: " + text);
+  }
+
+  // ------------------------------------------------------------------ in the job
+
+  private Runnable answering(int number, Supplier<UValue> question) {
+    return () -> {
+      try {
+        UValue answer = question.get();
+        write(o -> o.begin(Frame.REPLY).size(number).value(answer).end());
+      } catch (RuntimeException e) {
+        String reason = describe.apply(e);
+        write(o -> o.begin(Frame.REFUSAL).size(number).text(reason).end());
+      }
+    };
+  }
+
+  private void failed(RuntimeException e) {
+    context.report(module.name() + ": " + describe.apply(e));
+  }
+
+  private UValue startClass(String name) {
+    UClass type = new UClass(name, module, objectName -> make(name, objectName));
+    classes.put(name, type);
+    making = true;
+    try {
+      context.start(type);
+    } finally {
+      making = false;
+    }
+    return new UValue();
+  }
+
+  /** An urbiscript object has been made, and wants its other side. */
+  private RemoteObject make(String className, String name) {
+    if (lost != null) {
+      throw new IllegalStateException(lost);
+    }
+    RemoteObject object = new RemoteObject(this, name);
+    objects.put(object.get__name(), object);
+    if (!making) {
+      RemoteObject prototype = objects.get(className);
+      if (prototype != null) {
+        object.bindLike(prototype);
+      }
+      write(o -> o.begin(Frame.NEW).text(className).text(name).end());
+    }
+    return object;
+  }
+
+  /** The process has made an object by itself. */
+  private UValue attach(String className) {
+    UClass type =
+        classes.getOrDefault(
+            className, new UClass(className, module, objectName -> make(className, objectName)));
+    UContext before = UContext.enter(context);
+    making = true;
+    try {
+      // The context chooses the name; this one only tells the object of which class it is.
+      return new UValue(type.create(className).get__name());
+    } catch (RuntimeException e) {
+      throw e;
+    } catch (Exception e) {
+      throw new IllegalStateException(e);
+    } finally {
+      making = false;
+      UContext.enter(before);
+    }
+  }
+
+  private RemoteObject object(String name) {
+    RemoteObject object = objects.get(name);
+    if (object == null) {
+      throw new IllegalArgumentException("no such UObject: " + name);
+    }
+    return object;
+  }
+
+  private void detach(String name) {
+    RemoteObject object = objects.remove(name);
+    if (object != null) {
+      object.clean();
+    }
+  }
+
+  /** The urbiscript object has gone. */
+  void gone(RemoteObject object) {
+    if (objects.remove(object.get__name(), object) && lost == null) {
+      write(o -> o.begin(Frame.GONE).text(object.get__name()).end());
+    }
+  }
+
+  private UValue open(int id, boolean port, String name) {
+    RemoteVariable variable =
+        new RemoteVariable(this, id, port ? context.inputPort(name) : context.variable(name));
+    variables.put(id, variable);
+    UValue value = port ? new UValue() : variable.slot().get();
+    variable.watch(1);
+    return value;
+  }
+
+  private RemoteVariable variable(int id) {
+    RemoteVariable variable = variables.get(id);
+    if (variable == null) {
+      throw new IllegalArgumentException("no such variable: " + id);
+    }
+    return variable;
+  }
+
+  private void emit(String name, UValue[] payload) {
+    UEmitter emitter = events.computeIfAbsent(name, context::event);
+    if (payload != null) {
+      emitter.emit(payload);
+    }
+  }
+
+  // ------------------------------------------------------------------ on the kernel thread
+
+  /** Calls a function of the process. */
+  CompletionStage<UValue> call(String object, String function, UValue... arguments) {
+    var result = new CompletableFuture<UValue>();
+    int number = ++lastCall;
+    calls.put(number, result);
+    if (lost != null) {
+      result.completeExceptionally(new IllegalStateException(lost));
+      return result;
+    }
+    try {
+      write(o ->
+          o.begin(Frame.CALL).size(number).text(object).text(function).values(arguments).end());
+    } catch (RuntimeException e) {
+      calls.remove(number);
+      throw e;
+    }
+    return result;
+  }
+
+  /** Tells the process of a new value; false if it is too far behind to be told now. */
+  boolean tell(RemoteVariable variable, UValue value) {
+    if (lost != null) {
+      return true;
+    }
+    if (wire.pending() > MOST_PENDING) {
+      behind = true;
+      return false;
+    }
+    long time = scheduler.now() / 1000;
+    write(o -> o.begin(Frame.CHANGED).size(variable.id()).number(time).value(value).end());
+    return true;
+  }
+
+  private void refresh() {
+    if (behind) {
+      behind = false;
+      variables.values().forEach(RemoteVariable::refresh);
+    }
+  }
+
+  /** A variable is about to be read: lets the process set it before. */
+  void announceAccess(RemoteVariable variable) {
+    if (lost != null) {
+      return;
+    }
+    var done = new CompletableFuture<UValue>();
+    int number = ++lastCall;
+    calls.put(number, done);
+    write(o -> o.begin(Frame.ACCESS).size(variable.id()).size(number).end());
+    long deadline = scheduler.now() + ACCESS_PATIENCE.toNanos();
+    while (!done.isDone() && lost == null && scheduler.now() < deadline) {
+      context.yieldFor(ACCESS_STEP);
+    }
+    calls.remove(number);
+  }
+
+  private void write(Consumer<WireOutput> frame) {
+    try {
+      frame.accept(out);
+    } catch (RuntimeException e) {
+      out.abandon();
+      throw e;
+    }
+    if (!flushing) {
+      flushing = true;
+      scheduler.atEndOfTick(this::flush);
+    }
+  }
+
+  private void flush() {
+    flushing = false;
+    byte[] frames = out.toBytes();
+    out.reset();
+    if (lost == null) {
+      wire.send(frames);
+    }
+  }
+
+  // ------------------------------------------------------------------ the end
+
+  private void clear() {
+    List<CompletableFuture<UValue>> waiting = new ArrayList<>(calls.values());
+    calls.clear();
+    waiting.forEach(call -> call.completeExceptionally(new IllegalStateException(lost)));
+    variables.values().forEach(RemoteVariable::close);
+    variables.clear();
+    List<RemoteObject> all = new ArrayList<>(objects.values());
+    objects.clear();
+    all.forEach(UObject::clean);
+    classes.values().forEach(context::stop);
+    module.leave(context);
+    tasks.end();
+  }
+}

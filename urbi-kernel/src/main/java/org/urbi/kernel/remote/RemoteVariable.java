@@ -1,0 +1,116 @@
+package org.urbi.kernel.remote;
+
+import java.lang.invoke.MethodHandle;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.MethodType;
+import urbi.UCallback;
+import urbi.USlot;
+import urbi.UValue;
+
+/** A variable that a remote process has opened. */
+final class RemoteVariable {
+  private static final int NOTHING = 0;
+  private static final int ALL_CHANGES = 2;
+
+  private static final MethodHandle CHANGED = find("changed", UValue.class);
+  private static final MethodHandle ACCESSED = find("accessed");
+
+  private final RemotePeer peer;
+  private final int id;
+  private final USlot slot;
+  private Runnable notification;
+  private Runnable interception;
+  private int watch;
+  private UValue beingSet;
+  private boolean stale;
+
+  RemoteVariable(RemotePeer peer, int id, USlot slot) {
+    this.peer = peer;
+    this.id = id;
+    this.slot = slot;
+  }
+
+  private static MethodHandle find(String name, Class<?>... parameters) {
+    try {
+      return MethodHandles.lookup()
+          .findVirtual(RemoteVariable.class, name, MethodType.methodType(void.class, parameters));
+    } catch (ReflectiveOperationException e) {
+      throw new ExceptionInInitializerError(e);
+    }
+  }
+
+  int id() {
+    return id;
+  }
+
+  USlot slot() {
+    return slot;
+  }
+
+  private UCallback callback(MethodHandle handle) {
+    return UCallback.of(slot.name(), handle.bindTo(this));
+  }
+
+  /** How much the process wants to be told about. */
+  void watch(int how) {
+    watch = how;
+    if (notification != null && how == NOTHING) {
+      notification.run();
+      notification = null;
+    } else if (notification == null && how != NOTHING) {
+      notification = slot.onChange(null, callback(CHANGED));
+    }
+  }
+
+  /** The process owns the variable: it hears of other changes than before. */
+  void own() {
+    int how = watch;
+    watch(NOTHING);
+    slot.own();
+    watch(how);
+  }
+
+  void intercept(boolean on) {
+    if (interception != null && !on) {
+      interception.run();
+      interception = null;
+    } else if (interception == null && on) {
+      interception = slot.onAccess(null, callback(ACCESSED));
+    }
+  }
+
+  /** The process sets the value; what it has set it need not be told, unless it became another. */
+  void set(UValue value) {
+    beingSet = value;
+    try {
+      slot.set(value);
+    } finally {
+      beingSet = null;
+    }
+  }
+
+  void changed(UValue value) {
+    UValue own = beingSet;
+    if (own == null || watch == ALL_CHANGES || !own.equals(value)) {
+      stale = !peer.tell(this, value);
+    }
+  }
+
+  /** What could not be told in time is told now: the latest value. */
+  void refresh() {
+    if (stale) {
+      stale = false;
+      changed(slot.get());
+    }
+  }
+
+  void accessed() {
+    peer.announceAccess(this);
+  }
+
+  void close() {
+    notification = null;
+    interception = null;
+    slot.close();
+  }
+}

@@ -1,0 +1,93 @@
+package org.urbi.kernel.uobject;
+
+import java.lang.invoke.MethodHandle;
+import java.util.concurrent.CompletionStage;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Code;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiObject;
+import urbi.UCallback;
+
+/** A function of a UObject, as urbiscript calls it (manual, "Binding functions"). */
+final class BoundFunction extends Code {
+  private final PluggedContext context;
+  private final UCallback callback;
+  private final int arity;
+
+  /** From the arguments in urbiscript to the result there, all in one. */
+  private final MethodHandle whole;
+
+  private final CallStatistics.Entry statistics;
+
+  BoundFunction(Shape shape, PluggedContext context, UCallback callback) {
+    super(shape);
+    this.context = context;
+    this.callback = callback;
+    this.arity = callback.arity();
+    this.whole = callback.isThreaded() ? null : context.converters().whole(callback);
+    this.statistics = context.statistics().entry(callback.name());
+  }
+
+  UCallback callback() {
+    return callback;
+  }
+
+  @Override
+  public boolean isLazy() {
+    return false;
+  }
+
+  @Override
+  public UrbiObject cloned() {
+    return new BoundFunction(cloneShape(), context, callback);
+  }
+
+  @Override
+  public UrbiObject call(Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
+    if (arguments.length != arity) {
+      throw caller.interpreter().errors().arity(callback.name(), arguments.length, arity, arity);
+    }
+    long started = statistics.begin();
+    try {
+      return whole == null ? threaded(caller, site, arguments) : direct(caller, site, arguments);
+    } finally {
+      statistics.end(started);
+    }
+  }
+
+  private UrbiObject direct(Frame caller, CallSite site, UrbiObject[] arguments) {
+    Object outer = context.leave(caller);
+    UrbiObject result;
+    try {
+      result = (UrbiObject) whole.invokeExact(arguments);
+    } catch (Throwable e) {
+      throw Failures.inFunction(context, caller, site, callback.name(), arguments, e);
+    } finally {
+      context.back(caller, outer);
+    }
+    return result;
+  }
+
+  private UrbiObject threaded(Frame caller, CallSite site, UrbiObject[] arguments) {
+    try {
+      Object[] converted = converted(caller, arguments);
+      Object result = ThreadedCall.await(context, caller, callback, converted);
+      return context
+          .converters()
+          .result(
+              result instanceof CompletionStage<?> stage ? context.await(caller, stage) : result);
+    } catch (Throwable e) {
+      throw Failures.inFunction(context, caller, site, callback.name(), arguments, e);
+    }
+  }
+
+  private Object[] converted(Frame caller, UrbiObject[] arguments) throws Throwable {
+    Object outer = context.leave(caller);
+    try {
+      return context.converters().arguments(callback, arguments);
+    } finally {
+      context.back(caller, outer);
+    }
+  }
+}

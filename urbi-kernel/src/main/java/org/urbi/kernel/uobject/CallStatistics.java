@@ -1,0 +1,80 @@
+package org.urbi.kernel.uobject;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.function.Consumer;
+import org.urbi.kernel.time.Clock;
+import org.urbi.kernel.variable.CallTimes;
+
+/**
+ * How often functions of UObjects are called and how long they take, while somebody asks for it.
+ */
+public final class CallStatistics {
+  /** The calls of one function. */
+  final class Entry {
+    private final CallTimes times = new CallTimes();
+    private final String function;
+
+    Entry(String function) {
+      this.function = function;
+    }
+
+    /** A call begins. */
+    long begin() {
+      if (trace != null) {
+        trace.accept("uobjects: " + function);
+      }
+      return enabled ? clock.now() : 0;
+    }
+
+    /** A call ends that began then. */
+    void end(long started) {
+      if (enabled) {
+        times.add(clock.now() - started);
+      }
+    }
+  }
+
+  private final Clock clock;
+  private final Map<String, Entry> entries = new LinkedHashMap<>();
+  private Consumer<String> trace;
+  private boolean enabled;
+
+  CallStatistics(Clock clock) {
+    this.clock = clock;
+  }
+
+  /** The calls of the function of that name. */
+  Entry entry(String function) {
+    return entries.computeIfAbsent(function, Entry::new);
+  }
+
+  /** The calls of that function are no longer of interest. */
+  void forget(String function) {
+    entries.remove(function);
+  }
+
+  public void enable(boolean on) {
+    enabled = on;
+  }
+
+  /** Who is told of each call; null for nobody. */
+  public void trace(Consumer<String> told) {
+    trace = told;
+  }
+
+  public void clear() {
+    entries.values().forEach(entry -> entry.times.reset());
+  }
+
+  /** The times of all functions that were called. */
+  public Map<String, CallTimes> all() {
+    Map<String, CallTimes> all = new LinkedHashMap<>();
+    entries.forEach((name, entry) -> {
+      if (entry.times.count() > 0) {
+        all.put(name, entry.times);
+      }
+    });
+    return all;
+  }
+}

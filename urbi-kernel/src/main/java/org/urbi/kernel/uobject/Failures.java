@@ -1,0 +1,88 @@
+package org.urbi.kernel.uobject;
+
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.ExecutionException;
+import org.urbi.kernel.error.Errors;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.Unwinding;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+import urbi.UCastException;
+
+/** What becomes of the failures of Java code in urbiscript. */
+final class Failures {
+  private Failures() {}
+
+  /**
+   * What a function that was called has thrown.
+   *
+   * @param function its full name
+   */
+  static RuntimeException inFunction(
+      PluggedContext context,
+      Frame caller,
+      CallSite site,
+      String function,
+      UrbiObject[] arguments,
+      Throwable failure) {
+    Errors errors = caller.interpreter().errors();
+    return switch (failure) {
+      case Unwinding unwinding -> unwinding;
+      case UrbiException thrown -> thrown;
+      case RaisedInUrbi raised -> raised.original();
+      case ConversionFailure e -> argument(context, errors, function, arguments, e);
+      default ->
+          errors.primitive(
+              site.calledName() == null ? function : site.calledName(),
+              Texts.toUrbi("exception caught while calling " + function + ": " + text(failure)));
+    };
+  }
+
+  private static UrbiException argument(
+      PluggedContext context,
+      Errors errors,
+      String function,
+      UrbiObject[] arguments,
+      ConversionFailure e) {
+    int place = 1;
+    while (place <= arguments.length && arguments[place - 1] != e.given()) {
+      place++;
+    }
+    String routine = Texts.toUrbi(function);
+    if (e.getMessage() != null) {
+      return errors.argument(
+          routine, place, errors.of("Type", Texts.toUrbi(e.getMessage())).object());
+    }
+    UrbiObject expected = context.interpreter().world().prototype(e.expected());
+    return errors.argumentType(
+        routine,
+        place,
+        e.given(),
+        expected == null ? context.interpreter().values().nil : expected,
+        e.expected());
+  }
+
+  /** What went wrong, for people. */
+  static String text(Throwable failure) {
+    Throwable cause = failure;
+    while ((cause instanceof CompletionException || cause instanceof ExecutionException)
+        && cause.getCause() != null) {
+      cause = cause.getCause();
+    }
+    if (cause instanceof StackOverflowError) {
+      return "stack exhausted";
+    }
+    String message = cause.getMessage();
+    boolean plain =
+        cause.getClass() == RuntimeException.class
+            || cause.getClass() == Exception.class
+            || cause instanceof IllegalStateException
+            || cause instanceof IllegalArgumentException
+            || cause instanceof UCastException;
+    if (message == null || message.isEmpty()) {
+      return cause.getClass().getSimpleName();
+    }
+    return plain ? message : cause.getClass().getSimpleName() + ": " + message;
+  }
+}

@@ -1,0 +1,83 @@
+package org.urbi.kernel.uobject;
+
+import java.lang.ref.WeakReference;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.urbi.kernel.object.UrbiObject;
+import urbi.UClass;
+import urbi.UObject;
+
+/**
+ * An urbiscript object and the Java object behind it. It keeps the urbiscript object alive only
+ * while something of it is called periodically.
+ */
+final class Instance {
+  private final String name;
+  private final WeakReference<UrbiObject> object;
+  private final UrbiObject lobby;
+  private final Map<String, BoundFunction> functions = new LinkedHashMap<>();
+  private UClass type;
+  private UObject java;
+  private UrbiObject[] initArguments;
+  private UrbiObject keptAlive;
+
+  /**
+   * @param lobby for which it was made: what it does by itself is done for that
+   */
+  Instance(String name, UClass type, UrbiObject object, UrbiObject lobby) {
+    this.name = name;
+    this.type = type;
+    this.object = new WeakReference<>(object);
+    this.lobby = lobby;
+  }
+
+  String name() {
+    return name;
+  }
+
+  /** The urbiscript object; null when it has gone. */
+  UrbiObject object() {
+    return object.get();
+  }
+
+  UrbiObject lobby() {
+    return lobby;
+  }
+
+  UClass type() {
+    return type;
+  }
+
+  /** The Java object; null while it is being made. */
+  UObject java() {
+    return java;
+  }
+
+  void setJava(UObject behind) {
+    java = behind;
+  }
+
+  /** Another class of the same name has taken over. */
+  void setType(UClass other) {
+    type = other;
+  }
+
+  /** The functions that are bound, by their names. */
+  Map<String, BoundFunction> functions() {
+    return functions;
+  }
+
+  /** What its {@code init} was called with; null if it was not called. */
+  UrbiObject[] initArguments() {
+    return initArguments;
+  }
+
+  void setInitArguments(UrbiObject[] arguments) {
+    initArguments = arguments;
+  }
+
+  /** Keeps the urbiscript object alive, or no longer. */
+  void keepAlive(boolean alive) {
+    keptAlive = alive ? object.get() : null;
+  }
+}

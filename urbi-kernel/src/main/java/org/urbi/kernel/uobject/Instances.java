@@ -1,0 +1,158 @@
+package org.urbi.kernel.uobject;
+
+import java.lang.ref.Cleaner;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.WeakHashMap;
+import java.util.function.Consumer;
+import org.urbi.kernel.job.Inbox;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Code;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.SlotData;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
+import urbi.UClass;
+
+/** The UObjects of one kernel, by their names: slots of {@code uobjects}. */
+final class Instances {
+  private static final Cleaner CLEANER = Cleaner.create();
+
+  private final World world;
+  private final Inbox inbox;
+  private final Consumer<Instance> onGone;
+  private final Map<String, Instance> byName = new LinkedHashMap<>();
+  private final Map<UrbiObject, Instance> byObject = new WeakHashMap<>();
+
+  /**
+   * @param onGone told of each one whose urbiscript object nobody refers to any more
+   */
+  Instances(World world, Inbox inbox, Consumer<Instance> onGone) {
+    this.world = world;
+    this.inbox = inbox;
+    this.onGone = onGone;
+  }
+
+  private UrbiObject namespace() {
+    return world.prototype("uobjects");
+  }
+
+  /** Registers an object, under a name that no other one has. */
+  Instance add(String name, UClass type, UrbiObject object, UrbiObject lobby) {
+    Instance instance = new Instance(name, type, object, lobby);
+    byName.put(name, instance);
+    byObject.put(object, instance);
+    setSlot(object, world.symbol("__uobjectName"), world.values().string(Texts.toUrbi(name)));
+    return instance;
+  }
+
+  private static void setSlot(UrbiObject object, Symbol slot, UrbiObject value) {
+    object.removeSlot(slot);
+    object.addSlot(slot, value);
+  }
+
+  /** Makes it a slot of {@code uobjects} that does not keep the object alive. */
+  void publish(Instance instance) {
+    UrbiObject namespace = namespace();
+    Symbol slot = world.symbol(Texts.toUrbi(instance.name()));
+    setSlot(namespace, slot, world.values().voidObject);
+    SlotData data = namespace.ensureSlotData(slot);
+    data.getter = new Named(world.prototype("Code").cloneShape(), instance);
+    namespace.slotDataChanged(slot);
+    String name = instance.name();
+    CLEANER.register(instance.object(), () -> inbox.post(() -> gone(name)));
+  }
+
+  /** Makes it a slot of {@code uobjects} which does. */
+  void publishClass(Instance instance) {
+    setSlot(namespace(), world.symbol(Texts.toUrbi(instance.name())), instance.object());
+  }
+
+  private void gone(String name) {
+    Instance instance = byName.get(name);
+    if (instance != null && instance.object() == null) {
+      onGone.accept(instance);
+    }
+  }
+
+  /** Forgets an object. */
+  void remove(Instance instance) {
+    byName.remove(instance.name());
+    UrbiObject object = instance.object();
+    if (object != null) {
+      byObject.remove(object);
+    }
+    namespace().removeSlot(world.symbol(Texts.toUrbi(instance.name())));
+  }
+
+  /** The one of that name, or null. */
+  Instance named(String name) {
+    return byName.get(name);
+  }
+
+  /** The urbiscript object of that name, or null. */
+  UrbiObject find(String name) {
+    Instance instance = byName.get(name);
+    return instance == null ? null : instance.object();
+  }
+
+  /** That of an object itself, or null. */
+  Instance of(UrbiObject object) {
+    return byObject.get(object);
+  }
+
+  /** The name of an object, or null if it is no UObject. */
+  String nameOf(UrbiObject object) {
+    Instance instance = byObject.get(object);
+    return instance == null ? null : instance.name();
+  }
+
+  /** That of an object or of the nearest of its ancestors; or null. */
+  Instance nearest(UrbiObject object) {
+    Instance own = byObject.get(object);
+    if (own != null) {
+      return own;
+    }
+    for (UrbiObject proto : object.protos()) {
+      if (proto.isA(world.prototype("UObject"))) {
+        Instance found = nearest(proto);
+        if (found != null) {
+          return found;
+        }
+      }
+    }
+    return null;
+  }
+
+  /** All of them, the oldest first. */
+  List<Instance> all() {
+    return List.copyOf(byName.values());
+  }
+
+  /** The value of the slot of {@code uobjects} that has the name of an object. */
+  private static final class Named extends Code {
+    private final Instance instance;
+
+    Named(Shape shape, Instance instance) {
+      super(shape);
+      this.instance = instance;
+    }
+
+    @Override
+    public boolean isLazy() {
+      return false;
+    }
+
+    @Override
+    public UrbiObject call(Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
+      UrbiObject object = instance.object();
+      if (object == null) {
+        throw caller.interpreter().errors().lookup(self, instance.name());
+      }
+      return object;
+    }
+  }
+}

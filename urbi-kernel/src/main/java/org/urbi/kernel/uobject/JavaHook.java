@@ -1,0 +1,104 @@
+package org.urbi.kernel.uobject;
+
+import java.lang.invoke.MethodHandle;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.Unwinding;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.variable.Datum;
+import org.urbi.kernel.variable.Hook;
+import org.urbi.kernel.variable.UrbiUVar;
+import urbi.UCallback;
+import urbi.UCast;
+import urbi.UCastException;
+import urbi.UValue;
+
+/** Tells a function of a UObject of changes of a variable, or of accesses to it. */
+final class JavaHook implements Hook {
+  private static final UrbiObject[] NONE = {};
+
+  private final PluggedContext context;
+  private final UCallback callback;
+  private final CallStatistics.Entry statistics;
+
+  /** From the value in urbiscript, if it is wanted, to a result there. */
+  private final MethodHandle whole;
+
+  JavaHook(PluggedContext context, UCallback callback) {
+    this.context = context;
+    this.callback = callback;
+    this.whole = callback.isThreaded() ? null : context.converters().whole(callback);
+    this.statistics = context.statistics().entry(callback.name());
+  }
+
+  @Override
+  public void run(Frame frame, UrbiUVar variable, Datum value) {
+    Object outer = context.leave(frame);
+    long started = statistics.begin();
+    try {
+      if (callback.isThreaded()) {
+        Object[] arguments = arguments(value, true);
+        callback.execute(context, () -> runThreaded(arguments));
+      } else {
+        context.tells().begin(frame.job(), variable, value);
+        try {
+          call(value);
+        } finally {
+          context.tells().end(frame.job(), variable, value);
+        }
+      }
+    } catch (Throwable e) {
+      throw failure(frame, e);
+    } finally {
+      statistics.end(started);
+      context.back(frame, outer);
+    }
+  }
+
+  private void call(Datum value) throws Throwable {
+    if (callback.arity() == 1 && value.foreign() instanceof ForeignValue) {
+      callback.call(arguments(value, false));
+      return;
+    }
+    UrbiObject[] arguments = callback.arity() == 0 ? NONE : new UrbiObject[] {value.value()};
+    UrbiObject ignored = (UrbiObject) whole.invokeExact(arguments);
+  }
+
+  private Object[] arguments(Datum value, boolean copied) throws Throwable {
+    if (callback.arity() == 0) {
+      return new Object[0];
+    }
+    if (value.foreign() instanceof ForeignValue foreign) {
+      UValue given = copied ? foreign.copied() : foreign.value();
+      return new Object[] {UCast.to(given, callback.parameterTypes().getFirst())};
+    }
+    return new Object[] {context.converters().argument(callback, 0, value.value())};
+  }
+
+  private void runThreaded(Object[] arguments) {
+    try {
+      callback.call(arguments);
+    } catch (Throwable e) {
+      context.report(message(e));
+    }
+  }
+
+  private RuntimeException failure(Frame frame, Throwable e) {
+    return switch (e) {
+      case Unwinding unwinding -> unwinding;
+      case UrbiException thrown -> thrown;
+      case RaisedInUrbi raised -> raised.original();
+      default -> frame.interpreter().errors().primitive(callback.name(), Texts.toUrbi(message(e)));
+    };
+  }
+
+  private String message(Throwable e) {
+    return "exception caught while calling " + callback.name() + ": " + reason(e);
+  }
+
+  private static String reason(Throwable e) {
+    return e instanceof ConversionFailure failure && failure.getMessage() == null
+        ? new UCastException("the value is no " + failure.expected()).getMessage()
+        : Failures.text(e);
+  }
+}

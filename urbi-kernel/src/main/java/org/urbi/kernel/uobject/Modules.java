@@ -1,0 +1,175 @@
+package org.urbi.kernel.uobject;
+
+import java.io.IOException;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.urbi.kernel.library.KernelControl;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.outside.Disk;
+import urbi.UClass;
+import urbi.UHubClass;
+import urbi.UModule;
+import urbi.UModuleException;
+
+/**
+ * The modules that are loaded: jars with UObjects (manual, "System", loadModule). A module that is
+ * loaded again is replaced if its file has changed: its urbiscript objects stay.
+ */
+public final class Modules {
+  private static final String JAR = ".jar";
+
+  /** A module, and how its file was when it was read. */
+  private record Loaded(UModule module, long modified, long size) {}
+
+  private final PluggedContext context;
+  private final KernelControl kernel;
+  private final Map<Path, Loaded> loaded = new LinkedHashMap<>();
+
+  Modules(PluggedContext context, KernelControl kernel) {
+    this.context = context;
+    this.kernel = kernel;
+  }
+
+  /** The names of the files that are loaded, in the order in which they were. */
+  public List<Path> files() {
+    return List.copyOf(loaded.keySet());
+  }
+
+  /**
+   * The file of a module: a path, or a name that is looked for in the search path; {@code .jar} may
+   * be left out.
+   *
+   * @param working where relative paths start from
+   * @return null if there is none
+   */
+  public Path find(Path working, String name) {
+    for (String file : name.endsWith(JAR) ? List.of(name) : List.of(name, name + JAR)) {
+      try {
+        Path path = Path.of(file);
+        List<Path> folders = new ArrayList<>();
+        if (!path.isAbsolute()) {
+          kernel.moduleSearchPath().forEach(folder -> folders.add(working.resolve(folder)));
+        }
+        folders.add(working);
+        for (Path folder : folders) {
+          Path candidate = folder.resolve(path).normalize();
+          if (disk().isRegularFile(candidate)) {
+            return candidate;
+          }
+        }
+      } catch (InvalidPathException | IOException e) {
+        return null;
+      }
+    }
+    return null;
+  }
+
+  /**
+   * Loads a module; does nothing if that very file is loaded already.
+   *
+   * @throws UModuleException if the file is no module
+   * @throws org.urbi.kernel.error.UrbiException if a constructor fails
+   */
+  public void load(Frame frame, Path file) {
+    try {
+      Path key = disk().real(file);
+      Loaded before = loaded.get(key);
+      long modified = disk().lastModified(key);
+      long size = disk().size(key);
+      if (before != null && before.modified == modified && before.size == size) {
+        return;
+      }
+      UModule module = read(frame, key);
+      start(frame, module, before);
+      loaded.put(key, new Loaded(module, modified, size));
+    } catch (IOException e) {
+      throw new UModuleException("cannot read " + file + ": " + e.getMessage(), e);
+    }
+  }
+
+  private UModule read(Frame frame, Path file) {
+    Object outer = context.leave(frame);
+    try {
+      return UModule.load(file);
+    } finally {
+      context.back(frame, outer);
+    }
+  }
+
+  private void start(Frame frame, UModule module, Loaded before) {
+    try {
+      module.startIn(context);
+    } catch (RuntimeException e) {
+      if (before == null) {
+        end(frame, module);
+      } else {
+        module.leave(context);
+      }
+      throw e;
+    }
+    if (before != null) {
+      endRest(frame, before.module, module);
+      before.module.leave(context);
+    }
+  }
+
+  /** Ends the classes that the new version of a module lacks. */
+  private void endRest(Frame frame, UModule old, UModule present) {
+    for (UClass type : old.classes()) {
+      if (present.classes().stream().noneMatch(other -> other.name().equals(type.name()))) {
+        context.creation().endClass(frame, type);
+      }
+    }
+    for (UHubClass hub : old.hubs()) {
+      if (present.hubs().stream().noneMatch(other -> other.name().equals(hub.name()))) {
+        context.endHub(hub.name());
+      }
+    }
+  }
+
+  private void end(Frame frame, UModule module) {
+    module.leave(context);
+    module.classes().forEach(type -> context.creation().endClass(frame, type));
+    module.hubs().forEach(hub -> context.endHub(hub.name()));
+  }
+
+  /**
+   * Unloads a module: its objects stay in urbiscript without what was bound.
+   *
+   * @return false if it is not loaded
+   */
+  public boolean unload(Frame frame, Path file) {
+    Loaded module = loaded.remove(key(file));
+    if (module == null) {
+      return false;
+    }
+    end(frame, module.module);
+    return true;
+  }
+
+  /** Starts a module that does not come from a file, such as the classes of the program itself. */
+  public void start(Frame frame, UModule module) {
+    start(frame, module, null);
+  }
+
+  private Path key(Path file) {
+    try {
+      return disk().real(file);
+    } catch (IOException e) {
+      return file.toAbsolutePath().normalize();
+    }
+  }
+
+  private Disk disk() {
+    return kernel.outside().disk();
+  }
+
+  /** The kernel has ended. */
+  void close() {
+    loaded.values().forEach(each -> each.module.leave(context));
+  }
+}

@@ -1,0 +1,487 @@
+package org.urbi.kernel.uobject;
+
+import java.time.Duration;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.Executor;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Function;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.event.UrbiEvent;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.KernelThreadPin;
+import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.job.Unwinding;
+import org.urbi.kernel.library.KernelControl;
+import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.FrameLayout;
+import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.variable.ConnectionList;
+import org.urbi.kernel.variable.UrbiUVar;
+import urbi.UCallback;
+import urbi.UClass;
+import urbi.UContext;
+import urbi.UEmitter;
+import urbi.UHubClass;
+import urbi.UObject;
+import urbi.UObjectHub;
+import urbi.UObjectMode;
+import urbi.USlot;
+import urbi.UThreadPool;
+import urbi.UValue;
+
+/**
+ * The UObjects that live in the process of a kernel.
+ *
+ * <p>Their code runs in jobs, and keeps them on the kernel thread: it blocks everything else
+ * (manual, "Asynchronous binding"). What it wants of the kernel is done at once, and may let others
+ * run, as any code of urbiscript. Threads of their own wait for a job that does it.
+ */
+public final class PluggedContext implements UContext {
+  private final Interpreter interpreter;
+  private final Scheduler scheduler;
+  private final KernelControl kernel;
+  private final KernelRequests requests;
+  private final Instances objects;
+  private final Creation creation;
+  private final Variables variables;
+  private final ValueExchange exchange;
+  private final Converters converters;
+  private final CallStatistics statistics;
+  private final ConnectionList connections = new ConnectionList();
+  private final Tells tells = new Tells();
+  private final Periods periods;
+  private final Modules modules;
+  private final SystemLobby systemLobby;
+  private final UThreadPool threads = new UThreadPool("urbi-uobject-");
+  private final Map<String, UObjectHub> hubs = new LinkedHashMap<>();
+  private volatile boolean over;
+
+  public PluggedContext(Interpreter interpreter, KernelControl kernel) {
+    this.interpreter = interpreter;
+    this.scheduler = interpreter.scheduler();
+    this.kernel = kernel;
+    this.requests = new KernelRequests(interpreter);
+    this.objects = new Instances(interpreter.world(), scheduler.inbox(), this::gone);
+    this.variables = new Variables(interpreter.world(), objects);
+    this.exchange = new ValueExchange(this);
+    this.converters = new Converters(this, exchange);
+    this.statistics = new CallStatistics(scheduler.clock());
+    this.periods = new Periods(this);
+    this.creation = new Creation(this);
+    this.modules = new Modules(this, kernel);
+    this.systemLobby = new SystemLobby(interpreter, kernel);
+  }
+
+  /** That of the kernel in which code runs. */
+  public static PluggedContext of(Frame frame) {
+    return KernelControl.of(frame).uobjects();
+  }
+
+  // ------------------------------------------------------------------ its parts
+
+  Interpreter interpreter() {
+    return interpreter;
+  }
+
+  Instances objects() {
+    return objects;
+  }
+
+  Variables variables() {
+    return variables;
+  }
+
+  ValueExchange exchange() {
+    return exchange;
+  }
+
+  Converters converters() {
+    return converters;
+  }
+
+  Tells tells() {
+    return tells;
+  }
+
+  Periods periods() {
+    return periods;
+  }
+
+  /** Makes and ends UObjects. */
+  public Creation creation() {
+    return creation;
+  }
+
+  /** Loads and unloads modules. */
+  public Modules modules() {
+    return modules;
+  }
+
+  /** The links between variables. */
+  public ConnectionList connections() {
+    return connections;
+  }
+
+  /** How long functions take. */
+  public CallStatistics statistics() {
+    return statistics;
+  }
+
+  /** The lobby in which code runs that belongs to no connection. */
+  public UrbiLobby lobby() {
+    return systemLobby.get();
+  }
+
+  /** By which name an object can be found, or at least recognized. */
+  public String nameOf(Frame frame, UrbiObject object) {
+    return variables.nameOf(frame, object);
+  }
+
+  // ------------------------------------------------------------------ to and fro
+
+  /** Code of urbiscript is about to call Java code; {@link #back} is to be given the result. */
+  Object leave(Frame caller) {
+    Job job = caller.job();
+    Object outer = job.outgoing;
+    job.outgoing = caller;
+    if (outer == null) {
+      UContext.enter(this);
+      KernelThreadPin.pin();
+    }
+    return outer;
+  }
+
+  /** The Java code has returned, or thrown something. */
+  void back(Frame caller, Object outer) {
+    Job job = caller.job();
+    job.outgoing = outer;
+    if (outer == null) {
+      KernelThreadPin.unpin();
+    }
+    Unwinding unwinding = job.unwinding;
+    if (unwinding != null) {
+      job.unwinding = null;
+      throw unwinding;
+    }
+  }
+
+  /**
+   * Does something with urbiscript objects: at once on the kernel thread, where it may let others
+   * run; from another thread by a job, and waits for that.
+   */
+  <T> T inKernel(Function<Frame, T> task) {
+    if (!scheduler.isKernelThread()) {
+      return requests.ask(this::lobby, frame -> translated(frame, task));
+    }
+    if (over) {
+      // The last ones say good-bye.
+      return null;
+    }
+    Job job = scheduler.running();
+    Frame caller = (Frame) job.outgoing;
+    if (caller == null) {
+      return task.apply(Frame.top(interpreter, job, job.lobby(), new FrameLayout()));
+    }
+    job.outgoing = null;
+    KernelThreadPin.unpin();
+    try {
+      return translated(caller, task);
+    } catch (Unwinding e) {
+      job.unwinding = e;
+      throw e;
+    } finally {
+      KernelThreadPin.pin();
+      job.outgoing = caller;
+    }
+  }
+
+  private <T> T translated(Frame frame, Function<Frame, T> task) {
+    try {
+      return task.apply(frame);
+    } catch (UrbiException e) {
+      throw new RaisedInUrbi(text(frame, e), e);
+    }
+  }
+
+  /** The message of an exception of urbiscript. */
+  String text(Frame frame, UrbiException e) {
+    try {
+      return Texts.toJava(frame.interpreter().asString(frame, e.value()));
+    } catch (UrbiException shown) {
+      return "exception that cannot be shown";
+    }
+  }
+
+  /** Waits for a result while other jobs run; on the kernel thread. */
+  Object await(Frame frame, CompletionStage<?> stage) {
+    return new Awaited(frame.job()).await(stage);
+  }
+
+  /** Calls a function in a job, and reports what it throws. */
+  void callBack(Job job, UrbiObject lobby, UCallback callback) {
+    Frame frame = Frame.top(interpreter, job, lobby, new FrameLayout());
+    CallStatistics.Entry entry = statistics.entry(callback.name());
+    long started = entry.begin();
+    Object outer = leave(frame);
+    try {
+      callback.call();
+    } catch (Unwinding e) {
+      throw e;
+    } catch (Throwable e) {
+      report(job, callback.name(), e);
+    } finally {
+      entry.end(started);
+      back(frame, outer);
+    }
+  }
+
+  private void report(Job job, String function, Throwable e) {
+    RuntimeException shown =
+        e instanceof RaisedInUrbi raised
+            ? raised.original()
+            : interpreter
+                .errors()
+                .primitive(
+                    Texts.toUrbi(function),
+                    Texts.toUrbi(
+                        "exception caught while calling " + function + ": " + Failures.text(e)));
+    interpreter.report(job, shown);
+  }
+
+  // ------------------------------------------------------------------ UContext
+
+  @Override
+  public UObjectMode getRunningMode() {
+    return UObjectMode.MODE_PLUGIN;
+  }
+
+  @Override
+  public void start(UClass type) {
+    inKernel(frame -> {
+      creation.start(frame, type);
+      return null;
+    });
+  }
+
+  /** Ends a class with all its objects, which stay in urbiscript without their functions. */
+  public void stop(UClass type) {
+    inKernel(frame -> {
+      creation.endClass(frame, type);
+      return null;
+    });
+  }
+
+  @Override
+  public void startHub(UHubClass type) {
+    inKernel(frame -> {
+      UObjectHub before = hubs.remove(type.name());
+      if (before != null) {
+        periods.end(before);
+      }
+      UObjectHub hub = creation.construct(frame, type.name(), type::create);
+      hubs.put(type.name(), hub);
+      return null;
+    });
+  }
+
+  /** The hub of that name has gone with its module; on the kernel thread. */
+  void endHub(String name) {
+    UObjectHub hub = hubs.remove(name);
+    if (hub != null) {
+      periods.end(hub);
+    }
+  }
+
+  @Override
+  public String attach(UObject object, String name) {
+    return inKernel(frame -> creation.attach(frame, object, name));
+  }
+
+  @Override
+  public void detach(UObject object) {
+    inKernel(frame -> {
+      creation.detach(object);
+      return null;
+    });
+  }
+
+  @Override
+  public UObject getUObject(String name) {
+    return inKernel(frame -> {
+      Instance instance = objects.named(name);
+      return instance == null ? null : instance.java();
+    });
+  }
+
+  @Override
+  public UObjectHub getUObjectHub(String name) {
+    return inKernel(frame -> hubs.get(name));
+  }
+
+  @Override
+  public void bindFunction(UObject object, String name, UCallback function) {
+    inKernel(frame -> {
+      creation.bind(object, name, function);
+      return null;
+    });
+  }
+
+  @Override
+  public USlot variable(String name) {
+    return slot(name, false);
+  }
+
+  @Override
+  public USlot inputPort(String name) {
+    return slot(name, true);
+  }
+
+  private USlot slot(String name, boolean input) {
+    return inKernel(frame -> {
+      UrbiUVar variable = variables.find(frame, name);
+      if (input) {
+        variable.makeInput();
+      }
+      return new PluggedSlot(this, variable, name);
+    });
+  }
+
+  @Override
+  public UEmitter event(String name) {
+    return inKernel(frame -> {
+      Variables.Place place = variables.place(frame, name);
+      if (place.owner().localSlot(place.slot()) == null) {
+        place.owner().addSlot(place.slot(), interpreter.prototypes().event.cloned());
+      }
+      return payload -> emit(name, payload);
+    });
+  }
+
+  private void emit(String name, UValue... payload) {
+    if (scheduler.isKernelThread()) {
+      inKernel(frame -> {
+        emit(frame, name, payload);
+        return null;
+      });
+    } else {
+      later(frame -> emit(frame, name, payload));
+    }
+  }
+
+  private void emit(Frame frame, String name, UValue... payload) {
+    Variables.Place place = variables.place(frame, name);
+    UrbiObject event = interpreter.get(frame, place.owner(), place.slot());
+    UrbiObject[] arguments = new UrbiObject[payload.length];
+    for (int i = 0; i < arguments.length; i++) {
+      arguments[i] = exchange.element(payload[i]);
+    }
+    if (event instanceof UrbiEvent plain) {
+      plain.emit(frame, arguments);
+    } else {
+      interpreter.send(frame, event, "emit", arguments);
+    }
+  }
+
+  /** Something that a job does when its turn comes. */
+  @FunctionalInterface
+  private interface Deed {
+    void run(Frame frame);
+  }
+
+  private void later(Deed deed) {
+    scheduler
+        .inbox()
+        .post(() -> {
+          UrbiLobby own = lobby();
+          scheduler.startDetached(
+              own,
+              scheduler.rootScope(),
+              "uobject",
+              job -> deed.run(Frame.top(interpreter, job, own, new FrameLayout())));
+        });
+  }
+
+  @Override
+  public Runnable every(Object owner, double milliseconds, UCallback function, boolean afterPass) {
+    return inKernel(frame -> {
+      PeriodicCall call = periods.begin(frame, owner, milliseconds, function, afterPass);
+      return () ->
+          inKernel(later -> {
+            periods.end(owner, call);
+            return null;
+          });
+    });
+  }
+
+  @Override
+  public void send(String code) {
+    scheduler.inbox().post(() -> lobby().shell().receive(Texts.toUrbi(code)));
+  }
+
+  @Override
+  public void call(String object, String method, UValue... arguments) {
+    later(frame -> {
+      UrbiObject target = variables.object(frame, object);
+      UrbiObject[] given = new UrbiObject[arguments.length];
+      for (int i = 0; i < given.length; i++) {
+        given[i] = exchange.element(arguments[i]);
+      }
+      interpreter.send(frame, target, Texts.toUrbi(method), given);
+    });
+  }
+
+  @Override
+  public void report(String message) {
+    kernel.log(message);
+  }
+
+  @Override
+  public void yieldFor(Duration time) {
+    if (!scheduler.isKernelThread()) {
+      LockSupport.parkNanos(time.toNanos());
+      return;
+    }
+    inKernel(frame -> {
+      if (time.isPositive()) {
+        frame.job().sleepUntil(scheduler.now() + time.toNanos());
+      } else {
+        frame.job().yieldNow();
+      }
+      return null;
+    });
+  }
+
+  @Override
+  public Executor threads() {
+    return threads;
+  }
+
+  @Override
+  public void setThreadLimit(int most) {
+    threads.setLimit(most);
+  }
+
+  // ------------------------------------------------------------------ the end
+
+  /** Nobody refers to an object any more; between the jobs. */
+  private void gone(Instance instance) {
+    scheduler.startDetached(
+        lobby(),
+        scheduler.rootScope(),
+        "uobject",
+        job -> creation.end(Frame.top(interpreter, job, job.lobby(), new FrameLayout()), instance));
+  }
+
+  /** The kernel has ended; on its thread. */
+  public void close() {
+    over = true;
+    requests.close();
+    modules.close();
+    creation.close();
+    threads.close();
+  }
+}

@@ -1,0 +1,224 @@
+package org.urbi.kernel.uobject;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Properties;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiFloat;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.variable.Datum;
+import org.urbi.kernel.variable.UrbiUVar;
+import urbi.UCallback;
+import urbi.UDataType;
+import urbi.UObject;
+import urbi.UProperty;
+import urbi.USlot;
+import urbi.UValue;
+
+/** A variable of urbiscript as one module in the same process sees it. */
+final class PluggedSlot implements USlot {
+  private static final double NANOSECONDS_PER_MICROSECOND = 1000;
+
+  private final PluggedContext context;
+  private final UrbiUVar variable;
+  private final String name;
+  private final List<Runnable> notifications = new ArrayList<>(1);
+  private volatile boolean owner;
+  private volatile boolean bypass;
+  private double lastWritten = Double.NaN;
+
+  PluggedSlot(PluggedContext context, UrbiUVar variable, String name) {
+    this.context = context;
+    this.variable = variable;
+    this.name = name;
+  }
+
+  @Override
+  public String name() {
+    return name;
+  }
+
+  // ------------------------------------------------------------------ the value
+
+  @Override
+  public UValue get() {
+    return context.inKernel(frame -> {
+      Datum told = context.tells().find(frame.job(), variable);
+      if (told != null && told.foreign() instanceof ForeignValue foreign) {
+        return foreign.value();
+      }
+      if (told != null && variable.isInput()) {
+        return context.exchange().toJava(told.value());
+      }
+      UrbiObject value = owner || told != null ? seen().value() : variable.read(frame);
+      return context.exchange().toJava(value);
+    });
+  }
+
+  private Datum seen() {
+    return owner ? variable.target() : variable.visible();
+  }
+
+  @Override
+  public void set(UValue value) {
+    context.inKernel(frame -> {
+      Datum datum =
+          bypass && value.getType() == UDataType.DATA_BINARY
+              ? new Datum(new ForeignValue(context.exchange(), value))
+              : new Datum(context.exchange().toUrbi(value));
+      lastWritten = value.getType() == UDataType.DATA_DOUBLE ? value.doubleValue() : Double.NaN;
+      if (owner) {
+        variable.set(frame, datum);
+      } else {
+        variable.write(frame, datum);
+      }
+      return null;
+    });
+  }
+
+  @Override
+  public UValue sync() {
+    return get();
+  }
+
+  @Override
+  public long timestamp() {
+    return context.inKernel(frame -> (long) (variable.written() / NANOSECONDS_PER_MICROSECOND));
+  }
+
+  @Override
+  public double in() {
+    return context.inKernel(frame -> number(seen().value()));
+  }
+
+  @Override
+  public double out() {
+    return context.inKernel(frame -> owner ? number(variable.visible().value()) : lastWritten);
+  }
+
+  private static double number(UrbiObject value) {
+    return value instanceof UrbiFloat number ? number.value() : Double.NaN;
+  }
+
+  // ------------------------------------------------------------------ properties
+
+  @Override
+  public UValue property(UProperty property) {
+    return context.inKernel(frame -> {
+      UrbiObject value = Properties.find(frame, object(), symbol(frame), property.text());
+      return value == null ? new UValue() : context.exchange().toJava(value);
+    });
+  }
+
+  @Override
+  public void setProperty(UProperty property, UValue value) {
+    context.inKernel(frame -> {
+      UrbiObject given = context.exchange().toUrbi(value);
+      UrbiObject set =
+          property == UProperty.PROP_CONSTANT
+              ? frame.interpreter().values().bool(value.booleanValue())
+              : given;
+      Properties.set(frame, object(), symbol(frame), property.text(), set);
+      return null;
+    });
+  }
+
+  private UrbiObject object() {
+    UrbiObject object = variable.owner();
+    if (object == null) {
+      throw new IllegalStateException("the object of the variable " + name + " has gone");
+    }
+    return object;
+  }
+
+  private Symbol symbol(Frame frame) {
+    String full = variable.name();
+    return frame.interpreter().world().symbol(full.substring(full.lastIndexOf('.') + 1));
+  }
+
+  // ------------------------------------------------------------------ how it behaves
+
+  @Override
+  public void own() {
+    context.inKernel(frame -> {
+      variable.own();
+      owner = true;
+      return null;
+    });
+  }
+
+  @Override
+  public boolean isOwned() {
+    return owner;
+  }
+
+  @Override
+  public boolean setBypass(boolean on) {
+    context.inKernel(frame -> {
+      bypass = on;
+      variable.setBypass(on);
+      return null;
+    });
+    return true;
+  }
+
+  @Override
+  public void useRtp(boolean on) {
+    // Nothing travels here.
+  }
+
+  @Override
+  public void keepSynchronized() {
+    // It always is.
+  }
+
+  // ------------------------------------------------------------------ notifications
+
+  @Override
+  public Runnable onChange(UObject object, UCallback function) {
+    return context.inKernel(frame -> {
+      JavaHook hook = new JavaHook(context, function);
+      if (owner) {
+        long id = variable.notifyChangeOwned(hook);
+        return ending(() -> variable.removeChangeOwned(id));
+      }
+      long id = variable.notifyChange(frame, hook);
+      return ending(() -> variable.removeChange(id));
+    });
+  }
+
+  @Override
+  public Runnable onAccess(UObject object, UCallback function) {
+    return context.inKernel(frame -> {
+      long id = variable.notifyAccess(frame, new JavaHook(context, function));
+      return ending(() -> variable.removeAccess(id));
+    });
+  }
+
+  private Runnable ending(Runnable removal) {
+    Runnable end =
+        () ->
+            context.inKernel(frame -> {
+              removal.run();
+              return null;
+            });
+    notifications.add(end);
+    return end;
+  }
+
+  @Override
+  public void unnotify() {
+    context.inKernel(frame -> {
+      List<Runnable> all = List.copyOf(notifications);
+      notifications.clear();
+      all.forEach(Runnable::run);
+      return null;
+    });
+  }
+
+  @Override
+  public void close() {
+    unnotify();
+  }
+}

@@ -1,0 +1,128 @@
+package org.urbi.kernel.uobject;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.variable.Datum;
+import org.urbi.kernel.variable.UrbiUVar;
+import org.urbi.lang.source.Span;
+import urbi.UClass;
+import urbi.UObject;
+
+/**
+ * Puts new Java objects behind urbiscript objects that stay: another version of a class. They are
+ * initialized as the old ones were, and find their variables with the values that they had. One
+ * that cannot be made leaves the old one in its place.
+ */
+final class Replacement {
+  private static final CallSite SITE =
+      new CallSite() {
+        @Override
+        public String calledName() {
+          return "loadModule";
+        }
+
+        @Override
+        public Span calledSpan() {
+          return null;
+        }
+      };
+
+  private final PluggedContext context;
+  private final Creation creation;
+
+  Replacement(PluggedContext context, Creation creation) {
+    this.context = context;
+    this.creation = creation;
+  }
+
+  /** What an object had before. */
+  private record Before(
+      UObject java,
+      UClass type,
+      Map<String, BoundFunction> functions,
+      Map<UrbiUVar, Datum> targets,
+      Map<UrbiUVar, Datum> sensed) {}
+
+  /** Replaces what is behind all the objects of the class of that name. */
+  void replace(Frame frame, UClass type) {
+    for (Instance instance : context.objects().all()) {
+      if (instance.type().name().equals(type.name()) && instance.java() != null) {
+        UrbiObject object = instance.object();
+        if (object != null) {
+          replace(frame, instance, object, type);
+        }
+      }
+    }
+  }
+
+  private void replace(Frame frame, Instance instance, UrbiObject object, UClass type) {
+    Before before = before(instance, object);
+    instance.functions().clear();
+    instance.setType(type);
+    try {
+      creation.create(frame, instance, type);
+      if (instance.initArguments() != null) {
+        creation.initialize(frame, SITE, instance, object, instance.initArguments());
+      }
+    } catch (RuntimeException e) {
+      undo(frame, instance, object, before);
+      throw e;
+    }
+    for (String name : before.functions.keySet()) {
+      if (!instance.functions().containsKey(name)) {
+        object.removeSlot(creation.symbol(name));
+      }
+    }
+    clean(frame, before.java);
+    before.targets.forEach(
+        (variable, datum) -> variable.restore(datum, before.sensed.get(variable)));
+  }
+
+  private static Before before(Instance instance, UrbiObject object) {
+    Map<UrbiUVar, Datum> targets = new LinkedHashMap<>();
+    Map<UrbiUVar, Datum> sensed = new LinkedHashMap<>();
+    for (Symbol slot : object.localSlotNames()) {
+      UrbiUVar variable = UrbiUVar.behind(object, slot);
+      if (variable != null) {
+        targets.put(variable, variable.target());
+        sensed.put(variable, variable.visible());
+      }
+    }
+    return new Before(
+        instance.java(),
+        instance.type(),
+        new LinkedHashMap<>(instance.functions()),
+        targets,
+        sensed);
+  }
+
+  private void undo(Frame frame, Instance instance, UrbiObject object, Before before) {
+    UObject failed = instance.java();
+    for (String name : instance.functions().keySet()) {
+      object.removeSlot(creation.symbol(name));
+    }
+    instance.functions().clear();
+    instance.functions().putAll(before.functions);
+    before.functions.forEach((name, function) -> creation.setSlot(object, name, function));
+    instance.setJava(before.java);
+    instance.setType(before.type);
+    if (failed != before.java) {
+      clean(frame, failed);
+    }
+    before.targets.forEach(
+        (variable, datum) -> variable.restore(datum, before.sensed.get(variable)));
+  }
+
+  private void clean(Frame frame, UObject java) {
+    Object outer = context.leave(frame);
+    try {
+      java.clean();
+    } finally {
+      context.back(frame, outer);
+    }
+  }
+}

@@ -1,0 +1,90 @@
+package org.urbi.kernel.uobject;
+
+import org.urbi.kernel.node.Code;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.SlotUpdate;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+import urbi.UCastException;
+import urbi.UDictionary;
+import urbi.UValue;
+
+/**
+ * Objects that travel by value: classes of urbiscript which inherit from {@code UValueSerializable}
+ * and are slots of {@code Serializables} (manual, "Casting simple structures").
+ */
+final class Structures {
+  /** The key under which the name of the structure is. */
+  static final String NAME = "$sn";
+
+  private final PluggedContext context;
+  private final ValueExchange values;
+
+  Structures(PluggedContext context, ValueExchange values) {
+    this.context = context;
+    this.values = values;
+  }
+
+  private UrbiObject prototype(String type) {
+    return context.interpreter().world().prototype(type);
+  }
+
+  boolean isStructure(UrbiObject object) {
+    return object.isA(prototype("UValueSerializable"));
+  }
+
+  /** The fields are the slots of the class. */
+  UDictionary toJava(UrbiObject object, int depth) {
+    UrbiObject type = type(object);
+    return context.inKernel(frame -> {
+      UDictionary fields = new UDictionary();
+      fields.with(NAME, Texts.toJava(frame.interpreter().asString(frame, typeName(type))));
+      for (Symbol slot : type.localSlotNames()) {
+        if (isField(type, slot)) {
+          UrbiObject value = frame.interpreter().get(frame, object, slot);
+          fields.put(Texts.toJava(slot.name()), values.toJava(value, depth + 1));
+        }
+      }
+      return fields;
+    });
+  }
+
+  private UrbiObject typeName(UrbiObject type) {
+    return type.lookup(context.interpreter().world().symbol("type"));
+  }
+
+  /** The nearest ancestor which has a name; the object itself may be one. */
+  private UrbiObject type(UrbiObject object) {
+    UrbiObject type = object.locate(context.interpreter().world().symbol("type"));
+    return type == null ? object : type;
+  }
+
+  /** Whether a slot of a class is data, and not a function or what each class has. */
+  private static boolean isField(UrbiObject type, Symbol slot) {
+    UrbiObject value = type.localSlot(slot);
+    return !(value instanceof Code) && !slot.name().equals("type");
+  }
+
+  /** A fresh object of the class of that name, with these fields. */
+  UrbiObject toUrbi(String name, UDictionary fields) {
+    return context.inKernel(frame -> {
+      UrbiObject registered =
+          prototype("Serializables").localSlot(frame.interpreter().world().symbol(name));
+      if (registered == null) {
+        throw new UCastException("no such class in Serializables: " + name);
+      }
+      UrbiObject made = frame.interpreter().send(frame, registered, "new");
+      fields.forEach((field, value) -> {
+        if (!field.equals(NAME)) {
+          set(frame, made, field, value);
+        }
+      });
+      return made;
+    });
+  }
+
+  private void set(Frame frame, UrbiObject made, String field, UValue value) {
+    Symbol slot = frame.interpreter().world().symbol(Texts.toUrbi(field));
+    SlotUpdate.assign(frame, made, slot, values.element(value));
+  }
+}

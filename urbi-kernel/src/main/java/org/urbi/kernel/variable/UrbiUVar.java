@@ -1,0 +1,460 @@
+package org.urbi.kernel.variable;
+
+import java.lang.ref.WeakReference;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.event.UrbiEvent;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Code;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.node.SlotUpdate;
+import org.urbi.kernel.node.Truth;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.SlotData;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiFloat;
+import org.urbi.kernel.object.UrbiObject;
+
+/**
+ * A variable with hooks, which stands behind a slot (manual, "UVar").
+ *
+ * <p>An owned one has two values: a target, which everybody writes and its owner reads, and a
+ * sensed value, which its owner writes and everybody reads.
+ *
+ * <p>It does not keep the objects alive behind whose slots it stands.
+ */
+public final class UrbiUVar extends UrbiObject {
+  /** A slot behind which the variable stands. */
+  private record Place(WeakReference<UrbiObject> owner, Symbol name) {
+    /** The data of the slot; null when the object has gone. */
+    SlotData data() {
+      UrbiObject object = owner.get();
+      return object == null ? null : object.slotData(name);
+    }
+  }
+
+  /** A job that waits for the next value in bypass mode. */
+  private static final class Reader {
+    private final Job job;
+    private UrbiObject value;
+
+    Reader(Job job) {
+      this.job = job;
+    }
+  }
+
+  private final List<Place> places = new ArrayList<>(1);
+  private final Hooks onChange = new Hooks();
+  private final Hooks onChangeOwned = new Hooks();
+  private final Hooks onAccess = new Hooks();
+  private final List<UrbiConnection> connections = new ArrayList<>(0);
+  private final List<Reader> readers = new ArrayList<>(0);
+  private AccessLoop accessLoop;
+  private UrbiEvent changed;
+  private UrbiObject lobby;
+  private String name = "";
+  private Datum value;
+  private Datum sensed;
+  private boolean owned;
+  private boolean input;
+  private boolean bypass;
+  private long written;
+  private long lastId;
+
+  public UrbiUVar(Shape shape) {
+    super(shape);
+    value = new Datum(world().values().voidObject);
+    sensed = value;
+  }
+
+  @Override
+  public UrbiObject cloned() {
+    return new UrbiUVar(cloneShape());
+  }
+
+  // ------------------------------------------------------------------ where it stands
+
+  /** The variable behind the object's own slot, or null. */
+  public static UrbiUVar behind(UrbiObject owner, Symbol slot) {
+    return owner.localSlot(slot) instanceof UrbiUVar variable && isHooked(owner, slot)
+        ? variable
+        : null;
+  }
+
+  private static boolean isHooked(UrbiObject owner, Symbol slot) {
+    SlotData data = owner.slotData(slot);
+    return data != null && data.setter instanceof Access;
+  }
+
+  /**
+   * Puts this variable behind a slot of an object. The first time, it takes over the value.
+   *
+   * @param shown the name of the object in messages
+   * @param tellsChanges whether the slot has the property {@code changed}, an event
+   */
+  public void bind(Frame frame, UrbiObject owner, Symbol slot, String shown, boolean tellsChanges) {
+    UrbiObject known = owner.localSlot(slot);
+    if (places.isEmpty()) {
+      name = shown + "." + slot.name();
+      lobby = frame.job().lobby();
+      if (known != null) {
+        value = new Datum(known);
+        sensed = value;
+      }
+    }
+    if (known == null) {
+      owner.addSlot(slot, this);
+    } else {
+      owner.setSlotAt(owner.shape().indexOf(slot), this);
+    }
+    places.add(new Place(new WeakReference<>(owner), slot));
+    SlotData data = owner.ensureSlotData(slot);
+    Shape code = frame.interpreter().prototypes().code.cloneShape();
+    data.getter = new Access(code, false);
+    data.setter = new Access(code, true);
+    if (tellsChanges && data.changed == null) {
+      data.changed = changed(frame);
+      data.properties.put("changed", data.changed);
+    }
+    owner.slotDataChanged(slot);
+  }
+
+  /** Its name in messages: {@code object.slot}. */
+  public String name() {
+    return name;
+  }
+
+  /** The object behind whose slot it was put first; null when there is none, or it has gone. */
+  public UrbiObject owner() {
+    return places.isEmpty() ? null : places.getFirst().owner.get();
+  }
+
+  /** The lobby for which it was made: what it does by itself is done for that. */
+  UrbiObject lobby() {
+    return lobby;
+  }
+
+  // ------------------------------------------------------------------ how it behaves
+
+  public boolean isOwned() {
+    return owned;
+  }
+
+  /** From now on it has a target and a sensed value, both what the value was. */
+  public void own() {
+    if (!owned) {
+      owned = true;
+      sensed = value;
+    }
+  }
+
+  /** Whether it passes values on, and keeps none. */
+  public boolean isInput() {
+    return input;
+  }
+
+  public void makeInput() {
+    input = true;
+  }
+
+  /**
+   * Switches the bypass mode, in which the value can be read only while hooks are told of it
+   * (manual, "0-copy mode").
+   */
+  public void setBypass(boolean on) {
+    bypass = on;
+    if (on) {
+      forget();
+    }
+  }
+
+  /** Nothing can be read until the next value comes. */
+  private void forget() {
+    sensed = new Datum(world().values().nil);
+    if (!owned) {
+      value = sensed;
+    }
+  }
+
+  /** The event that is emitted with each new value. */
+  public UrbiEvent changed(Frame frame) {
+    if (changed == null) {
+      changed = (UrbiEvent) frame.interpreter().prototypes().event.cloned();
+      changed.setOnSubscribe(() -> reviewAccess(frame.interpreter()));
+    }
+    return changed;
+  }
+
+  // ------------------------------------------------------------------ hooks
+
+  /** Adds a hook for changes of what everybody reads; returns the number by which to remove it. */
+  public long notifyChange(Frame frame, Hook hook) {
+    onChange.add(++lastId, hook);
+    reviewAccess(frame.interpreter());
+    return lastId;
+  }
+
+  /** Adds a hook for changes of the target; returns the number by which to remove it. */
+  public long notifyChangeOwned(Hook hook) {
+    onChangeOwned.add(++lastId, hook);
+    return lastId;
+  }
+
+  /** Adds a hook that runs before each access; returns the number by which to remove it. */
+  public long notifyAccess(Frame frame, Hook hook) {
+    onAccess.add(++lastId, hook);
+    reviewAccess(frame.interpreter());
+    return lastId;
+  }
+
+  public boolean removeChange(long id) {
+    return onChange.remove(id);
+  }
+
+  public boolean removeChangeOwned(long id) {
+    return onChangeOwned.remove(id);
+  }
+
+  public boolean removeAccess(long id) {
+    return onAccess.remove(id);
+  }
+
+  /** The connections that begin here. */
+  public List<UrbiConnection> connections() {
+    return Collections.unmodifiableList(connections);
+  }
+
+  void add(Frame frame, UrbiConnection connection) {
+    connections.add(connection);
+    reviewAccess(frame.interpreter());
+  }
+
+  void remove(UrbiConnection connection) {
+    connections.remove(connection);
+  }
+
+  /**
+   * Where somebody sets the value when it is read, and others want to know of changes, the variable
+   * is read again and again.
+   */
+  private void reviewAccess(Interpreter interpreter) {
+    // A condition that is being evaluated will watch what it reads.
+    if (accessLoop == null && !onAccess.isEmpty() && (world().tracker != null || isWatched())) {
+      accessLoop = new AccessLoop(interpreter, this);
+    }
+  }
+
+  /** Whether somebody sets the value when it is read, and others want to know of changes. */
+  boolean needsAccess() {
+    return !onAccess.isEmpty() && isWatched();
+  }
+
+  /** The variable is no longer read by itself. */
+  void accessLoopEnded() {
+    accessLoop = null;
+  }
+
+  private boolean isWatched() {
+    if (!onChange.isEmpty()
+        || !connections.isEmpty()
+        || changed != null && changed.hasSubscribers()) {
+      return true;
+    }
+    for (Place place : places) {
+      SlotData data = place.data();
+      if (data != null && data.dependents != null && !data.dependents.isEmpty()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // ------------------------------------------------------------------ reading
+
+  /** What everybody reads; hooks are run before. In bypass mode, waits for the next value. */
+  public UrbiObject read(Frame frame) {
+    if (!onAccess.isEmpty()) {
+      onAccess.run(frame, this, visible(), removesFailed(frame));
+      reviewAccess(frame.interpreter());
+    }
+    if (bypass && isForgotten() && world().tracker == null) {
+      return awaitValue(frame.job());
+    }
+    return visible().value();
+  }
+
+  private boolean isForgotten() {
+    Datum seen = visible();
+    return seen.foreign() == null && seen.value() == world().values().nil;
+  }
+
+  private UrbiObject awaitValue(Job job) {
+    Reader reader = new Reader(job);
+    readers.add(reader);
+    try {
+      while (reader.value == null) {
+        job.waitForWake();
+      }
+      return reader.value;
+    } finally {
+      readers.remove(reader);
+    }
+  }
+
+  /** What everybody reads; no hook is run. */
+  public Datum visible() {
+    return owned ? sensed : value;
+  }
+
+  /** The target of an owned variable; of others, the value. No hook is run. */
+  public Datum target() {
+    return value;
+  }
+
+  /** When it was last written, in nanoseconds of the scheduler. */
+  public long written() {
+    return written;
+  }
+
+  // ------------------------------------------------------------------ writing
+
+  /** Writes as everybody does: the target of an owned variable; hooks are run after. */
+  public void write(Frame frame, Datum datum) {
+    if (!owned) {
+      set(frame, datum);
+      return;
+    }
+    written = frame.interpreter().scheduler().now();
+    value = inRange(frame, datum);
+    onChangeOwned.run(frame, this, value, removesFailed(frame));
+  }
+
+  /**
+   * Writes as the owner of an owned variable does, or as anybody if it is not owned: changes what
+   * everybody reads.
+   */
+  public void set(Frame frame, Datum datum) {
+    Datum assigned = bypass ? datum : inRange(frame, datum);
+    written = frame.interpreter().scheduler().now();
+    if (!input) {
+      if (owned) {
+        sensed = assigned;
+      } else {
+        value = assigned;
+      }
+    }
+    try {
+      tell(frame, assigned);
+    } finally {
+      if (bypass && assigned.foreign() != null) {
+        deliver(assigned);
+        if (visible() == assigned) {
+          forget();
+        }
+      }
+    }
+  }
+
+  private void deliver(Datum assigned) {
+    for (Reader reader : readers) {
+      reader.value = assigned.value();
+      reader.job.wake();
+    }
+  }
+
+  private void tell(Frame frame, Datum assigned) {
+    boolean removes = removesFailed(frame);
+    onChange.run(frame, this, assigned, removes);
+    if (!owned) {
+      onChangeOwned.run(frame, this, assigned, removes);
+    }
+    if (!connections.isEmpty()) {
+      for (UrbiConnection connection : List.copyOf(connections)) {
+        connection.pass(frame, assigned);
+      }
+    }
+    if (changed != null && changed.hasSubscribers()) {
+      changed.emit(frame, assigned.value());
+    }
+    for (int i = 0; i < places.size(); i++) {
+      SlotData data = places.get(i).data();
+      if (data != null && data.dependents != null) {
+        data.dependents.changed();
+      }
+    }
+  }
+
+  /** Gives it the values back that it had; nobody is told. */
+  public void restore(Datum target, Datum seen) {
+    value = target;
+    sensed = seen;
+  }
+
+  /** The value, not less than the slot's property rangemin and not more than rangemax. */
+  private Datum inRange(Frame frame, Datum assigned) {
+    SlotData data = places.isEmpty() ? null : places.getFirst().data();
+    if (data == null) {
+      return assigned;
+    }
+    UrbiObject least = data.properties.get("rangemin");
+    UrbiObject most = data.properties.get("rangemax");
+    if (least == null && most == null || !(assigned.value() instanceof UrbiFloat number)) {
+      return assigned;
+    }
+    double limited = number.value();
+    if (least instanceof UrbiFloat bound) {
+      limited = Math.max(limited, bound.value());
+    }
+    if (most instanceof UrbiFloat bound) {
+      limited = Math.min(limited, bound.value());
+    }
+    return limited == number.value()
+        ? assigned
+        : new Datum(frame.interpreter().values().number(limited));
+  }
+
+  // ------------------------------------------------------------------ failures
+
+  private boolean removesFailed(Frame frame) {
+    UrbiObject remove = lookup(world().symbol("eraseThrowingCallbacks"));
+    return remove != null && Truth.of(frame, remove);
+  }
+
+  void reportFailure(Frame frame, UrbiException failure) {
+    if (frame.job().lobby() instanceof UrbiLobby told && told.output() != null) {
+      told.output().send("error", "!!! Exception caught while processing notify on " + name + ":");
+    }
+    frame.interpreter().report(frame.job(), failure);
+  }
+
+  // ------------------------------------------------------------------ access by the slot
+
+  /** Reads or writes the variable when its slot is read or written. */
+  private final class Access extends Code implements SlotUpdate.Whole {
+    private final boolean writes;
+
+    Access(Shape shape, boolean writes) {
+      super(shape);
+      this.writes = writes;
+    }
+
+    @Override
+    public boolean isLazy() {
+      return false;
+    }
+
+    @Override
+    public UrbiObject call(Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
+      if (!writes) {
+        return read(caller);
+      }
+      write(caller, new Datum(arguments[0]));
+      return arguments[0];
+    }
+  }
+}

@@ -1,0 +1,239 @@
+package org.urbi.server.net;
+
+import io.netty.buffer.ByteBuf;
+import io.netty.buffer.Unpooled;
+import io.netty.channel.ChannelDuplexHandler;
+import io.netty.channel.ChannelHandlerContext;
+import io.netty.channel.ChannelPromise;
+import io.netty.util.concurrent.ScheduledFuture;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.BiFunction;
+import org.urbi.kernel.remote.RemotePeer;
+import org.urbi.kernel.remote.RemoteWire;
+import org.urbi.server.Trace;
+import urbi.remote.Frame;
+import urbi.remote.Protocol;
+import urbi.remote.WireException;
+import urbi.remote.WireInput;
+
+/**
+ * A process with UObjects: cuts what it sends into frames for the kernel, and sends those of the
+ * kernel. Its urbiscript code goes on to the lobby of the connection, and what that shows to the
+ * process.
+ */
+final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
+  private static final int HEADER = 4;
+  private static final int MOST_AHEAD = 4 << 20;
+  private static final int MOST_INPUT = 8 << 20;
+  private static final long MOST_OUTPUT = 512L << 20;
+  private static final long LITTLE_OUTPUT = 1L << 20;
+
+  private static final byte[] PING = {0, 0, 0, 1, Frame.PING};
+  private static final byte[] PONG = {0, 0, 0, 1, Frame.PONG};
+
+  private final BiFunction<String, RemoteWire, RemotePeer> peers;
+  private final Trace trace;
+  private final Queue<byte[]> waiting = new ConcurrentLinkedQueue<>();
+  private final AtomicBoolean scheduled = new AtomicBoolean();
+  private final AtomicLong unsent = new AtomicLong();
+  private final AtomicLong unconsumed = new AtomicLong();
+  private ChannelHandlerContext context;
+  private RemotePeer peer;
+  private ByteBuf partial = Unpooled.EMPTY_BUFFER;
+  private ScheduledFuture<?> watch;
+  private long heard;
+  private String reason = "the remote process has gone";
+  private boolean over;
+
+  /**
+   * @param peers makes the kernel's side, of a name for people
+   */
+  FrameHandler(BiFunction<String, RemoteWire, RemotePeer> peers, Trace trace) {
+    this.peers = peers;
+    this.trace = trace;
+  }
+
+  @Override
+  public void handlerAdded(ChannelHandlerContext added) {
+    context = added;
+    heard = added.executor().ticker().nanoTime();
+    peer = peers.apply(String.valueOf(added.channel().id().asShortText()), this);
+    watch = added.executor().scheduleWithFixedDelay(this::watch, 1, 1, TimeUnit.SECONDS);
+    trace.debug("client has UObjects: " + added.channel().remoteAddress());
+  }
+
+  private void watch() {
+    long silence = TimeUnit.NANOSECONDS.toSeconds(context.executor().ticker().nanoTime() - heard);
+    if (silence >= Protocol.PATIENCE_SECONDS) {
+      close("the remote process does not answer any more");
+    } else if (silence >= Protocol.SILENCE_SECONDS) {
+      context.writeAndFlush(Unpooled.wrappedBuffer(PING));
+    }
+  }
+
+  // ------------------------------------------------------------------ in
+
+  @Override
+  public void channelRead(ChannelHandlerContext from, Object message) {
+    ByteBuf in = (ByteBuf) message;
+    heard = from.executor().ticker().nanoTime();
+    if (partial.isReadable()) {
+      partial.writeBytes(in);
+      in.release();
+      in = partial;
+      partial = Unpooled.EMPTY_BUFFER;
+    }
+    try {
+      read(in);
+    } catch (WireException e) {
+      over = true;
+      close("the remote process does not keep to the protocol: " + e.getMessage());
+    } finally {
+      keep(in);
+    }
+    peer.received();
+    if (unconsumed.get() > MOST_INPUT) {
+      from.channel().config().setAutoRead(false);
+      consumed(0);
+    }
+  }
+
+  private void read(ByteBuf in) {
+    while (!over && in.readableBytes() > HEADER) {
+      int length = in.getInt(in.readerIndex());
+      if (length < 1 || length > Protocol.LONGEST_FRAME) {
+        throw new WireException("a frame of " + length + " bytes");
+      }
+      if (in.readableBytes() < HEADER + length) {
+        return;
+      }
+      in.skipBytes(HEADER);
+      frame(in, length);
+    }
+  }
+
+  private void frame(ByteBuf in, int length) {
+    int type = in.getUnsignedByte(in.readerIndex());
+    switch (type) {
+      case Frame.PING -> {
+        in.skipBytes(length);
+        context.writeAndFlush(Unpooled.wrappedBuffer(PONG));
+      }
+      case Frame.PONG -> in.skipBytes(length);
+      case Frame.CODE -> {
+        in.skipBytes(1);
+        context.fireChannelRead(in.readRetainedSlice(length - 1));
+      }
+      default -> {
+        byte[] bytes = new byte[length];
+        in.readBytes(bytes);
+        unconsumed.addAndGet(length);
+        peer.receive(length, new WireInput(bytes, 0, length));
+      }
+    }
+  }
+
+  /** Keeps the beginning of a frame for later. */
+  private void keep(ByteBuf in) {
+    if (over || !in.isReadable()) {
+      in.release();
+      return;
+    }
+    if (in.refCnt() == 1 && !in.isReadOnly()) {
+      partial = in.discardReadBytes();
+    } else {
+      partial = context.alloc().buffer(in.readableBytes()).writeBytes(in);
+      in.release();
+    }
+    if (partial.readableBytes() >= HEADER) {
+      // Not more at once than may be wasted on somebody who only says that there will be more.
+      long missing =
+          HEADER + (long) partial.getInt(partial.readerIndex()) - partial.readableBytes();
+      partial.ensureWritable((int) Math.clamp(missing, 0, MOST_AHEAD));
+    }
+  }
+
+  @Override
+  public void consumed(int bytes) {
+    if (unconsumed.addAndGet(-bytes) <= MOST_INPUT / 2) {
+      var config = context.channel().config();
+      if (!config.isAutoRead()) {
+        config.setAutoRead(true);
+      }
+    }
+  }
+
+  @Override
+  public void channelInactive(ChannelHandlerContext gone) {
+    over = true;
+    watch.cancel(false);
+    peer.lost(reason);
+    gone.fireChannelInactive();
+  }
+
+  @Override
+  public void handlerRemoved(ChannelHandlerContext removed) {
+    partial.release();
+    partial = Unpooled.EMPTY_BUFFER;
+  }
+
+  // ------------------------------------------------------------------ out
+
+  /** What the lobby shows. */
+  @Override
+  public void write(ChannelHandlerContext to, Object message, ChannelPromise promise) {
+    ByteBuf text = (ByteBuf) message;
+    ByteBuf header = to.alloc().buffer(HEADER + 1);
+    header.writeInt(text.readableBytes() + 1).writeByte(Frame.OUTPUT);
+    to.write(header);
+    to.write(text, promise);
+  }
+
+  @Override
+  public void send(byte[] frames) {
+    if (unsent.addAndGet(frames.length) > MOST_OUTPUT) {
+      close("the remote process does not read what it is sent");
+      return;
+    }
+    waiting.add(frames);
+    if (scheduled.compareAndSet(false, true)) {
+      context.executor().execute(this::flush);
+    }
+  }
+
+  private void flush() {
+    scheduled.set(false);
+    for (byte[] frames = waiting.poll(); frames != null; frames = waiting.poll()) {
+      int length = frames.length;
+      context
+          .write(Unpooled.wrappedBuffer(frames))
+          .addListener(done -> {
+            long before = unsent.getAndAdd(-length);
+            if (before > LITTLE_OUTPUT && before - length <= LITTLE_OUTPUT) {
+              peer.drained();
+            }
+          });
+    }
+    context.flush();
+  }
+
+  @Override
+  public long pending() {
+    return unsent.get();
+  }
+
+  @Override
+  public void close(String why) {
+    context
+        .executor()
+        .execute(() -> {
+          reason = why;
+          trace.debug("client lost: " + context.channel().remoteAddress() + ": " + why);
+          context.close();
+        });
+  }
+}

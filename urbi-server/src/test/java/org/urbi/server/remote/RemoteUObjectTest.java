@@ -1,0 +1,492 @@
+package org.urbi.server.remote;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.Random;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.urbi.kernel.Kernel;
+import org.urbi.server.Trace;
+import org.urbi.server.net.ConsoleServer;
+import org.urbi.server.net.Limits;
+import urbi.LockMode;
+import urbi.UBinary;
+import urbi.UClass;
+import urbi.UClientException;
+import urbi.UEvent;
+import urbi.UImage;
+import urbi.UModule;
+import urbi.UObject;
+import urbi.USyncClient;
+import urbi.UValue;
+import urbi.UVar;
+import urbi.remote.Protocol;
+import urbi.remote.RemoteContext;
+
+/** UObjects that are connected to a kernel, and not plugged into it. */
+@Timeout(60)
+class RemoteUObjectTest {
+  private static final Duration PATIENCE = Duration.ofSeconds(20);
+  private static final String HOST = "127.0.0.1";
+
+  private Kernel kernel;
+  private ConsoleServer server;
+  private RemoteContext remote;
+  private USyncClient client;
+
+  @BeforeEach
+  void start() throws IOException {
+    kernel = Kernel.builder().start();
+    PrintStream nowhere =
+        new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
+    server =
+        new ConsoleServer(
+            new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
+            each -> kernel.connect(each, false),
+            kernel::connectRemote,
+            Limits.DEFAULT,
+            new Trace(Trace.Level.NONE, nowhere));
+    remote = new RemoteContext(HOST, server.port());
+    client = USyncClient.connect(HOST, server.port(), PATIENCE);
+    client.setDefaultTimeout(PATIENCE);
+  }
+
+  @AfterEach
+  void stop() {
+    client.close();
+    remote.close();
+    kernel.close();
+    server.close();
+  }
+
+  private static UClass type(String name, UClass.Factory factory) {
+    return new UClass(name, new UModule("test"), factory);
+  }
+
+  private String eval(String expression) {
+    return client.syncEval(expression).toString();
+  }
+
+  private String error(String expression) {
+    String message =
+        assertThrows(UClientException.class, () -> client.syncEval(expression)).getMessage();
+    return message.replaceFirst("^[\\d.-]*: ", "");
+  }
+
+  /** The manual's. */
+  static class Adder extends UObject {
+    private final UVar v = new UVar();
+
+    Adder(String name) {
+      super(name);
+      UBindFunction("init");
+    }
+
+    public int init(double initial) {
+      UBindVar(v, "v");
+      v.setValue(initial);
+      UBindFunctions("add", "fail", "echo");
+      return 0;
+    }
+
+    public double add(double other) {
+      return v.doubleValue() + other;
+    }
+
+    public void fail(String text) {
+      throw new IllegalStateException(text);
+    }
+
+    public UValue echo(UValue value) {
+      return value;
+    }
+  }
+
+  @Test
+  void theManualsAdder() {
+    remote.start(type("Adder", Adder::new));
+    assertEquals("\"Adder\"", eval("Adder.asString"));
+    assertEquals("lookup failed: v", error("Adder.v"));
+    client.syncEval("var Global.a = Adder.new(51)");
+    assertEquals("51", eval("a.v"));
+    assertEquals("61", eval("a.add(10)"));
+    assertEquals("1", eval("{ a.v = 0.5; a.add(0.5) }"));
+    assertEquals("var", eval("\"var\"").replace("\"", ""));
+    client.syncEval("var Global.b = Adder.new(1)");
+    assertEquals("[2, 1.5]", eval("[b.add(1), a.add(1)]"));
+  }
+
+  @Test
+  void valuesGoThereAndBack() {
+    remote.start(type("Adder", Adder::new));
+    client.syncEval("var Global.a = Adder.new(0)");
+    assertEquals("[1, \"\\\"é\", [\"k\" => [2]]]", eval("a.echo([1, \"\\\"é\", [\"k\" => [2]]])"));
+    byte[] data = new byte[100_000];
+    new Random(5).nextBytes(data);
+    UValue image = new UValue(new UBinary("rgb 1 2", data));
+    client.send("var Global.image = ");
+    client.send(image);
+    client.send(";");
+    assertEquals(image, client.syncEval("a.echo(image)"));
+  }
+
+  @Test
+  void errorsGoToTheCaller() {
+    remote.start(type("Adder", Adder::new));
+    assertTrue(error("Adder.new").contains("expected 1"), error("Adder.new"));
+    client.syncEval("var Global.a = Adder.new(0)");
+    assertEquals(
+        "fail: exception caught while calling "
+            + eval("a.__uobjectName").replace("\"", "")
+            + ".fail: no way",
+        error("a.fail(\"no way\")"));
+    assertTrue(error("a.add(\"many\")").contains("invalid cast to double from \"many\""));
+    assertEquals("3", eval("1 + 2"));
+  }
+
+  static class Broken extends UObject {
+    Broken(String name) {
+      super(name);
+      UBindFunction("init");
+      if (!name.equals("Broken")) {
+        throw new IllegalStateException("out of order");
+      }
+    }
+
+    public int init() {
+      return 0;
+    }
+  }
+
+  @Test
+  void aConstructorThatThrows() {
+    remote.start(type("Broken", Broken::new));
+    assertTrue(error("Broken.new").contains("out of order"), error("Broken.new"));
+    assertThrows(
+        IllegalStateException.class,
+        () ->
+            remote.start(
+                type(
+                    "Worse",
+                    name -> {
+                      throw new IllegalStateException("never");
+                    })));
+    assertEquals("3", eval("1 + 2"));
+  }
+
+  static class Watcher extends UObject {
+    static final BlockingQueue<String> SEEN = new LinkedBlockingQueue<>();
+    final UVar own = new UVar();
+    final UVar sensor = new UVar();
+    final UVar other = new UVar();
+    final UEvent event = new UEvent();
+
+    Watcher(String name) {
+      super(name);
+      UBindVar(own, "own");
+      UBindVar(sensor, "sensor");
+      UOwned(sensor);
+      UBindEvent(event, "event");
+      UBindFunctions("write", "emit", "read", "threaded");
+      own.setValue(1);
+      sensor.setValue(2);
+      UNotifyChange(own, "ownChanged");
+      UNotifyChange(sensor, "sensorChanged");
+    }
+
+    public void ownChanged(UVar v) {
+      SEEN.add("own " + v.intValue());
+    }
+
+    public void sensorChanged(double target) {
+      SEEN.add("sensor " + target);
+      sensor.setValue(target / 2);
+    }
+
+    public void write(double value) {
+      own.setValue(value);
+    }
+
+    public void emit(double value) {
+      event.emit(value, "x");
+    }
+
+    public double read(String name) {
+      return new UVar(name).doubleValue();
+    }
+
+    public void threaded() {
+      UBindThreadedFunction("wait_", LockMode.LOCK_NONE);
+    }
+
+    public double wait_() throws InterruptedException {
+      Thread.sleep(50);
+      return 5;
+    }
+  }
+
+  private static String seen() throws InterruptedException {
+    return Watcher.SEEN.poll(20, TimeUnit.SECONDS);
+  }
+
+  @Test
+  void variablesAndEvents() throws InterruptedException {
+    Watcher.SEEN.clear();
+    remote.start(type("Watcher", Watcher::new));
+    assertEquals("[1, 2]", eval("[Watcher.own, Watcher.sensor]"));
+    eval("Watcher.own = 7");
+    assertEquals("own 7", seen());
+    eval("Watcher.write(8)");
+    assertEquals("own 8", seen());
+    assertEquals("8", eval("Watcher.own"));
+    eval("Watcher.sensor = 20");
+    assertEquals("sensor 20.0", seen());
+    assertEquals("10", eval("{ Watcher.read(\"Watcher.own\"); Watcher.sensor }"));
+    client.send("var Global.heard = nil | at (Watcher.event?(var a, var b)) heard = [a, b];");
+    eval("Watcher.emit(3)");
+    assertEquals("[3, \"x\"]", eval("{ waituntil(!heard.isNil); heard }"));
+    client.syncEval("var Global.x = 3.25");
+    assertEquals("3.25", eval("Watcher.read(\"Global.x\")"));
+    assertTrue(
+        error("Watcher.read(\"nowhere.x\")").contains("UVar creation on non existing object"));
+    assertEquals(null, Watcher.SEEN.poll());
+  }
+
+  @Test
+  void aSlowFunctionDoesNotBlockTheKernel() {
+    Watcher.SEEN.clear();
+    remote.start(type("Watcher", Watcher::new));
+    eval("Watcher.threaded");
+    assertEquals(
+        "[5, 5, true]",
+        eval(
+            "{ var t = time; var r = []; { r << Watcher.wait_ } & { r << Watcher.wait_ };"
+                + " r << (time - t < 90ms) }"));
+  }
+
+  static class Ticker extends UObject {
+    int ticks;
+    int updates;
+
+    Ticker(String name) {
+      super(name);
+      USetTimer(5, this, "tick");
+      USetUpdate(5);
+      UBindFunctions("counts", "urbi");
+    }
+
+    public int tick() {
+      ticks++;
+      return 0;
+    }
+
+    @Override
+    public int update() {
+      updates++;
+      return 0;
+    }
+
+    public boolean counts() {
+      return ticks > 3 && updates > 3;
+    }
+
+    public void urbi() {
+      send("var Global.sent = 12;");
+      call("Global", "setSlot", "called", 13);
+    }
+  }
+
+  @Test
+  void timersAndUrbiscript() {
+    remote.start(type("Ticker", Ticker::new));
+    assertEquals("1", eval("{ while (!Ticker.counts) sleep(5ms); 1 }"));
+    eval("Ticker.urbi");
+    assertEquals(
+        "[12, 13]",
+        eval(
+            "{ while (!Global.hasSlot(\"sent\") || !Global.hasSlot(\"called\")) sleep(5ms);"
+                + " [Global.sent, Global.called] }"));
+  }
+
+  static class Accessed extends UObject {
+    final UVar v = new UVar();
+    int reads;
+
+    Accessed(String name) {
+      super(name);
+      UBindVar(v, "v");
+      UNotifyAccess(v, "read");
+    }
+
+    public void read(UVar var) {
+      var.setValue(++reads);
+    }
+  }
+
+  @Test
+  void accessesAreTold() {
+    remote.start(type("Accessed", Accessed::new));
+    double first = client.syncEval("Accessed.v").doubleValue();
+    assertEquals(first + 1, client.syncEval("Accessed.v").doubleValue());
+  }
+
+  static class Stuck extends UObject {
+    static final CountDownLatch CALLED = new CountDownLatch(1);
+
+    Stuck(String name) {
+      super(name);
+      UBindFunction("hang");
+    }
+
+    public void hang() throws InterruptedException {
+      CALLED.countDown();
+      Thread.sleep(30_000);
+    }
+  }
+
+  @Test
+  void aLostRemoteIsNoticedAndMayComeBack() throws Exception {
+    remote.start(type("Stuck", Stuck::new));
+    remote.start(type("Adder", Adder::new));
+    client.syncEval("var Global.a = Adder.new(5)");
+    CompletableFuture<String> error = CompletableFuture.supplyAsync(() -> error("Stuck.hang"));
+    assertTrue(Stuck.CALLED.await(20, TimeUnit.SECONDS));
+    assertEquals("3", eval("1 + 2"));
+    remote.close();
+    assertTrue(
+        error.get(20, TimeUnit.SECONDS).contains("the remote process has gone"), error.get());
+    assertTrue(error("a.add(1)").contains("lookup failed"), error("a.add(1)"));
+    assertTrue(error("Adder.new(1)").contains("lookup failed"), error("Adder.new(1)"));
+    remote = new RemoteContext(HOST, server.port());
+    remote.start(type("Adder", Adder::new));
+    assertEquals("3", eval("Adder.new(1).add(2)"));
+  }
+
+  @Test
+  void aKernelThatEndsIsNoticed() throws Exception {
+    remote.start(type("Adder", Adder::new));
+    kernel.close();
+    assertNotEquals(null, remote.onClosed().get(20, TimeUnit.SECONDS));
+    assertThrows(UClientException.class, () -> remote.variable("Global.x"));
+    assertThrows(UClientException.class, () -> remote.send("1;"));
+  }
+
+  @Test
+  void garbageEndsTheConnectionAndNothingElse() throws Exception {
+    Random random = new Random(9);
+    for (int i = 0; i < 50; i++) {
+      try (Socket socket = new Socket(HOST, server.port())) {
+        OutputStream out = socket.getOutputStream();
+        out.write(Protocol.request().getBytes(StandardCharsets.US_ASCII));
+        byte[] garbage = new byte[200];
+        random.nextBytes(garbage);
+        if (i % 2 == 0) {
+          garbage[0] = 0;
+          garbage[1] = 0;
+          garbage[2] = 0;
+          garbage[3] = (byte) (1 + random.nextInt(100));
+          garbage[4] = (byte) (16 + random.nextInt(22));
+        }
+        try {
+          out.write(garbage);
+          socket.shutdownOutput();
+          socket.getInputStream().readAllBytes();
+        } catch (IOException e) {
+          // The server has hung up already.
+        }
+      }
+    }
+    assertEquals("3", eval("1 + 2"));
+  }
+
+  @Test
+  void versionsAreAgreedUpon() throws Exception {
+    try (Socket socket = new Socket(HOST, server.port())) {
+      socket.getOutputStream().write("\"urbi-uobject 7 9\";\n".getBytes(StandardCharsets.US_ASCII));
+      InputStream in = socket.getInputStream();
+      assertEquals(
+          "[00000000:uobject] !!! this server speaks versions 1 to 1 of the UObject protocol\n",
+          new String(in.readAllBytes(), StandardCharsets.US_ASCII));
+    }
+    ConsoleServer plain =
+        new ConsoleServer(
+            new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
+            each -> kernel.connect(each, false),
+            Limits.DEFAULT,
+            new Trace(Trace.Level.NONE, System.err));
+    try (plain) {
+      assertEquals(
+          "the server does not speak the UObject protocol",
+          assertThrows(UClientException.class, () -> new RemoteContext(HOST, plain.port()))
+              .getMessage());
+    }
+    try (ServerSocket other = new ServerSocket(0, 5, InetAddress.getLoopbackAddress())) {
+      Thread.ofVirtual()
+          .start(() -> {
+            try (Socket peer = other.accept()) {
+              peer.getOutputStream()
+                  .write("SSH-2.0\r\n".repeat(200).getBytes(StandardCharsets.US_ASCII));
+            } catch (IOException e) {
+              // The other side has seen enough.
+            }
+          });
+      assertThrows(UClientException.class, () -> new RemoteContext(HOST, other.getLocalPort()));
+    }
+  }
+
+  static class Camera extends UObject {
+    static final BlockingQueue<UImage> SEEN = new LinkedBlockingQueue<>();
+    final UVar val = new UVar();
+
+    Camera(String name) {
+      super(name);
+      UBindVar(val, "val");
+      UNotifyChange("Global.image", "onImage");
+      UBindFunction("shoot");
+    }
+
+    public void onImage(UImage image) {
+      SEEN.add(image);
+    }
+
+    public void shoot(int size) {
+      byte[] data = new byte[size];
+      new Random(size).nextBytes(data);
+      val.setValue(new UImage(urbi.UImageFormat.IMAGE_RGB, 640, 480, data));
+    }
+  }
+
+  @Test
+  void imagesBothWays() throws Exception {
+    client.syncEval("var Global.image = 0");
+    remote.start(type("Camera", Camera::new));
+    eval("Camera.shoot(921600)");
+    byte[] expected = new byte[921600];
+    new Random(921600).nextBytes(expected);
+    eval("{ Global.image = Camera.val | 0 }");
+    UImage image = Camera.SEEN.poll(20, TimeUnit.SECONDS);
+    assertEquals(640, image.getWidth());
+    assertArrayEquals(expected, image.getData());
+  }
+}
