@@ -2,6 +2,8 @@ package org.urbi.sim.vision;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.MethodType;
 import java.net.URL;
 import java.net.URLConnection;
 import java.nio.file.Files;
@@ -57,7 +59,7 @@ public final class OpenCv {
   private static SimulationException load() {
     try {
       Path library = unpacked(resource(), cacheFolder());
-      System.load(library.toString());
+      loadForOpenCv(library);
       // One thread: what is computed is the same everywhere, and small images gain nothing.
       Core.setNumThreads(1);
       return null;
@@ -67,6 +69,36 @@ public final class OpenCv {
       return new SimulationException("OpenCV cannot be unpacked: " + e, e);
     } catch (LinkageError e) {
       return new SimulationException("OpenCV cannot be loaded: " + e.getMessage(), e);
+    }
+  }
+
+  /**
+   * A library is that of the class loader which loads it, and that has to be the one of OpenCV's
+   * classes: components have a class loader of their own.
+   */
+  private static void loadForOpenCv(Path library) throws IOException {
+    try {
+      Class<?> loader = libraryLoader();
+      MethodHandles.privateLookupIn(loader, MethodHandles.lookup())
+          .findStatic(loader, "load", MethodType.methodType(void.class, String.class))
+          .invokeExact(library.toString());
+    } catch (Error | RuntimeException | IOException e) {
+      throw e;
+    } catch (Throwable e) {
+      throw new SimulationException("OpenCV cannot be loaded: " + e, e);
+    }
+  }
+
+  private static Class<?> libraryLoader() throws IOException, IllegalAccessException {
+    String name = Core.class.getPackageName() + ".LibraryLoader";
+    try {
+      return Class.forName(name, true, Core.class.getClassLoader());
+    } catch (ClassNotFoundException e) {
+      try (InputStream own =
+          OpenCv.class.getResourceAsStream("/" + name.replace('.', '/') + ".class")) {
+        return MethodHandles.privateLookupIn(Core.class, MethodHandles.lookup())
+            .defineClass(own.readAllBytes());
+      }
     }
   }
 

@@ -22,6 +22,7 @@ public final class Drive {
   private double p;
   private double i;
   private double d;
+  private double load = 1;
   private double target;
   private double integral;
   private double lastError;
@@ -95,6 +96,23 @@ public final class Drive {
     integral = 0;
   }
 
+  /** How much of its force it may use. */
+  public double load() {
+    return load;
+  }
+
+  /**
+   * How much of its force it may use, from 0 to 1.
+   *
+   * @throws SimulationException if it is not between these
+   */
+  public void setLoad(double share) {
+    if (!(share >= 0 && share <= 1)) {
+      throw new SimulationException(name() + ": load: between 0 and 1 expected, not " + share);
+    }
+    load = share;
+  }
+
   /** The position, or the speed, that it is to reach. */
   public double target() {
     return target;
@@ -128,6 +146,6 @@ public final class Drive {
         integral -= error * step;
       }
     }
-    joint.drive(Math.clamp(speed, -maxSpeed, maxSpeed), maxForce);
+    joint.drive(Math.clamp(speed, -maxSpeed, maxSpeed), load * maxForce);
   }
 }

@@ -3,6 +3,7 @@ package org.urbi.sim.physics.ode;
 import static org.urbi.sim.physics.ode.OdeLibrary.*;
 
 import com.sun.jna.Memory;
+import com.sun.jna.Native;
 import com.sun.jna.Pointer;
 import java.nio.DoubleBuffer;
 import java.util.ArrayList;
@@ -338,8 +339,9 @@ final class NativeDynamics implements Dynamics {
 
   @Override
   public void step(long number) {
-    // The library has one state of random numbers for all worlds of the process.
-    synchronized (OdeLibrary.class) {
+    // The library has one state of random numbers for all worlds of the process, and one class
+    // here for each class loader of a component.
+    synchronized (Native.class) {
       dRandSetSeed(number);
       if (settings.solver() == PhysicsSettings.Solver.EXACT) {
         dWorldStep(world, settings.step());

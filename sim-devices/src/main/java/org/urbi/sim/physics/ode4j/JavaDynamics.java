@@ -313,7 +313,7 @@ final class JavaDynamics implements Dynamics {
   @Override
   public void step(long number) {
     // The random numbers are those of all worlds of the process.
-    synchronized (JavaDynamics.class) {
+    synchronized (DMisc.class) {
       DMisc.dRandSetSeed(number);
       if (settings.solver() == PhysicsSettings.Solver.EXACT) {
         world.step(settings.step());
