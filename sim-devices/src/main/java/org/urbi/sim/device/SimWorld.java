@@ -12,6 +12,7 @@ import org.urbi.sim.geometry.Vec3;
 import org.urbi.sim.physics.Body;
 import org.urbi.sim.render.Lens;
 import org.urbi.sim.render.Renderer;
+import org.urbi.sim.time.ProcessTime;
 import org.urbi.sim.world.Drive;
 import org.urbi.sim.world.Engines;
 import org.urbi.sim.world.Mount;
@@ -47,6 +48,7 @@ public final class SimWorld extends UObject implements AutoCloseable {
   private final UVar beat = new UVar();
 
   private final List<SimDevice> devices = new ArrayList<>();
+  private final ProcessTime processTime = new ProcessTime();
   private final Renderer renderer = new Renderer();
   private SimulatedWorld world;
   private TimerHandle timer;
@@ -115,6 +117,9 @@ public final class SimWorld extends UObject implements AutoCloseable {
   // ------------------------------------------------------------------ time
 
   private double now() {
+    if (isRemoteMode()) {
+      return processTime.seconds();
+    }
     beat.setValue(++beats);
     return beat.timestamp() / MICROSECONDS;
   }
