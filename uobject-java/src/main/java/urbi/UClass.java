@@ -40,6 +40,15 @@ public final class UClass {
     this.factory = Objects.requireNonNull(factory, "factory");
   }
 
+  /**
+   * The class of objects of a Java class, under its simple name; it need not be declared.
+   *
+   * @throws UModuleException if it has no constructor that takes a String
+   */
+  public static UClass of(Class<? extends UObject> javaClass) {
+    return UModule.of(javaClass.getClassLoader()).typeOf(javaClass);
+  }
+
   /** The name in urbiscript. */
   public String name() {
     return name;

@@ -26,6 +26,7 @@ public final class UModule {
   private final List<UHubClass> hubs = new CopyOnWriteArrayList<>();
   private final List<UContext> contexts = new CopyOnWriteArrayList<>();
   private final UTaskQueue queue = new UTaskQueue();
+  private ModuleClassLoader loader;
 
   /** A module to be filled by hand, for classes that are not of Java. */
   public UModule(String name) {
@@ -33,26 +34,46 @@ public final class UModule {
   }
 
   /**
-   * Loads a jar: every class in it that calls {@link UObject#UStart} or {@link UObject#UStartHub}
-   * when it is initialized, or is annotated with {@link UStart}, is initialized now.
+   * Loads a jar, or a folder of classes: every class in it that calls {@link UObject#UStart} or
+   * {@link UObject#UStartHub} when it is initialized, or is annotated with {@link UStart}, is
+   * initialized now; which these are {@linkplain UModuleIndex the manifest} may say.
    *
    * @throws UModuleException if the file cannot be read or is no jar, has no such class, or one
    *     that cannot be loaded
    */
   public static UModule load(Path jar) {
+    return load(jar, List.of());
+  }
+
+  /**
+   * Loads a jar that may use classes of other ones, too.
+   *
+   * @param libraries looked into for classes that the jar lacks, whenever one is needed
+   * @throws UModuleException as {@link #load(Path)}
+   */
+  public static UModule load(Path jar, List<UModule> libraries) {
+    UModule module = loadLibrary(jar, libraries);
+    if (module.classes.isEmpty() && module.hubs.isEmpty()) {
+      throw new UModuleException("no UObject in " + jar);
+    }
+    return module;
+  }
+
+  /**
+   * Loads a jar for the classes in it, which may be UObjects.
+   *
+   * @throws UModuleException as {@link #load(Path)}, but it need not have UObjects
+   */
+  public static UModule loadLibrary(Path jar, List<UModule> libraries) {
     JarContent content;
     try {
       content = JarContent.read(jar);
     } catch (IOException e) {
       throw new UModuleException("cannot read " + jar + ": " + JarContent.reason(e), e);
     }
-    var classLoader = new ModuleClassLoader(content, UModule.class.getClassLoader());
     UModule module = new UModule(jar.getFileName().toString());
-    classLoader.setModule(module);
-    classLoader.initialize();
-    if (module.classes.isEmpty() && module.hubs.isEmpty()) {
-      throw new UModuleException("no UObject in " + jar);
-    }
+    module.loader = new ModuleClassLoader(content, module, libraries, ModuleParent.LOADER);
+    module.loader.initialize();
     return module;
   }
 
@@ -77,6 +98,11 @@ public final class UModule {
       }
     }
     return module != null && module.contexts.size() == 1 ? module.contexts.getFirst() : null;
+  }
+
+  /** A class of the jar by its name, for other modules; null if it has none. */
+  Class<?> findClass(String className) {
+    return loader == null ? null : loader.own(className);
   }
 
   /** What it is called: the name of the file. */

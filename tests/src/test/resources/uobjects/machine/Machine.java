@@ -1,14 +1,14 @@
 import java.util.List;
 
 /** Joins pieces, which takes its time; it knows nothing of Urbi. */
-class Machine {
+public class Machine {
   private final long milliseconds;
 
-  Machine(double seconds) {
+  public Machine(double seconds) {
     milliseconds = Math.round(seconds * 1000);
   }
 
-  String assemble(List<String> pieces) {
+  public String assemble(List<String> pieces) {
     try {
       Thread.sleep(milliseconds);
     } catch (InterruptedException e) {

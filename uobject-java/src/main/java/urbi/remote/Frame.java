@@ -31,6 +31,7 @@ public final class Frame {
   public static final int REPORT = 35;
   public static final int ACCESSED = 36;
   public static final int RTP = 37;
+  public static final int FENCE = 38;
 
   // From the kernel.
   public static final int NEW = 64;

@@ -89,6 +89,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   }
 
   UValue ask(BiConsumer<WireOutput, Integer> question) {
+    dispatcher.letRead();
     return requests.ask(number -> sendNow(out -> question.accept(out, number)));
   }
 
@@ -187,7 +188,9 @@ public final class RemoteContext implements UContext, AutoCloseable {
     classes.put(type.name(), type);
     inTurn(() -> {
       ask((out, number) -> out.begin(Frame.CLASS).size(number).text(type.name()).end());
-      return type.create(type.name());
+      type.create(type.name());
+      // What the constructor has bound is there for everybody when this returns.
+      return ask((out, number) -> out.begin(Frame.FENCE).size(number).end());
     });
   }
 
@@ -237,6 +240,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
     } catch (Throwable e) {
       failures.put(name, "exception caught while making a " + className + ": " + Failure.text(e));
       objects.remove(name);
+      functions.remove(name);
     }
   }
 

@@ -49,7 +49,7 @@ final class KernelSession implements AutoCloseable {
   private final Kernel kernel;
 
   /** The library's own source files, which installations have in their search path. */
-  private static final List<Path> SEARCH_PATH = List.of(Path.of("../share").toAbsolutePath());
+  private static final Path LIBRARY = Path.of("../share").toAbsolutePath();
 
   private KernelSession(Kernel kernel) {
     this.kernel = kernel;
@@ -58,18 +58,15 @@ final class KernelSession implements AutoCloseable {
   private static Kernel.Builder builder(BackEnd backEnd) {
     return Kernel.builder()
         .jobThreads(backEnd.jobThreads)
+        .searchPath(List.of(LIBRARY))
+        .library(LIBRARY)
         .log(line -> {})
         .moduleSearchPath(List.of(UObjectJars.folder()));
   }
 
   /** A kernel whose time jumps from deadline to deadline. */
   static KernelSession inVirtualTime(BackEnd backEnd) {
-    return new KernelSession(
-        Kernel.builder()
-            .virtualTime(true)
-            .jobThreads(backEnd.jobThreads)
-            .searchPath(SEARCH_PATH)
-            .start());
+    return new KernelSession(builder(backEnd).virtualTime(true).start());
   }
 
   /** A kernel that lives in our time. */

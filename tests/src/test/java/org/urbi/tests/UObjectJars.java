@@ -68,6 +68,13 @@ final class UObjectJars {
     pack(classes, jar, "");
   }
 
+  /** Compiles all the sources in a folder to another one. */
+  static void compile(Path sources, Path classes) throws IOException {
+    try (Stream<Path> files = Files.walk(sources)) {
+      compile(files.filter(file -> file.toString().endsWith(".java")).sorted().toList(), classes);
+    }
+  }
+
   private static void compile(List<Path> sources, Path classes) throws IOException {
     JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
     StringWriter messages = new StringWriter();

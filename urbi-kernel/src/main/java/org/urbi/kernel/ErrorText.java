@@ -8,6 +8,7 @@ import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
 /** Shows errors that no code has caught, as the manual does. */
@@ -19,9 +20,7 @@ final class ErrorText {
     Output output = lobby.output();
     switch (failure) {
       case UrbiException e -> {
-        // Errors of syntax tell where in the text they are.
-        boolean syntax = e.value().isA(interpreter.errors().prototype("Syntax"));
-        String place = syntax ? "" : place(e.span());
+        String place = isPlaced(interpreter, e.value()) ? place(e.span()) : "";
         output.send("error", "!!! " + place + text(interpreter, job, lobby, e));
         for (UrbiException.Call call : e.backtrace()) {
           if (call.name() != null) {
@@ -36,6 +35,12 @@ final class ErrorText {
       }
       default -> output.send("error", "!!! internal error: " + failure);
     }
+  }
+
+  /** Errors of syntax tell where in the text they are, and what is no exception has no place. */
+  private static boolean isPlaced(Interpreter interpreter, UrbiObject value) {
+    return value.isA(interpreter.world().prototype("Exception"))
+        && !value.isA(interpreter.errors().prototype("Syntax"));
   }
 
   private static String place(Span span) {

@@ -46,6 +46,8 @@ import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
 import org.urbi.kernel.time.VirtualClock;
 import org.urbi.kernel.uobject.PluggedContext;
+import urbi.UClass;
+import urbi.UObject;
 
 /**
  * An urbiscript engine. Several can run in one process, and any thread may use one: what it asks
@@ -56,6 +58,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
   private final Interpreter interpreter;
   private final Embedding embedding;
   private final List<Path> searchPath;
+  private final Path library;
   private final List<Path> moduleSearchPath;
   private final PluggedContext uobjects;
   private final Outside outside;
@@ -79,6 +82,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
     private boolean virtualTime;
     private JobThreads jobThreads = JobThreads.AUTO;
     private List<Path> searchPath = List.of();
+    private Path library;
     private List<Path> moduleSearchPath = List.of(Path.of("."));
     private int stackSize;
     private long seed;
@@ -108,6 +112,12 @@ public final class Kernel implements AutoCloseable, KernelControl {
     /** Where source files are looked for, first to last. */
     public Builder searchPath(List<Path> folders) {
       searchPath = List.copyOf(folders);
+      return this;
+    }
+
+    /** The folder of the library's own source files: {@code Traceable} may hide their calls. */
+    public Builder library(Path folder) {
+      library = folder;
       return this;
     }
 
@@ -207,6 +217,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
     World world = new World();
     this.scheduler = new Scheduler(world, clock, builder.jobThreads, this::report);
     this.searchPath = builder.searchPath;
+    this.library = builder.library == null ? null : builder.library.toAbsolutePath().normalize();
     this.moduleSearchPath = builder.moduleSearchPath;
     this.outside = new Outside(scheduler, builder.confinement);
     this.programName = builder.programName;
@@ -363,6 +374,17 @@ public final class Kernel implements AutoCloseable, KernelControl {
   }
 
   /**
+   * Plugs in a class of UObjects of this program, as {@code loadModule} does with those of a jar;
+   * it need not call {@code UStart}. May be called from any thread; the constructor runs on the
+   * kernel thread.
+   *
+   * @throws RuntimeException if it cannot be constructed
+   */
+  public void start(Class<? extends UObject> type) {
+    uobjects.start(UClass.of(type));
+  }
+
+  /**
    * Listens to an event. The listener gets the payload of each emission, one after the other, on a
    * thread that it may block.
    *
@@ -432,6 +454,11 @@ public final class Kernel implements AutoCloseable, KernelControl {
   @Override
   public List<Path> searchPath() {
     return searchPath;
+  }
+
+  @Override
+  public Path library() {
+    return library;
   }
 
   @Override

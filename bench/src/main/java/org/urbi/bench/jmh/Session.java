@@ -6,6 +6,7 @@ import java.util.concurrent.TimeUnit;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
+import urbi.UObject;
 
 /**
  * A kernel in real time with one connection, on which a statement is sent and its value awaited.
@@ -42,6 +43,11 @@ final class Session implements AutoCloseable {
       Thread.currentThread().interrupt();
       throw new IllegalStateException(e);
     }
+  }
+
+  /** Plugs in a UObject. */
+  void start(Class<? extends UObject> type) {
+    kernel.start(type);
   }
 
   /** Defines {@code turns(n)}, which does something so many times. */

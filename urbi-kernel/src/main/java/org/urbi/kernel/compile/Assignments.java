@@ -43,8 +43,8 @@ final class Assignments {
           toMessage(span, message, assignment.value(), block);
       case Ast.Property property ->
           new Properties.Write(
-              span,
-              target(property.target(), span, block),
+              property.span(),
+              compilation.receivers.target(property.target(), property.slot(), span, block),
               interpreter().world().symbol(property.slot()),
               property.name(),
               operand(assignment.value(), block));
@@ -75,7 +75,7 @@ final class Assignments {
     }
     return new Slots.Assign(
         span,
-        target(message.target(), message.span(), block),
+        compilation.receivers.target(message.target(), message.name(), message.span(), block),
         interpreter().world().symbol(message.name()),
         operand(value, block));
   }
@@ -127,7 +127,8 @@ final class Assignments {
             Variable variable = message.target() == null ? block.find(message.name()) : null;
             yield variable == null
                 ? new InPlace.Slot(
-                    target(message.target(), message.span(), block),
+                    compilation.receivers.target(
+                        message.target(), message.name(), message.span(), block),
                     Slots.lookup(interpreter(), message.name()),
                     message.span())
                 : new InPlace.OfVariable(
@@ -135,7 +136,7 @@ final class Assignments {
           }
           case Ast.Property property ->
               new InPlace.OfProperty(
-                  target(property.target(), span, block),
+                  compilation.receivers.target(property.target(), property.slot(), span, block),
                   interpreter().world().symbol(property.slot()),
                   property.name());
           default -> new InPlace.Constant(operand(target, block));

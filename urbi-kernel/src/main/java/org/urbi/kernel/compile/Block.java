@@ -1,7 +1,9 @@
 package org.urbi.kernel.compile;
 
+import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 
 /** A lexical scope while it is compiled. */
@@ -15,6 +17,7 @@ final class Block {
   private boolean redefines;
   private final Map<String, Variable> variables = new LinkedHashMap<>();
   private Map<Object, Variable> begun;
+  private List<Import> imports;
 
   private Block(Block parent, Unit unit, int region, boolean slots, boolean scope) {
     this.parent = parent;
@@ -91,7 +94,7 @@ final class Block {
     return block;
   }
 
-  /** Code of this scope asks for {@code redefinitionMode}. */
+  /** Code of this scope asks for {@code redefinitionMode} or {@code nonInterruptible}. */
   void setRedefines() {
     redefines = true;
   }
@@ -102,6 +105,40 @@ final class Block {
 
   void add(String name, Variable variable) {
     variables.put(name, variable);
+  }
+
+  /**
+   * An {@code import} in a scope.
+   *
+   * @param variable where the object is that names are imported from
+   * @param only the only name that is imported, or null
+   */
+  record Import(Variable variable, String only) {
+    boolean brings(String name) {
+      return only == null || only.equals(name);
+    }
+  }
+
+  /** Names are looked up in an object, too. */
+  void addImport(Import one) {
+    if (imports == null) {
+      imports = new ArrayList<>();
+    }
+    imports.addFirst(one);
+  }
+
+  /** The imports of this block, the last one first. */
+  List<Import> imports() {
+    return imports == null ? List.of() : imports;
+  }
+
+  Block parent() {
+    return parent;
+  }
+
+  /** Whether {@code this} may be another object than in the block around. */
+  boolean changesTarget() {
+    return parameters || (slots && scope);
   }
 
   /** A declaration of this block whose variable another block has begun. */

@@ -29,7 +29,9 @@ final class Claims {
         text(ast),
         null,
         operator(message),
-        message.target() == null ? null : compilation.expressions.operand(message.target(), block),
+        message.target() == null
+            ? compilation.receivers.implicit(message.name(), message.span(), block)
+            : compilation.expressions.operand(message.target(), block),
         compilation.interpreter().world().symbol(message.name()),
         message.arguments() == null
             ? List.of()

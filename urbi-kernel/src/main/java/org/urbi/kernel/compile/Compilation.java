@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.Set;
 import org.urbi.kernel.node.FrameLayout;
+import org.urbi.kernel.node.Imports;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Variables;
@@ -19,20 +20,24 @@ import org.urbi.lang.source.Span;
  */
 public final class Compilation {
   private final Interpreter interpreter;
+  private final Imports imports;
   private final Set<Object> sharedKeys = Collections.newSetFromMap(new IdentityHashMap<>());
   private boolean learned;
   private int regions;
   final Statements statements;
   final Expressions expressions;
   final Claims claims;
+  final Receivers receivers;
   final Functions functions;
   final Handlers handlers;
 
-  private Compilation(Interpreter interpreter) {
+  private Compilation(Interpreter interpreter, Imports imports) {
     this.interpreter = interpreter;
+    this.imports = imports;
     this.statements = new Statements(this);
     this.expressions = new Expressions(this);
     this.claims = new Claims(this);
+    this.receivers = new Receivers(this);
     this.functions = new Functions(this);
     this.handlers = new Handlers(this);
   }
@@ -40,9 +45,18 @@ public final class Compilation {
   /** Compiled code of the top level. */
   public record Compiled(Node code, FrameLayout layout) {}
 
-  /** Compiles a statement of the top level. */
+  /** Compiles a statement that stands alone. */
   public static Compiled compile(Interpreter interpreter, Ast statement) {
-    var compilation = new Compilation(interpreter);
+    return compile(interpreter, statement, new Imports());
+  }
+
+  /**
+   * Compiles a statement of the top level.
+   *
+   * @param imports what the statements before have imported; this one may add to it
+   */
+  public static Compiled compile(Interpreter interpreter, Ast statement, Imports imports) {
+    var compilation = new Compilation(interpreter, imports);
     while (true) {
       compilation.learned = false;
       compilation.regions = 0;
@@ -52,6 +66,11 @@ public final class Compilation {
         return new Compiled(code, unit.layout());
       }
     }
+  }
+
+  /** What is imported at the top level. */
+  Imports imports() {
+    return imports;
   }
 
   Interpreter interpreter() {

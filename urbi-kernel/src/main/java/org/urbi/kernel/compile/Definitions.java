@@ -1,7 +1,9 @@
 package org.urbi.kernel.compile;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.urbi.kernel.node.ClassNodes;
+import org.urbi.kernel.node.Imports;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Properties;
@@ -105,14 +107,14 @@ final class Definitions {
   }
 
   Node packageDefinition(Ast.PackageDefinition definition, Block block) {
-    Ast.Message name = definition.name();
     Span span = definition.span();
-    Node object =
-        new ClassNodes.Package(
-            span, target(name.target(), span, block), interpreter(), name.name());
+    List<Symbol> path = new ArrayList<>();
+    for (Ast at = definition.name(); at instanceof Ast.Message name; at = name.target()) {
+      path.addFirst(symbol(name.name()));
+    }
     return new ClassNodes.WithBody(
         span,
-        object,
+        new Imports.Package(span, path),
         compilation.statements.scopeIn(definition.body(), block.target(), Seen.NOTHING));
   }
 
@@ -131,11 +133,6 @@ final class Definitions {
         new ClassNodes.Enumeration(
             definition.span(), interpreter(), name.name(), List.copyOf(definition.values()));
     return named(name, definition, definition.span(), block, object);
-  }
-
-  Node importDefinition(Ast.Import definition, Block block) {
-    return new ClassNodes.Import(
-        definition.span(), interpreter(), definition.path(), definition.all());
   }
 
   Node accessor(Ast.Accessor accessor, Block block) {

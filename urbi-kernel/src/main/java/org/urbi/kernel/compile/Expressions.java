@@ -27,6 +27,9 @@ final class Expressions {
   /** Functions of the library that execute their argument in another job. */
   private static final Set<String> DETACHING = Set.of("detach", "disown");
 
+  /** What changes the way in which a scope is executed. */
+  private static final Set<String> MODES = Set.of("redefinitionMode", "nonInterruptible");
+
   private final Compilation compilation;
   private final Definitions definitions;
   private final Assignments assignments;
@@ -89,7 +92,7 @@ final class Expressions {
     if (ast instanceof Ast.Property property) {
       return new Properties.Read(
           property.span(),
-          target(property.target(), property.span(), block),
+          compilation.receivers.target(property.target(), property.slot(), property.span(), block),
           symbol(property.slot()),
           property.name());
     }
@@ -123,7 +126,7 @@ final class Expressions {
       return definitions.packageDefinition(definition, block);
     }
     if (ast instanceof Ast.Import definition) {
-      return definitions.importDefinition(definition, block);
+      return compilation.receivers.importFrom(definition, block);
     }
     if (ast instanceof Ast.EnumDefinition definition) {
       return definitions.enumDefinition(definition, block);
@@ -166,7 +169,7 @@ final class Expressions {
     if (isScopeTag(message)) {
       return scopeTag(message, block);
     }
-    if (message.name().equals("redefinitionMode") && block.nearestScope() != null) {
+    if (MODES.contains(message.name()) && block.nearestScope() != null) {
       block.nearestScope().setRedefines();
     }
     if (message.target() == null) {
@@ -178,7 +181,10 @@ final class Expressions {
             : new Message.OfLocal(span, message.name(), read, all(message.arguments(), block));
       }
     }
-    Node target = message.target() == null ? null : operand(message.target(), block);
+    Node target =
+        message.target() == null
+            ? compilation.receivers.implicit(message.name(), span, block)
+            : operand(message.target(), block);
     Node[] arguments = message.arguments() == null ? null : all(message, block);
     var sent = new Message(span, Slots.lookup(interpreter(), message.name()), target, arguments);
     if (target != null && arguments != null && arguments.length == 1) {
@@ -233,7 +239,7 @@ final class Expressions {
     }
     return new Slots.Access(
         access.span(),
-        target(access.target(), access.span(), block),
+        compilation.receivers.target(access.target(), access.name(), access.span(), block),
         Slots.lookup(interpreter(), access.name()));
   }
 

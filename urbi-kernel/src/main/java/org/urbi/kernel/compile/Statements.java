@@ -215,12 +215,11 @@ final class Statements {
 
   /** The statements of a scope, in a block made for them. */
   Node scopeIn(Ast.Scope scope, Block inner, Seen seen) {
-    return sequence(scope.body(), inner, seen, code -> withState(scope, inner, code));
+    Node code = sequence(scope.body(), inner, seen, body -> withTag(scope, inner, body));
+    return inner.redefines() ? new Redefinition(scope.span(), code) : code;
   }
 
-  /** A scope that has a tag, or slots that may be defined again. */
-  private Node withState(Ast.Scope scope, Block inner, Node code) {
-    Node body = inner.redefines() ? new Redefinition(scope.span(), code) : code;
+  private Node withTag(Ast.Scope scope, Block inner, Node body) {
     Variable tag = inner.local(SCOPE_TAG);
     return tag == null ? body : new ScopeTag(scope.span(), compilation.place(tag, inner), body);
   }

@@ -1,5 +1,6 @@
 package org.urbi.kernel.event;
 
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Timers;
 import org.urbi.kernel.node.Frame;
@@ -37,6 +38,8 @@ public final class WaitUntil extends Node {
       source.subscribe(waiting, frame.job());
       try {
         waiting.await();
+      } catch (UrbiException e) {
+        throw frame.located(e, event.span());
       } finally {
         source.unsubscribe(waiting);
         waiting.close();
@@ -46,6 +49,8 @@ public final class WaitUntil extends Node {
       try {
         waiting.evaluated(waiting.watch.evaluate(frame.job()), frame.job());
         waiting.await();
+      } catch (UrbiException e) {
+        throw frame.located(e, expression.span());
       } finally {
         waiting.watch.close();
         waiting.close();

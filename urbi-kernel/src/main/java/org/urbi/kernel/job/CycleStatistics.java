@@ -4,14 +4,20 @@ package org.urbi.kernel.job;
 public final class CycleStatistics {
   private static final double NANOSECONDS = 1e9;
 
+  private long since;
   private long count;
   private double minimum;
   private double maximum;
   private double mean;
   private double squares;
 
-  /** Forgets all the ticks. */
-  public void reset() {
+  /**
+   * Forgets all the ticks.
+   *
+   * @param cycle the number of the one that is going on
+   */
+  public void reset(long cycle) {
+    since = cycle;
     count = 0;
     minimum = 0;
     maximum = 0;
@@ -30,9 +36,9 @@ public final class CycleStatistics {
     squares += difference * (seconds - mean);
   }
 
-  /** The number of ticks, at least the one that is going on. */
-  public long count() {
-    return Math.max(1, count);
+  /** The number of the first cycle that was not counted. */
+  public long since() {
+    return since;
   }
 
   public double minimum() {

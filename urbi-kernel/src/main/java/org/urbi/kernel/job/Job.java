@@ -41,7 +41,7 @@ public final class Job implements Runnable {
   private final Scheduler scheduler;
   private final Body body;
   private final String name;
-  private final UrbiObject lobby;
+  private UrbiObject lobby;
   private final JobGroup group;
   private final JobThread thread;
   private TagScope scope;
@@ -91,6 +91,12 @@ public final class Job implements Runnable {
   /** How many scopes there are around in which slots may be defined again. */
   public int redefinitions;
 
+  /** How many scopes there are around that no other job may interrupt. */
+  public int nonInterruptible;
+
+  /** Jobs of a lower priority do not run while this one can; usually 0. */
+  public double priority;
+
   Job(
       Scheduler scheduler,
       Body body,
@@ -114,6 +120,9 @@ public final class Job implements Runnable {
     if (creator != null && creator.observer != null) {
       observer = creator.observer.forChild();
     }
+    if (creator != null) {
+      priority = creator.priority;
+    }
   }
 
   // ------------------------------------------------------------------ what it is
@@ -129,6 +138,11 @@ public final class Job implements Runnable {
   /** The lobby for which it runs, to which its output goes. */
   public UrbiObject lobby() {
     return lobby;
+  }
+
+  /** From now on it runs for another lobby. */
+  public void runFor(UrbiObject other) {
+    lobby = other;
   }
 
   public State state() {
@@ -201,7 +215,10 @@ public final class Job implements Runnable {
 
   /** The separator {@code ;}: lets the others run, if there are any. */
   public void yield() {
-    if (scheduler.hasOthers()) {
+    if ((nonInterruptible | Double.doubleToRawLongBits(priority)) != 0 && goesOn()) {
+      checkInjected();
+      checkInterrupted();
+    } else if (scheduler.hasOthers()) {
       yieldNow();
     } else {
       checkInjected();
@@ -210,12 +227,31 @@ public final class Job implements Runnable {
 
   /** Lets everybody else who can run do so. */
   public void yieldNow() {
+    if (nonInterruptible > 0) {
+      if (frozenDepth > 0) {
+        throw scheduler.refusal("attempt to wait in non-interruptible code");
+      }
+      checkInjected();
+      return;
+    }
     scheduler.enqueue(this);
     switchOut();
   }
 
-  /** Waits until that time of the scheduler, in nanoseconds. */
+  /** Whether nobody else may run now. */
+  private boolean goesOn() {
+    return nonInterruptible > 0 || !scheduler.hasOthersFrom(priority);
+  }
+
+  /**
+   * Waits until that time of the scheduler, in nanoseconds.
+   *
+   * @throws RuntimeException in non-interruptible code
+   */
   public void sleepUntil(long deadline) {
+    if (nonInterruptible > 0) {
+      throw scheduler.refusal("attempt to sleep in non-interruptible code");
+    }
     state = State.SLEEPING;
     timer = scheduler.timers().add(deadline, this::timeIsUp);
     switchOut();
@@ -226,8 +262,15 @@ public final class Job implements Runnable {
     makeRunnable();
   }
 
-  /** Waits until somebody calls {@link #wake}. */
+  /**
+   * Waits until somebody calls {@link #wake}.
+   *
+   * @throws RuntimeException in non-interruptible code
+   */
   public void waitForWake() {
+    if (nonInterruptible > 0) {
+      throw scheduler.refusal("attempt to wait in non-interruptible code");
+    }
     state = State.WAITING;
     switchOut();
   }
@@ -315,7 +358,6 @@ public final class Job implements Runnable {
       if (timer != null) {
         sleepLeft = timer.deadline() - frozenSince;
         timer.cancel();
-        timer = null;
       }
     }
   }
@@ -324,7 +366,7 @@ public final class Job implements Runnable {
     if (--frozenDepth == 0) {
       timeShift += scheduler.now() - frozenSince;
       if (state == State.SLEEPING) {
-        timer = scheduler.timers().add(scheduler.now() + sleepLeft, this::timeIsUp);
+        timer = scheduler.timers().moved(timer, scheduler.now() + sleepLeft, this::timeIsUp);
       } else if (heldByFreeze) {
         heldByFreeze = false;
         scheduler.enqueue(this);

@@ -34,6 +34,10 @@ public final class JobGroup {
     if (thrown != null && failure == null) {
       failure = thrown;
       parent.inject(new ChildFailure(this));
+      // The others do not run on until it is the parent's turn.
+      for (Job job : new ArrayList<>(live)) {
+        job.terminate();
+      }
     } else if (live.isEmpty()) {
       parent.wake();
     }
@@ -45,6 +49,9 @@ public final class JobGroup {
    * @throws RuntimeException what one of them was left by
    */
   public void join() {
+    if (!live.isEmpty() && failure == null && parent.nonInterruptible > 0) {
+      throw parent.scheduler().refusal("dependency on other task in non-interruptible code");
+    }
     while (!live.isEmpty() && failure == null) {
       parent.waitForWake();
     }

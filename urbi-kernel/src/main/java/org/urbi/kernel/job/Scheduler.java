@@ -6,6 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.BiConsumer;
+import java.util.function.Function;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.time.Clock;
@@ -47,6 +48,7 @@ public final class Scheduler {
   private final TagScope rootScope = new TagScope();
   private final List<Runnable> endOfTick = new ArrayList<>();
   private final BiConsumer<Job, Throwable> uncaught;
+  private Function<String, RuntimeException> refusals = IllegalStateException::new;
   private int births;
   private int spins;
   private long passed;
@@ -221,6 +223,26 @@ public final class Scheduler {
     }
     passed++;
     return false;
+  }
+
+  /** Whether there are others to run with at least that priority. */
+  boolean hasOthersFrom(double priority) {
+    for (Job job : runnable) {
+      if (job.priority >= priority) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** What a job is left with that waits where it must not. */
+  RuntimeException refusal(String message) {
+    return refusals.apply(message);
+  }
+
+  /** Sets how errors of jobs are made; once, by the interpreter. */
+  public void setRefusals(Function<String, RuntimeException> how) {
+    refusals = how;
   }
 
   /**

@@ -50,6 +50,13 @@ public final class Timers {
     return timer;
   }
 
+  /** A timer in the place of another one, of which it keeps the rank among those at its time. */
+  Timer moved(Timer before, long deadline, Runnable action) {
+    Timer timer = new Timer(deadline, before.order, action);
+    queue.add(timer);
+    return timer;
+  }
+
   /** Does what is due. */
   void fire(long now) {
     Timer first;

@@ -22,6 +22,9 @@ final class BadNumberException {
 
   @Builtin(doc = "The routine, and what is wrong with the number.")
   static String asString(Frame frame, UrbiObject self) {
+    if (self.lookup(self.world().symbol("fmt")) == null) {
+      return ExceptionType.asString(frame, self);
+    }
     String routine = ExceptionType.text(frame, self, "routine");
     // An argument exception names the routine itself.
     return (routine.isEmpty() ? "" : routine + ": ")

@@ -7,7 +7,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
 /** What {@code trigger} of events returns (manual, "Event"). */
-@UrbiType(value = "Event.Handle", doc = "An event that is being emitted.")
+@UrbiType(value = "EventHandler", doc = "An event that is being emitted.")
 final class EmissionType {
   private EmissionType() {}
 

@@ -6,6 +6,7 @@ import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Imports;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.parse.Parsed;
@@ -60,9 +61,10 @@ public final class Evaluation {
   private static UrbiObject execute(
       Frame frame, CallSite site, UrbiObject target, Ast.Sequence program) {
     UrbiObject value = frame.interpreter().values().voidObject;
+    Imports imports = new Imports();
     for (int i = 0; i < program.statements().size(); i++) {
       Compilation.Compiled compiled =
-          Compilation.compile(frame.interpreter(), program.statements().get(i));
+          Compilation.compile(frame.interpreter(), program.statements().get(i), imports);
       Frame inner = frame.nested(site, target, compiled.layout());
       boolean background =
           i < program.separators().size() && program.separators().get(i) == Ast.Flavor.COMMA;

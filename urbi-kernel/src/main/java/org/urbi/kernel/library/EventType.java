@@ -45,7 +45,7 @@ final class EventType {
   }
 
   private static UrbiObject handle(Frame frame, Emission emission) {
-    UrbiObject proto = frame.interpreter().world().prototype("Event.Handle");
+    UrbiObject proto = frame.interpreter().world().prototype("EventHandler");
     return new UrbiEmission(proto.cloneShape(), emission);
   }
 

@@ -21,7 +21,7 @@ import org.urbi.lang.print.FloatFormat;
     doc = "A floating point number, which integers are too.")
 final class FloatType {
   /** How much "almost equal" numbers differ at most. */
-  private static final double TOLERANCE = 1e-4;
+  static final double TOLERANCE = 1e-4;
 
   private FloatType() {}
 
@@ -75,9 +75,13 @@ final class FloatType {
 
   @Builtin(value = "~=", doc = "Whether they differ by little, relative to their size.")
   static boolean almostEquals(UrbiFloat self, double that) {
+    double tolerance =
+        self.lookup(self.world().symbol("epsilonTilde")) instanceof UrbiFloat set
+            ? set.value()
+            : TOLERANCE;
     // Near zero sizes mean nothing.
     double size = Math.max(1, Math.max(Math.abs(self.value()), Math.abs(that)));
-    return self.value() == that || Math.abs(self.value() - that) <= TOLERANCE * size;
+    return self.value() == that || Math.abs(self.value() - that) <= tolerance * size;
   }
 
   @Builtin(value = "=~=", doc = "Whether they differ by little.")
@@ -154,10 +158,17 @@ final class FloatType {
   }
 
   @Builtin(
-      value = {"asString", "asPrintable"},
+      value = {"asString"},
       doc = "The number in decimal.")
   static String asString(UrbiFloat self) {
     return FloatFormat.format(self.value());
+  }
+
+  @Builtin(doc = "The number in decimal, unless asString is another one.")
+  static UrbiObject asPrintable(Frame frame, UrbiFloat self) {
+    return self.shape() == self.world().values().floatShape
+        ? self.world().values().string(asString(self))
+        : frame.interpreter().send(frame, self, "asString");
   }
 
   @Builtin(

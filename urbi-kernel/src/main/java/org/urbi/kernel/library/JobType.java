@@ -143,7 +143,7 @@ final class JobType {
 
   @Builtin(doc = "The calls that are going on in the job, innermost first.")
   static UrbiObject backtrace(Frame frame, UrbiJob self) {
-    return StackFrameType.list(frame.interpreter().world(), calls(frame, self));
+    return StackFrameType.list(frame.interpreter(), calls(frame, self));
   }
 
   @Builtin(doc = "Tells the state of the job: its status, its tags, its calls.")

@@ -15,6 +15,9 @@ public interface KernelControl {
   /** Where source files are looked for, first to last. */
   List<Path> searchPath();
 
+  /** The folder of the library's own source files; null when there is none. */
+  Path library();
+
   /** Where modules with UObjects are looked for, first to last. */
   List<Path> moduleSearchPath();
 

@@ -61,6 +61,7 @@ public final class Library {
     }
     inheritance(tables);
     constants();
+    EvaluateVariable.install(interpreter);
     errors();
     interpreter.setAfterStatements(Finalization.of(world)::run);
     interpreter.rememberNumberOperators();
@@ -167,9 +168,11 @@ public final class Library {
     lobby.addSlot(world.symbol("topLevel"), topLevel);
     lobby.addSlot(world.symbol("onDisconnect"), interpreter.prototypes().event.cloned());
     channel.addSlot(world.symbol("warning"), channel(channel, "warning", false));
+    types.get("Float").addSlot(world.symbol("epsilonTilde"), values.number(FloatType.TOLERANCE));
     types.get("System").addSlot(world.symbol("period"), values.number(0.02));
     types.get("Exception.Lookup").addSlot(world.symbol("fixSpelling"), values.trueObject);
     types.get("UVar").addSlot(world.symbol("hookChanged"), values.trueObject);
+    types.get("UVar").addSlot(world.symbol("eraseThrowingCallbacks"), values.falseObject);
     types.get("Exception").addSlot(world.symbol("message"), values.string("<no message>"));
   }
 
@@ -199,7 +202,7 @@ public final class Library {
       if (exception.span() != null) {
         OwnSlots.put(value, "location", LocationType.make(world, exception.span()));
       }
-      OwnSlots.put(value, "backtrace", StackFrameType.list(world, exception.backtrace()));
+      OwnSlots.put(value, "backtrace", StackFrameType.list(interpreter, exception.backtrace()));
     }
   }
 }

@@ -22,7 +22,18 @@ public final class LoadedFiles {
   }
 
   private final Set<Path> loaded = new HashSet<>();
+  private final Set<String> systemFiles = new HashSet<>();
   private final Map<Path, Loading> underWay = new LinkedHashMap<>();
+
+  /** A file of the library has been loaded; messages call it so. */
+  void noteSystemFile(String name) {
+    systemFiles.add(name);
+  }
+
+  /** Whether messages call a file of the library so. */
+  boolean isSystemFile(String name) {
+    return systemFiles.contains(name);
+  }
 
   /** A file is being loaded from now on; tell its {@link #end}. */
   void begin(Job job, Path file) {

@@ -3,7 +3,6 @@ package org.urbi.kernel.library;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.LinkedHashSet;
-import java.util.List;
 import java.util.Set;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
@@ -11,6 +10,7 @@ import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Values;
@@ -33,6 +33,7 @@ final class ObjectType {
   @Builtin(doc = "Puts a prototype in front of the others.")
   static UrbiObject addProto(Frame frame, CallSite site, UrbiObject self, UrbiObject proto) {
     FinalizableType.check(frame, site, self, proto);
+    checkNumber(frame, site, self, proto);
     self.addProto(proto);
     return self;
   }
@@ -140,9 +141,11 @@ final class ObjectType {
     return false;
   }
 
-  @Builtin(doc = "The list of the prototypes, first looked up first.")
-  static List<UrbiObject> protos(UrbiObject self) {
-    return Arrays.asList(self.protos());
+  @Builtin(doc = "The list of the prototypes, first looked up first; it may be modified.")
+  static UrbiObject protos(UrbiObject self) {
+    UrbiList protos = self.world().values().list(Arrays.asList(self.protos()));
+    protos.watchContent(() -> self.setProtos(protos.elements().toArray(UrbiObject[]::new)));
+    return protos;
   }
 
   @Builtin(value = "protos", setter = true, doc = "Replaces the list of the prototypes.")
@@ -161,7 +164,17 @@ final class ObjectType {
     for (UrbiObject proto : protos.elements()) {
       FinalizableType.check(frame, site, self, proto);
     }
-    self.setProtos(protos.elements().toArray(UrbiObject[]::new));
+    self.setProtos(new LinkedHashSet<>(protos.elements()).toArray(UrbiObject[]::new));
+  }
+
+  /** Refuses to make something a number by its prototypes: it would have no value. */
+  private static void checkNumber(Frame frame, CallSite site, UrbiObject self, UrbiObject proto) {
+    if (proto instanceof UrbiFloat && !(self instanceof UrbiFloat)) {
+      throw frame
+          .interpreter()
+          .errors()
+          .primitive(site.calledName(), "cannot inherit from a Float without being one");
+    }
   }
 
   @Builtin(doc = "The identifier of the object, unique in this kernel.")

@@ -5,6 +5,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Function;
 import org.urbi.kernel.node.Tuples;
@@ -75,8 +76,11 @@ final class Printing {
 
   /** Whether it is shown by the library, and not by functions of a program. */
   private boolean isPlain(UrbiObject value) {
-    return !(value.lookup(asPrintable) instanceof Function)
-        && !(value.lookup(asString) instanceof Function);
+    return isOfLibrary(value.lookup(asPrintable)) && isOfLibrary(value.lookup(asString));
+  }
+
+  private static boolean isOfLibrary(UrbiObject method) {
+    return method instanceof Code && !(method instanceof Function);
   }
 
   private void appendContainer(UrbiObject container) {

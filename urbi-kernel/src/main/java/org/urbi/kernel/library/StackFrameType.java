@@ -6,6 +6,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.World;
@@ -15,12 +16,20 @@ import org.urbi.kernel.object.World;
 final class StackFrameType {
   private StackFrameType() {}
 
-  /** The calls as a list; those which were made by the library itself are left out. */
-  static UrbiObject list(World world, List<UrbiException.Call> calls) {
+  /**
+   * The calls as a list, without those which were made by the library itself in Java, and, unless
+   * {@code Traceable} says otherwise, by its source files.
+   */
+  static UrbiObject list(Interpreter interpreter, List<UrbiException.Call> calls) {
+    World world = interpreter.world();
     List<UrbiObject> frames = new ArrayList<>();
     UrbiObject prototype = world.prototype("StackFrame");
+    LoadedFiles files = ((KernelControl) interpreter.host()).loadedFiles();
+    boolean hides = TraceableType.hidesSystemFiles(world);
     for (UrbiException.Call call : calls) {
-      if (call.name() != null && call.span() != null) {
+      if (call.name() != null
+          && call.span() != null
+          && !(hides && files.isSystemFile(call.span().location().file()))) {
         UrbiObject frame = prototype.cloned();
         fill(frame, world.values().string(call.name()), LocationType.make(world, call.span()));
         frames.add(frame);

@@ -125,8 +125,16 @@ final class SystemFiles {
     return isFile(frame, site, here) ? here : null;
   }
 
-  /** The name of a file in messages: short when it is below the working directory. */
+  /**
+   * The name of a file in messages: short when it is the library's, or in the working directory.
+   */
   private static String shown(Frame frame, Path file) {
+    Path library = KernelControl.of(frame).library();
+    if (library != null && file.startsWith(library)) {
+      String name = UrbiPath.encoded(library.relativize(file));
+      KernelControl.of(frame).loadedFiles().noteSystemFile(name);
+      return name;
+    }
     Path working = workingDirectory(frame);
     return UrbiPath.encoded(file.startsWith(working) ? working.relativize(file) : file);
   }

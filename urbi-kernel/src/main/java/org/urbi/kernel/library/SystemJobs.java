@@ -13,6 +13,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Profiler;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Location;
 
 /** What the server does, and what its code is doing (manual, "System"). */
 @UrbiTypePart("System")
@@ -39,11 +40,18 @@ final class SystemJobs {
     return LobbyType.of(frame);
   }
 
-  @Builtin(doc = "How many cycles there were since resetStats, and how many seconds they took.")
+  @Builtin(
+      doc =
+          "How many cycles there were since resetStats, and how many seconds they took; nil right"
+              + " after it.")
   static UrbiObject stats(Frame frame, UrbiObject self) {
     CycleStatistics statistics = frame.job().scheduler().statistics();
+    long cycles = frame.job().scheduler().cycle() - statistics.since();
+    if (cycles == 0) {
+      return frame.interpreter().values().nil;
+    }
     Map<UrbiDictionary.Key, UrbiObject> entries = new LinkedHashMap<>();
-    put(frame, entries, "cycles", statistics.count());
+    put(frame, entries, "cycles", cycles);
     put(frame, entries, "cyclesMin", statistics.minimum());
     put(frame, entries, "cyclesMean", statistics.mean());
     put(frame, entries, "cyclesMax", statistics.maximum());
@@ -61,12 +69,26 @@ final class SystemJobs {
 
   @Builtin(doc = "Begins to count the cycles anew.")
   static void resetStats(Frame frame, UrbiObject self) {
-    frame.job().scheduler().statistics().reset();
+    frame.job().scheduler().statistics().reset(frame.job().scheduler().cycle());
   }
 
   @Builtin(doc = "Lets slots be defined again until the end of the scope.")
   static void redefinitionMode(Frame frame, UrbiObject self) {
     frame.job().redefinitions++;
+  }
+
+  @Builtin(value = "__HERE__", doc = "The position in the source at which it is written.")
+  static UrbiObject here(CallSite site, UrbiObject self) {
+    if (site.calledSpan() == null) {
+      return self.world().prototype("Position");
+    }
+    Location place = site.calledSpan().location();
+    return PositionType.make(self.world(), place.file(), place.line(), place.column());
+  }
+
+  @Builtin(doc = "Lets no other job run until the end of the scope, which may not wait either.")
+  static void nonInterruptible(Frame frame, UrbiObject self) {
+    frame.job().nonInterruptible++;
   }
 
   @Builtin(doc = "Calls a function, and measures what it does.")

@@ -36,15 +36,27 @@ final class SystemModules {
   }
 
   @Builtin(
-      value = {"loadModule", "loadLibrary"},
       doc =
           "Loads the UObjects of a module. One that is loaded already is replaced if the file has"
               + " changed; its objects stay.")
   static void loadModule(
       Frame frame, CallSite site, UrbiObject self, UrbiObject module, @Optional String options) {
+    load(frame, site, module, false);
+  }
+
+  @Builtin(
+      doc =
+          "Loads a module whose classes can be used by those that are loaded later. It need not"
+              + " have UObjects.")
+  static void loadLibrary(
+      Frame frame, CallSite site, UrbiObject self, UrbiObject library, @Optional String options) {
+    load(frame, site, library, true);
+  }
+
+  private static void load(Frame frame, CallSite site, UrbiObject module, boolean library) {
     Path file = file(frame, module);
     try {
-      modules(frame).load(frame, file);
+      modules(frame).load(frame, file, library);
     } catch (UModuleException e) {
       throw frame
           .interpreter()

@@ -81,6 +81,17 @@ final class TagType {
     return self.state().isFrozen();
   }
 
+  @Builtin(doc = "The priority of the code under the tag: 0 unless it was set.")
+  static double priority(UrbiTag self) {
+    return self.priority();
+  }
+
+  @Builtin(
+      doc = "Has code that enters the tag from now on run before all code of a lower priority.")
+  static void setPriority(UrbiTag self, double priority) {
+    self.setPriority(Math.max(0, priority));
+  }
+
   @Builtin(doc = "An event emitted each time code enters the tag.")
   static UrbiEvent enter(Frame frame, UrbiTag self) {
     if (self.enterEvent() == null) {

@@ -25,9 +25,20 @@ final class TrajectoryType {
       UrbiObject self,
       UrbiObject read,
       UrbiObject write,
-      UrbiFloat target,
+      UrbiObject target,
       UrbiDictionary attributes) {
-    Motion motion = new Motion(frame, site, self, read, write, target, attributes);
+    if (frame.interpreter().call(frame, site, read, self) instanceof UrbiGroup) {
+      GroupMotion.run(frame, site, self, read, write, target, attributes);
+      return;
+    }
+    if (!(target instanceof UrbiFloat goal)) {
+      throw frame
+          .interpreter()
+          .errors()
+          .argumentType(
+              "TrajectoryGenerator", 1, target, self.world().values().floatProto, "Float");
+    }
+    Motion motion = new Motion(frame, site, self, read, write, goal, attributes);
     UrbiObject kind = OwnSlots.get(frame, self, kind(frame, motion));
     frame
         .interpreter()

@@ -37,7 +37,7 @@ final class UVarType {
     Symbol slot = self.world().symbol(name);
     UrbiObject hooked = self.lookup(self.world().symbol("hookChanged"));
     self.bind(
-        frame,
+        frame.interpreter(),
         owner,
         slot,
         PluggedContext.of(frame).nameOf(frame, owner),
@@ -78,7 +78,7 @@ final class UVarType {
 
   @Builtin(doc = "The event that is emitted with each new value.")
   static UrbiObject changed(Frame frame, UrbiUVar self) {
-    return self.changed(frame);
+    return self.changed(frame.interpreter());
   }
 
   // ------------------------------------------------------------------ values

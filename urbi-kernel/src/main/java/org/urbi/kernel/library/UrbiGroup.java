@@ -48,15 +48,21 @@ final class UrbiGroup extends UrbiObject implements SlotProxy {
     return new UrbiGroup(cloneShape(), members);
   }
 
+  /** A group of as many values is handed out, any other value goes to each member. */
   @Override
   public UrbiObject updateSlot(Frame frame, Symbol slot, UrbiObject value) {
     List<UrbiObject> values = new ArrayList<>();
-    for (UrbiObject member : members()) {
-      if (member instanceof SlotProxy proxy) {
-        values.add(proxy.updateSlot(frame, slot, value));
+    List<UrbiObject> targets = members();
+    for (int i = 0; i < targets.size(); i++) {
+      UrbiObject own = value;
+      if (value instanceof UrbiGroup group && group.members().size() == targets.size()) {
+        own = group.members().get(i);
+      }
+      if (targets.get(i) instanceof SlotProxy proxy) {
+        values.add(proxy.updateSlot(frame, slot, own));
       } else {
-        SlotUpdate.assign(frame, member, slot, value);
-        values.add(value);
+        SlotUpdate.assign(frame, targets.get(i), slot, own);
+        values.add(own);
       }
     }
     return sibling(values);

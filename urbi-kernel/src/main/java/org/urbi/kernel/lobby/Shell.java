@@ -7,6 +7,7 @@ import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.TagStop;
 import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Imports;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.tag.UrbiTag;
@@ -38,6 +39,7 @@ public final class Shell {
   private final Listener listener;
   private StatementReader reader = new StatementReader(null);
   private final StringBuilder received = new StringBuilder();
+  private final Imports imports = new Imports();
   private Job job;
   private UrbiTag foregroundTag;
   private boolean waiting;
@@ -179,7 +181,7 @@ public final class Shell {
   private void execute(Job shell, Item.Statement statement) {
     Compilation.Compiled compiled;
     try {
-      compiled = Compilation.compile(interpreter, statement.tree());
+      compiled = Compilation.compile(interpreter, statement.tree(), imports);
     } catch (UrbiException e) {
       interpreter.report(shell, e);
       return;
@@ -224,6 +226,7 @@ public final class Shell {
       }
     } finally {
       busy = false;
+      shell.nonInterruptible = 0;
     }
   }
 

@@ -22,10 +22,21 @@ final class Background implements AutoCloseable {
     branch.frame = frame.fork(group.start(branch), true);
   }
 
-  /** Starts a statement with a variable of its own. */
-  void start(Frame frame, Node statement, Variables.Place variable, UrbiObject value) {
+  /**
+   * Starts a statement with a variable of its own, as if it were called through these.
+   *
+   * @param inner the call by which errors say that it was called
+   * @param outer the call by which that was called
+   */
+  void start(
+      Frame frame,
+      Node statement,
+      Variables.Place variable,
+      UrbiObject value,
+      CallSite inner,
+      CallSite outer) {
     Branch branch = new Branch(statement);
-    Frame forked = frame.fork(group.start(branch), true);
+    Frame forked = frame.forkThrough(group.start(branch), inner, outer);
     variable.declare(forked, value);
     branch.frame = forked;
   }

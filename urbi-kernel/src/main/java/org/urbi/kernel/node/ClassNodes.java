@@ -1,11 +1,10 @@
 package org.urbi.kernel.node;
 
 import java.util.List;
-import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
-/** Pseudo classes, enumerations, packages. */
+/** Pseudo classes and enumerations. */
 public final class ClassNodes {
   private ClassNodes() {}
 
@@ -63,68 +62,6 @@ public final class ClassNodes {
       inner.background = frame.background;
       body.execute(inner);
       return object;
-    }
-  }
-
-  /** {@code package name}: the object of that name, made when it is not there. */
-  public static final class Package extends Node {
-    private final Node target;
-    private final Symbol name;
-
-    public Package(Span span, Node target, Interpreter interpreter, String name) {
-      super(span);
-      this.target = target;
-      this.name = interpreter.world().symbol(name);
-    }
-
-    @Override
-    public UrbiObject execute(Frame frame) {
-      UrbiObject owner = target.execute(frame);
-      UrbiObject known = owner.lookup(name);
-      if (known == null) {
-        known = frame.interpreter.values().object.cloned();
-        nameType(frame.interpreter, known, name.name());
-        owner.addSlot(name, known);
-      }
-      return known;
-    }
-  }
-
-  /** {@code import a.b.c}: makes it known by its last name; {@code a.b.*} all that it has. */
-  public static final class Import extends Node {
-    private final Symbol[] path;
-    private final boolean all;
-
-    public Import(Span span, Interpreter interpreter, List<String> path, boolean all) {
-      super(span);
-      this.path = path.stream().map(interpreter.world()::symbol).toArray(Symbol[]::new);
-      this.all = all;
-    }
-
-    @Override
-    public UrbiObject execute(Frame frame) {
-      UrbiObject at = frame.self;
-      for (Symbol name : path) {
-        UrbiObject next = SlotLookup.find(frame, at, name);
-        if (next == null) {
-          throw frame.located(frame.interpreter.errors().lookup(at, name.name()), span());
-        }
-        at = next;
-      }
-      if (all) {
-        for (Symbol name : at.localSlotNames()) {
-          define(frame, name, at.localSlot(name));
-        }
-      } else {
-        define(frame, path[path.length - 1], at);
-      }
-      return frame.interpreter.values().voidObject;
-    }
-
-    private static void define(Frame frame, Symbol name, UrbiObject value) {
-      if (frame.self.localSlot(name) == null) {
-        frame.self.addSlot(name, value);
-      }
     }
   }
 

@@ -22,6 +22,10 @@ public final class ForEach extends Node implements CallSite {
   private final Node range;
   private final Node body;
   private final Symbol each;
+  private final CallSite entry;
+
+  /** How backtraces show that the turns of a loop are called. */
+  private record Entry(String calledName, Span calledSpan) implements CallSite {}
 
   public ForEach(
       Span span,
@@ -35,6 +39,7 @@ public final class ForEach extends Node implements CallSite {
     this.variable = variable;
     this.range = range;
     this.body = body;
+    this.entry = new Entry("[]", span);
     CoreSymbols symbols = interpreter.symbols();
     this.each =
         switch (flavor) {
@@ -51,7 +56,7 @@ public final class ForEach extends Node implements CallSite {
 
   @Override
   public Span calledSpan() {
-    return span();
+    return range.span().to(span());
   }
 
   @Override
@@ -90,7 +95,7 @@ public final class ForEach extends Node implements CallSite {
     if (flavor == Flavor.AND || flavor == Flavor.COMMA) {
       try (Background group = new Background(frame.job)) {
         for (int i = 0; i < count; i++) {
-          group.start(frame, body, variable, values.number(i));
+          group.start(frame, body, variable, values.number(i), this, entry);
         }
         group.join();
       }
@@ -100,6 +105,9 @@ public final class ForEach extends Node implements CallSite {
       UrbiObject value = turn(frame, values.number(i));
       if (value != null) {
         return value;
+      }
+      if (flavor == Flavor.SEMICOLON) {
+        frame.job.yield();
       }
     }
     return values.voidObject;
@@ -111,16 +119,20 @@ public final class ForEach extends Node implements CallSite {
     if (flavor == Flavor.AND || flavor == Flavor.COMMA) {
       try (Background group = new Background(frame.job)) {
         for (UrbiObject element : elements) {
-          group.start(frame, body, variable, element);
+          group.start(frame, body, variable, element, this, entry);
         }
         group.join();
       }
       return values.voidObject;
     }
-    for (UrbiObject element : elements) {
-      UrbiObject value = turn(frame, element);
+    int last = elements.size() - 1;
+    for (int i = 0; i <= last; i++) {
+      UrbiObject value = turn(frame, elements.get(i));
       if (value != null) {
         return value;
+      }
+      if (flavor == Flavor.SEMICOLON && i < last) {
+        frame.job.yield();
       }
     }
     return values.voidObject;
@@ -144,9 +156,6 @@ public final class ForEach extends Node implements CallSite {
       if (over) {
         return BROKEN;
       }
-    }
-    if (flavor == Flavor.SEMICOLON) {
-      frame.job.yield();
     }
     return null;
   }

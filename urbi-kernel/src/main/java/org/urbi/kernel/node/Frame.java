@@ -128,6 +128,18 @@ public final class Frame {
     return copy(other, waited, null);
   }
 
+  /** Like {@link #fork}, for a job that is waited for, as if called through these, inner first. */
+  Frame forkThrough(Job other, CallSite inner, CallSite outer) {
+    Frame around = fork(other, true);
+    Frame through = around.calledAt(outer, around);
+    return around.calledAt(inner, through);
+  }
+
+  private Frame calledAt(CallSite from, Frame by) {
+    return new Frame(
+        interpreter, job, by.depth + 1, by, from, self, function, locals, cells, activation);
+  }
+
   /**
    * The same activation in a job which outlives it.
    *

@@ -53,11 +53,16 @@ public final class Function extends Code {
   /** The target of closures; null in functions, whose target is that of the call. */
   private final UrbiObject boundSelf;
 
-  public Function(Shape shape, Body body, Cell[] captured, UrbiObject boundSelf) {
+  /** The lobby of closures, for which their code runs; null in functions. */
+  private final UrbiObject boundLobby;
+
+  public Function(
+      Shape shape, Body body, Cell[] captured, UrbiObject boundSelf, UrbiObject boundLobby) {
     super(shape);
     this.body = body;
     this.captured = captured;
     this.boundSelf = boundSelf;
+    this.boundLobby = boundLobby;
   }
 
   /** The text, for printing. */
@@ -102,6 +107,22 @@ public final class Function extends Code {
 
   /** Runs with the variables made ready: the parameters first, then room for the others. */
   UrbiObject run(Frame caller, CallSite site, UrbiObject self, UrbiObject[] locals) {
+    if (boundLobby != null && boundLobby != caller.job.lobby()) {
+      UrbiObject lobby = caller.job.lobby();
+      caller.job.runFor(boundLobby);
+      try {
+        return runProfiled(caller, site, self, locals);
+      } finally {
+        caller.job.runFor(lobby);
+      }
+    }
+    return caller.interpreter.profiling
+        ? runProfiled(caller, site, self, locals)
+        : execute(caller, site, self, locals);
+  }
+
+  private UrbiObject runProfiled(
+      Frame caller, CallSite site, UrbiObject self, UrbiObject[] locals) {
     if (!caller.interpreter.profiling) {
       return execute(caller, site, self, locals);
     }
@@ -150,6 +171,6 @@ public final class Function extends Code {
 
   @Override
   public UrbiObject cloned() {
-    return new Function(cloneShape(), body, captured, boundSelf);
+    return new Function(cloneShape(), body, captured, boundSelf, boundLobby);
   }
 }

@@ -55,7 +55,7 @@ public final class InPlace extends Node implements CallSite {
     public UrbiObject read(Frame frame, UrbiObject[] parts) {
       UrbiObject value = lookup.find(frame, parts[0]);
       if (value == null) {
-        throw frame.interpreter.errors().lookup(parts[0], lookup.name().name());
+        return frame.interpreter.send(frame, parts[0], lookup.name().name());
       }
       return value instanceof Code code ? frame.interpreter.call(frame, code, parts[0]) : value;
     }

@@ -63,6 +63,7 @@ public final class Interpreter {
     this.symbols = new CoreSymbols(world);
     this.prototypes = prototypes;
     this.maximumDepth = scheduler.maximumDepth();
+    scheduler.setRefusals(errors::scheduling);
   }
 
   public World world() {

@@ -132,7 +132,11 @@ public final class Literals {
         captured[i] = Variables.cell(frame, capturedFrom[i]);
       }
       return new Function(
-          frame.interpreter.prototypes.codeShape, body, captured, bound ? frame.self : null);
+          frame.interpreter.prototypes.codeShape,
+          body,
+          captured,
+          bound ? frame.self : null,
+          bound ? frame.job.lobby() : null);
     }
   }
 }

@@ -124,6 +124,9 @@ public final class Properties {
     private final String property;
     private final Node value;
 
+    /**
+     * @param span where the property is written, without the value
+     */
     public Write(Span span, Node target, Symbol slot, String property, Node value) {
       super(span);
       this.target = target;

@@ -4,8 +4,8 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
 /**
- * A scope whose code asks for {@code redefinitionMode}, which ends with the scope (manual,
- * "System").
+ * A scope whose code asks for {@code redefinitionMode} or {@code nonInterruptible}, which end with
+ * the scope (manual, "System").
  */
 public final class Redefinition extends Node {
   private final Node body;
@@ -18,10 +18,12 @@ public final class Redefinition extends Node {
   @Override
   public UrbiObject execute(Frame frame) {
     int before = frame.job.redefinitions;
+    int held = frame.job.nonInterruptible;
     try {
       return body.execute(frame);
     } finally {
       frame.job.redefinitions = before;
+      frame.job.nonInterruptible = held;
     }
   }
 }

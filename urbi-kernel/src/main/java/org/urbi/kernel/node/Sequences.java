@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
@@ -106,6 +107,8 @@ public final class Sequences {
           group.join();
         }
         return value;
+      } catch (UrbiException e) {
+        throw frame.located(e, span());
       } finally {
         frame.background = outer;
       }

@@ -60,7 +60,7 @@ public final class SlotUpdate {
     int inherited = holder.shape().indexOf(name);
     if (holder.shape().writeSpecial(inherited)) {
       SlotData data = holder.slotData(name);
-      if (data.constant || data.setter != null) {
+      if (data.setter != null) {
         assignSpecial(frame, target, holder, name, value);
         return;
       }

@@ -56,6 +56,8 @@ public final class Trajectory extends Node implements CallSite {
   public UrbiObject execute(Frame frame) {
     Interpreter interpreter = frame.interpreter;
     Map<UrbiDictionary.Key, UrbiObject> attributes = new LinkedHashMap<>();
+    // There must be something to move: the error is where it is written.
+    variable.execute(frame);
     for (int i = 0; i < names.length; i++) {
       attributes.put(
           DictionaryKey.of(frame, interpreter.values().string(names[i])),

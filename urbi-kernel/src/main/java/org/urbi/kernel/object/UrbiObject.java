@@ -356,6 +356,15 @@ public class UrbiObject {
     }
   }
 
+  /** Somebody wants to hear of changes of the content of this container. */
+  public final void watchContent(Dependencies.Watcher watcher) {
+    Extra x = extra();
+    if (x.content == null) {
+      x.content = new Dependencies();
+    }
+    x.content.add(watcher);
+  }
+
   /** The content of this container has changed. */
   public final void noteContentChange() {
     Extra x = extraOrNull();

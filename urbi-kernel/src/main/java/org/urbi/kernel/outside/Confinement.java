@@ -126,6 +126,13 @@ public final class Confinement {
     }
   }
 
+  /** Refuses code of the machine, such as a program could have written to a file. */
+  public void checkModules() throws ConfinedException {
+    if (directory != null) {
+      throw new ConfinedException("modules are not allowed in this kernel");
+    }
+  }
+
   /** Refuses connections, over the network or a serial line, if they are not allowed. */
   void checkConnections() throws ConfinedException {
     if (directory != null) {

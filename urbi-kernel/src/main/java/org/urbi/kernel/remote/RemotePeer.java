@@ -113,6 +113,8 @@ public final class RemotePeer {
   }
 
   private void complete(int number, UValue value, String error) {
+    // Whoever waits finds done what came before the result: what the function has bound, say.
+    tasks.start();
     CompletableFuture<UValue> call = calls.remove(number);
     if (call != null) {
       if (error == null) {
@@ -130,6 +132,11 @@ public final class RemotePeer {
         String name = in.text();
         yield answering(number, () -> startClass(name));
       }
+      case Frame.RTP ->
+          () -> {
+            // There are no datagrams in this version: values keep to the connection.
+          };
+      case Frame.FENCE -> answering(in.size(), UValue::new);
       case Frame.ATTACH -> {
         int number = in.size();
         String className = in.text();
@@ -143,7 +150,7 @@ public final class RemotePeer {
         String object = in.text();
         String function = in.text();
         int arity = in.octet();
-        yield () -> object(object).bindRemote(function, arity);
+        yield () -> bind(object, function, arity);
       }
       case Frame.OPEN -> {
         int number = in.size();
@@ -280,12 +287,12 @@ public final class RemotePeer {
     }
   }
 
-  private RemoteObject object(String name) {
+  /** Of an object that has gone meanwhile, nothing is bound any more. */
+  private void bind(String name, String function, int arity) {
     RemoteObject object = objects.get(name);
-    if (object == null) {
-      throw new IllegalArgumentException("no such UObject: " + name);
+    if (object != null) {
+      object.bindRemote(function, arity);
     }
-    return object;
   }
 
   private void detach(String name) {

@@ -63,6 +63,8 @@ public final class Tagged extends Node {
     if (tag.state().isBlocked()) {
       return tag.state().blockedValue();
     }
+    double before = job.priority;
+    job.priority = Math.max(before, tag.priority());
     TagScope scope = job.enter(tag.state());
     try {
       return run(frame, tags, index + 1, told, body);
@@ -73,6 +75,7 @@ public final class Tagged extends Node {
       return stopped(frame, tag, stop.value(), body);
     } finally {
       job.leave(scope);
+      job.priority = before;
       if (told[index]) {
         tag.left(frame);
         if (tag.leaveEvent() != null) {

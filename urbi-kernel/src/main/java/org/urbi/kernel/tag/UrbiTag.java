@@ -11,6 +11,7 @@ import org.urbi.kernel.object.UrbiObject;
 public class UrbiTag extends UrbiObject {
   private final TagState state;
   private UrbiTag parent;
+  private double priority;
   private UrbiEvent enter;
   private UrbiEvent leave;
 
@@ -54,6 +55,15 @@ public class UrbiTag extends UrbiObject {
   /** The tag which this one stands under, or null: whoever controls it controls this one too. */
   public UrbiTag parent() {
     return parent;
+  }
+
+  /** While code under the tag can run, code of a lower priority does not; 0 at first. */
+  public double priority() {
+    return priority;
+  }
+
+  public void setPriority(double value) {
+    priority = value;
   }
 
   /** Emitted when code enters; null when nobody has asked for it. */

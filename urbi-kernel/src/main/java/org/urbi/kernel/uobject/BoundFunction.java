@@ -19,6 +19,7 @@ final class BoundFunction extends Code {
   private final MethodHandle whole;
 
   private final CallStatistics.Entry statistics;
+  private boolean ended;
 
   BoundFunction(Shape shape, PluggedContext context, UCallback callback) {
     super(shape);
@@ -31,6 +32,11 @@ final class BoundFunction extends Code {
 
   UCallback callback() {
     return callback;
+  }
+
+  /** The object has been destroyed: a call is an error from now on. */
+  void end() {
+    ended = true;
   }
 
   @Override
@@ -47,6 +53,12 @@ final class BoundFunction extends Code {
   public UrbiObject call(Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
     if (arguments.length != arity) {
       throw caller.interpreter().errors().arity(callback.name(), arguments.length, arity, arity);
+    }
+    if (ended) {
+      throw caller
+          .interpreter()
+          .errors()
+          .primitive(site.calledName(), callback.name() + ": the object has been destroyed");
     }
     long started = statistics.begin();
     try {

@@ -195,7 +195,10 @@ public final class Creation {
     instance
         .functions()
         .values()
-        .forEach(function -> context.statistics().forget(function.callback().name()));
+        .forEach(function -> {
+          function.end();
+          context.statistics().forget(function.callback().name());
+        });
   }
 
   /** Ends an object: the Java side is told, and the name no longer known. */

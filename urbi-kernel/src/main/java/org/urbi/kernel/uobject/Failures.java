@@ -31,7 +31,8 @@ final class Failures {
       case Unwinding unwinding -> unwinding;
       case UrbiException thrown -> thrown;
       case RaisedInUrbi raised -> raised.original();
-      case ConversionFailure e -> argument(context, errors, function, arguments, e);
+      case ConversionFailure e when e.getMessage() == null ->
+          argument(context, errors, function, arguments, e);
       default ->
           errors.primitive(
               site.calledName() == null ? function : site.calledName(),
@@ -50,10 +51,6 @@ final class Failures {
       place++;
     }
     String routine = Texts.toUrbi(function);
-    if (e.getMessage() != null) {
-      return errors.argument(
-          routine, place, errors.of("Type", Texts.toUrbi(e.getMessage())).object());
-    }
     UrbiObject expected = context.interpreter().world().prototype(e.expected());
     return errors.argumentType(
         routine,
@@ -79,6 +76,7 @@ final class Failures {
             || cause.getClass() == Exception.class
             || cause instanceof IllegalStateException
             || cause instanceof IllegalArgumentException
+            || cause instanceof ConversionFailure
             || cause instanceof UCastException;
     if (message == null || message.isEmpty()) {
       return cause.getClass().getSimpleName();

@@ -38,7 +38,7 @@ final class JavaHook implements Hook {
     try {
       if (callback.isThreaded()) {
         Object[] arguments = arguments(value, true);
-        callback.execute(context, () -> runThreaded(arguments));
+        context.runThreaded(callback, () -> callThreaded(arguments));
       } else {
         context.tells().begin(frame.job(), variable, value);
         try {
@@ -75,11 +75,11 @@ final class JavaHook implements Hook {
     return new Object[] {context.converters().argument(callback, 0, value.value())};
   }
 
-  private void runThreaded(Object[] arguments) {
+  private void callThreaded(Object[] arguments) {
     try {
       callback.call(arguments);
     } catch (Throwable e) {
-      context.report(message(e));
+      context.reportUnlessOver(message(e));
     }
   }
 

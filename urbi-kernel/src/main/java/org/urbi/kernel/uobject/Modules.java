@@ -7,8 +7,10 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
 import org.urbi.kernel.library.KernelControl;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.outside.ConfinedException;
 import org.urbi.kernel.outside.Disk;
 import urbi.UClass;
 import urbi.UHubClass;
@@ -28,6 +30,9 @@ public final class Modules {
   private final PluggedContext context;
   private final KernelControl kernel;
   private final Map<Path, Loaded> loaded = new LinkedHashMap<>();
+
+  /** The modules whose classes all the others can use. */
+  private final List<UModule> libraries = new CopyOnWriteArrayList<>();
 
   Modules(PluggedContext context, KernelControl kernel) {
     this.context = context;
@@ -71,11 +76,13 @@ public final class Modules {
   /**
    * Loads a module; does nothing if that very file is loaded already.
    *
-   * @throws UModuleException if the file is no module
+   * @param library whether its classes can be used by all modules; it need not have UObjects then
+   * @throws UModuleException if the file is no module, or modules are not allowed
    * @throws org.urbi.kernel.error.UrbiException if a constructor fails
    */
-  public void load(Frame frame, Path file) {
+  public void load(Frame frame, Path file, boolean library) {
     try {
+      kernel.outside().confinement().checkModules();
       Path key = disk().real(file);
       Loaded before = loaded.get(key);
       long modified = disk().lastModified(key);
@@ -83,18 +90,26 @@ public final class Modules {
       if (before != null && before.modified == modified && before.size == size) {
         return;
       }
-      UModule module = read(frame, key);
+      UModule module = read(frame, key, library);
       start(frame, module, before);
       loaded.put(key, new Loaded(module, modified, size));
+      if (before != null) {
+        libraries.remove(before.module);
+      }
+      if (library) {
+        libraries.add(module);
+      }
+    } catch (ConfinedException e) {
+      throw new UModuleException(e.getMessage(), e);
     } catch (IOException e) {
       throw new UModuleException("cannot read " + file + ": " + e.getMessage(), e);
     }
   }
 
-  private UModule read(Frame frame, Path file) {
+  private UModule read(Frame frame, Path file, boolean library) {
     Object outer = context.leave(frame);
     try {
-      return UModule.load(file);
+      return library ? UModule.loadLibrary(file, libraries) : UModule.load(file, libraries);
     } finally {
       context.back(frame, outer);
     }
@@ -147,6 +162,7 @@ public final class Modules {
     if (module == null) {
       return false;
     }
+    libraries.remove(module.module);
     end(frame, module.module);
     return true;
   }

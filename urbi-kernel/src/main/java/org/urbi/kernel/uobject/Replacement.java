@@ -45,7 +45,15 @@ final class Replacement {
       UClass type,
       Map<String, BoundFunction> functions,
       Map<UrbiUVar, Datum> targets,
-      Map<UrbiUVar, Datum> sensed) {}
+      Map<UrbiUVar, Datum> sensed) {
+    /** The variables get their values back, and tell of changes again. */
+    void restore() {
+      targets.forEach((variable, datum) -> {
+        variable.restore(datum, sensed.get(variable));
+        variable.silence(false);
+      });
+    }
+  }
 
   /** Replaces what is behind all the objects of the class of that name. */
   void replace(Frame frame, UClass type) {
@@ -61,6 +69,7 @@ final class Replacement {
 
   private void replace(Frame frame, Instance instance, UrbiObject object, UClass type) {
     Before before = before(instance, object);
+    before.targets.keySet().forEach(variable -> variable.silence(true));
     instance.functions().clear();
     instance.setType(type);
     try {
@@ -78,8 +87,7 @@ final class Replacement {
       }
     }
     clean(frame, before.java);
-    before.targets.forEach(
-        (variable, datum) -> variable.restore(datum, before.sensed.get(variable)));
+    before.restore();
   }
 
   private static Before before(Instance instance, UrbiObject object) {
@@ -113,8 +121,7 @@ final class Replacement {
     if (failed != before.java) {
       clean(frame, failed);
     }
-    before.targets.forEach(
-        (variable, datum) -> variable.restore(datum, before.sensed.get(variable)));
+    before.restore();
   }
 
   private void clean(Frame frame, UObject java) {

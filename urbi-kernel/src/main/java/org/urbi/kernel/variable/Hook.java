@@ -14,6 +14,11 @@ public interface Hook {
    */
   void run(Frame frame, UrbiUVar variable, Datum value);
 
+  /** Whether it runs even for what it does itself to the variable. */
+  default boolean isReentrant() {
+    return false;
+  }
+
   /** Calls a function of urbiscript, whose target is the variable. */
   static Hook calling(UrbiObject function) {
     return (frame, variable, value) -> frame.interpreter().call(frame, function, variable);

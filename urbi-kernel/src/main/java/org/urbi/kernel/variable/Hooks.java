@@ -32,13 +32,14 @@ final class Hooks {
    * @param removeFailed whether one that fails is removed
    */
   void run(Frame frame, UrbiUVar variable, Datum value, boolean removeFailed) {
-    if (hooks.isEmpty() || inside.contains(frame.job())) {
+    if (hooks.isEmpty()) {
       return;
     }
+    boolean again = inside.contains(frame.job());
     inside.add(frame.job());
     try {
       for (Map.Entry<Long, Hook> each : List.copyOf(hooks.entrySet())) {
-        if (!hooks.containsKey(each.getKey())) {
+        if (!hooks.containsKey(each.getKey()) || again && !each.getValue().isReentrant()) {
           continue;
         }
         try {

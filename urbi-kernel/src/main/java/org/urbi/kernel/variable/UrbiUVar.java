@@ -63,6 +63,7 @@ public final class UrbiUVar extends UrbiObject {
   private boolean owned;
   private boolean input;
   private boolean bypass;
+  private boolean silent;
   private long written;
   private long lastId;
 
@@ -97,11 +98,11 @@ public final class UrbiUVar extends UrbiObject {
    * @param shown the name of the object in messages
    * @param tellsChanges whether the slot has the property {@code changed}, an event
    */
-  public void bind(Frame frame, UrbiObject owner, Symbol slot, String shown, boolean tellsChanges) {
+  public void bind(
+      Interpreter interpreter, UrbiObject owner, Symbol slot, String shown, boolean tellsChanges) {
     UrbiObject known = owner.localSlot(slot);
     if (places.isEmpty()) {
       name = shown + "." + slot.name();
-      lobby = frame.job().lobby();
       if (known != null) {
         value = new Datum(known);
         sensed = value;
@@ -114,11 +115,11 @@ public final class UrbiUVar extends UrbiObject {
     }
     places.add(new Place(new WeakReference<>(owner), slot));
     SlotData data = owner.ensureSlotData(slot);
-    Shape code = frame.interpreter().prototypes().code.cloneShape();
+    Shape code = interpreter.prototypes().code.cloneShape();
     data.getter = new Access(code, false);
     data.setter = new Access(code, true);
     if (tellsChanges && data.changed == null) {
-      data.changed = changed(frame);
+      data.changed = changed(interpreter);
       data.properties.put("changed", data.changed);
     }
     owner.slotDataChanged(slot);
@@ -134,7 +135,7 @@ public final class UrbiUVar extends UrbiObject {
     return places.isEmpty() ? null : places.getFirst().owner.get();
   }
 
-  /** The lobby for which it was made: what it does by itself is done for that. */
+  /** The lobby for which it is read when it is read by itself. */
   UrbiObject lobby() {
     return lobby;
   }
@@ -182,10 +183,10 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   /** The event that is emitted with each new value. */
-  public UrbiEvent changed(Frame frame) {
+  public UrbiEvent changed(Interpreter interpreter) {
     if (changed == null) {
-      changed = (UrbiEvent) frame.interpreter().prototypes().event.cloned();
-      changed.setOnSubscribe(() -> reviewAccess(frame.interpreter()));
+      changed = (UrbiEvent) interpreter.prototypes().event.cloned();
+      changed.setOnSubscribe(() -> reviewAccess(interpreter));
     }
     return changed;
   }
@@ -208,6 +209,7 @@ public final class UrbiUVar extends UrbiObject {
   /** Adds a hook that runs before each access; returns the number by which to remove it. */
   public long notifyAccess(Frame frame, Hook hook) {
     onAccess.add(++lastId, hook);
+    lobby = frame.job().lobby();
     reviewAccess(frame.interpreter());
     return lastId;
   }
@@ -331,6 +333,9 @@ public final class UrbiUVar extends UrbiObject {
     }
     written = frame.interpreter().scheduler().now();
     value = inRange(frame, datum);
+    if (silent) {
+      return;
+    }
     onChangeOwned.run(frame, this, value, removesFailed(frame));
   }
 
@@ -368,6 +373,9 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   private void tell(Frame frame, Datum assigned) {
+    if (silent) {
+      return;
+    }
     boolean removes = removesFailed(frame);
     onChange.run(frame, this, assigned, removes);
     if (!owned) {
@@ -387,6 +395,11 @@ public final class UrbiUVar extends UrbiObject {
         data.dependents.changed();
       }
     }
+  }
+
+  /** Whether nobody is told of changes for now. */
+  public void silence(boolean on) {
+    silent = on;
   }
 
   /** Gives it the values back that it had; nobody is told. */

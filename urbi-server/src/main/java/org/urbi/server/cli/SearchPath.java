@@ -40,8 +40,13 @@ public record SearchPath(List<Path> directories) {
    * known as {@code component.u} and {@code urbi/component.u}.
    */
   public static List<Path> standard(Path root) {
-    Path share = root.resolve("share");
+    Path share = library(root);
     return List.of(Path.of("."), share, share.resolve("urbi"));
+  }
+
+  /** Where an installation has the library's own source files. */
+  public static Path library(Path root) {
+    return root.resolve("share");
   }
 
   /**
@@ -50,7 +55,7 @@ public record SearchPath(List<Path> directories) {
    */
   public static List<Path> standardModules(Path root) {
     List<Path> folders = new ArrayList<>(List.of(Path.of(".")));
-    Path uobjects = root.resolve("share").resolve("uobjects");
+    Path uobjects = library(root).resolve("uobjects");
     if (Files.isDirectory(uobjects)) {
       folders.add(uobjects);
     }

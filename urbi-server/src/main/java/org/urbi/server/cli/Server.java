@@ -49,6 +49,7 @@ final class Server {
         Kernel.builder()
             .virtualTime(settings.fast())
             .searchPath(settings.searchPath().directories())
+            .library(SearchPath.library(SearchPath.root()))
             .moduleSearchPath(settings.moduleSearchPath().directories())
             .stackSize(settings.stackSize())
             .commandLine(settings.program(), settings.arguments())

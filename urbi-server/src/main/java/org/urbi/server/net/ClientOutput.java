@@ -57,14 +57,14 @@ final class ClientOutput {
     unsent.addAndGet(bytes.length());
     waiting.add(bytes);
     if (scheduled.compareAndSet(false, true)) {
-      channel.eventLoop().execute(this::flush);
+      NetworkThread.execute(channel.eventLoop(), this::flush);
     }
   }
 
   /** Sends what is left, then says goodbye; any thread. Nothing can be added any more. */
   void finish() {
     if (closed.compareAndSet(false, true)) {
-      channel.eventLoop().execute(this::farewell);
+      NetworkThread.execute(channel.eventLoop(), this::farewell);
     }
   }
 

@@ -6,10 +6,7 @@ import io.netty.channel.ChannelDuplexHandler;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelPromise;
 import io.netty.util.concurrent.ScheduledFuture;
-import java.util.Queue;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiFunction;
 import org.urbi.kernel.remote.RemotePeer;
@@ -30,18 +27,15 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
   private static final int MOST_AHEAD = 4 << 20;
   private static final int MOST_INPUT = 8 << 20;
   private static final long MOST_OUTPUT = 512L << 20;
-  private static final long LITTLE_OUTPUT = 1L << 20;
 
   private static final byte[] PING = {0, 0, 0, 1, Frame.PING};
   private static final byte[] PONG = {0, 0, 0, 1, Frame.PONG};
 
   private final BiFunction<String, RemoteWire, RemotePeer> peers;
   private final Trace trace;
-  private final Queue<byte[]> waiting = new ConcurrentLinkedQueue<>();
-  private final AtomicBoolean scheduled = new AtomicBoolean();
-  private final AtomicLong unsent = new AtomicLong();
   private final AtomicLong unconsumed = new AtomicLong();
   private ChannelHandlerContext context;
+  private FrameOutput output;
   private RemotePeer peer;
   private ByteBuf partial = Unpooled.EMPTY_BUFFER;
   private ScheduledFuture<?> watch;
@@ -61,6 +55,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
   public void handlerAdded(ChannelHandlerContext added) {
     context = added;
     heard = added.executor().ticker().nanoTime();
+    output = new FrameOutput(added, () -> peer.drained());
     peer = peers.apply(String.valueOf(added.channel().id().asShortText()), this);
     watch = added.executor().scheduleWithFixedDelay(this::watch, 1, 1, TimeUnit.SECONDS);
     trace.debug("client has UObjects: " + added.channel().remoteAddress());
@@ -71,7 +66,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
     if (silence >= Protocol.PATIENCE_SECONDS) {
       close("the remote process does not answer any more");
     } else if (silence >= Protocol.SILENCE_SECONDS) {
-      context.writeAndFlush(Unpooled.wrappedBuffer(PING));
+      output.writeAndFlush(PING);
     }
   }
 
@@ -121,7 +116,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
     switch (type) {
       case Frame.PING -> {
         in.skipBytes(length);
-        context.writeAndFlush(Unpooled.wrappedBuffer(PONG));
+        output.writeAndFlush(PONG);
       }
       case Frame.PONG -> in.skipBytes(length);
       case Frame.CODE -> {
@@ -189,48 +184,28 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
     ByteBuf text = (ByteBuf) message;
     ByteBuf header = to.alloc().buffer(HEADER + 1);
     header.writeInt(text.readableBytes() + 1).writeByte(Frame.OUTPUT);
-    to.write(header);
-    to.write(text, promise);
+    output.write(promise, header, text);
   }
 
   @Override
   public void send(byte[] frames) {
-    if (unsent.addAndGet(frames.length) > MOST_OUTPUT) {
+    if (output.unsent() > MOST_OUTPUT) {
       close("the remote process does not read what it is sent");
-      return;
+    } else {
+      output.send(frames);
     }
-    waiting.add(frames);
-    if (scheduled.compareAndSet(false, true)) {
-      context.executor().execute(this::flush);
-    }
-  }
-
-  private void flush() {
-    scheduled.set(false);
-    for (byte[] frames = waiting.poll(); frames != null; frames = waiting.poll()) {
-      int length = frames.length;
-      context
-          .write(Unpooled.wrappedBuffer(frames))
-          .addListener(done -> {
-            long before = unsent.getAndAdd(-length);
-            if (before > LITTLE_OUTPUT && before - length <= LITTLE_OUTPUT) {
-              peer.drained();
-            }
-          });
-    }
-    context.flush();
   }
 
   @Override
   public long pending() {
-    return unsent.get();
+    return output.unsent();
   }
 
   @Override
   public void close(String why) {
-    context
-        .executor()
-        .execute(() -> {
+    NetworkThread.execute(
+        context.executor(),
+        () -> {
           reason = why;
           trace.debug("client lost: " + context.channel().remoteAddress() + ": " + why);
           context.close();

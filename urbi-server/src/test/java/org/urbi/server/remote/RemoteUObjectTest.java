@@ -132,7 +132,6 @@ class RemoteUObjectTest {
     assertEquals("51", eval("a.v"));
     assertEquals("61", eval("a.add(10)"));
     assertEquals("1", eval("{ a.v = 0.5; a.add(0.5) }"));
-    assertEquals("var", eval("\"var\"").replace("\"", ""));
     client.syncEval("var Global.b = Adder.new(1)");
     assertEquals("[2, 1.5]", eval("[b.add(1), a.add(1)]"));
   }
@@ -241,7 +240,7 @@ class RemoteUObjectTest {
     }
 
     public double wait_() throws InterruptedException {
-      Thread.sleep(50);
+      Thread.sleep(300);
       return 5;
     }
   }
@@ -279,10 +278,10 @@ class RemoteUObjectTest {
     remote.start(type("Watcher", Watcher::new));
     eval("Watcher.threaded");
     assertEquals(
-        "[5, 5, true]",
+        "[5, 5, 1]",
         eval(
             "{ var t = time; var r = []; { r << Watcher.wait_ } & { r << Watcher.wait_ };"
-                + " r << (time - t < 90ms) }"));
+                + " r << (time - t < 550ms) }"));
   }
 
   static class Ticker extends UObject {
@@ -348,7 +347,8 @@ class RemoteUObjectTest {
   void accessesAreTold() {
     remote.start(type("Accessed", Accessed::new));
     double first = client.syncEval("Accessed.v").doubleValue();
-    assertEquals(first + 1, client.syncEval("Accessed.v").doubleValue());
+    assertTrue(first >= 1);
+    assertTrue(client.syncEval("Accessed.v").doubleValue() > first);
   }
 
   static class Stuck extends UObject {
@@ -370,14 +370,22 @@ class RemoteUObjectTest {
     remote.start(type("Stuck", Stuck::new));
     remote.start(type("Adder", Adder::new));
     client.syncEval("var Global.a = Adder.new(5)");
-    CompletableFuture<String> error = CompletableFuture.supplyAsync(() -> error("Stuck.hang"));
+    CompletableFuture<String> error =
+        CompletableFuture.supplyAsync(() -> {
+          try (USyncClient other = USyncClient.connect(HOST, server.port(), PATIENCE)) {
+            return assertThrows(
+                    UClientException.class, () -> other.syncEval("Stuck.hang", PATIENCE))
+                .getMessage();
+          }
+        });
     assertTrue(Stuck.CALLED.await(20, TimeUnit.SECONDS));
     assertEquals("3", eval("1 + 2"));
     remote.close();
     assertTrue(
         error.get(20, TimeUnit.SECONDS).contains("the remote process has gone"), error.get());
-    assertTrue(error("a.add(1)").contains("lookup failed"), error("a.add(1)"));
-    assertTrue(error("Adder.new(1)").contains("lookup failed"), error("Adder.new(1)"));
+    eval("while (uobjects.hasLocalSlot(\"Adder\")) sleep(1ms)");
+    assertTrue(error("a.add(1)").contains("the object has been destroyed"), error("a.add(1)"));
+    assertEquals("0", eval("if (uobjects.hasLocalSlot(\"Adder\")) 1 else 0"));
     remote = new RemoteContext(HOST, server.port());
     remote.start(type("Adder", Adder::new));
     assertEquals("3", eval("Adder.new(1).add(2)"));
@@ -418,6 +426,22 @@ class RemoteUObjectTest {
       }
     }
     assertEquals("3", eval("1 + 2"));
+  }
+
+  @Test
+  void nothingIsLeftOfThoseWhoCameAndWent() {
+    eval("1");
+    double jobs = client.syncEval("jobs.size").doubleValue();
+    for (int i = 0; i < 100; i++) {
+      try (RemoteContext passing = new RemoteContext(HOST, server.port())) {
+        passing.start(type("Adder", Adder::new));
+        passing.variable("Adder.x").useRtp(true);
+        assertEquals("3", eval("Adder.new(1).add(2)"));
+      }
+      eval("while (uobjects.hasLocalSlot(\"Adder\")) sleep(1ms)");
+    }
+    eval("while (Lobby.instances.size > 3) sleep(1ms)");
+    eval("while (jobs.size > " + jobs + ") sleep(1ms)");
   }
 
   @Test
