@@ -58,7 +58,7 @@ class ArchitectureTest {
           .onlyDependOnClassesThat()
           .resideInAnyPackage("urbi..", "java..", "javax.imageio..");
 
-  @ArchTest static final ArchRule simulationKnowsNobody = knowsOnly("org.urbi.sim..");
+  @ArchTest static final ArchRule simulationKnowsNobody = knowsOnly("org.urbi.sim..", "urbi");
 
   private static ArchRule onlyIn(String room, String library) {
     return noClasses()

@@ -57,6 +57,7 @@ public final class SimWorld extends UObject implements AutoCloseable {
   private double lost;
   private double usedPeriod = 0.02;
   private boolean advancing;
+  private boolean diverged;
 
   public SimWorld(String name) {
     super(name);
@@ -152,7 +153,7 @@ public final class SimWorld extends UObject implements AutoCloseable {
 
   /** Goes on until it has caught up with the kernel's clock. */
   void advance() {
-    if (advancing) {
+    if (advancing || diverged) {
       return;
     }
     advancing = true;
@@ -169,6 +170,10 @@ public final class SimWorld extends UObject implements AutoCloseable {
       for (long steps = (long) Math.floor(behind / step + 1e-3); steps > 0; steps--) {
         world.step();
       }
+    } catch (SimulationException e) {
+      // Said once: it stands still from now on.
+      diverged = true;
+      throw e;
     } finally {
       advancing = false;
     }

@@ -8,6 +8,12 @@ import org.urbi.sim.geometry.Vec3;
 
 /** A rigid body of a {@link PhysicsWorld}. */
 public final class Body {
+  /** In m/s and rad/s. */
+  private static final double FASTEST = 1e4;
+
+  /** Where velocity and spin begin in the state. */
+  private static final int FIRST_SPEED = 7;
+
   private final PhysicsWorld world;
   private final String name;
   private final List<BodyDescription.Part> parts;
@@ -157,6 +163,21 @@ public final class Body {
     }
     requireFree();
     world.dynamics().addForce(number, force, point);
+  }
+
+  /** Refuses to go on with what cannot be: the next step could overflow. */
+  void requireSane() {
+    update();
+    for (int i = FIRST_SPEED; i < state.length; i++) {
+      if (!(Math.abs(state[i]) < FASTEST)) {
+        throw new SimulationException(
+            name
+                + ": moves or turns faster than "
+                + FASTEST
+                + " m/s or rad/s: the simulation has diverged; try a smaller step, or the solver"
+                + " 'quick'");
+      }
+    }
   }
 
   private void requireFree() {

@@ -12,6 +12,12 @@ import org.urbi.sim.geometry.Vec3;
  * @param iterations of the solver {@link Solver#QUICK}
  */
 public record PhysicsSettings(Vec3 gravity, double step, Solver solver, int iterations) {
+  /**
+   * How much all joints and contacts give way (ODE's CFM). Without any, contacts that say the same
+   * twice have no unique solution, and the exact solver may diverge.
+   */
+  public static final double SOFTNESS = 1e-7;
+
   /** A step of a millisecond under the gravity of the earth. */
   public static final PhysicsSettings DEFAULT =
       new PhysicsSettings(new Vec3(0, 0, -9.81), 0.001, Solver.EXACT, 20);

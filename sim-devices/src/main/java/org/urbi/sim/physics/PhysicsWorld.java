@@ -144,8 +144,16 @@ public final class PhysicsWorld implements AutoCloseable {
     return (long) Math.min(a, b) << 32 | Math.max(a, b) & 0xffffffffL;
   }
 
-  /** Goes on by one step. */
+  /**
+   * Goes on by one step.
+   *
+   * @throws SimulationException if a body moves so fast that the world has gone wrong: libode would
+   *     end the process when numbers overflow
+   */
   public void step() {
+    for (Body body : bodies) {
+      body.requireSane();
+    }
     findContacts();
     dynamics.step(steps);
     steps++;

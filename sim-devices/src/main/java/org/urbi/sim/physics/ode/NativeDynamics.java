@@ -66,6 +66,7 @@ final class NativeDynamics implements Dynamics {
     ray = dCreateRay(0, 1);
     Vec3 g = settings.gravity();
     dWorldSetGravity(world, g.x(), g.y(), g.z());
+    dWorldSetCFM(world, PhysicsSettings.SOFTNESS);
     dWorldSetQuickStepNumIterations(world, settings.iterations());
   }
 

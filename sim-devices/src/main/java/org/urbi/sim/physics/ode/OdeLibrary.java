@@ -136,6 +136,8 @@ final class OdeLibrary {
 
   static native void dWorldSetGravity(long world, double x, double y, double z);
 
+  static native void dWorldSetCFM(long world, double softness);
+
   static native void dWorldSetQuickStepNumIterations(long world, int count);
 
   static native int dWorldStep(long world, double step);

@@ -58,6 +58,7 @@ final class JavaDynamics implements Dynamics {
     this.settings = settings;
     Vec3 g = settings.gravity();
     world.setGravity(g.x(), g.y(), g.z());
+    world.setCFM(PhysicsSettings.SOFTNESS);
     world.setQuickStepNumIterations(settings.iterations());
   }
 
