@@ -18,7 +18,7 @@ public final class JavaOde implements PhysicsEngine {
 
   @Override
   public String description() {
-    return OdeHelper.getVersion() + " (Java, double precision)";
+    return "ode4j " + OdeHelper.getVersion() + " (Java, double precision)";
   }
 
   @Override
