@@ -41,11 +41,7 @@ public final class Arguments {
     }
     UrbiObject prototype = world.prototype(expected);
     return errors.argumentType(
-        site.calledName(),
-        place,
-        given,
-        prototype == null ? world.values().nil : prototype,
-        expected);
+        site.calledName(), place, given, prototype == null ? world.values().nil : prototype);
   }
 
   /** A number. */

@@ -49,9 +49,7 @@ final class EventListening implements Embedding.Task<Listening>, Subscription {
         && interpreter.send(frame, value, "asEvent") instanceof UrbiEvent event) {
       return event;
     }
-    throw interpreter
-        .errors()
-        .argumentType("onEvent", 1, value, interpreter.prototypes().event, "Event");
+    throw interpreter.errors().argumentType("onEvent", 1, value, interpreter.prototypes().event);
   }
 
   @Override

@@ -3,7 +3,6 @@ package org.urbi.kernel.error;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import org.urbi.kernel.object.UrbiObject;
-import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.Values;
 import org.urbi.kernel.object.World;
 import org.urbi.lang.parse.SyntaxError;
@@ -17,21 +16,9 @@ public final class Errors {
   private final Values values;
   private final Map<String, UrbiObject> prototypes = new LinkedHashMap<>();
 
-  /** Shows a value as the console would; set by the library. */
-  public interface Shown {
-    String show(UrbiObject value);
-  }
-
-  private Shown shown = value -> "?";
-
   public Errors(World world) {
     this.world = world;
     this.values = world.values();
-  }
-
-  /** How values are shown in messages. */
-  public void setShown(Shown how) {
-    shown = how;
   }
 
   /** Declares the prototype of a type of exceptions, such as "Arity". */
@@ -46,9 +33,13 @@ public final class Errors {
 
   /** An exception of that type, with that message. */
   public Builder of(String type, String message) {
+    return of(type).with("message", values.string(message));
+  }
+
+  /** An exception of that type; who catches it finds as its message what its asString says. */
+  private Builder of(String type) {
     UrbiObject prototype = prototypes.get(type);
-    UrbiObject exception = prototype == null ? values.object.cloned() : prototype.cloned();
-    return new Builder(exception).with("message", values.string(message));
+    return new Builder(prototype == null ? values.object.cloned() : prototype.cloned());
   }
 
   /** An exception being filled. */
@@ -164,16 +155,13 @@ public final class Errors {
 
   /** {@code routine: argument 1: unexpected "x", expected a Float}; 0 is the target. */
   public UrbiException argumentType(
-      String routine, int index, UrbiObject effective, UrbiObject expected, String expectedName) {
-    return argument(routine, index, type(effective, expected, expectedName).value());
+      String routine, int index, UrbiObject effective, UrbiObject expected) {
+    return argument(routine, index, type(effective, expected).value());
   }
 
   /** {@code unexpected "x", expected a Float}. */
-  public UrbiException type(UrbiObject effective, UrbiObject expected, String expectedName) {
-    return of("Type", "unexpected " + shown.show(effective) + ", expected " + article(expectedName))
-        .with("effective", effective)
-        .with("expected", expected)
-        .build();
+  public UrbiException type(UrbiObject effective, UrbiObject expected) {
+    return of("Type").with("effective", effective).with("expected", expected).build();
   }
 
   /**
@@ -188,11 +176,7 @@ public final class Errors {
     if (index == 0) {
       return badNumber(type, routine, message + "%s", effective);
     }
-    UrbiObject cause =
-        of(type, message + shown.show(effective))
-            .with("fmt", message + "%s")
-            .with("effective", effective)
-            .object();
+    UrbiObject cause = of(type).with("fmt", message + "%s").with("effective", effective).object();
     return argument(routine, index, cause);
   }
 
@@ -202,24 +186,11 @@ public final class Errors {
    * @param cause what was wrong with the argument
    */
   public UrbiException argument(String routine, int index, UrbiObject cause) {
-    return of("Argument", routine + ": " + place(index) + ": " + causeMessage(cause))
+    return of("Argument")
         .with("routine", routine)
         .with("index", index)
         .with("exception", cause)
         .build();
-  }
-
-  private String causeMessage(UrbiObject cause) {
-    UrbiObject message = cause.lookup(world.symbol("message"));
-    return message instanceof UrbiString s ? s.value() : "";
-  }
-
-  private static String place(int index) {
-    return index == 0 ? "target" : "argument " + index;
-  }
-
-  private static String article(String name) {
-    return ("AEIOUaeiou".indexOf(name.charAt(0)) >= 0 ? "an " : "a ") + name;
   }
 
   /** {@code routine: message} about a number. */

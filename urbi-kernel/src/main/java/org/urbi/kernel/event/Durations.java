@@ -25,9 +25,7 @@ public final class Durations {
     }
     var interpreter = frame.interpreter();
     throw frame.located(
-        interpreter
-            .errors()
-            .argumentType("duration", 0, value, interpreter.values().floatProto, "Float"),
+        interpreter.errors().argumentType("duration", 0, value, interpreter.values().floatProto),
         expression.span());
   }
 

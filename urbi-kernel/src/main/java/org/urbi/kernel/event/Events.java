@@ -23,7 +23,7 @@ final class Events {
       return event;
     }
     throw frame.located(
-        interpreter.errors().argumentType("?", 0, value, interpreter.prototypes().event, "Event"),
+        interpreter.errors().argumentType("?", 0, value, interpreter.prototypes().event),
         expression.span());
   }
 }

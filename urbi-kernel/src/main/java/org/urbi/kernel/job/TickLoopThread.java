@@ -23,6 +23,9 @@ final class TickLoopThread implements JobThread, Executor {
   private boolean started;
   private boolean resumed;
 
+  /** Whether the loop is about to get the continuation because it asked for it. */
+  private boolean handing;
+
   private TickLoopThread(Factory factory, Job job) {
     this.factory = factory;
     this.job = job;
@@ -66,10 +69,13 @@ final class TickLoopThread implements JobThread, Executor {
     if (task != own) {
       // Code that a job has called has made a virtual thread; that is no job.
       ForkJoinPool.commonPool().execute(task);
-    } else if (Thread.currentThread() == factory.loop) {
+    } else if (handing && Thread.currentThread() == factory.loop) {
+      handing = false;
       continuation = task;
     } else {
-      // A timed park, a future or I/O inside a library call ended: that is news for the inbox.
+      // A lock, a timed park, a future or I/O inside a library call ended: that is news for the
+      // inbox. It comes from another thread; or from the loop's own, if the wait ended while it
+      // began.
       factory.inbox.accept(() -> {
         continuation = task;
         job.wakeFromOutside();
@@ -82,6 +88,7 @@ final class TickLoopThread implements JobThread, Executor {
     resumed = true;
     if (!started) {
       started = true;
+      handing = true;
       thread.start();
     }
     Runnable next = continuation;
@@ -94,9 +101,11 @@ final class TickLoopThread implements JobThread, Executor {
   @Override
   public void suspend() {
     resumed = false;
+    handing = true;
     // Hands the continuation to execute(), and returns when the loop has run it again.
     Thread.yield();
     if (!resumed) {
+      handing = false;
       throw new IllegalStateException("a job cannot wait inside a native call");
     }
   }

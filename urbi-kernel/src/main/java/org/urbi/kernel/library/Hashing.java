@@ -55,8 +55,7 @@ final class Hashing {
           throw caller
               .interpreter()
               .errors()
-              .argumentType(
-                  "hash", 0, hash, caller.interpreter().world().prototype("Hash"), "Hash");
+              .argumentType("hash", 0, hash, caller.interpreter().world().prototype("Hash"));
     };
   }
 }

@@ -10,6 +10,7 @@ import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.ClassNodes;
 import org.urbi.kernel.node.CorePrototypes;
+import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.node.Primitive;
 import org.urbi.kernel.object.SlotData;
@@ -157,11 +158,9 @@ public final class Library {
     global.addSlot(world.symbol("cerr"), channel(channel, "error", false));
     global.addSlot(world.symbol("clog"), channel(channel, "clog", true));
     global.addSlot(world.symbol("cout"), channel(channel, "output", true));
-    Symbol asList = world.symbol("asList");
-    values.stringProto.removeSlot(asList);
-    values.stringProto.addSlot(
-        asList,
-        new ScriptCode(interpreter.prototypes().code.cloneShape(), "function () { split(\"\") }"));
+    script(values.stringProto, "asList", "function () { split(\"\") }");
+    script(types.get("TrajectoryGenerator.Until"), "run", TrajectoryUntil.RUN);
+    script(types.get("TrajectoryGenerator.Sequence"), "run", TrajectorySequence.RUN);
     EventType.fill(types.get("Event"));
     UrbiObject lobby = types.get("Lobby");
     lobby.setProtos(topLevel);
@@ -174,6 +173,13 @@ public final class Library {
     types.get("UVar").addSlot(world.symbol("hookChanged"), values.trueObject);
     types.get("UVar").addSlot(world.symbol("eraseThrowingCallbacks"), values.falseObject);
     types.get("Exception").addSlot(world.symbol("message"), values.string("<no message>"));
+  }
+
+  /** Gives a type a function written in urbiscript. */
+  private void script(UrbiObject type, String name, String function) {
+    Symbol slot = world.symbol(name);
+    type.removeSlot(slot);
+    type.addSlot(slot, new ScriptCode(interpreter.prototypes().code.cloneShape(), function));
   }
 
   private UrbiObject channel(UrbiObject prototype, String name, boolean quote) {
@@ -195,14 +201,34 @@ public final class Library {
     interpreter.setDescriber(this::describe);
   }
 
-  /** Gives a caught exception the place where it was thrown. */
-  private void describe(UrbiException exception) {
+  /** Gives a caught exception the place where it was thrown, and its message. */
+  private void describe(Frame frame, UrbiException exception) {
     UrbiObject value = exception.value();
+    addMessage(frame, value);
     if (value.isA(types.get("Exception")) && exception.isLocated()) {
       if (exception.span() != null) {
         OwnSlots.put(value, "location", LocationType.make(world, exception.span()));
       }
       OwnSlots.put(value, "backtrace", StackFrameType.list(interpreter, exception.backtrace()));
+    }
+  }
+
+  /** An exception of the library that shows values has no message before it is caught. */
+  private void addMessage(Frame frame, UrbiObject value) {
+    boolean argument = value.isA(types.get("Exception.Argument"));
+    if ((argument
+            || value.isA(types.get("Exception.Type"))
+            || value.isA(types.get("Exception.BadNumber")))
+        && value.localSlot(world.symbol("message")) == null) {
+      if (argument && value.localSlot(world.symbol("exception")) instanceof UrbiObject cause) {
+        addMessage(frame, cause);
+      }
+      try {
+        String text = interpreter.asString(frame, value);
+        OwnSlots.put(value, "message", values.string(text));
+      } catch (UrbiException e) {
+        // A value that cannot be shown: the exception is the one that was thrown all the same.
+      }
     }
   }
 }

@@ -116,8 +116,7 @@ final class Motion {
     return frame
         .interpreter()
         .errors()
-        .argumentType(
-            "TrajectoryGenerator", index, value, frame.interpreter().values().floatProto, "Float");
+        .argumentType("TrajectoryGenerator", index, value, frame.interpreter().values().floatProto);
   }
 
   // ---------------------------------------------------------------- attributes

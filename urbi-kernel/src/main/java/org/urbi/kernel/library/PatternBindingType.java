@@ -28,8 +28,7 @@ final class PatternBindingType {
       throw frame
           .interpreter()
           .errors()
-          .argumentType(
-              site.calledName(), 1, pattern, self.world().prototype("Pattern"), "Pattern");
+          .argumentType(site.calledName(), 1, pattern, self.world().prototype("Pattern"));
     }
     UrbiObject name = OwnSlots.get(frame, self, NAME);
     frame.interpreter().send(frame, bindings, "[]=", name, value);

@@ -98,10 +98,7 @@ final class Printing {
   private void appendTuple(UrbiObject tuple, boolean repeated) {
     List<UrbiObject> members = Tuples.members(caller, tuple);
     if (members == null) {
-      throw caller
-          .interpreter()
-          .errors()
-          .argumentType("asString", 0, tuple, values.tupleProto, "Tuple");
+      throw caller.interpreter().errors().argumentType("asString", 0, tuple, values.tupleProto);
     }
     appendElements("(", members, members.size() == 1 ? ",)" : ")", repeated);
   }

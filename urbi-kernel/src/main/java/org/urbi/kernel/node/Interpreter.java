@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.UrbiException;
@@ -47,7 +48,7 @@ public final class Interpreter {
   private final CoreSymbols symbols;
   private final Map<Symbol, UrbiObject> numberOperators = new LinkedHashMap<>();
   final CorePrototypes prototypes;
-  private Consumer<UrbiException> describer = exception -> {};
+  private BiConsumer<Frame, UrbiException> describer = (frame, exception) -> {};
   private Consumer<Frame> afterStatements = frame -> {};
   private boolean assertionsDisabled;
   private boolean assertionsShowValues = true;
@@ -136,7 +137,8 @@ public final class Interpreter {
 
   /** Calls a function; what is no function is its own value. */
   public UrbiObject call(Frame caller, UrbiObject code, UrbiObject self, UrbiObject... arguments) {
-    return call(caller, FROM_JAVA, code, self, arguments);
+    CallSite site = code instanceof Primitive own ? new JavaSite(own.name()) : FROM_JAVA;
+    return call(caller, site, code, self, arguments);
   }
 
   /** Calls a function on behalf of a library function called at that site. */
@@ -241,7 +243,7 @@ public final class Interpreter {
     if (text instanceof UrbiString string) {
       return string.value();
     }
-    throw errors.argumentType(how.name(), 0, text, values.stringProto, "String");
+    throw errors.argumentType(how.name(), 0, text, values.stringProto);
   }
 
   /** Whether {@code assert} checks nothing ({@code System.ndebug}). */
@@ -262,13 +264,13 @@ public final class Interpreter {
     assertionsShowValues = shown;
   }
 
-  /** Gives a caught exception its {@code location} and {@code backtrace}. */
-  void describe(UrbiException exception) {
-    describer.accept(exception);
+  /** Gives a caught exception its {@code location}, {@code backtrace} and {@code message}. */
+  void describe(Frame frame, UrbiException exception) {
+    describer.accept(frame, exception);
   }
 
   /** Sets what {@link #describe} does; once, by the library. */
-  public void setDescriber(Consumer<UrbiException> how) {
+  public void setDescriber(BiConsumer<Frame, UrbiException> how) {
     describer = how;
   }
 

@@ -69,7 +69,7 @@ public final class Try extends Node {
   private UrbiObject handle(Frame frame, UrbiException exception) {
     for (Clause clause : clauses) {
       if (clause.pattern != null) {
-        frame.interpreter.describe(exception);
+        frame.interpreter.describe(frame, exception);
         if (!clause.pattern.matches(frame, exception.value())) {
           continue;
         }

@@ -1,6 +1,5 @@
 package org.urbi.kernel.node;
 
-import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.UrbiObject;
 
 /** The types of typed formals and variables: a value fits if it inherits from the type. */
@@ -10,14 +9,8 @@ final class TypeCheck {
   /** Checks an argument of the function whose activation this is. */
   static void check(Frame frame, String name, int index, UrbiObject value, UrbiObject type) {
     if (!value.isA(type)) {
-      Interpreter interpreter = frame.interpreter;
-      String typeName =
-          interpreter.asString(
-              frame, interpreter.send(frame, type, interpreter.symbols().type.name()));
       String routine = frame.calledAs() == null ? name : frame.calledAs();
-      UrbiException error =
-          interpreter.errors().argumentType(routine, index, value, type, typeName);
-      throw error;
+      throw frame.interpreter.errors().argumentType(routine, index, value, type);
     }
   }
 }

@@ -34,7 +34,7 @@ public final class Conditional {
         throw frame.located(
             interpreter
                 .errors()
-                .argumentType("timeout", 1, seconds, interpreter.values().floatProto, "Float"),
+                .argumentType("timeout", 1, seconds, interpreter.values().floatProto),
             duration.span());
       }
       var nothing = frame.interpreter().values().voidObject;

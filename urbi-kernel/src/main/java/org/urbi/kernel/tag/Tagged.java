@@ -30,8 +30,7 @@ public final class Tagged extends Node {
     }
     if (!(value instanceof UrbiTag label)) {
       var interpreter = frame.interpreter();
-      throw frame.located(
-          interpreter.errors().type(value, interpreter.prototypes().tag, "Tag"), span());
+      throw frame.located(interpreter.errors().type(value, interpreter.prototypes().tag), span());
     }
     return run(frame, label, body);
   }

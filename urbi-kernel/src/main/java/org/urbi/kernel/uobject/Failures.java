@@ -56,8 +56,7 @@ final class Failures {
         routine,
         place,
         e.given(),
-        expected == null ? context.interpreter().values().nil : expected,
-        e.expected());
+        expected == null ? context.interpreter().values().nil : expected);
   }
 
   /** What went wrong, for people. */
