@@ -37,4 +37,4 @@ PATH=${PATH:+$PATH:}$root
 export PATH
 # shellcheck disable=SC2086
 exec "$java" $jvm_flags ${cache:+"$cache"} ${URBI_JAVA_OPTS:-} -Durbi.root="${URBI_ROOT:-$root}" \
-  -Durbi.stdin.terminal=$typing -Durbi.program="$0" -cp "$cp" "$main" "$@"
+  -Durbi.uobjects="$root/$dist/uobjects" -Durbi.stdin.terminal=$typing -Durbi.program="$0" -cp "$cp" "$main" "$@"

@@ -58,6 +58,8 @@ class ArchitectureTest {
           .onlyDependOnClassesThat()
           .resideInAnyPackage("urbi..", "java..", "javax.imageio..");
 
+  @ArchTest static final ArchRule simulationKnowsNobody = knowsOnly("org.urbi.sim..", "urbi");
+
   private static ArchRule onlyIn(String room, String library) {
     return noClasses()
         .that()
@@ -79,6 +81,12 @@ class ArchitectureTest {
 
   @ArchTest
   static final ArchRule picocliIsTheOptions = onlyIn("org.urbi.server.options..", "picocli..");
+
+  @ArchTest
+  static final ArchRule ode4jIsOneEngines = onlyIn("org.urbi.sim.physics.ode4j..", "org.ode4j..");
+
+  @ArchTest
+  static final ArchRule opencvIsTheVisions = onlyIn("org.urbi.sim.vision..", "org.opencv..");
 
   /** Class and the names of its methods that read the time of the machine. */
   private static final Map<String, Set<String>> CLOCKS =
@@ -109,7 +117,8 @@ class ArchitectureTest {
           .that()
           .resideInAPackage("org.urbi..")
           .and()
-          .resideOutsideOfPackages("org.urbi.kernel.time..", "org.urbi.bench..")
+          .resideOutsideOfPackages(
+              "org.urbi.kernel.time..", "org.urbi.sim.time..", "org.urbi.bench..")
           .should()
           .callCodeUnitWhere(are(callsOf("a clock", CLOCKS)));
 

@@ -49,10 +49,21 @@ public record SearchPath(List<Path> directories) {
     return root.resolve("share");
   }
 
-  /** Where an installation has UObjects: the current folder, then its own. */
+  /**
+   * Where an installation has UObjects: the current folder, its folder {@code share/uobjects}, and
+   * that of the components that come with urbi, which the launcher names.
+   */
   public static List<Path> standardModules(Path root) {
+    List<Path> folders = new ArrayList<>(List.of(Path.of(".")));
     Path uobjects = library(root).resolve("uobjects");
-    return Files.isDirectory(uobjects) ? List.of(Path.of("."), uobjects) : List.of(Path.of("."));
+    if (Files.isDirectory(uobjects)) {
+      folders.add(uobjects);
+    }
+    String shipped = System.getProperty("urbi.uobjects");
+    if (shipped != null) {
+      folders.add(Path.of(shipped));
+    }
+    return List.copyOf(folders);
   }
 
   /** The first file of one of these names. */

@@ -1,0 +1,172 @@
+package org.urbi.sim.device;
+
+import java.util.Arrays;
+import org.urbi.sim.SimulationException;
+import org.urbi.sim.render.Lens;
+import org.urbi.sim.vision.ImageCoder;
+import org.urbi.sim.world.Mount;
+import org.urbi.sim.world.SimulatedWorld;
+import urbi.UImage;
+import urbi.UImageFormat;
+import urbi.UStart;
+import urbi.UVar;
+
+/**
+ * A camera (manual, interface VideoIn): {@code val} is the image, in the {@code format} that is an
+ * index of {@link UImageFormat}, {@code quality} that of JPEG. {@code resolution} 0 is the size of
+ * the world file, each further one half of that before. It renders when somebody reads {@code val},
+ * and {@code rate} times a second for those who wait for its changes; 0 for not at all.
+ */
+@UStart
+public final class SimCamera extends SimDevice {
+  /** A camera has as many resolutions. */
+  private static final int RESOLUTIONS = 4;
+
+  private static final double STANDARD_RATE = 10;
+  private static final int STANDARD_QUALITY = 85;
+
+  private final UVar val = new UVar();
+  private final UVar width = new UVar();
+  private final UVar height = new UVar();
+  private final UVar xfov = new UVar();
+  private final UVar yfov = new UVar();
+  private final UVar resolution = new UVar();
+  private final UVar format = new UVar();
+  private final UVar quality = new UVar();
+  private final UVar rate = new UVar();
+  private Mount.Camera full;
+  private Mount.Camera current;
+  private UImageFormat imageFormat = UImageFormat.IMAGE_RGB;
+  private int usedResolution;
+  private int usedQuality = STANDARD_QUALITY;
+  private double usedRate = STANDARD_RATE;
+  private long taken = -1;
+  private double lastTime = Double.NEGATIVE_INFINITY;
+
+  public SimCamera(String name) {
+    super(name);
+  }
+
+  @Override
+  void bind(SimulatedWorld world, String deviceName) {
+    full = world.mount(Mount.Camera.class, deviceName);
+    UBindVars(
+        val,
+        "val",
+        width,
+        "width",
+        height,
+        "height",
+        xfov,
+        "xfov",
+        yfov,
+        "yfov",
+        resolution,
+        "resolution",
+        format,
+        "format",
+        quality,
+        "quality",
+        rate,
+        "rate");
+    xfov.setValue(full.lens().xfov());
+    yfov.setValue(full.lens().yfov());
+    use(0);
+    resolution.setValue(0);
+    format.setValue(imageFormat.ordinal());
+    quality.setValue(usedQuality);
+    rate.setValue(usedRate);
+    UNotifyAccess(val, "take");
+    UNotifyChange(resolution, "resolutionChanged");
+    UNotifyChange(format, "formatChanged");
+    UNotifyChange(quality, "qualityChanged");
+    UNotifyChange(rate, "rateChanged");
+  }
+
+  private void use(int index) {
+    Lens lens = full.lens();
+    Lens smaller =
+        lens.resized(Math.max(1, lens.width() >> index), Math.max(1, lens.height() >> index));
+    current = new Mount.Camera(full.name(), full.body(), full.pose(), smaller);
+    width.setValue(smaller.width());
+    height.setValue(smaller.height());
+    usedResolution = index;
+    taken = -1;
+  }
+
+  /** Another resolution. */
+  public void resolutionChanged() {
+    int index = resolution.intValue();
+    if (index < 0 || index >= RESOLUTIONS) {
+      throw refused(resolution, usedResolution, "resolution: between 0 and " + (RESOLUTIONS - 1));
+    }
+    use(index);
+  }
+
+  /** Has a slot keep what it had; what it was given is not changed in silence. */
+  private SimulationException refused(UVar slot, double former, String expected) {
+    String given = slot.getUValue().toString();
+    slot.setValue(former);
+    return new SimulationException(full.name() + ": " + expected + " expected, not " + given);
+  }
+
+  /** Another format. */
+  public void formatChanged() {
+    UImageFormat[] all = UImageFormat.values();
+    int index = format.intValue();
+    if (index <= 0 || index >= all.length) {
+      throw refused(
+          format,
+          imageFormat.ordinal(),
+          "format: one of "
+              + String.join(
+                  ", ",
+                  Arrays.stream(all)
+                      .skip(1)
+                      .map(f -> f.ordinal() + " (" + f.format_string() + ")")
+                      .toList()));
+    }
+    imageFormat = all[index];
+    taken = -1;
+  }
+
+  /** Another quality of JPEG. */
+  public void qualityChanged() {
+    if (!(quality.doubleValue() >= 0 && quality.doubleValue() <= 100)) {
+      throw refused(quality, usedQuality, "quality: between 0 and 100");
+    }
+    usedQuality = quality.intValue();
+    taken = -1;
+  }
+
+  /** Another rate. */
+  public void rateChanged() {
+    if (!(rate.doubleValue() >= 0 && rate.doubleValue() <= 1000)) {
+      throw refused(rate, usedRate, "rate: between 0 and 1000");
+    }
+    usedRate = rate.doubleValue();
+  }
+
+  /** Somebody wants to see: renders, unless nothing has moved since. */
+  public void take() {
+    catchUp();
+    long step = world().physics().steps();
+    if (step == taken) {
+      return;
+    }
+    taken = step;
+    lastTime = world().physics().time();
+    Lens lens = current.lens();
+    UImage image =
+        ImageCoder.encode(
+            world().render(current), lens.width(), lens.height(), imageFormat, usedQuality);
+    val.setValue(image);
+  }
+
+  @Override
+  void sense() {
+    if (usedRate > 0 && world().physics().time() >= lastTime + 1 / usedRate - 1e-9) {
+      take();
+    }
+  }
+}

@@ -1,0 +1,62 @@
+package org.urbi.sim.device;
+
+import org.urbi.sim.world.SimulatedWorld;
+import urbi.UObject;
+
+/**
+ * A device of a simulated world: {@code new(WORLD, NAME)}, with the name of the UObject of the
+ * world and that of the device in the world file.
+ */
+abstract class SimDevice extends UObject implements AutoCloseable {
+  private SimWorld simulation;
+
+  SimDevice(String name) {
+    super(name);
+    UBindFunction("init");
+  }
+
+  /**
+   * Joins a world.
+   *
+   * @throws org.urbi.sim.SimulationException if there is no such world or no such device in it
+   */
+  public final void init(String worldName, String deviceName) {
+    SimWorld found = SimWorld.named(this, worldName);
+    bind(found.world(), deviceName);
+    simulation = found;
+    simulation.add(this);
+    sense();
+  }
+
+  /** Finds the device, and binds what urbiscript sees of it. */
+  abstract void bind(SimulatedWorld world, String deviceName);
+
+  /** Writes what the device senses now. */
+  abstract void sense();
+
+  final SimulatedWorld world() {
+    return simulation.world();
+  }
+
+  /** Somebody wants to read it: has time go on to now. */
+  public final void refresh() {
+    if (simulation != null) {
+      simulation.advance();
+      sense();
+    }
+  }
+
+  /** Has time go on to now, before a command takes effect. */
+  final void catchUp() {
+    if (simulation != null) {
+      simulation.advance();
+    }
+  }
+
+  @Override
+  public void close() {
+    if (simulation != null) {
+      simulation.remove(this);
+    }
+  }
+}

@@ -1,0 +1,5 @@
+/**
+ * A simulated robot: worlds of rigid bodies, cameras that look at them, image processing, and the
+ * devices that urbiscript sees of all that.
+ */
+package org.urbi.sim;

@@ -1,0 +1,193 @@
+package org.urbi.sim.physics;
+
+import java.util.List;
+import org.urbi.sim.SimulationException;
+import org.urbi.sim.geometry.Pose;
+import org.urbi.sim.geometry.Rotation;
+import org.urbi.sim.geometry.Vec3;
+
+/** A rigid body of a {@link PhysicsWorld}. */
+public final class Body {
+  /** In m/s and rad/s. */
+  private static final double FASTEST = 1e4;
+
+  /** Where velocity and spin begin in the state. */
+  private static final int FIRST_SPEED = 7;
+
+  private final PhysicsWorld world;
+  private final String name;
+  private final List<BodyDescription.Part> parts;
+  private final int index;
+  private final int number;
+  private final int firstGeom;
+
+  /** The centre of mass in the frame of the body. */
+  private final Vec3 centre;
+
+  private final double mass;
+
+  private final double[] state = new double[Dynamics.STATE_SIZE];
+  private long stateOf = -1;
+  private Pose pose;
+
+  Body(
+      PhysicsWorld world,
+      BodyDescription description,
+      int index,
+      int number,
+      int firstGeom,
+      Vec3 centre) {
+    this.world = world;
+    this.name = description.name();
+    this.parts = description.parts();
+    this.pose = description.pose();
+    this.mass = description.mass();
+    this.index = index;
+    this.number = number;
+    this.firstGeom = firstGeom;
+    this.centre = centre;
+  }
+
+  public String name() {
+    return name;
+  }
+
+  /** What it consists of, in its own frame. */
+  public List<BodyDescription.Part> parts() {
+    return parts;
+  }
+
+  /** Whether it never moves by itself. */
+  public boolean isFixed() {
+    return number == Dynamics.WORLD;
+  }
+
+  /** In kg; 0 for one that is fixed. */
+  public double mass() {
+    return mass;
+  }
+
+  /** Which one of the world it is. */
+  int index() {
+    return index;
+  }
+
+  /** Which one of the engine it is, or {@link Dynamics#WORLD}. */
+  int number() {
+    return number;
+  }
+
+  private void update() {
+    if (stateOf == world.version() || isFixed()) {
+      return;
+    }
+    world.dynamics().readBody(number, state);
+    Rotation rotation = new Rotation(state[3], state[4], state[5], state[6]);
+    Vec3 position = new Vec3(state[0], state[1], state[2]);
+    pose = new Pose(position.minus(rotation.apply(centre)), rotation);
+    stateOf = world.version();
+  }
+
+  /** Where its frame is. */
+  public Pose pose() {
+    update();
+    return pose;
+  }
+
+  /** Where its centre of mass is. */
+  public Vec3 centreOfMass() {
+    return pose().apply(centre);
+  }
+
+  /** The velocity of its centre of mass, in m/s. */
+  public Vec3 velocity() {
+    update();
+    return new Vec3(state[7], state[8], state[9]);
+  }
+
+  /** How it turns, in rad/s, about the axes of the world. */
+  public Vec3 spin() {
+    update();
+    return new Vec3(state[10], state[11], state[12]);
+  }
+
+  /** The velocity of a point of it, given in its own frame. */
+  public Vec3 velocityAt(Vec3 point) {
+    return velocity().plus(spin().cross(pose().rotation().apply(point.minus(centre))));
+  }
+
+  /**
+   * Puts it somewhere else, as it is.
+   *
+   * @throws SimulationException if the place is not finite
+   */
+  public void place(Pose newPose) {
+    if (!newPose.isFinite()) {
+      throw new SimulationException(name + ": the place is not finite");
+    }
+    if (isFixed()) {
+      for (int i = 0; i < parts.size(); i++) {
+        BodyDescription.Part part = parts.get(i);
+        world.dynamics().placeGeom(firstGeom + i, part.shape(), newPose.apply(part.pose()));
+      }
+      pose = newPose;
+    } else {
+      Pose unit = new Pose(newPose.position(), newPose.rotation().normalized());
+      world.dynamics().placeBody(number, unit.apply(centre), unit.rotation());
+    }
+    world.changed();
+  }
+
+  /**
+   * Gives it a velocity, in m/s, and a rotation about the axes of the world, in rad/s.
+   *
+   * @throws SimulationException if one is not finite, or if the body is fixed
+   */
+  public void move(Vec3 velocity, Vec3 spin) {
+    if (!velocity.isFinite() || !spin.isFinite()) {
+      throw new SimulationException(name + ": the velocity is not finite");
+    }
+    requireFree();
+    world.dynamics().moveBody(number, velocity, spin);
+    world.changed();
+  }
+
+  /**
+   * Has a force, in newtons, act during the next step at a point of the world.
+   *
+   * @throws SimulationException if it is not finite, or if the body is fixed
+   */
+  public void push(Vec3 force, Vec3 point) {
+    if (!force.isFinite() || !point.isFinite()) {
+      throw new SimulationException(name + ": the force is not finite");
+    }
+    requireFree();
+    world.dynamics().addForce(number, force, point);
+  }
+
+  /** Refuses to go on with what cannot be: the next step could overflow. */
+  void requireSane() {
+    update();
+    for (int i = FIRST_SPEED; i < state.length; i++) {
+      if (!(Math.abs(state[i]) < FASTEST)) {
+        throw new SimulationException(
+            name
+                + ": moves or turns faster than "
+                + FASTEST
+                + " m/s or rad/s: the simulation has diverged; try a smaller step, or the solver"
+                + " 'quick'");
+      }
+    }
+  }
+
+  private void requireFree() {
+    if (isFixed()) {
+      throw new SimulationException(name + ": does not move: it has no mass");
+    }
+  }
+
+  @Override
+  public String toString() {
+    return name;
+  }
+}

@@ -1,0 +1,258 @@
+package org.urbi.sim.device;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.urbi.kernel.Kernel;
+import org.urbi.kernel.embed.UrbiError;
+import org.urbi.sim.vision.OpenCv;
+
+/** The devices as urbiscript sees them, plugged into a kernel in virtual time. */
+class DevicesTest {
+  @TempDir static Path folder;
+
+  private final BlockingQueue<String> output = new LinkedBlockingQueue<>();
+  private Kernel kernel;
+
+  @BeforeAll
+  static void makeJar() throws Exception {
+    SimJar.writeTo(folder);
+  }
+
+  @BeforeEach
+  void start() {
+    kernel = kernel(output);
+    build(kernel);
+  }
+
+  private static Kernel kernel(BlockingQueue<String> output) {
+    return Kernel.builder()
+        .virtualTime(true)
+        .searchPath(List.of(Path.of("../share"), Path.of("../examples/ball-tracking")))
+        .moduleSearchPath(List.of(folder))
+        .output(output::add)
+        .log(line -> {})
+        .start();
+  }
+
+  private static void build(Kernel kernel) {
+    kernel.eval(
+        """
+        requireFile("urbi/sim.u");
+        var Global.s = Simulation.new("table.world");
+        var Global.robot = s.robot;
+        robot.makeCompactNames|
+        """);
+  }
+
+  @AfterEach
+  void stop() {
+    kernel.close();
+  }
+
+  private double number(String code) {
+    return kernel.eval(code, double.class);
+  }
+
+  private void refused(String code, String message) {
+    String text = assertThrows(UrbiError.class, () -> kernel.eval(code)).getMessage();
+    assertTrue(text.contains(message), text);
+  }
+
+  /** What an error of a notification said; it goes to people, not to who has written. */
+  private void complained(String message) {
+    String all = String.join("\n", output);
+    assertTrue(all.contains(message), all);
+    output.clear();
+  }
+
+  @Test
+  void devicesStandWhereTheStandardWantsThem() {
+    assertEquals(
+        List.of("robot.body.neck.head.camera", "robot.body.wheel[left]", "robot.body.accel[z]"),
+        kernel.eval(
+            "[robot.body.neck.head.camera.fullname, robot.body.wheel[left].fullname,"
+                + " robot.body.accel[z].fullname]"));
+    assertEquals(
+        true,
+        kernel.eval(
+            "robot.body.neck.yaw.isA(Interface.RotationalMotor)"
+                + " && robot.body.wheel[right].isA(Interface.RotationalSpeedMotor)"
+                + " && robot.body.neck.head.camera.isA(Interface.VideoIn)"
+                + " && robot.body.sonar[front].isA(Interface.DistanceSensor)"
+                + " && robot.body.led.isA(Interface.RGBLed)"
+                + " && robot.isA(Interface.Mobile)"));
+    assertEquals("Scout", kernel.eval("robot.name"));
+  }
+
+  @Test
+  void servoIsSensedOneStepAfterItsCommand() {
+    assertEquals(0, number("yaw.val"), 1e-9);
+    assertTrue(number("yaw.val = 0.5 | sleep(2ms) | yaw.val") > 0.001, "one step of 2 ms later");
+    assertEquals(0.5, number("sleep(2s) | yaw.val"), 1e-3);
+    assertEquals(0.5, number("yaw.angle"), 1e-3);
+    assertEquals(0.5 / (2 * Math.PI), number("yaw.turn"), 1e-3);
+    assertEquals(20, number("yaw.PGain"));
+  }
+
+  @Test
+  void servoStaysInItsRange() {
+    double limit = Math.toRadians(120);
+    assertEquals(-limit, number("yaw.val->rangemin"), 1e-9);
+    assertEquals(limit, number("yaw.val = 9 | sleep(2s) | yaw.val"), 1e-2);
+    kernel.eval("yaw.val = nan | sleep(1s)");
+    complained("neck.yaw: target: not a finite number: NaN");
+    assertEquals(limit, number("yaw.val"), 1e-2, "as before");
+    kernel.eval("yaw.P = -1; sleep(10ms)");
+    complained("neck.yaw: gain: 0 or more expected, not -1.0");
+    assertEquals(20, number("yaw.P"), "as before");
+    kernel.eval("yaw.load = 2; sleep(10ms)");
+    complained("neck.yaw: load: between 0 and 1 expected, not 2.0");
+  }
+
+  @Test
+  void speedLimitsHowFastAServoMoves() {
+    assertEquals(0.5, number("yaw.speed = 0.5 | yaw.val = 1 | sleep(1s) | yaw.val"), 0.02);
+    // Without force it can be moved by whatever comes; gravity does nothing to a yaw.
+    assertEquals(0.5, number("yaw.load = 0 | yaw.val = -1 | sleep(1ms) | yaw.val"), 0.05);
+  }
+
+  @Test
+  void robotDrivesAndTurns() {
+    kernel.eval("robot.go(0.5); sleep(500ms)");
+    List<?> place = (List<?>) kernel.eval("s.world.position(\"body\")");
+    assertEquals(0.5, (Double) place.getFirst(), 0.05);
+    kernel.eval("robot.turn(1); sleep(500ms)");
+    assertEquals(1, number("s.world.orientation(\"body\")"), 0.3);
+    assertEquals(false, kernel.eval("robot.moving"));
+  }
+
+  @Test
+  void wheelsAreBroadcastTo() {
+    kernel.eval("robot.body.wheel.val = 2; sleep(1s)");
+    assertEquals(2, number("wheelL.val"), 0.1);
+    assertEquals(2, number("wheelR.speed"), 0.1);
+  }
+
+  @Test
+  void sensorsMeasureAndAreWatched() {
+    kernel.eval("s.world.place(\"ball\", 2.5, 0, 0.06); sleep(1s)");
+    assertEquals(9.81, number("robot.body.accel[z].val"), 0.1);
+    assertEquals(0, number("robot.body.gyro[z].val"), 0.01);
+    kernel.eval("s.world.move(\"ball\", 0, 0, 0); s.world.place(\"ball\", 1, 0, 0.12); sleep(2ms)");
+    assertEquals(1 - 0.16 - 0.06, number("robot.body.sonar[front].distance"), 0.02);
+    kernel.eval("at (robot.body.touch[front].val == 1) echo(\"bump\"); robot.go(3),");
+    kernel.eval("sleep(20s)");
+    assertTrue(String.join("", output).contains("bump"), "at the ball or the wall");
+  }
+
+  @Test
+  void cameraGivesImages() {
+    assertEquals("rgb 320 240", kernel.eval("camera.val.keywords"));
+    assertEquals("jpeg 320 240", kernel.eval("camera.format = 3 | camera.val.keywords"));
+    assertEquals(
+        "rgb 160 120",
+        kernel.eval("camera.format = 1 | camera.resolution = 1 | camera.val.keywords"));
+    assertEquals(160, number("camera.width"));
+    kernel.eval("camera.resolution = 17; sleep(10ms)");
+    complained("neck.head.camera: resolution: between 0 and 3 expected, not 17");
+    assertEquals(1, number("camera.resolution"), "as before");
+    kernel.eval("camera.format = 77; sleep(10ms)");
+    complained("neck.head.camera: format: one of 1 (rgb)");
+    kernel.eval("camera.quality = nan; sleep(10ms)");
+    complained("neck.head.camera: quality: between 0 and 100 expected, not nan");
+  }
+
+  @Test
+  void ballIsSeenAndLost() {
+    assumeTrue(OpenCv.isAvailable(), "skipped: OpenCV has no native library for this machine");
+    kernel.eval(
+        """
+        var Global.ball = BallDetector.new(camera.__uobjectName + ".val");
+        s.world.move("ball", 0, 0, 0);
+        s.world.place("ball", 1.5, 0.3, 0.06);
+        at (ball.visible) echo("seen") onleave echo("lost");
+        sleep(300ms);
+        """);
+    assertEquals(1, number("ball.visible"));
+    assertTrue(number("ball.x") < -0.1, "on the left");
+    assertTrue(number("ball.y") < -0.05, "below the horizon");
+    assertTrue(number("ball.ratio") > 0.001);
+    kernel.eval("s.world.place(\"ball\", -0.8, 0, 0.06); sleep(300ms)");
+    assertEquals(0, number("ball.visible"));
+    String all = String.join("", output);
+    assertTrue(all.contains("seen") && all.indexOf("lost") > all.indexOf("seen"), all);
+  }
+
+  @Test
+  void coloursAreMappedAndImagesFiltered() {
+    assumeTrue(OpenCv.isAvailable(), "skipped: OpenCV has no native library for this machine");
+    kernel.eval(
+        """
+        s.world.place("ball", 1, 0, 0.06);
+        s.world.move("ball", 0, 0, 0);
+        var Global.colours = ColourMapper.new(camera.__uobjectName + ".val");
+        colours.define("red", 345, 15, 0.5, 1, 0.2, 1,  1, 0, 0);
+        var Global.edges = ImageFilter.new(camera.__uobjectName + ".val");
+        edges.kind = "edges";
+        sleep(300ms);
+        """);
+    Map<?, ?> shares = (Map<?, ?>) kernel.eval("colours.shares");
+    assertTrue((Double) shares.get("red") > 0.005, shares.toString());
+    assertEquals("rgb 320 240", kernel.eval("edges.val.keywords"));
+    kernel.eval("edges.kind = \"magic\"; sleep(10ms)");
+    complained("unknown filter 'magic'");
+  }
+
+  @Test
+  void nonsenseIsAnException() {
+    refused("s.world.place(\"nothing\", 1, 0, 0)", "no body 'nothing' in this world");
+    refused("s.world.place(\"ball\", nan, 0, 0)", "ball: the place is not finite");
+    refused("SimWorld.new(\"/nonexistent.world\")", "/nonexistent.world: no such file");
+    refused("SimServo.new(\"nobody\", \"neck.yaw\")", "no simulated world 'nobody'");
+    refused("SimServo.new(s.world.__uobjectName, \"elbow\")", "no drive 'elbow' in this world");
+    refused("SimServo.new(s.world.__uobjectName, \"wheel[left]\")", "use SimWheel");
+    refused("s.world.step(-1)", "step: 0 or more expected, not -1");
+    assertEquals(3, number("1 + 2"), "the kernel goes on");
+  }
+
+  @Test
+  void twoRunsSayTheSame() {
+    String program =
+        """
+        yaw.val = 0 sin:2s ampli:0.5,
+        robot.turn(2),
+        for| (var i: 20) {
+          sleep(170ms)|
+          echo([yaw.val, wheelL.torque, s.world.position("ball"), robot.body.accel[x].val])
+        };
+        echo(camera.val.data)
+        """;
+    List<String> runs =
+        java.util.stream.Stream.generate(
+                () -> {
+                  BlockingQueue<String> said = new LinkedBlockingQueue<>();
+                  try (Kernel other = kernel(said)) {
+                    build(other);
+                    other.eval(program);
+                  }
+                  return String.join("\n", said);
+                })
+            .limit(2)
+            .toList();
+    assertTrue(runs.getFirst().length() > 1000);
+    assertEquals(runs.getFirst(), runs.getLast());
+  }
+}

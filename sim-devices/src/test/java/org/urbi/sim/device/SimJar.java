@@ -1,0 +1,30 @@
+package org.urbi.sim.device;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
+
+/** The component as urbi loads it: a jar of the classes under test. */
+final class SimJar {
+  private SimJar() {}
+
+  /** Writes {@code sim.jar} into a folder. */
+  static void writeTo(Path folder) throws IOException {
+    Path classes = Path.of("target", "classes");
+    try (OutputStream file = Files.newOutputStream(folder.resolve("sim.jar"));
+        ZipOutputStream jar = new ZipOutputStream(file);
+        Stream<Path> all = Files.walk(classes)) {
+      List<Path> files = all.filter(Files::isRegularFile).sorted().toList();
+      for (Path each : files) {
+        jar.putNextEntry(new ZipEntry(classes.relativize(each).toString().replace('\\', '/')));
+        Files.copy(each, jar);
+        jar.closeEntry();
+      }
+    }
+  }
+}
