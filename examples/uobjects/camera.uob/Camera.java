@@ -3,7 +3,9 @@ import urbi.UImageFormat;
 import urbi.UObject;
 import urbi.UVar;
 
-/** A camera: whoever reads {@code camera.val} gets a picture, at most one per cycle of the kernel. */
+/**
+ * A camera: whoever reads {@code camera.val} gets a picture, at most one per cycle of the kernel.
+ */
 public class Camera extends UObject {
   static {
     UStart(Camera.class);

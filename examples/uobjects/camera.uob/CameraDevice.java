@@ -45,8 +45,7 @@ final class CameraDevice {
     Arrays.fill(buffer, GREY);
     for (int y = BALL_TOP; y < BALL_TOP + BALL_SIZE; y++) {
       for (int x = left; x < Math.min(left + BALL_SIZE, WIDTH); x++) {
-        System.arraycopy(
-            ORANGE, 0, buffer, (y * WIDTH + x) * BYTES_PER_PIXEL, BYTES_PER_PIXEL);
+        System.arraycopy(ORANGE, 0, buffer, (y * WIDTH + x) * BYTES_PER_PIXEL, BYTES_PER_PIXEL);
       }
     }
     left = (left + STEP) % (WIDTH + STEP);

@@ -2,6 +2,7 @@ package urbi;
 
 import java.util.Arrays;
 import java.util.Objects;
+import java.util.function.Supplier;
 
 /**
  * Bytes with a header that says what they are (manual, "Using binary types"): {@code jpeg 320 240},
@@ -16,6 +17,11 @@ public final class UBinary {
   private String message;
   private byte[] data;
 
+  /** Where the data come from when somebody wants them; null as soon as they are here. */
+  private Supplier<byte[]> source;
+
+  private int size;
+
   public UBinary() {
     this("", NOTHING);
   }
@@ -29,6 +35,17 @@ public final class UBinary {
     setData(data);
   }
 
+  /**
+   * A binary whose data are fetched when somebody looks at them.
+   *
+   * @param size how many bytes they are
+   */
+  public UBinary(String keywords, int size, Supplier<byte[]> source) {
+    setMessage(keywords);
+    this.size = size;
+    this.source = Objects.requireNonNull(source, "source");
+  }
+
   /** Bytes without a header. */
   public UBinary(byte[] data) {
     this("", data);
@@ -36,7 +53,7 @@ public final class UBinary {
 
   /** The same header, and a copy of the data. */
   public UBinary(UBinary other) {
-    this(other.message, other.data.clone());
+    this(other.message, other.getData().clone());
   }
 
   public UBinary(UImage image) {
@@ -49,7 +66,7 @@ public final class UBinary {
 
   /** What the header says it is. */
   public UBinaryType getType() {
-    if (message.isEmpty() && data.length == 0) {
+    if (message.isEmpty() && getSize() == 0) {
       return UBinaryType.BINARY_NONE;
     }
     String word = BinaryWords.first(message);
@@ -85,23 +102,27 @@ public final class UBinary {
 
   /** The bytes; not copied. */
   public byte[] getData() {
+    if (source != null) {
+      setData(source.get());
+    }
     return data;
   }
 
   /** Sets the bytes; not copied. */
   public void setData(byte[] bytes) {
     data = Objects.requireNonNull(bytes, "data");
+    source = null;
   }
 
   /** How many bytes there are. */
   public int getSize() {
-    return data.length;
+    return source == null ? data.length : size;
   }
 
   /** Makes it empty. */
   public void clear() {
     message = "";
-    data = NOTHING;
+    setData(NOTHING);
   }
 
   /**
@@ -126,12 +147,12 @@ public final class UBinary {
   public boolean equals(Object other) {
     return other instanceof UBinary that
         && message.equals(that.message)
-        && Arrays.equals(data, that.data);
+        && Arrays.equals(getData(), that.getData());
   }
 
   @Override
   public int hashCode() {
-    return 31 * message.hashCode() + Arrays.hashCode(data);
+    return 31 * message.hashCode() + Arrays.hashCode(getData());
   }
 
   /** The binary as an urbiscript literal, one character for each byte of data. */

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import urbi.remote.Failure;
 import urbi.remote.RemoteContext;
 
 /**
@@ -177,13 +178,28 @@ public final class UMain {
     try (RemoteContext context = new RemoteContext(host, port)) {
       context.onOutput(text -> err.write(text, 0, text.length));
       for (UModule module : loaded) {
-        module.startIn(context);
+        start(module, context);
         module.classes().forEach(type -> out.println("started " + type.name()));
       }
       out.println("running on " + host + ":" + port);
       String why = context.onClosed().join();
       loaded.forEach(module -> module.leave(context));
       return why;
+    }
+  }
+
+  private static void start(UModule module, RemoteContext context) {
+    try {
+      module.startIn(context);
+    } catch (UClientException e) {
+      throw e;
+    } catch (RuntimeException e) {
+      throw new UModuleException(
+          "exception caught while constructing the UObjects of "
+              + module.name()
+              + ": "
+              + Failure.text(e),
+          e);
     }
   }
 }

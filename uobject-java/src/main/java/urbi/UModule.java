@@ -2,10 +2,12 @@ package urbi;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.ServiceLoader;
 import java.util.WeakHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 
@@ -26,17 +28,42 @@ public final class UModule {
   private final List<UHubClass> hubs = new CopyOnWriteArrayList<>();
   private final List<UContext> contexts = new CopyOnWriteArrayList<>();
   private final UTaskQueue queue = new UTaskQueue();
+  private final Runnable whenLeft;
   private ModuleClassLoader loader;
 
   /** A module to be filled by hand, for classes that are not of Java. */
   public UModule(String name) {
+    this(name, () -> {});
+  }
+
+  /**
+   * A module to be filled by hand.
+   *
+   * @param whenLeft is run when the last context no longer uses it, and before its objects have all
+   *     been ended
+   */
+  public UModule(String name, Runnable whenLeft) {
     this.name = Objects.requireNonNull(name, "name");
+    this.whenLeft = Objects.requireNonNull(whenLeft, "whenLeft");
+  }
+
+  /** Those who load what is no jar. */
+  private static ServiceLoader<UModuleLoader> loaders() {
+    return ServiceLoader.load(UModuleLoader.class, UModule.class.getClassLoader());
+  }
+
+  /** What the names of files with modules end with, with the dot; those of jars come first. */
+  public static List<String> suffixes() {
+    List<String> suffixes = new ArrayList<>(List.of(".jar"));
+    loaders().forEach(other -> suffixes.add(other.suffix()));
+    return suffixes;
   }
 
   /**
    * Loads a jar, or a folder of classes: every class in it that calls {@link UObject#UStart} or
    * {@link UObject#UStartHub} when it is initialized, or is annotated with {@link UStart}, is
-   * initialized now; which these are {@linkplain UModuleIndex the manifest} may say.
+   * initialized now; which these are {@linkplain UModuleIndex the manifest} may say. Files that end
+   * as a {@link UModuleLoader} wants it are loaded by that.
    *
    * @throws UModuleException if the file cannot be read or is no jar, has no such class, or one
    *     that cannot be loaded
@@ -65,6 +92,11 @@ public final class UModule {
    * @throws UModuleException as {@link #load(Path)}, but it need not have UObjects
    */
   public static UModule loadLibrary(Path jar, List<UModule> libraries) {
+    for (UModuleLoader other : loaders()) {
+      if (jar.toString().endsWith(other.suffix())) {
+        return other.load(jar);
+      }
+    }
     JarContent content;
     try {
       content = JarContent.read(jar);
@@ -152,7 +184,9 @@ public final class UModule {
 
   /** It is no longer used in a context. */
   public void leave(UContext context) {
-    contexts.remove(context);
+    if (contexts.remove(context) && contexts.isEmpty()) {
+      whenLeft.run();
+    }
   }
 
   /** The class of objects of a Java class, which need not be declared. */

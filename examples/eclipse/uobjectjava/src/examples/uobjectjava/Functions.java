@@ -4,7 +4,10 @@ import urbi.UList;
 import urbi.UObject;
 import urbi.UValue;
 
-/** What can be bound as a function: methods of this object and of others, with and without namesakes. */
+/**
+ * What can be bound as a function: methods of this object and of others, with and without
+ * namesakes.
+ */
 public class Functions extends UObject {
   static {
     UStart(Functions.class);

@@ -4,7 +4,9 @@ import urbi.TimerHandle;
 import urbi.UObject;
 import urbi.UVar;
 
-/** Does something again and again: {@code update}, and a timer, which it removes after three times. */
+/**
+ * Does something again and again: {@code update}, and a timer, which it removes after three times.
+ */
 public class Timers extends UObject {
   static {
     UStart(Timers.class);

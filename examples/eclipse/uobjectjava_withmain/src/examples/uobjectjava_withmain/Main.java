@@ -2,7 +2,9 @@ package examples.uobjectjava_withmain;
 
 import urbi.UObject;
 
-/** A program of its own: it names its UObjects, and connects to the server that its arguments tell. */
+/**
+ * A program of its own: it names its UObjects, and connects to the server that its arguments tell.
+ */
 public final class Main {
   private Main() {}
 

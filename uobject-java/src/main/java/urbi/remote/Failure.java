@@ -6,10 +6,11 @@ import java.util.concurrent.ExecutionException;
 import urbi.UCastException;
 
 /** What went wrong in code of UObjects, for people. */
-final class Failure {
+public final class Failure {
   private Failure() {}
 
-  static String text(Throwable failure) {
+  /** What a UObject threw, without what it was wrapped in. */
+  public static String text(Throwable failure) {
     Throwable cause = failure;
     while (cause.getCause() != null
         && (cause instanceof CompletionException
@@ -21,6 +22,9 @@ final class Failure {
       return "stack exhausted";
     }
     String message = cause.getMessage();
+    if (cause instanceof NoClassDefFoundError && message != null) {
+      return "missing class " + message.replace('/', '.');
+    }
     if (message == null || message.isEmpty()) {
       return cause.getClass().getSimpleName();
     }

@@ -41,8 +41,11 @@ final class KernelSession implements AutoCloseable {
    */
   private static final String EPILOGUE = "\nsleep(1ms)|;\nshutdown;\n";
 
-  /** A statement whose result tells that the kernel thread is ours for the time of a callback. */
-  private static final String STARTER = "0;\n";
+  /**
+   * A statement whose result tells that the kernel thread is ours for the time of a callback. It
+   * ends no line, so that those of the program keep their numbers.
+   */
+  private static final String STARTER = "0;";
 
   private static final Executor DAEMONS = task -> Thread.ofPlatform().daemon().start(task);
 

@@ -25,6 +25,18 @@ class UrbiLaunchJavaTest {
   private static final String SEND = "org.urbi.server.tools.UrbiSend";
   private static final Path MACHINE = Modules.SOURCES.resolve("machine.uob");
 
+  private static final String THROWER =
+      """
+      public class Thrower extends urbi.UObject {
+        static { UStart(Thrower.class); }
+
+        public Thrower(String name) {
+          super(name);
+          throw new IllegalStateException("no device");
+        }
+      }
+      """;
+
   @TempDir static Path built;
   private static Modules modules;
 
@@ -244,7 +256,7 @@ class UrbiLaunchJavaTest {
   }
 
   @Test
-  void aFileThatIsNoModuleIsSaid() throws Exception {
+  void aModuleThatCannotBeRunIsSaid() throws Exception {
     Files.writeString(folder.resolve("text.jar"), "no jar", StandardCharsets.UTF_8);
     Path library = Files.createDirectory(folder.resolve("library"));
     Path api = Path.of(UObject.class.getProtectionDomain().getCodeSource().getLocation().toURI());
@@ -252,10 +264,17 @@ class UrbiLaunchJavaTest {
     String where = library.toString();
     String jar = folder.resolve("empty.jar").toString();
     tool("jar", List.of("-cf", jar, "-C", where, "Machine.class"));
+    Path part = Files.createDirectory(folder.resolve("part"));
+    javac(Path.of(api + ":" + library), part, MACHINE.resolve("UMachine.java"));
+    Path source = folder.resolve("Thrower.java");
+    Files.writeString(source, THROWER);
+    javac(api, Files.createDirectory(folder.resolve("thrower")), source);
     try (ServerProcess server = ServerProcess.in(folder)) {
       String port = "-P" + server.port();
       failsToLaunch("not a jar file", port, "text");
       failsToLaunch("no UObject in", port, "empty");
+      failsToLaunch("constructing the UObjects of part: missing class Machine", port, "part");
+      failsToLaunch("constructing the UObjects of thrower: no device", port, "thrower");
       assertEquals(0, server.shutDown(), server::text);
     }
   }

@@ -25,7 +25,7 @@ final class ArgumentException {
     int index = ExceptionNumbers.count(self, "index", 0);
     return ExceptionType.text(frame, self, "routine")
         + ": "
-        + (index == 0 ? "target" : "argument " + index)
+        + (index == 0 ? "this" : "argument " + index)
         + ": "
         + ExceptionType.text(frame, self, "exception");
   }

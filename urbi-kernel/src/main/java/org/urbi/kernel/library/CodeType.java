@@ -3,6 +3,7 @@ package org.urbi.kernel.library;
 import java.util.Arrays;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
@@ -20,7 +21,11 @@ final class CodeType {
   private CodeType() {}
 
   @Builtin(doc = "Calls the function: the list holds the target, then the arguments.")
-  static UrbiObject apply(Frame frame, CallSite site, Code self, UrbiList arguments) {
+  static UrbiObject apply(Frame frame, CallSite site, Code self, UrbiObject list) {
+    if (!(list instanceof UrbiList arguments)) {
+      // The list begins with the target: that is what is missing.
+      throw Arguments.type(frame, site, 0, list, "List");
+    }
     UrbiObject[] all = arguments.elements().toArray(UrbiObject[]::new);
     if (all.length == 0) {
       throw frame.interpreter().errors().primitive("apply", "argument list must begin with `this'");

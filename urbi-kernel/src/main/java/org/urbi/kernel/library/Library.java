@@ -158,11 +158,9 @@ public final class Library {
     global.addSlot(world.symbol("cerr"), channel(channel, "error", false));
     global.addSlot(world.symbol("clog"), channel(channel, "clog", true));
     global.addSlot(world.symbol("cout"), channel(channel, "output", true));
-    Symbol asList = world.symbol("asList");
-    values.stringProto.removeSlot(asList);
-    values.stringProto.addSlot(
-        asList,
-        new ScriptCode(interpreter.prototypes().code.cloneShape(), "function () { split(\"\") }"));
+    script(values.stringProto, "asList", "function () { split(\"\") }");
+    script(types.get("TrajectoryGenerator.Until"), "run", TrajectoryUntil.RUN);
+    script(types.get("TrajectoryGenerator.Sequence"), "run", TrajectorySequence.RUN);
     EventType.fill(types.get("Event"));
     UrbiObject lobby = types.get("Lobby");
     lobby.setProtos(topLevel);
@@ -175,6 +173,13 @@ public final class Library {
     types.get("UVar").addSlot(world.symbol("hookChanged"), values.trueObject);
     types.get("UVar").addSlot(world.symbol("eraseThrowingCallbacks"), values.falseObject);
     types.get("Exception").addSlot(world.symbol("message"), values.string("<no message>"));
+  }
+
+  /** Gives a type a function written in urbiscript. */
+  private void script(UrbiObject type, String name, String function) {
+    Symbol slot = world.symbol(name);
+    type.removeSlot(slot);
+    type.addSlot(slot, new ScriptCode(interpreter.prototypes().code.cloneShape(), function));
   }
 
   private UrbiObject channel(UrbiObject prototype, String name, boolean quote) {

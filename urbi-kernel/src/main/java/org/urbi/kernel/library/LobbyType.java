@@ -130,6 +130,12 @@ final class LobbyType {
     }
   }
 
+  @Builtin(
+      doc = "Has the lobby begin as those of new connections do: with local.u, if there is one.")
+  static void initialize(Frame frame, UrbiObject self, @Optional UrbiObject remote) {
+    receive(frame, self, "maybeLoad(\"local.u\");");
+  }
+
   @Builtin(doc = "Sends a value as text to all lobbies, on a channel if one is given.")
   static void wall(Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
     for (UrbiLobby lobby : KernelControl.of(frame).lobbies()) {

@@ -2,7 +2,9 @@ package org.urbi.kernel.library;
 
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiFloat;
@@ -14,6 +16,48 @@ import org.urbi.kernel.object.UrbiObject;
     doc = "Changes a variable over time, from its initial value to a target.")
 final class TrajectoryType {
   private TrajectoryType() {}
+
+  @Builtin(
+      doc =
+          "A motion to be run: the attributes, with the target as base and the functions getter and"
+              + " setter.")
+  static void init(UrbiObject self, UrbiDictionary attributes) {
+    OwnSlots.put(self, "attributes", attributes);
+  }
+
+  @Builtin(doc = "Runs the motion, and returns when it is over.")
+  static void run(Frame frame, CallSite site, UrbiObject self) {
+    if (!(OwnSlots.get(frame, self, "attributes") instanceof UrbiDictionary attributes)) {
+      throw frame.interpreter().errors().primitive(site.calledName(), "nothing to run");
+    }
+    UrbiObject base = required(frame, site, attributes, "base");
+    if (!(base instanceof UrbiFloat target)) {
+      throw Arguments.type(frame, site, 1, base, "Float");
+    }
+    UrbiObject getter = required(frame, site, attributes, "getter");
+    UrbiObject setter = required(frame, site, attributes, "setter");
+    follow(frame, site, self, getter, setter, target, attributes);
+  }
+
+  private static UrbiObject required(
+      Frame frame, CallSite site, UrbiDictionary attributes, String name) {
+    UrbiObject value =
+        attributes
+            .entries()
+            .get(DictionaryKey.of(frame, frame.interpreter().values().string(name)));
+    if (value == null) {
+      throw frame.interpreter().errors().primitive(site.calledName(), "missing attribute: " + name);
+    }
+    return value;
+  }
+
+  @Builtin(value = "+", doc = "The motion, and then that one.")
+  static UrbiObject followedBy(Frame frame, UrbiObject self, UrbiObject next) {
+    UrbiObject sequence = self.world().prototype("TrajectoryGenerator.Sequence").cloned();
+    OwnSlots.put(sequence, "first", self);
+    OwnSlots.put(sequence, "second", next);
+    return sequence;
+  }
 
   @Builtin(
       doc =

@@ -156,7 +156,7 @@ public final class Shell {
         reader.feed(chunk);
         listener.consumed();
       } else if (ended) {
-        return null;
+        return reader.unfinished();
       } else {
         waiting = true;
         listener.starving(true);

@@ -6,12 +6,13 @@ import java.lang.invoke.MethodType;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
+import org.urbi.kernel.uobject.Perishable;
 import urbi.UCallback;
 import urbi.UObject;
 import urbi.UValue;
 
 /** A UObject of another process, as the kernel sees it: its functions are called there. */
-final class RemoteObject extends UObject implements AutoCloseable {
+final class RemoteObject extends UObject implements AutoCloseable, Perishable {
   private static final MethodHandle CALL;
 
   static {
@@ -53,6 +54,11 @@ final class RemoteObject extends UObject implements AutoCloseable {
 
   CompletionStage<UValue> call(String function, UValue... arguments) {
     return peer.call(get__name(), function, arguments);
+  }
+
+  @Override
+  public String whyGone() {
+    return peer.lost();
   }
 
   @Override

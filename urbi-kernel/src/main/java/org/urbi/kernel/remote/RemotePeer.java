@@ -302,6 +302,11 @@ public final class RemotePeer {
     }
   }
 
+  /** Why the connection is lost; null while it is not. */
+  String lost() {
+    return lost;
+  }
+
   /** The urbiscript object has gone. */
   void gone(RemoteObject object) {
     if (objects.remove(object.get__name(), object) && lost == null) {

@@ -19,7 +19,7 @@ final class BoundFunction extends Code {
   private final MethodHandle whole;
 
   private final CallStatistics.Entry statistics;
-  private boolean ended;
+  private String gone;
 
   BoundFunction(Shape shape, PluggedContext context, UCallback callback) {
     super(shape);
@@ -34,9 +34,9 @@ final class BoundFunction extends Code {
     return callback;
   }
 
-  /** The object has been destroyed: a call is an error from now on. */
-  void end() {
-    ended = true;
+  /** The object has gone: a call is an error from now on, which tells why. */
+  void end(String why) {
+    gone = why;
   }
 
   @Override
@@ -54,11 +54,11 @@ final class BoundFunction extends Code {
     if (arguments.length != arity) {
       throw caller.interpreter().errors().arity(callback.name(), arguments.length, arity, arity);
     }
-    if (ended) {
+    if (gone != null) {
       throw caller
           .interpreter()
           .errors()
-          .primitive(site.calledName(), callback.name() + ": the object has been destroyed");
+          .primitive(site.calledName(), callback.name() + ": " + gone);
     }
     long started = statistics.begin();
     try {

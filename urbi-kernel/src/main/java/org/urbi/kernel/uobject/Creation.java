@@ -196,9 +196,14 @@ public final class Creation {
         .functions()
         .values()
         .forEach(function -> {
-          function.end();
+          function.end(why(instance.java()));
           context.statistics().forget(function.callback().name());
         });
+  }
+
+  private static String why(UObject java) {
+    String why = java instanceof Perishable perishable ? perishable.whyGone() : null;
+    return why == null ? "the object has been destroyed" : why;
   }
 
   /** Ends an object: the Java side is told, and the name no longer known. */

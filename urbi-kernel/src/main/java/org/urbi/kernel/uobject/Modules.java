@@ -18,12 +18,10 @@ import urbi.UModule;
 import urbi.UModuleException;
 
 /**
- * The modules that are loaded: jars with UObjects (manual, "System", loadModule). A module that is
- * loaded again is replaced if its file has changed: its urbiscript objects stay.
+ * The modules that are loaded: jars and libraries with UObjects (manual, "System", loadModule). A
+ * module that is loaded again is replaced if its file has changed: its urbiscript objects stay.
  */
 public final class Modules {
-  private static final String JAR = ".jar";
-
   /** A module, and how its file was when it was read. */
   private record Loaded(UModule module, long modified, long size) {}
 
@@ -45,16 +43,16 @@ public final class Modules {
   }
 
   /**
-   * The file of a module: a path, or a name that is looked for in the search path; {@code .jar} may
+   * The file of a module: a path, or a name that is looked for in the search path; the suffix may
    * be left out.
    *
    * @param working where relative paths start from
    * @return null if there is none
    */
   public Path find(Path working, String name) {
-    for (String file : name.endsWith(JAR) ? List.of(name) : List.of(name, name + JAR)) {
+    for (String suffix : suffixes(name)) {
       try {
-        Path path = Path.of(file);
+        Path path = Path.of(name + suffix);
         List<Path> folders = new ArrayList<>();
         if (!path.isAbsolute()) {
           kernel.moduleSearchPath().forEach(folder -> folders.add(working.resolve(folder)));
@@ -71,6 +69,16 @@ public final class Modules {
       }
     }
     return null;
+  }
+
+  /** What may be missing at the end of a name. */
+  private static List<String> suffixes(String name) {
+    List<String> suffixes = new ArrayList<>(List.of(""));
+    List<String> known = UModule.suffixes();
+    if (known.stream().noneMatch(name::endsWith)) {
+      suffixes.addAll(known);
+    }
+    return suffixes;
   }
 
   /**

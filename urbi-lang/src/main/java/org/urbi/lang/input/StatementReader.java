@@ -86,19 +86,40 @@ public final class StatementReader {
   }
 
   /**
-   * What is left of the input, for which no separator came, parsed as if a {@code ;} had followed;
-   * null when there are only white space and comments. To call after {@link #end} and the last
-   * {@link #next}, once.
+   * Tells that the input ended within a statement, which is dropped; null when it did not. To call
+   * after the last {@link #next}.
    */
-  public Item rest() {
+  public Item unfinished() {
     if (discarding || start == position || !splitter.pending()) {
       return null;
     }
     String text = buffer.substring(start);
     Source source = lines.cut(text);
     start = position;
-    Parsed parsed = UrbiParser.parse(source, 0, text.length());
-    return result(parsed, Ast.Flavor.SEMICOLON);
+    int end = endOfCode(text);
+    return new Item.Invalid(
+        List.of(
+            new SyntaxError(new Span(source, end, end), "syntax error: unexpected end of file")),
+        List.of());
+  }
+
+  /** Where a text ends, but for white space and for comments that are whole lines. */
+  private static int endOfCode(String text) {
+    int end = text.length();
+    while (true) {
+      while (end > 0 && text.charAt(end - 1) <= ' ') {
+        end--;
+      }
+      int line = text.lastIndexOf('\n', end - 1) + 1;
+      int begin = line;
+      while (begin < end && text.charAt(begin) <= ' ') {
+        begin++;
+      }
+      if (line == 0 || !text.startsWith("//", begin)) {
+        return end;
+      }
+      end = line;
+    }
   }
 
   private static Item result(Parsed parsed, Ast.Flavor separator) {

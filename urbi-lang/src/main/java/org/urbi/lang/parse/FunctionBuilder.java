@@ -40,23 +40,28 @@ final class FunctionBuilder {
     }
     Ast.Message name = context.path() == null ? null : path(context.path());
     Ast.Function function =
-        new Ast.Function(span, closure, formals(context.formals()), body(context.scope()));
+        new Ast.Function(span, closure, formals(context.formals()), body(context.scope(), closure));
     return name == null ? function : new Ast.FunctionDefinition(span, name, function);
   }
 
   Ast accessor(AccessorContext context) {
     Span span = builder.span(context);
     Ast.Message name = path(context.path());
-    var function = new Ast.Function(span, false, formals(context.formals()), body(context.scope()));
+    var function =
+        new Ast.Function(span, false, formals(context.formals()), body(context.scope(), false));
     return new Ast.Accessor(span, context.SET() != null, name, function);
   }
 
-  private Ast.Scope body(ScopeContext context) {
+  private Ast.Scope body(ScopeContext context, boolean closure) {
     builder.enclosingFunctions++;
+    int loops = builder.enclosingLoops;
+    // A closure may be what a loop calls.
+    builder.enclosingLoops = closure ? 1 : 0;
     try {
       return builder.statements.scope(context);
     } finally {
       builder.enclosingFunctions--;
+      builder.enclosingLoops = loops;
     }
   }
 

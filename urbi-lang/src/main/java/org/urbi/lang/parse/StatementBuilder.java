@@ -206,8 +206,14 @@ final class StatementBuilder {
           new Ast.Throw(span, optional(((ThrowStatementContext) child).expression()));
       case UrbiscriptParser.RULE_returnStatement ->
           new Ast.Return(span, optional(((ReturnStatementContext) child).expression()));
-      case UrbiscriptParser.RULE_breakStatement -> new Ast.Break(span);
-      case UrbiscriptParser.RULE_continueStatement -> new Ast.Continue(span);
+      case UrbiscriptParser.RULE_breakStatement -> {
+        inLoop(context.getStart());
+        yield new Ast.Break(span);
+      }
+      case UrbiscriptParser.RULE_continueStatement -> {
+        inLoop(context.getStart());
+        yield new Ast.Continue(span);
+      }
       case UrbiscriptParser.RULE_assertStatement -> claim((AssertStatementContext) child);
       case UrbiscriptParser.RULE_classDefinition ->
           builder.functions.classDefinition((ClassDefinitionContext) child);
@@ -280,6 +286,22 @@ final class StatementBuilder {
 
   // ------------------------------------------------------------------------------ loops
 
+  private Ast loopBody(BodyContext context) {
+    builder.enclosingLoops++;
+    try {
+      return body(context);
+    } finally {
+      builder.enclosingLoops--;
+    }
+  }
+
+  /** A jump that has no loop to leave or to go on with is an error. */
+  private void inLoop(Token jump) {
+    if (builder.enclosingLoops == 0) {
+      throw builder.unexpected(jump);
+    }
+  }
+
   /** The flavor of a loop, the default being {@code ;}. */
   Flavor flavor(Token keyword, FlavorContext context, Set<Flavor> valid) {
     if (context == null) {
@@ -306,12 +328,12 @@ final class StatementBuilder {
   private Ast whileLoop(WhileStatementContext context) {
     Flavor flavor = flavor(context.getStart(), context.flavor(), SEQUENTIAL_OR_BACKGROUND);
     return new Ast.While(
-        builder.span(context), flavor, condition(context.sequence()), body(context.body()));
+        builder.span(context), flavor, condition(context.sequence()), loopBody(context.body()));
   }
 
   private Ast loop(LoopStatementContext context) {
     Flavor flavor = flavor(context.getStart(), context.flavor(), SEQUENTIAL_OR_BACKGROUND);
-    return new Ast.Loop(builder.span(context), flavor, body(context.body()));
+    return new Ast.Loop(builder.span(context), flavor, loopBody(context.body()));
   }
 
   private Ast every(EveryStatementContext context) {
@@ -320,7 +342,7 @@ final class StatementBuilder {
             ? Flavor.COMMA
             : flavor(context.getStart(), context.flavor(), SEQUENTIAL_OR_BACKGROUND);
     Ast period = builder.expressions.value(context.expression());
-    return new Ast.Every(builder.span(context), flavor, period, body(context.body()));
+    return new Ast.Every(builder.span(context), flavor, period, loopBody(context.body()));
   }
 
   private Ast forLoop(ForStatementContext context) {
@@ -339,11 +361,11 @@ final class StatementBuilder {
           clause(head.init),
           clause(head.test),
           clause(head.step),
-          body(context.body()));
+          loopBody(context.body()));
     }
     String name = head.name() == null ? null : TreeBuilder.text(head.name());
     Ast range = builder.expressions.value(head.expression());
-    return new Ast.ForEach(span, flavor, name, range, body(context.body()));
+    return new Ast.ForEach(span, flavor, name, range, loopBody(context.body()));
   }
 
   private Ast clause(ForClauseContext context) {

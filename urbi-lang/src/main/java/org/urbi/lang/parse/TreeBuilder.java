@@ -26,6 +26,9 @@ final class TreeBuilder {
   /** How many function bodies are around: {@code call} has no meaning outside of them. */
   int enclosingFunctions;
 
+  /** How many loops are around, in the function that is being built. */
+  int enclosingLoops;
+
   private final Source source;
   private final List<SyntaxWarning> warnings;
   private int height;

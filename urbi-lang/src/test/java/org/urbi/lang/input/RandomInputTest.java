@@ -140,7 +140,7 @@ class RandomInputTest {
         assertFalse(invalid.errors().isEmpty());
       }
     }
-    reader.rest();
+    reader.unfinished();
   }
 
   private static void roundTrip(String text, Ast tree) {

@@ -12,7 +12,6 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.urbi.lang.ast.Ast;
 import org.urbi.lang.print.Printer;
 
 class StatementReaderTest {
@@ -64,8 +63,8 @@ class StatementReaderTest {
     }
     reader.end();
     items.addAll(drain(reader));
-    Item rest = reader.rest();
-    items.add(rest == null ? "nothing" : show(rest));
+    Item unfinished = reader.unfinished();
+    items.add(unfinished == null ? "nothing" : show(unfinished));
     return items;
   }
 
@@ -80,7 +79,7 @@ class StatementReaderTest {
 
   @Test
   void findsTheEnds() {
-    List<String> items = read("1; a, b | c & d;{ a; b, c };loop; { break };class A : B, C {};x");
+    List<String> items = read("1; a, b | c & d;{ a; b, c };loop; { break };class A : B, C {};x;");
     assertEquals(
         List.of(
             "f.u:1.1 1;",
@@ -89,8 +88,9 @@ class StatementReaderTest {
             "f.u:1.17-27 {\n  a;\n  b,\n  c\n};",
             "f.u:1.29-43 loop\n{ break };",
             "f.u:1.45-61 class A: B, C\n{};",
-            "f.u:1.63 x;"),
-        items.stream().map(i -> i.replace("f.u:1.63 {\n  x\n}", "f.u:1.63 x")).toList());
+            "f.u:1.63 x;",
+            "nothing"),
+        items);
   }
 
   @Test
@@ -122,15 +122,16 @@ class StatementReaderTest {
   }
 
   @Test
-  void givesTheRest() {
+  void tellsOfAnUnfinishedStatement() {
     var reader = new StatementReader("f.u");
-    reader.feed("1; 2 | 3 // no separator");
+    reader.feed("1; 2 | 3 \n// no separator\n");
     reader.end();
     assertNotNull(reader.next());
     assertNull(reader.next());
-    var rest = assertInstanceOf(Item.Statement.class, reader.rest());
-    assertInstanceOf(Ast.Sequence.class, rest.tree());
-    assertNull(reader.rest());
+    var error = assertInstanceOf(Item.Invalid.class, reader.unfinished()).errors().getFirst();
+    assertEquals("syntax error: unexpected end of file", error.message());
+    assertEquals("f.u:1.9", error.span().location().toString());
+    assertNull(reader.unfinished());
   }
 
   @Test

@@ -5,13 +5,17 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.urbi.server.cli.SearchPath;
 import org.urbi.server.options.Failure;
+import urbi.UModule;
 
 /** Where modules are looked for: {@code URBI_UOBJECT_PATH} (manual, section 21.1). */
 record ModulePath(SearchPath path) {
   private static final String VARIABLE = "URBI_UOBJECT_PATH";
-  private static final List<String> SUFFIXES = List.of("", ".jar", ".zip");
+  private static final List<String> SUFFIXES =
+      Stream.concat(Stream.concat(Stream.of(""), UModule.suffixes().stream()), Stream.of(".zip"))
+          .toList();
 
   /** What the environment says; the current folder without. */
   static ModulePath ofEnvironment() {
@@ -19,7 +23,8 @@ record ModulePath(SearchPath path) {
   }
 
   /**
-   * The jar of that name, or the folder of classes if there is none; the suffix may be left out.
+   * The jar or library of that name, or the folder of classes if there is none; the suffix may be
+   * left out.
    *
    * @return its absolute path
    * @throws Failure if there is neither
@@ -44,7 +49,7 @@ record ModulePath(SearchPath path) {
   }
 
   /**
-   * The jar of that name, which can be plugged into a server.
+   * The jar or library of that name, which can be plugged into a server.
    *
    * @throws Failure if there is none
    */

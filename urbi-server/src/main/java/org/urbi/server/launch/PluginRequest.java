@@ -19,9 +19,14 @@ final class PluginRequest {
   /** Where in the request the error is, which tells nobody anything. */
   private static final String LOCATION = "^\\d+\\.\\d+(-[\\d.]+)?: ";
 
+  private final String program;
   private final PrintStream err;
 
-  PluginRequest(PrintStream err) {
+  /**
+   * @param program whom errors come from
+   */
+  PluginRequest(String program, PrintStream err) {
+    this.program = program;
     this.err = err;
   }
 
@@ -62,7 +67,7 @@ final class PluginRequest {
     List<String> errors = answer.lines().filter(line -> line.contains(ERROR)).toList();
     for (String error : errors) {
       String message = error.substring(error.indexOf(ERROR) + ERROR.length());
-      err.println("urbi-launch-java: " + message.replaceFirst(LOCATION, ""));
+      err.println(program + ": " + message.replaceFirst(LOCATION, ""));
     }
     return errors.isEmpty() ? 0 : 1;
   }

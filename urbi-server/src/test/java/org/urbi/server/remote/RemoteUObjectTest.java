@@ -384,7 +384,7 @@ class RemoteUObjectTest {
     assertTrue(
         error.get(20, TimeUnit.SECONDS).contains("the remote process has gone"), error.get());
     eval("while (uobjects.hasLocalSlot(\"Adder\")) sleep(1ms)");
-    assertTrue(error("a.add(1)").contains("the object has been destroyed"), error("a.add(1)"));
+    assertTrue(error("a.add(1)").contains("the remote process has gone"), error("a.add(1)"));
     assertEquals("0", eval("if (uobjects.hasLocalSlot(\"Adder\")) 1 else 0"));
     remote = new RemoteContext(HOST, server.port());
     remote.start(type("Adder", Adder::new));

@@ -1,0 +1,79 @@
+package org.urbi.bridge;
+
+import com.sun.jna.Native;
+import java.util.ArrayDeque;
+
+/** An exchange with its buffers, for calls into C++ code. Frames are used again. */
+final class CallFrame {
+  private static final int BUFFER = 1024;
+  private static final int MOST_SPARE = 32;
+
+  private static final ArrayDeque<CallFrame> SPARE = new ArrayDeque<>();
+
+  /** Where the exchange is. */
+  final long exchange;
+
+  /** Writes the arguments. */
+  final ValueWriter arguments;
+
+  private final long answer;
+
+  private CallFrame() {
+    exchange = Native.malloc(Exchange.SIZE + 2L * BUFFER);
+    if (exchange == 0) {
+      throw new OutOfMemoryError("no memory for a call into C++ code");
+    }
+    arguments = new ValueWriter(exchange + Exchange.SIZE, BUFFER);
+    answer = exchange + Exchange.SIZE + BUFFER;
+    Exchange.setReplyCapacity(exchange, BUFFER);
+  }
+
+  /** A frame, to be given back by {@link #release}. */
+  static CallFrame take() {
+    synchronized (SPARE) {
+      CallFrame spare = SPARE.poll();
+      if (spare != null) {
+        return spare;
+      }
+    }
+    return new CallFrame();
+  }
+
+  /** What to call, and about what. */
+  void prepare(long operation, long context, long subject) {
+    Exchange.setOperation(exchange, operation);
+    Exchange.setContext(exchange, context);
+    Exchange.setSubject(exchange, subject);
+    Exchange.setData(exchange, arguments.address(), arguments.length());
+    Exchange.setReply(exchange, answer);
+    Exchange.setReplyLength(exchange, 0);
+  }
+
+  /** Reads the reply. */
+  ValueReader reply() {
+    return new ValueReader(Exchange.reply(exchange), Exchange.replyLength(exchange));
+  }
+
+  /** The reply of a call that has failed. */
+  String error() {
+    return RawMemory.getText(
+        Exchange.reply(exchange), Math.toIntExact(Exchange.replyLength(exchange)));
+  }
+
+  /** The call is over. */
+  void release(ModuleEntries entries) {
+    long reply = Exchange.reply(exchange);
+    if (reply != answer) {
+      entries.free(reply);
+    }
+    arguments.release();
+    arguments.restart();
+    synchronized (SPARE) {
+      if (SPARE.size() < MOST_SPARE) {
+        SPARE.push(this);
+        return;
+      }
+    }
+    Native.free(exchange);
+  }
+}

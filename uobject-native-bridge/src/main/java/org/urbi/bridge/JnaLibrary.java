@@ -1,0 +1,139 @@
+package org.urbi.bridge;
+
+import com.sun.jna.Callback;
+import com.sun.jna.CallbackReference;
+import com.sun.jna.CallbackThreadInitializer;
+import com.sun.jna.Library;
+import com.sun.jna.Native;
+import com.sun.jna.NativeLibrary;
+import com.sun.jna.Pointer;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import urbi.UModuleException;
+
+/** A shared library, as JNA loads it, calls it and is called by it. */
+final class JnaLibrary implements AutoCloseable {
+  /** Everything is resolved at once, and seen by nobody else. */
+  private static final int RTLD_NOW = 2;
+
+  private static final List<String> FUNCTIONS =
+      List.of(
+          "urbi_module_version",
+          "urbi_module_open",
+          "urbi_module_create",
+          "urbi_module_destroy",
+          "urbi_module_invoke",
+          "urbi_module_forget",
+          "urbi_module_free");
+
+  /** What libraries call. */
+  private interface Host extends Callback {
+    long request(long exchange);
+  }
+
+  private static final Host HOST = Requests::carryOut;
+  private static final long HOST_ADDRESS = hostAddress();
+
+  private final NativeLibrary library;
+  private final Class<?> mapped;
+  private final ModuleEntries entries;
+
+  private JnaLibrary(NativeLibrary library, Class<?> mapped, ModuleEntries entries) {
+    this.library = library;
+    this.mapped = mapped;
+    this.entries = entries;
+  }
+
+  private static long hostAddress() {
+    // Threads of C++ stay known to the JVM: to attach one for each call takes 70 times as long. It
+    // has to be said before the callback is used for the first time.
+    Native.setCallbackThreadInitializer(
+        HOST, new CallbackThreadInitializer(true, false, "urbi-native"));
+    return Pointer.nativeValue(CallbackReference.getFunctionPointer(HOST));
+  }
+
+  /** The function that takes the requests of libraries. */
+  static long host() {
+    return HOST_ADDRESS;
+  }
+
+  /**
+   * Loads a library.
+   *
+   * @param shown what errors call it
+   * @throws UModuleException if it cannot be loaded, or is no module
+   */
+  static JnaLibrary open(Path file, String shown) {
+    NativeLibrary library = null;
+    try {
+      library =
+          NativeLibrary.getInstance(file.toString(), Map.of(Library.OPTION_OPEN_FLAGS, RTLD_NOW));
+      for (String function : FUNCTIONS) {
+        checkFunction(library, function, shown);
+      }
+      Class<?> mapped = new CopyLoader().copy();
+      Native.register(mapped, library);
+      ModuleEntries entries = (ModuleEntries) mapped.getConstructor().newInstance();
+      return new JnaLibrary(library, mapped, entries);
+    } catch (UnsatisfiedLinkError e) {
+      close(library);
+      throw new UModuleException(LoaderErrors.text(file, shown, e.getMessage()), e);
+    } catch (ReflectiveOperationException | IOException e) {
+      close(library);
+      throw new UModuleException("cannot load " + shown + ": " + e.getMessage(), e);
+    } catch (RuntimeException e) {
+      close(library);
+      throw e;
+    }
+  }
+
+  private static void checkFunction(NativeLibrary library, String name, String shown) {
+    try {
+      library.getFunction(name);
+    } catch (UnsatisfiedLinkError e) {
+      throw new UModuleException(
+          "no UObject in "
+              + shown
+              + ": it has no symbol "
+              + name
+              + ", which urbi/uobject.hh defines",
+          e);
+    }
+  }
+
+  ModuleEntries entries() {
+    return entries;
+  }
+
+  /** Unloads it: none of its functions may be called any more. */
+  @Override
+  public void close() {
+    Native.unregister(mapped);
+    close(library);
+  }
+
+  private static void close(NativeLibrary library) {
+    if (library != null) {
+      library.close();
+    }
+  }
+
+  /** Defines one class anew. */
+  private static final class CopyLoader extends ClassLoader {
+    CopyLoader() {
+      super(JnaLibrary.class.getClassLoader());
+    }
+
+    Class<?> copy() throws IOException {
+      String name = JnaEntries.class.getName();
+      try (InputStream in =
+          JnaEntries.class.getResourceAsStream(JnaEntries.class.getSimpleName() + ".class")) {
+        byte[] bytes = in.readAllBytes();
+        return defineClass(name, bytes, 0, bytes.length, JnaEntries.class.getProtectionDomain());
+      }
+    }
+  }
+}

@@ -1,0 +1,62 @@
+package org.urbi.bridge;
+
+import urbi.UContext;
+import urbi.UEmitter;
+
+/** What one module has in one context. C++ code knows it by a number. */
+final class NativeContext {
+  private static final Handles<NativeContext> ALL = new Handles<>();
+
+  private final NativeModule module;
+  private final UContext context;
+  private final long number;
+
+  final Handles<NativeResident> residents = new Handles<>();
+  final Handles<NativeVariable> variables = new Handles<>();
+  final Handles<UEmitter> events = new Handles<>();
+  final Handles<Runnable> timers = new Handles<>();
+
+  NativeContext(NativeModule module, UContext context) {
+    this.module = module;
+    this.context = context;
+    this.number = ALL.add(this);
+  }
+
+  /** The one of that number, or null. */
+  static NativeContext find(long number) {
+    return ALL.find(number);
+  }
+
+  NativeModule module() {
+    return module;
+  }
+
+  UContext context() {
+    return context;
+  }
+
+  long number() {
+    return number;
+  }
+
+  /** Deletes the hubs: nobody else does. */
+  void endHubs() {
+    for (NativeResident each : residents.all()) {
+      if (each.javaSide() instanceof NativeHub hub) {
+        hub.close();
+      }
+    }
+  }
+
+  /** It is no longer used. */
+  void close() {
+    CallFrame frame = CallFrame.take();
+    try {
+      frame.prepare(0, number, 0);
+      module.entries().forget(frame.exchange);
+    } finally {
+      frame.release(module.entries());
+    }
+    ALL.remove(number);
+  }
+}

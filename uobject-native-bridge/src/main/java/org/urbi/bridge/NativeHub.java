@@ -1,0 +1,33 @@
+package org.urbi.bridge;
+
+import urbi.UObjectHub;
+
+/** A hub that stands for one of C++. */
+final class NativeHub extends UObjectHub implements AutoCloseable {
+  private NativeResident resident;
+
+  private NativeHub(String name) {
+    super(name);
+  }
+
+  /** Makes one with its C++ side. */
+  static NativeHub create(NativeModule module, String name) {
+    NativeHub made = new NativeHub(name);
+    made.resident = NativeResident.ofHub(module.in(made.getUContext()), made);
+    return made;
+  }
+
+  NativeResident resident() {
+    return resident;
+  }
+
+  /** The hub is no longer used: the C++ hub is deleted. */
+  @Override
+  public void close() {
+    NativeResident ended = resident;
+    resident = null;
+    if (ended != null) {
+      ended.end();
+    }
+  }
+}

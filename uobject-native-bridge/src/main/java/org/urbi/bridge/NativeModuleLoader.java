@@ -1,0 +1,24 @@
+package org.urbi.bridge;
+
+import java.nio.file.Path;
+import urbi.UModule;
+import urbi.UModuleLoader;
+
+/** Has shared libraries loaded as modules wherever jars are. */
+public final class NativeModuleLoader implements UModuleLoader {
+  private static final String SUFFIX =
+      System.getProperty("os.name").startsWith("Windows") ? ".dll" : ".so";
+
+  /** Made by the service loader. */
+  public NativeModuleLoader() {}
+
+  @Override
+  public String suffix() {
+    return SUFFIX;
+  }
+
+  @Override
+  public UModule load(Path file) {
+    return NativeModule.load(file).module();
+  }
+}

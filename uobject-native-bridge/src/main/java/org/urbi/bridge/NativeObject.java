@@ -1,0 +1,64 @@
+package org.urbi.bridge;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import urbi.UCallback;
+import urbi.UObject;
+
+/** A UObject that stands for one of C++. */
+final class NativeObject extends UObject implements AutoCloseable {
+  private final List<Runnable> notifications = new CopyOnWriteArrayList<>();
+  private NativeResident resident;
+  private boolean ended;
+
+  private NativeObject(String name) {
+    super(name);
+  }
+
+  private NativeObject() {}
+
+  /** Makes one with its C++ side. */
+  static NativeObject create(NativeModule module, String className, String name) {
+    NativeObject made = new NativeObject(name);
+    try {
+      made.resident = NativeResident.ofObject(module.in(made.getUContext()), className, made);
+    } catch (RuntimeException e) {
+      made.clean();
+      throw e;
+    }
+    return made;
+  }
+
+  /** Makes one for an object that C++ code has made by itself. */
+  static NativeObject adopt(NativeContext in) {
+    NativeObject made = new NativeObject();
+    made.resident = NativeResident.adopted(in, made);
+    return made;
+  }
+
+  NativeResident resident() {
+    return resident;
+  }
+
+  /** A notification ends with the object. */
+  void endLater(Runnable notification) {
+    notifications.add(notification);
+  }
+
+  void bindNative(String urbiName, UCallback function) {
+    bind(urbiName, function);
+  }
+
+  /** The urbiscript object has gone: the C++ object is deleted. */
+  @Override
+  public void close() {
+    synchronized (this) {
+      if (ended || resident == null) {
+        return;
+      }
+      ended = true;
+    }
+    notifications.forEach(Runnable::run);
+    resident.end();
+  }
+}

@@ -1,0 +1,308 @@
+/// Member functions as the host calls them: with values for arguments, and a value for a result.
+#ifndef URBI_DETAIL_CALLBACKS_HH
+#define URBI_DETAIL_CALLBACKS_HH
+
+#include <memory>
+#include <utility>
+
+#include <urbi/detail/casters.hh>
+#include <urbi/detail/wire.hh>
+#include <urbi/uvar.hh>
+
+namespace urbi
+{
+  namespace detail
+  {
+    /// What the host calls.
+    class Callback
+    {
+    public:
+      virtual ~Callback() = default;
+      virtual void call(Reader& in, Writer& out) = 0;
+
+      /// How many arguments it has.
+      virtual int64_t arity() const = 0;
+    };
+
+    // ---------------------------------------------------------------- arguments
+
+    /// An argument of a call, for a parameter of type P: it lives until the call ends.
+    template <typename P, typename = void>
+    class Argument
+    {
+    public:
+      explicit Argument(Reader& in)
+        : source_(read(in))
+        , value_(uvalue_cast<plain<P>>(source_))
+      {}
+
+      P get()
+      {
+        return static_cast<P>(value_);
+      }
+
+    private:
+      static UValue read(Reader& in)
+      {
+        UValue value;
+        in.value(value);
+        return value;
+      }
+
+      UValue source_;
+      plain<P> value_;
+    };
+
+    template <typename P>
+    class Argument<P, std::enable_if_t<std::is_arithmetic<plain<P>>::value>>
+    {
+    public:
+      explicit Argument(Reader& in)
+      {
+        ufloat number;
+        if (in.number(number))
+          value_ = to_number<plain<P>>(number);
+        else
+        {
+          UValue value;
+          in.value(value);
+          value_ = static_cast<plain<P>>(value);
+        }
+      }
+
+      P get()
+      {
+        return static_cast<P>(value_);
+      }
+
+    private:
+      plain<P> value_;
+    };
+
+    template <typename P>
+    class Argument<P, std::enable_if_t<std::is_same<plain<P>, UValue>::value>>
+    {
+    public:
+      explicit Argument(Reader& in)
+      {
+        in.value(value_);
+      }
+
+      P get()
+      {
+        return static_cast<P>(value_);
+      }
+
+    private:
+      UValue value_;
+    };
+
+    /// A variable, by its name.
+    template <typename P>
+    class Argument<P, std::enable_if_t<std::is_same<plain<P>, UVar>::value>>
+    {
+    public:
+      explicit Argument(Reader& in)
+      {
+        UValue value;
+        in.value(value);
+        if (value.type != DATA_STRING && value.type != DATA_SLOTNAME)
+          throw std::runtime_error("invalid cast to UVar from non-string value.");
+        variable_.init(*value.stringValue);
+        variable_.set_temp(true);
+      }
+
+      P get()
+      {
+        return static_cast<P>(variable_);
+      }
+
+    private:
+      UVar variable_;
+    };
+
+    /// Arguments, read in their order.
+    template <typename... Parameters>
+    class Arguments
+    {
+    public:
+      explicit Arguments(Reader&)
+      {}
+
+      template <typename Function, typename... Taken>
+      decltype(auto) pass(const Function& function, Taken&&... taken)
+      {
+        return function(std::forward<Taken>(taken)...);
+      }
+    };
+
+    template <typename First, typename... Others>
+    class Arguments<First, Others...>
+    {
+    public:
+      explicit Arguments(Reader& in)
+        : first_(in)
+        , others_(in)
+      {}
+
+      template <typename Function, typename... Taken>
+      decltype(auto) pass(const Function& function, Taken&&... taken)
+      {
+        return others_.pass(function, std::forward<Taken>(taken)..., first_.get());
+      }
+
+    private:
+      Argument<First> first_;
+      Arguments<Others...> others_;
+    };
+
+    // ---------------------------------------------------------------- results
+
+    template <typename T>
+    void write_result(Writer& out, const T& result)
+    {
+      if constexpr (std::is_arithmetic<T>::value)
+        out.number(static_cast<ufloat>(result));
+      else if constexpr (std::is_same<T, UValue>::value)
+        out.value(result);
+      else if constexpr (std::is_same<T, std::string>::value)
+        out.string(result);
+      else if constexpr (std::is_same<T, UBinary>::value || std::is_same<T, UImage>::value
+                         || std::is_same<T, USound>::value)
+        out.value(UValue(result, false));
+      else
+      {
+        UValue made;
+        made = result;
+        out.value(made);
+      }
+    }
+
+    // ---------------------------------------------------------------- functions
+
+    /// A bound function.
+    template <typename Object, typename Function, typename Result, typename... Parameters>
+    class FunctionCallback final : public Callback
+    {
+    public:
+      FunctionCallback(Object* object, Function function)
+        : object_(object)
+        , function_(function)
+      {}
+
+      int64_t arity() const override
+      {
+        return sizeof...(Parameters);
+      }
+
+      void call(Reader& in, Writer& out) override
+      {
+        Arguments<Parameters...> arguments(in);
+        auto invoke = [this](Parameters... parameters) -> Result {
+          return (object_->*function_)(std::forward<Parameters>(parameters)...);
+        };
+        if constexpr (std::is_void<Result>::value)
+        {
+          arguments.pass(invoke);
+          out.nothing();
+        }
+        else
+          write_result(out, arguments.pass(invoke));
+      }
+
+    private:
+      Object* object_;
+      Function function_;
+    };
+
+    /// A function that is told of changes or accesses: it takes nothing, the UVar, or the value.
+    template <typename Object, typename Function, typename... Parameters>
+    class NotificationCallback final : public Callback
+    {
+      static_assert(sizeof...(Parameters) <= 1, "a notification has at most one argument");
+      static constexpr bool takes_variable = (std::is_base_of<UVar, plain<Parameters>>::value || ...);
+
+    public:
+      /// \param own  whether the variable lives as long as this
+      NotificationCallback(Object* object, Function function, UVar* variable, bool own)
+        : object_(object)
+        , function_(function)
+        , variable_(variable)
+        , owned_(own ? variable : nullptr)
+      {}
+
+      int64_t arity() const override
+      {
+        return takes_variable ? 0 : sizeof...(Parameters);
+      }
+
+      void call(Reader& in, Writer& out) override
+      {
+        if constexpr (takes_variable)
+          (object_->*function_)(static_cast<plain<Parameters>&>(*variable_)...);
+        else
+        {
+          Arguments<Parameters...> arguments(in);
+          arguments.pass([this](Parameters... parameters) {
+            (object_->*function_)(std::forward<Parameters>(parameters)...);
+          });
+        }
+        out.nothing();
+      }
+
+    private:
+      Object* object_;
+      Function function_;
+      UVar* variable_;
+      std::unique_ptr<UVar> owned_;
+    };
+
+    // ---------------------------------------------------------------- from a pointer to a member
+
+    /// The object of a class of which a pointer to a member was given.
+    template <typename Class, typename Base>
+    Class* self(Base* base)
+    {
+      if constexpr (std::is_base_of<Class, Base>::value)
+        return base;
+      else
+      {
+        Class* object = dynamic_cast<Class*>(base);
+        if (!object)
+          throw std::runtime_error("the function of another class");
+        return object;
+      }
+    }
+
+    template <typename Base, typename R, typename C, typename... P>
+    std::unique_ptr<Callback> function_callback(Base* base, R (C::*f)(P...))
+    {
+      return std::unique_ptr<Callback>(
+        new FunctionCallback<C, R (C::*)(P...), R, P...>(self<C>(base), f));
+    }
+
+    template <typename Base, typename R, typename C, typename... P>
+    std::unique_ptr<Callback> function_callback(Base* base, R (C::*f)(P...) const)
+    {
+      return std::unique_ptr<Callback>(
+        new FunctionCallback<C, R (C::*)(P...) const, R, P...>(self<C>(base), f));
+    }
+
+    template <typename Base, typename R, typename C, typename... P>
+    std::unique_ptr<Callback> notification_callback(Base* base, R (C::*f)(P...), UVar* v, bool own)
+    {
+      return std::unique_ptr<Callback>(
+        new NotificationCallback<C, R (C::*)(P...), P...>(self<C>(base), f, v, own));
+    }
+
+    template <typename Base, typename R, typename C, typename... P>
+    std::unique_ptr<Callback> notification_callback(Base* base, R (C::*f)(P...) const, UVar* v,
+                                                    bool own)
+    {
+      return std::unique_ptr<Callback>(
+        new NotificationCallback<C, R (C::*)(P...) const, P...>(self<C>(base), f, v, own));
+    }
+  }
+}
+
+#endif

@@ -1,0 +1,169 @@
+/// What a module knows of its host, and how it asks it for something.
+#ifndef URBI_DETAIL_HOST_HH
+#define URBI_DETAIL_HOST_HH
+
+#include <list>
+#include <map>
+#include <mutex>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <urbi/detail/wire.hh>
+#include <urbi/export.hh>
+#include <urbi/fwd.hh>
+
+namespace urbi
+{
+  namespace detail
+  {
+    /// An object that the host has asked for, until the constructor of UObject takes it.
+    struct Creation
+    {
+      int64_t context;
+      int64_t id;
+      const std::string* className;
+      const std::string* name;
+      Creation* outer;
+    };
+
+    /// The state of a module.
+    struct Module
+    {
+      urbi_host host = nullptr;
+      int64_t firstContext = 0;
+      std::mutex lock;
+      std::list<baseURBIStarter*> starters;
+      std::list<baseURBIStarterHub*> hubStarters;
+      std::map<std::pair<int64_t, std::string>, UObject*> objects;
+      std::map<std::pair<int64_t, std::string>, UObjectHub*> hubs;
+    };
+
+    /// Makes an object known by its name.
+    template <typename Map, typename T>
+    void enlist(Map& all, int64_t context, const std::string& name, T* object)
+    {
+      typename Map::key_type key(context, name);
+      all.erase(key);
+      all.insert(typename Map::value_type(key, object));
+    }
+
+    URBI_LOCAL inline Module& module()
+    {
+      static Module all;
+      return all;
+    }
+
+    /// What a thread does. Nothing here has a destructor: that would keep the module loaded until the
+    /// thread ends.
+    struct ThreadState
+    {
+      int64_t context;
+      Creation* creation;
+      bool destroying; ///< whether a destructor runs, from which no exception may come
+    };
+
+    URBI_LOCAL inline ThreadState& thread_state()
+    {
+      static thread_local ThreadState state;
+      return state;
+    }
+
+    /// The context that code of this thread belongs to.
+    inline int64_t current_context()
+    {
+      int64_t own = thread_state().context;
+      return own ? own : module().firstContext;
+    }
+
+    /// Has a thread belong to a context for a while.
+    class InContext
+    {
+    public:
+      explicit InContext(int64_t context)
+        : before_(thread_state().context)
+      {
+        thread_state().context = context;
+      }
+
+      ~InContext()
+      {
+        thread_state().context = before_;
+      }
+
+      InContext(const InContext&) = delete;
+      InContext& operator=(const InContext&) = delete;
+
+    private:
+      int64_t before_;
+    };
+
+    /// One request to the host: write the arguments, send it, read the reply.
+    class Request
+    {
+    public:
+      Request(urbi_request operation, int64_t context, int64_t subject = 0)
+        : out(arguments_, sizeof arguments_, false)
+      {
+        exchange_.operation = operation;
+        exchange_.context = context;
+        exchange_.subject = subject;
+        exchange_.reply = answer_;
+        exchange_.reply_capacity = sizeof answer_;
+        exchange_.reply_length = 0;
+      }
+
+      ~Request()
+      {
+        if (exchange_.reply != answer_)
+          std::free(exchange_.reply);
+      }
+
+      Request(const Request&) = delete;
+      Request& operator=(const Request&) = delete;
+
+      /// \throw std::runtime_error with the host's error
+      int64_t send()
+      {
+        urbi_host host = module().host;
+        if (!host)
+          throw std::runtime_error("this module has no host: let urbi-launch load it");
+        exchange_.data = out.data();
+        exchange_.length = out.size();
+        int64_t result = host(&exchange_);
+        if (result == URBI_FAILED && thread_state().destroying)
+        {
+          // The kernel may have ended already. Whoever reads a value gets the number 0.
+          if (exchange_.reply != answer_)
+            std::free(exchange_.reply);
+          exchange_.reply = answer_;
+          Writer nothing(answer_, sizeof answer_, false);
+          nothing.number(0);
+          exchange_.reply_length = nothing.size();
+          return 0;
+        }
+        if (result == URBI_FAILED)
+          throw std::runtime_error(std::string(reinterpret_cast<const char*>(exchange_.reply),
+                                               static_cast<size_t>(exchange_.reply_length)));
+        return result;
+      }
+
+      /// What the host has answered; it lives as long as this request.
+      Reader reply() const
+      {
+        return Reader(exchange_.reply, exchange_.reply_length);
+      }
+
+      Writer out;
+
+    private:
+      static const size_t SIZE = 256;
+
+      urbi_exchange exchange_;
+      uint8_t arguments_[SIZE];
+      uint8_t answer_[SIZE];
+    };
+  }
+}
+
+#endif

@@ -1,0 +1,157 @@
+/// Who lives in a context, objects and hubs: timers, and the callbacks that belong to them.
+#ifndef URBI_DETAIL_RESIDENT_HH
+#define URBI_DETAIL_RESIDENT_HH
+
+#include <list>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include <urbi/detail/callbacks.hh>
+#include <urbi/lock-mode.hh>
+#include <urbi/ucontext.hh>
+#include <urbi/uevent.hh>
+#include <urbi/uvar.hh>
+
+namespace urbi
+{
+  /// A timer that USetTimer has set.
+  typedef int64_t TimerHandle;
+
+  namespace detail
+  {
+    class Creator;
+
+    class Resident : public urbi::UContext
+    {
+    public:
+      // Names that the code of objects uses without their namespace.
+      typedef ::urbi::InputPort InputPort;
+      typedef ::urbi::LockSpec LockSpec;
+      typedef ::urbi::TimerHandle TimerHandle;
+      typedef ::urbi::UBinary UBinary;
+      typedef ::urbi::UDictionary UDictionary;
+      typedef ::urbi::UEvent UEvent;
+      typedef ::urbi::UImage UImage;
+      typedef ::urbi::UList UList;
+      typedef ::urbi::UObject UObject;
+      typedef ::urbi::UObjectHub UObjectHub;
+      typedef ::urbi::UObjectList UObjectList;
+      typedef ::urbi::USound USound;
+      typedef ::urbi::UValue UValue;
+      typedef ::urbi::UVar UVar;
+      typedef ::urbi::ufloat ufloat;
+#define URBI_CONSTANT_(Type, Name) static constexpr ::urbi::Type Name = ::urbi::Name
+      URBI_CONSTANT_(UBinaryType, BINARY_NONE);
+      URBI_CONSTANT_(UBinaryType, BINARY_UNKNOWN);
+      URBI_CONSTANT_(UBinaryType, BINARY_IMAGE);
+      URBI_CONSTANT_(UBinaryType, BINARY_SOUND);
+      URBI_CONSTANT_(UImageFormat, IMAGE_UNKNOWN);
+      URBI_CONSTANT_(UImageFormat, IMAGE_RGB);
+      URBI_CONSTANT_(UImageFormat, IMAGE_YCbCr);
+      URBI_CONSTANT_(UImageFormat, IMAGE_JPEG);
+      URBI_CONSTANT_(UImageFormat, IMAGE_PPM);
+      URBI_CONSTANT_(UImageFormat, IMAGE_GREY8);
+      URBI_CONSTANT_(USoundFormat, SOUND_RAW);
+      URBI_CONSTANT_(USoundFormat, SOUND_WAV);
+      URBI_CONSTANT_(USoundSampleFormat, SAMPLE_SIGNED);
+      URBI_CONSTANT_(USoundSampleFormat, SAMPLE_UNSIGNED);
+      URBI_CONSTANT_(USoundSampleFormat, SAMPLE_FLOAT);
+      URBI_CONSTANT_(LockMode, LOCK_NONE);
+      URBI_CONSTANT_(LockMode, LOCK_FUNCTION);
+      URBI_CONSTANT_(LockMode, LOCK_INSTANCE);
+      URBI_CONSTANT_(LockMode, LOCK_CLASS);
+      URBI_CONSTANT_(LockMode, LOCK_MODULE);
+      URBI_CONSTANT_(LockSpec, LOCK_FUNCTION_DROP);
+      URBI_CONSTANT_(LockSpec, LOCK_FUNCTION_KEEP_ONE);
+#undef URBI_CONSTANT_
+
+      Resident(const Resident&) = delete;
+      Resident& operator=(const Resident&) = delete;
+
+      /// Calls a member function every so many milliseconds, just before a pass of urbiscript code.
+      template <typename C, typename R>
+      TimerHandle USetTimer(ufloat period, R (C::*function)())
+      {
+        return every(period, function_callback(this, function), false);
+      }
+
+      template <typename C, typename R>
+      TimerHandle USetTimer(ufloat period, R (C::*function)() const)
+      {
+        return every(period, function_callback(this, function), false);
+      }
+
+      /// Ends a timer.
+      bool removeTimer(TimerHandle handle)
+      {
+        Request(URBI_TIMER_END, context(), handle).send();
+        return true;
+      }
+
+      /// Has update called every so many milliseconds, just after a pass of urbiscript code; -1 for
+      /// never.
+      void USetUpdate(ufloat period)
+      {
+        if (updates_)
+          removeTimer(updates_);
+        updates_ = 0;
+        if (period >= 0)
+          updates_ = every(period, function_callback(this, &Resident::update), true);
+      }
+
+      /// Called when USetUpdate has asked for it; what it returns does not matter.
+      virtual int update()
+      {
+        return 0;
+      }
+
+    protected:
+      friend class Creator;
+
+      Resident(int64_t context, int64_t id)
+        : urbi::UContext(context)
+        , id_(id)
+        , updates_(0)
+      {}
+
+      virtual ~Resident() = default;
+
+      /// It belongs to this from now on.
+      Callback* own(std::unique_ptr<Callback> callback)
+      {
+        std::lock_guard<std::mutex> guard(lock_);
+        callbacks_.push_back(std::move(callback));
+        return callbacks_.back().get();
+      }
+
+      static void write_callback(Writer& out, const Callback* callback, const LockSpec* lock)
+      {
+        out.raw(static_cast<int64_t>(reinterpret_cast<intptr_t>(callback)));
+        out.raw(callback->arity());
+        out.raw(lock ? static_cast<int64_t>(lock->lockMode) : int64_t(-1));
+        out.raw(lock ? static_cast<int64_t>(lock->maxQueueSize) : int64_t(0));
+      }
+
+      /// Its number on the host's side.
+      int64_t id_;
+
+    private:
+      TimerHandle every(ufloat period, std::unique_ptr<Callback> made, bool after)
+      {
+        Callback* callback = own(std::move(made));
+        Request request(URBI_EVERY, context(), id_);
+        request.out.raw(period);
+        request.out.raw(static_cast<int64_t>(after));
+        write_callback(request.out, callback, nullptr);
+        return request.send();
+      }
+
+      TimerHandle updates_;
+      std::mutex lock_;
+      std::list<std::unique_ptr<Callback>> callbacks_;
+    };
+  }
+}
+
+#endif

@@ -1,0 +1,247 @@
+/// What urbi/uobject.hh and urbi/uobject-hub.hh declare.
+#ifndef URBI_DETAIL_UOBJECT_HXX
+#define URBI_DETAIL_UOBJECT_HXX
+
+#include <algorithm>
+
+namespace urbi
+{
+  // ---------------------------------------------------------------- UObject
+
+  inline UObject::UObject(const std::string& name)
+    : Resident(detail::current_context(), 0)
+    , derived(true)
+    , remote(false)
+    , objecthub(nullptr)
+    , ended_(false)
+  {
+    attach(name);
+  }
+
+  inline UObject::UObject()
+    : UObject(std::string())
+  {}
+
+  inline UObject::UObject(int)
+    : UObject(std::string())
+  {}
+
+  inline void UObject::attach(const std::string& name)
+  {
+    detail::Creation*& creation = detail::thread_state().creation;
+    if (creation && *creation->name == name)
+    {
+      __name = name;
+      classname = *creation->className;
+      derived = __name != classname;
+      id_ = creation->id;
+      creation = creation->outer;
+    }
+    else
+    {
+      detail::Request request(URBI_OBJECT_NEW, ctx_);
+      request.out.text(name);
+      id_ = request.send();
+      __name = request.reply().text();
+      classname = "UObject";
+    }
+    remote = isRemoteMode();
+    {
+      std::lock_guard<std::mutex> guard(detail::module().lock);
+      detail::enlist(detail::module().objects, ctx_, __name, this);
+    }
+    UBindVar(UObject, load);
+    load = 1;
+  }
+
+  inline UObject::~UObject()
+  {
+    clean();
+  }
+
+  inline void UObject::clean()
+  {
+    if (objecthub)
+    {
+      detail::Module& module = detail::module();
+      std::list<UObjectHub*> hubs;
+      {
+        std::lock_guard<std::mutex> guard(module.lock);
+        for (const auto& entry : module.hubs)
+          hubs.push_back(entry.second);
+      }
+      for (UObjectHub* hub : hubs)
+        hub->delMember(this);
+      objecthub = nullptr;
+    }
+    {
+      std::lock_guard<std::mutex> guard(detail::module().lock);
+      auto found = detail::module().objects.find({ctx_, __name});
+      if (found != detail::module().objects.end() && found->second == this)
+        detail::module().objects.erase(found);
+    }
+    if (ended_)
+      return;
+    ended_ = true;
+    try
+    {
+      detail::Request(URBI_OBJECT_GONE, ctx_, id_).send();
+    }
+    catch (const std::exception&)
+    {
+      // The host has gone before.
+    }
+  }
+
+  inline void UObject::register_(const std::string& hubClass)
+  {
+    UObjectHub* hub = getUObjectHub(hubClass);
+    if (!hub)
+      throw std::runtime_error("hub name '" + hubClass + "' is unknown");
+    hub->addMember(this);
+    objecthub = hub;
+  }
+
+  // ---------------------------------------------------------------- UObjectHub
+
+  inline UObjectHub::UObjectHub(const std::string& className)
+    : Resident(detail::current_context(), 0)
+    , name(className)
+  {
+    detail::Creation*& creation = detail::thread_state().creation;
+    if (creation && *creation->name == className)
+    {
+      id_ = creation->id;
+      creation = creation->outer;
+    }
+    std::lock_guard<std::mutex> guard(detail::module().lock);
+    detail::enlist(detail::module().hubs, ctx_, name, this);
+  }
+
+  inline UObjectHub::~UObjectHub()
+  {
+    std::lock_guard<std::mutex> guard(detail::module().lock);
+    auto found = detail::module().hubs.find({ctx_, name});
+    if (found != detail::module().hubs.end() && found->second == this)
+      detail::module().hubs.erase(found);
+  }
+
+  inline void UObjectHub::addMember(UObject* object)
+  {
+    if (std::find(members.begin(), members.end(), object) == members.end())
+      members.push_back(object);
+  }
+
+  inline void UObjectHub::delMember(UObject* object)
+  {
+    members.remove(object);
+  }
+
+  inline UObjectList* UObjectHub::getSubClass(const std::string& className) const
+  {
+    UObjectList* found = new UObjectList();
+    for (UObject* object : members)
+      if (object->classname == className)
+        found->push_back(object);
+    return found;
+  }
+
+  // ---------------------------------------------------------------- finding them
+
+  namespace detail
+  {
+    inline UObject* find_object(int64_t context, const std::string& name)
+    {
+      {
+        std::lock_guard<std::mutex> guard(module().lock);
+        auto found = module().objects.find({context, name});
+        if (found != module().objects.end())
+          return found->second;
+      }
+      Request request(URBI_OBJECT_FIND, context);
+      request.out.text(name);
+      return reinterpret_cast<UObject*>(static_cast<intptr_t>(request.send()));
+    }
+
+    inline UObjectHub* find_hub(int64_t context, const std::string& name)
+    {
+      {
+        std::lock_guard<std::mutex> guard(module().lock);
+        auto found = module().hubs.find({context, name});
+        if (found != module().hubs.end())
+          return found->second;
+      }
+      Request request(URBI_HUB_FIND, context);
+      request.out.text(name);
+      return reinterpret_cast<UObjectHub*>(static_cast<intptr_t>(request.send()));
+    }
+
+    inline UObject* object_of(const UValue& value)
+    {
+      if (value.type != DATA_STRING && value.type != DATA_SLOTNAME)
+        bad_cast("UObject", value);
+      UObject* found = find_object(current_context(), *value.stringValue);
+      if (!found)
+        bad_cast("UObject", value);
+      return found;
+    }
+
+    inline UValue name_of(const UObject* object)
+    {
+      if (!object)
+        return UValue();
+      UValue name(object->__name);
+      name.type = DATA_SLOTNAME;
+      return name;
+    }
+
+    inline UValue name_of(const UVar& variable)
+    {
+      UValue name(variable.get_name());
+      name.type = DATA_SLOTNAME;
+      return name;
+    }
+  }
+
+  inline UObject* UContext::getUObject(const std::string& name) const
+  {
+    return detail::find_object(context(), name);
+  }
+
+  inline UObjectHub* UContext::getUObjectHub(const std::string& className) const
+  {
+    return detail::find_hub(context(), className);
+  }
+
+  inline UObject* getUObject(const std::string& name)
+  {
+    return detail::find_object(detail::current_context(), name);
+  }
+
+  inline UObjectHub* getUObjectHub(const std::string& className)
+  {
+    return detail::find_hub(detail::current_context(), className);
+  }
+
+  // ---------------------------------------------------------------- their variables and events
+
+  inline UVar::UVar(UObject& object, const std::string& slot)
+    : UVar()
+  {
+    init(object.__name, slot);
+  }
+
+  inline UVar::UVar(UObject* object, const std::string& slot)
+    : UVar(*object, slot)
+  {}
+
+  inline InputPort::InputPort(UObject* object, const std::string& slot)
+    : InputPort(object->__name, slot)
+  {}
+
+  inline UEvent::UEvent(UObject& object, const std::string& slot)
+    : UEvent(object.__name, slot)
+  {}
+}
+
+#endif

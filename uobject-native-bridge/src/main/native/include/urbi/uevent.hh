@@ -1,0 +1,117 @@
+/// Events of urbiscript.
+#ifndef URBI_UEVENT_HH
+#define URBI_UEVENT_HH
+
+#include <string>
+
+#include <urbi/ucontext.hh>
+#include <urbi/uvalue.hh>
+
+namespace urbi
+{
+  /// An event, which C++ code emits.
+  class UEvent : public UContext
+  {
+  public:
+    /// An event to be bound by UBindEvent or init.
+    UEvent()
+      : event_(-1)
+    {}
+
+    /// The event `object.slot`.
+    explicit UEvent(const std::string& name)
+      : UEvent()
+    {
+      bind(name);
+    }
+
+    UEvent(const std::string& object, const std::string& slot)
+      : UEvent()
+    {
+      init(object, slot);
+    }
+
+    UEvent(UObject& object, const std::string& slot);
+
+    /// The same event as another.
+    UEvent(const UEvent& other)
+      : UEvent()
+    {
+      ctx_ = other.ctx_;
+      if (other.event_ != -1)
+        bind(other.name_);
+    }
+
+    UEvent& operator=(const UEvent& other)
+    {
+      if (this != &other && other.event_ != -1)
+      {
+        ctx_ = other.ctx_;
+        bind(other.name_);
+      }
+      return *this;
+    }
+
+    ~UEvent()
+    {
+      close();
+    }
+
+    /// Binds it. \throw std::runtime_error if there is no such object
+    void init(const std::string& object, const std::string& slot, int64_t ctx = 0)
+    {
+      if (ctx)
+        ctx_ = ctx;
+      bind(object + "." + slot);
+    }
+
+    /// Emits the event. Does not wait for those who handle it.
+    ///
+    /// \param payload  of any types to which values can be converted
+    template <typename... Payload>
+    void emit(const Payload&... payload) const
+    {
+      if (event_ == -1)
+        throw std::runtime_error("invalid use of unbound UEvent");
+      detail::Request request(URBI_EVENT_EMIT, context(), event_);
+      (write(request.out, payload), ...);
+      request.send();
+    }
+
+    const std::string& get_name() const
+    {
+      return name_;
+    }
+
+  private:
+    void bind(const std::string& name)
+    {
+      detail::Request request(URBI_EVENT, context());
+      request.out.text(name);
+      int64_t event = request.send();
+      close();
+      event_ = event;
+      name_ = name;
+    }
+
+    void close() noexcept
+    {
+      if (event_ == -1)
+        return;
+      try
+      {
+        detail::Request(URBI_EVENT_CLOSE, context(), event_).send();
+      }
+      catch (const std::exception&)
+      {
+        // The host has gone, and the event with it.
+      }
+      event_ = -1;
+    }
+
+    int64_t event_;
+    std::string name_;
+  };
+}
+
+#endif

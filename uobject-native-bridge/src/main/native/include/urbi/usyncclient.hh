@@ -1,0 +1,228 @@
+/// Clients that wait for answers.
+#ifndef URBI_USYNCCLIENT_HH
+#define URBI_USYNCCLIENT_HH
+
+#include <algorithm>
+
+#include <urbi/uclient.hh>
+#include <urbi/uconversion.hh>
+
+namespace urbi
+{
+  /// How images travel.
+  enum UTransmitFormat
+  {
+    URBI_TRANSMIT_JPEG,
+    URBI_TRANSMIT_YCbCr,
+  };
+
+  /// A client that can wait for the answer to a question, in callbacks too: a thread calls these,
+  /// and what comes while one of them waits is called later.
+  class USyncClient : public UClient
+  {
+  public:
+    /// Connects. \param callbackThread  whether a thread calls the callbacks: see processEvents
+    explicit USyncClient(const std::string& host = default_host(), unsigned port = URBI_PORT,
+                         size_t = URBI_BUFLEN, bool callbackThread = true)
+      : UClient(host, port, false)
+      , lost_(false)
+      , ended_(false)
+    {
+      receive();
+      if (callbackThread)
+        caller_ = std::thread([this] {
+          while (!ended_)
+            processEvents(100000);
+        });
+    }
+
+    ~USyncClient() override
+    {
+      flush();
+      stopCallbackThread();
+      finish();
+    }
+
+    /// From now on only processEvents calls callbacks.
+    void stopCallbackThread()
+    {
+      ended_ = true;
+      arrived_.notify_all();
+      if (caller_.joinable() && caller_.get_id() != std::this_thread::get_id())
+        caller_.join();
+    }
+
+    /// Calls the callbacks for all messages that have come.
+    ///
+    /// \param useconds  how long to wait for the first one; -1 for not at all
+    /// \return whether there was one
+    bool processEvents(utime_t useconds = -1)
+    {
+      std::unique_lock<std::mutex> guard(queue_);
+      if (messages_.empty() && useconds > 0)
+        arrived_.wait_for(guard, std::chrono::microseconds(useconds));
+      bool some = false;
+      while (!messages_.empty())
+      {
+        UMessage message(messages_.front());
+        messages_.pop_front();
+        guard.unlock();
+        notifyCallbacks(message);
+        some = true;
+        guard.lock();
+      }
+      return some;
+    }
+
+    /// Waits for the next message of a tag. \param useconds  how long; 0 for ever
+    /// \return to be deleted; null if it has not come
+    UMessage* waitForTag(const std::string& tag, utime_t useconds = 0)
+    {
+      expect(tag);
+      return wait(tag, useconds);
+    }
+
+    /// The value of an expression, to be deleted; null after the time.
+    UMessage* syncGet(const std::string& expression, utime_t useconds = 0)
+    {
+      std::string tag = fresh();
+      expect(tag);
+      send("{ var urbiAnswer = Channel.new(\"" + tag + "\")| try { urbiAnswer << ("
+           + stripped(expression)
+           + ") } catch (var urbiError) { urbiAnswer << \"!!! \" + urbiError.asString() } },\n");
+      return wait(tag, useconds);
+    }
+
+#if defined __GNUC__
+    __attribute__((format(printf, 2, 3)))
+#endif
+    UMessage*
+    syncGet(const char* format, ...)
+    {
+      va_list arguments;
+      va_start(arguments, format);
+      std::string expression = formatted(format, arguments);
+      va_end(arguments);
+      return syncGet(expression);
+    }
+
+#if defined __GNUC__
+    __attribute__((format(printf, 3, 4)))
+#endif
+    UMessage*
+    syncGet(utime_t useconds, const char* format, ...)
+    {
+      va_list arguments;
+      va_start(arguments, format);
+      std::string expression = formatted(format, arguments);
+      va_end(arguments);
+      return syncGet(expression, useconds);
+    }
+
+    // The following return 1 if they have got the value, and 0 otherwise.
+
+    int syncGetValue(const char* name, UValue& value, utime_t useconds = 0)
+    {
+      return getValue(syncGet(std::string(name), useconds), value);
+    }
+
+    int syncGetDevice(const char* device, ufloat& value, utime_t useconds = 0)
+    {
+      return getValue(syncGet(std::string(device) + ".val", useconds), value);
+    }
+
+    int syncGetDevice(const char* device, const char* field, ufloat& value, utime_t useconds = 0)
+    {
+      return getValue(syncGet(std::string(device) + "." + field, useconds), value);
+    }
+
+    int syncGetNormalizedDevice(const char* device, ufloat& value, utime_t useconds = 0)
+    {
+      return getValue(syncGet(std::string(device) + ".valn", useconds), value);
+    }
+
+    int syncGetResult(const char* command, ufloat& value, utime_t useconds = 0)
+    {
+      return getValue(syncGet(std::string(command), useconds), value);
+    }
+
+    /// Takes the image of a camera as it is. \param size  room in the buffer, and what is used of it
+    int syncGetImage(const char* camera, void* buffer, size_t& size, size_t& width, size_t& height,
+                     utime_t useconds = 0)
+    {
+      UBinary image;
+      if (!getValue(syncGet(std::string(camera) + ".val", useconds), image)
+          || image.type != BINARY_IMAGE || image.common.size > size)
+        return 0;
+      std::memcpy(buffer, image.common.data, image.common.size);
+      size = image.common.size;
+      width = image.image.width;
+      height = image.image.height;
+      return 1;
+    }
+
+    /// Whether this is the thread that calls the callbacks.
+    bool isCallbackThread() const
+    {
+      return std::this_thread::get_id() == caller_.get_id();
+    }
+
+  protected:
+    void received(const UMessage& message) override
+    {
+      std::lock_guard<std::mutex> guard(queue_);
+      if (message.tag == clientErrorTag())
+        lost_ = true;
+      std::list<std::string>::iterator wanted
+        = std::find(awaited_.begin(), awaited_.end(), message.tag);
+      (wanted == awaited_.end() ? messages_ : answers_).push_back(message);
+      arrived_.notify_all();
+    }
+
+  private:
+    static std::string stripped(const std::string& expression)
+    {
+      size_t end = expression.find_last_not_of(" \t\r\n;,");
+      return expression.substr(0, end == std::string::npos ? 0 : end + 1);
+    }
+
+    /// Messages of a tag are for somebody who waits, and not for callbacks.
+    void expect(const std::string& tag)
+    {
+      std::lock_guard<std::mutex> guard(queue_);
+      awaited_.push_back(tag);
+    }
+
+    UMessage* wait(const std::string& tag, utime_t useconds)
+    {
+      std::unique_lock<std::mutex> guard(queue_);
+      std::list<UMessage>::iterator found;
+      auto come = [&] {
+        found = std::find_if(answers_.begin(), answers_.end(),
+                             [&](const UMessage& each) { return each.tag == tag; });
+        return found != answers_.end() || lost_;
+      };
+      if (useconds == 0)
+        arrived_.wait(guard, come);
+      else
+        arrived_.wait_for(guard, std::chrono::microseconds(useconds), come);
+      awaited_.erase(std::find(awaited_.begin(), awaited_.end(), tag));
+      if (found == answers_.end())
+        return nullptr;
+      UMessage* answer = new UMessage(*found);
+      answers_.erase(found);
+      return answer;
+    }
+
+    std::mutex queue_;
+    std::condition_variable arrived_;
+    std::list<UMessage> messages_;
+    std::list<UMessage> answers_;
+    std::list<std::string> awaited_;
+    bool lost_;
+    std::thread caller_;
+    std::atomic<bool> ended_;
+  };
+}
+
+#endif
