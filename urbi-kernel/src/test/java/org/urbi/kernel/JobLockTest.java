@@ -11,7 +11,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.urbi.kernel.job.JobThreads;
 
-/** Jobs that wait inside Java, as for a lock of the JDK, go on even if the wait ends as it begins. */
+/**
+ * Jobs that wait inside Java, as for a lock of the JDK, go on even if the wait ends as it begins.
+ */
 @Timeout(120)
 class JobLockTest {
   private static final int TURNS = 200_000;
