@@ -1,0 +1,75 @@
+package org.urbi.kernel;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.locks.LockSupport;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.urbi.kernel.job.JobThreads;
+
+/**
+ * Jobs that wait inside Java, as for a lock of the JDK, go on even if the wait ends as it begins.
+ */
+@Timeout(120)
+class JobLockTest {
+  private static final int TURNS = 200_000;
+  private static final int LONGEST_DELAY = 256;
+
+  /** The turns that the job has begun, and those for which it may go on. */
+  private final AtomicInteger begun = new AtomicInteger();
+
+  private final AtomicInteger released = new AtomicInteger();
+  private final CountDownLatch over = new CountDownLatch(1);
+  private volatile Thread waiting;
+
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void jobsThatWaitInsideJavaGoOn(JobThreads jobThreads) throws InterruptedException {
+    try (Kernel kernel = Kernel.builder().jobThreads(jobThreads).start()) {
+      start(kernel);
+      Thread releaser = Thread.ofPlatform().daemon().start(this::release);
+      assertTrue(over.await(60, TimeUnit.SECONDS), () -> "forgotten in turn " + begun);
+      releaser.join();
+    }
+  }
+
+  private void start(Kernel kernel) {
+    var scheduler = kernel.scheduler();
+    scheduler
+        .inbox()
+        .post(() ->
+            scheduler
+                .startDetached(
+                    null,
+                    scheduler.rootScope(),
+                    "waiting",
+                    job -> {
+                      waiting = Thread.currentThread();
+                      for (int turn = 1; turn <= TURNS; turn++) {
+                        begun.set(turn);
+                        while (released.get() < turn) {
+                          LockSupport.park(this);
+                        }
+                      }
+                    })
+                .onEnd(over::countDown));
+  }
+
+  /** Lets the job go on in each turn, sooner or later after it has begun to wait. */
+  private void release() {
+    for (int turn = 1; turn <= TURNS; turn++) {
+      while (begun.get() < turn) {
+        Thread.onSpinWait();
+      }
+      for (int spins = turn % LONGEST_DELAY; spins > 0; spins--) {
+        Thread.onSpinWait();
+      }
+      released.set(turn);
+      LockSupport.unpark(waiting);
+    }
+  }
+}
