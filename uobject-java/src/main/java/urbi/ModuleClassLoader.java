@@ -3,11 +3,6 @@ package urbi;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.lang.classfile.Attributes;
-import java.lang.classfile.ClassFile;
-import java.lang.classfile.ClassModel;
-import java.lang.classfile.constantpool.MemberRefEntry;
-import java.lang.classfile.constantpool.PoolEntry;
 import java.net.MalformedURLException;
 import java.net.URI;
 import java.net.URL;
@@ -16,12 +11,10 @@ import java.net.URLStreamHandler;
 import java.util.Collections;
 import java.util.Enumeration;
 import java.util.List;
+import java.util.Optional;
 
 /** The classes and resources of one module. It looks into the module before it asks its parent. */
 final class ModuleClassLoader extends ClassLoader {
-  private static final List<String> STARTERS = List.of("UStart", "UStartRename", "UStartHub");
-  private static final String ANNOTATION = "Lurbi/UStart;";
-
   private final JarContent content;
   private final UModule module;
   private final List<UModule> libraries;
@@ -38,8 +31,13 @@ final class ModuleClassLoader extends ClassLoader {
     return module;
   }
 
-  /** Initializes the classes that declare UObjects. */
+  /** Initializes the classes that declare UObjects: those of the index, or of all that are here. */
   void initialize() {
+    Optional<List<String>> index = UModuleIndex.read(content.entries().get("META-INF/MANIFEST.MF"));
+    if (index.isPresent()) {
+      index.get().forEach(this::initialize);
+      return;
+    }
     for (String name : content.classNames()) {
       if (declares(name)) {
         initialize(name);
@@ -90,23 +88,9 @@ final class ModuleClassLoader extends ClassLoader {
     return e.toString();
   }
 
-  /** Whether a class calls what declares UObjects, or has the annotation which does. */
   private boolean declares(String name) {
-    ClassModel model;
     try {
-      model = ClassFile.of().parse(content.classBytes(name));
-      for (PoolEntry entry : model.constantPool()) {
-        if (entry instanceof MemberRefEntry member
-            && STARTERS.contains(member.name().stringValue())) {
-          return true;
-        }
-      }
-      return model
-          .findAttribute(Attributes.runtimeVisibleAnnotations())
-          .map(all ->
-              all.annotations().stream()
-                  .anyMatch(annotation -> annotation.className().equalsString(ANNOTATION)))
-          .orElse(false);
+      return UModuleIndex.declares(content.classBytes(name));
     } catch (IllegalArgumentException e) {
       throw failure(name, "not a class file", e);
     }

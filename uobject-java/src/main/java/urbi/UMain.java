@@ -25,7 +25,7 @@ public final class UMain {
             --port-file FILE  take the port from FILE
             --reconnect       connect again whenever the connection is lost
 
-      JARs hold UObjects; they are looked for in the folders of URBI_UOBJECT_PATH.
+      JARs, or folders of classes, hold UObjects; they are looked for in the folders of URBI_UOBJECT_PATH.
       """;
 
   private static final int RECONNECT_MILLISECONDS = 1000;
@@ -140,6 +140,9 @@ public final class UMain {
       }
       if (Files.isRegularFile(Path.of(found + ".jar"))) {
         return Path.of(found + ".jar");
+      }
+      if (Files.isDirectory(found)) {
+        return found;
       }
     }
     throw new UModuleException(

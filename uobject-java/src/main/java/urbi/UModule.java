@@ -34,8 +34,9 @@ public final class UModule {
   }
 
   /**
-   * Loads a jar: every class in it that calls {@link UObject#UStart} or {@link UObject#UStartHub}
-   * when it is initialized, or is annotated with {@link UStart}, is initialized now.
+   * Loads a jar, or a folder of classes: every class in it that calls {@link UObject#UStart} or
+   * {@link UObject#UStartHub} when it is initialized, or is annotated with {@link UStart}, is
+   * initialized now; which these are {@linkplain UModuleIndex the manifest} may say.
    *
    * @throws UModuleException if the file cannot be read or is no jar, has no such class, or one
    *     that cannot be loaded
@@ -71,8 +72,7 @@ public final class UModule {
       throw new UModuleException("cannot read " + jar + ": " + JarContent.reason(e), e);
     }
     UModule module = new UModule(jar.getFileName().toString());
-    module.loader =
-        new ModuleClassLoader(content, module, libraries, UModule.class.getClassLoader());
+    module.loader = new ModuleClassLoader(content, module, libraries, ModuleParent.LOADER);
     module.loader.initialize();
     return module;
   }

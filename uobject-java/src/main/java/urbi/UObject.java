@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
  * The Java side of an urbiscript object (manual, "The UObject Java API"). A subclass has a
@@ -25,8 +26,7 @@ public abstract non-sealed class UObject extends UResident {
   private final List<Runnable> notifications = new CopyOnWriteArrayList<>();
   private final List<UObjectHub> hubs = new CopyOnWriteArrayList<>();
   private final boolean derived;
-  private UVar load;
-  private boolean cleaned;
+  private final AtomicBoolean cleaned = new AtomicBoolean();
 
   /**
    * An object that urbiscript or the kernel makes.
@@ -119,16 +119,16 @@ public abstract non-sealed class UObject extends UResident {
 
   /** The variable {@code load}, which says how active the object is to be: 1 unless changed. */
   public UVar getLoad() {
-    synchronized (queues) {
-      if (load == null) {
-        load = new UVar(this, "load");
-        variables.put("load", load);
-        if (load.getUValue().isVoid()) {
-          load.setValue(1);
-        }
-      }
-      return load;
+    UVar known = variables.get("load");
+    if (known != null) {
+      return known;
     }
+    UVar bound = new UVar(this, "load");
+    if (bound.getUValue().isVoid()) {
+      bound.setValue(1);
+    }
+    variables.put("load", bound);
+    return bound;
   }
 
   // ------------------------------------------------------------------ variables and events
@@ -496,11 +496,8 @@ public abstract non-sealed class UObject extends UResident {
    * second time does nothing.
    */
   public final void clean() {
-    synchronized (queues) {
-      if (cleaned) {
-        return;
-      }
-      cleaned = true;
+    if (cleaned.getAndSet(true)) {
+      return;
     }
     List<Runnable> ended = new ArrayList<>(notifications);
     notifications.clear();

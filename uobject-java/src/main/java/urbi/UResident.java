@@ -4,13 +4,14 @@ import java.lang.reflect.Method;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicReference;
 
 /** Who lives in a context, {@link UObject}s and {@link UObjectHub}s: what both can do. */
 public abstract sealed class UResident permits UObject, UObjectHub {
   private static final double MILLISECOND_NANOSECONDS = 1e6;
 
   private final UContext context;
-  private Runnable updates;
+  private final AtomicReference<Runnable> updates = new AtomicReference<>();
 
   UResident(UContext context) {
     this.context = context;
@@ -94,17 +95,15 @@ public abstract sealed class UResident permits UObject, UObjectHub {
    * @param period in milliseconds; -1 for never
    */
   public void USetUpdate(double period) {
-    synchronized (this) {
-      if (updates != null) {
-        updates.run();
-        updates = null;
-      }
-      if (period >= 0) {
-        Method method = Methods.find(UResident.class, "update");
-        updates =
-            context.every(
-                this, period, Methods.callback(shownName() + ".update", this, method), true);
-      }
+    Runnable next = null;
+    if (period >= 0) {
+      Method method = Methods.find(UResident.class, "update");
+      UCallback callback = Methods.callback(shownName() + ".update", this, method);
+      next = context.every(this, period, callback, true);
+    }
+    Runnable before = updates.getAndSet(next);
+    if (before != null) {
+      before.run();
     }
   }
 

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.regex.Pattern;
 
 /** Takes out of a kernel's answers what may differ between two good runs. */
-final class Answers {
+public final class Answers {
   private static final Pattern STAMP = Pattern.compile("^\\[\\d{8,}");
   private static final Pattern LOCATION =
       Pattern.compile(
@@ -23,7 +23,8 @@ final class Answers {
    * numbers in the names of jobs and anonymous tags go; time stamps and locations go unless they
    * are asked for; lines without a time stamp continue the one before.
    */
-  static List<String> comparable(List<String> lines, boolean withTimes, boolean withLocations) {
+  public static List<String> comparable(
+      List<String> lines, boolean withTimes, boolean withLocations) {
     Map<String, String> addresses = new HashMap<>();
     List<String> result = new ArrayList<>();
     for (String line : lines) {

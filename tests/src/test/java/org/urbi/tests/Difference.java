@@ -5,11 +5,11 @@ import java.util.List;
 /**
  * Two lists of lines in one text: common lines, missing ones ({@code -}), extra ones ({@code +}).
  */
-final class Difference {
+public final class Difference {
   private Difference() {}
 
   /** Shows what has to be done to the expected lines to get the actual ones. */
-  static String of(List<String> expected, List<String> actual) {
+  public static String of(List<String> expected, List<String> actual) {
     int[][] common = commonLengths(expected, actual);
     StringBuilder text = new StringBuilder("--- expected\n+++ answered\n");
     int i = 0;

@@ -26,7 +26,8 @@ import java.util.regex.Pattern;
  * @param exactTimes whether time stamps are compared
  * @param exactLocations whether the locations of errors are compared
  */
-record Transcript(String input, List<String> expected, boolean exactTimes, boolean exactLocations) {
+public record Transcript(
+    String input, List<String> expected, boolean exactTimes, boolean exactLocations) {
 
   /** How the files end. */
   static final String SUFFIX = ".u-session";
@@ -59,7 +60,8 @@ record Transcript(String input, List<String> expected, boolean exactTimes, boole
     return new Transcript(input.toString(), List.copyOf(expected), exactTimes, exactLocations);
   }
 
-  static boolean isOutput(String line) {
+  /** Whether a line of a transcript is an answer. */
+  public static boolean isOutput(String line) {
     return OUTPUT.matcher(line).matches();
   }
 

@@ -1,5 +1,6 @@
 package org.urbi.kernel.library;
 
+import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.DirectoryNotEmptyException;
@@ -161,9 +162,18 @@ final class FileAccess {
       case AccessDeniedException e -> "permission denied";
       case NotDirectoryException e -> "not a directory";
       case FileSystemLoopException e -> "too many levels of links";
+      case FileNotFoundException e -> lowered(inParentheses(e));
       case FileSystemException e when e.getReason() != null -> lowered(e.getReason());
       default -> failure.getMessage() == null ? "input/output error" : failure.getMessage();
     };
+  }
+
+  /** The message of the machine, with which the JDK ends its own. */
+  static String inParentheses(IOException failure) {
+    String message = String.valueOf(failure.getMessage());
+    int from = message.lastIndexOf('(');
+    int to = message.lastIndexOf(')');
+    return from < 0 || to < from ? message : message.substring(from + 1, to);
   }
 
   /** A message of the machine as part of one of ours. */

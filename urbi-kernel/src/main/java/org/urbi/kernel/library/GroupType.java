@@ -60,6 +60,9 @@ final class GroupType {
       value = {"=="},
       doc = "Whether both have equal members, in the same order.")
   static boolean equal(Frame frame, UrbiGroup self, UrbiObject other) {
+    if (self == other) {
+      return true;
+    }
     if (!(other instanceof UrbiGroup group) || group.members().size() != self.members().size()) {
       return false;
     }

@@ -258,7 +258,7 @@ final class ListType {
     List<UrbiObject> elements = self.elements();
     int count = Counting.ofLists(caller, site, 1, n, elements.size());
     List<UrbiObject> product = new ArrayList<>(count * elements.size());
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count && !elements.isEmpty(); i++) {
       product.addAll(elements);
     }
     return product;

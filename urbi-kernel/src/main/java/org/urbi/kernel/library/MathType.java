@@ -3,8 +3,10 @@ package org.urbi.kernel.library;
 import java.util.Arrays;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 
 /** The functions of numbers as functions of one argument (manual, "Math"). */
@@ -18,9 +20,12 @@ final class MathType {
   /** Sends a message to the argument. */
   private static UrbiObject bounce(
       Frame caller, CallSite site, UrbiObject x, String name, UrbiObject... arguments) {
-    return caller
-        .interpreter()
-        .send(caller, site, x, caller.interpreter().world().symbol(name), arguments);
+    Symbol message = caller.interpreter().world().symbol(name);
+    // What knows no function of its own would find this one.
+    if (x.locate(message) == x.world().prototype("Math")) {
+      return Arguments.unexpected(caller, site, 1, x, "Float");
+    }
+    return caller.interpreter().send(caller, site, x, message, arguments);
   }
 
   @Builtin(doc = "The absolute value of x.")

@@ -2,9 +2,12 @@ package org.urbi.kernel.library;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.Comparator;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Optional;
@@ -104,7 +107,7 @@ final class ObjectDescription {
   @Builtin(doc = "Shows prototypes, slots and properties, those of slots as deep as said.")
   static void dump(Frame frame, UrbiObject self, int depth) {
     say(frame, identity(frame, self) + " {");
-    dumpContent(frame, self, depth, "  ");
+    new Dump(frame, self).content(self, depth, "  ");
   }
 
   /** The type and the address, whatever the value. */
@@ -112,42 +115,52 @@ final class ObjectDescription {
     return typeOf(frame, object) + "_" + ObjectType.uid(object);
   }
 
-  private static void dumpContent(Frame frame, UrbiObject object, int depth, String indent) {
-    say(frame, indent + "/* Special slots */");
-    say(
-        frame,
-        indent
-            + "protos = "
-            + Arrays.stream(object.protos())
-                .map(proto ->
-                    proto.localSlot(frame.interpreter().symbols().type) == null
-                        ? identity(frame, proto)
-                        : typeOf(frame, proto))
-                .collect(Collectors.joining(", ")));
-    if (object instanceof UrbiFloat number) {
-      UrbiObject plain = frame.interpreter().values().number(number.value());
-      say(frame, indent + "value = " + frame.interpreter().asString(frame, plain));
-    }
-    say(frame, indent + "/* Slots */");
-    for (Symbol name : slots(object)) {
-      dumpValue(frame, name.name(), object.localSlot(name), depth, indent);
-      Map<String, UrbiObject> properties = properties(object, name);
-      if (!properties.isEmpty()) {
-        say(frame, indent + "  /* Properties */");
-        properties.forEach(
-            (property, value) -> dumpValue(frame, property, value, depth, indent + "  "));
-      }
-    }
-    say(frame, indent + "}");
-  }
+  /** One dump; what is within itself, or in several places, is shown once. */
+  private static final class Dump {
+    private final Frame frame;
+    private final Set<UrbiObject> shown = Collections.newSetFromMap(new IdentityHashMap<>());
 
-  private static void dumpValue(
-      Frame frame, String name, UrbiObject value, int depth, String indent) {
-    if (depth <= 0) {
-      say(frame, indent + name + " = " + identity(frame, value) + " <...>");
-    } else {
-      say(frame, indent + name + " = " + identity(frame, value) + " {");
-      dumpContent(frame, value, depth - 1, indent + "  ");
+    Dump(Frame frame, UrbiObject first) {
+      this.frame = frame;
+      shown.add(first);
+    }
+
+    void content(UrbiObject object, int depth, String indent) {
+      say(frame, indent + "/* Special slots */");
+      say(
+          frame,
+          indent
+              + "protos = "
+              + Arrays.stream(object.protos())
+                  .map(proto ->
+                      proto.localSlot(frame.interpreter().symbols().type) == null
+                          ? identity(frame, proto)
+                          : typeOf(frame, proto))
+                  .collect(Collectors.joining(", ")));
+      if (object instanceof UrbiFloat number) {
+        UrbiObject plain = frame.interpreter().values().number(number.value());
+        say(frame, indent + "value = " + frame.interpreter().asString(frame, plain));
+      }
+      say(frame, indent + "/* Slots */");
+      for (Symbol name : slots(object)) {
+        value(name.name(), object.localSlot(name), depth, indent);
+        Map<String, UrbiObject> properties = properties(object, name);
+        if (!properties.isEmpty()) {
+          say(frame, indent + "  /* Properties */");
+          properties.forEach((property, value) -> value(property, value, depth, indent + "  "));
+        }
+      }
+      say(frame, indent + "}");
+    }
+
+    private void value(String name, UrbiObject value, int depth, String indent) {
+      frame.job().checkInterrupted();
+      if (depth <= 0 || !shown.add(value)) {
+        say(frame, indent + name + " = " + identity(frame, value) + " <...>");
+      } else {
+        say(frame, indent + name + " = " + identity(frame, value) + " {");
+        content(value, depth - 1, indent + "  ");
+      }
     }
   }
 

@@ -100,14 +100,10 @@ final class ProcessType {
 
   /** Why a program cannot be run, without what the JDK has to say of itself. */
   static String cannotRun(String program, IOException failure) {
-    // The JDK ends its message with that of the machine, in parentheses.
-    String message = String.valueOf(failure.getMessage());
-    int from = message.lastIndexOf('(');
-    int to = message.lastIndexOf(')');
     return "cannot run "
         + NativeText.toUrbi(program)
         + ": "
-        + FileAccess.lowered(from < 0 || to < from ? message : message.substring(from + 1, to));
+        + FileAccess.lowered(FileAccess.inParentheses(failure));
   }
 
   @Builtin(doc = "Runs the program, and gives what it writes to that function, line by line.")

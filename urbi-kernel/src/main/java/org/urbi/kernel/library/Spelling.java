@@ -8,13 +8,18 @@ public final class Spelling {
   private static final int MOST_EDITS = 2;
   private static final int LONG_WORD = 5;
 
+  /** Nobody mistypes what is longer. */
+  private static final int LONGEST_NAME = 100;
+
   private Spelling() {}
 
   /**
    * The number of insertions, deletions, substitutions and transpositions of neighbours that make
    * one word of the other.
+   *
+   * @param onRow called now and then: long words take long
    */
-  public static int distance(String from, String to) {
+  static int distance(String from, String to, Runnable onRow) {
     int[] before = new int[to.length() + 1];
     int[] previous = new int[to.length() + 1];
     int[] current = new int[to.length() + 1];
@@ -22,6 +27,7 @@ public final class Spelling {
       previous[j] = j;
     }
     for (int i = 1; i <= from.length(); i++) {
+      onRow.run();
       current[0] = i;
       for (int j = 1; j <= to.length(); j++) {
         int cost = from.charAt(i - 1) == to.charAt(j - 1) ? 0 : 1;
@@ -43,16 +49,20 @@ public final class Spelling {
   }
 
   /** The first of the most alike candidates; null when none is worth a suggestion. */
-  public static String closest(String word, List<String> candidates) {
+  static String closest(String word, List<String> candidates, Runnable onRow) {
     String closest = null;
     int least = Integer.MAX_VALUE;
     for (String candidate : candidates) {
+      int longest = Math.max(word.length(), candidate.length());
+      int most = 1 + Math.max(2, 2 * (longest / 3));
+      if (2 * Math.abs(word.length() - candidate.length()) > most) {
+        continue;
+      }
       // The case of letters counts little.
       int edits =
-          2 * distance(Characters.lower(word), Characters.lower(candidate))
+          2 * distance(Characters.lower(word), Characters.lower(candidate), onRow)
               + (word.equals(candidate) ? 0 : 1);
-      int longest = Math.max(word.length(), candidate.length());
-      if (edits < least && edits <= 1 + Math.max(2, 2 * (longest / 3))) {
+      if (edits < least && edits <= most) {
         least = edits;
         closest = candidate;
       }
@@ -67,11 +77,14 @@ public final class Spelling {
   static String meant(String name, Collection<String> candidates) {
     int least = MOST_EDITS + 1;
     String meant = null;
+    if (name.length() > LONGEST_NAME) {
+      return null;
+    }
     for (String candidate : candidates) {
       int shorter = Math.min(name.length(), candidate.length());
       int most = shorter < 2 ? 0 : shorter < LONG_WORD ? 1 : MOST_EDITS;
       if (Math.abs(candidate.length() - name.length()) <= most) {
-        int distance = distance(name, candidate);
+        int distance = distance(name, candidate, () -> {});
         if (distance <= most && distance < least) {
           meant = candidate;
           least = distance;

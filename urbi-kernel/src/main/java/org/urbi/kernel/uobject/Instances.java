@@ -19,7 +19,10 @@ import urbi.UClass;
 
 /** The UObjects of one kernel, by their names: slots of {@code uobjects}. */
 final class Instances {
-  private static final Cleaner CLEANER = Cleaner.create();
+  /** Has a thread; made when there is a UObject. */
+  private static final class Reclamation {
+    static final Cleaner CLEANER = Cleaner.create();
+  }
 
   private final World world;
   private final Inbox inbox;
@@ -63,7 +66,7 @@ final class Instances {
     data.getter = new Named(world.prototype("Code").cloneShape(), instance);
     namespace.slotDataChanged(slot);
     String name = instance.name();
-    CLEANER.register(instance.object(), () -> inbox.post(() -> gone(name)));
+    Reclamation.CLEANER.register(instance.object(), () -> inbox.post(() -> gone(name)));
   }
 
   /** Makes it a slot of {@code uobjects} which does. */

@@ -49,7 +49,7 @@ public final class PluggedContext implements UContext {
   private final Creation creation;
   private final Variables variables;
   private final ValueExchange exchange;
-  private final Converters converters;
+  private Converters converters;
   private final CallStatistics statistics;
   private final ConnectionList connections = new ConnectionList();
   private final Tells tells = new Tells();
@@ -68,7 +68,6 @@ public final class PluggedContext implements UContext {
     this.objects = new Instances(interpreter.world(), scheduler.inbox(), this::gone);
     this.variables = new Variables(interpreter.world(), objects);
     this.exchange = new ValueExchange(this);
-    this.converters = new Converters(this, exchange);
     this.statistics = new CallStatistics(scheduler.clock());
     this.periods = new Periods(this);
     this.creation = new Creation(this);
@@ -99,7 +98,11 @@ public final class PluggedContext implements UContext {
     return exchange;
   }
 
+  /** On the kernel thread; a kernel without UObjects does without. */
   Converters converters() {
+    if (converters == null) {
+      converters = new Converters(this, exchange);
+    }
     return converters;
   }
 

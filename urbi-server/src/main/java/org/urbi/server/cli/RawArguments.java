@@ -10,12 +10,13 @@ import java.util.Arrays;
  * The arguments as they were given. Java decodes them by the locale, and in the locale {@code C}
  * loses every byte beyond ASCII; where the system tells the bytes they are taken from there.
  */
-final class RawArguments {
+public final class RawArguments {
   private static final Path COMMAND_LINE = Path.of("/proc/self/cmdline");
 
   private RawArguments() {}
 
-  static String[] of(String[] args) {
+  /** The arguments of the program, which {@code main} was given as {@code args}. */
+  public static String[] of(String[] args) {
     if ("UTF-8".equals(System.getProperty("sun.jnu.encoding"))
         || Arrays.stream(args).allMatch(RawArguments::isSafe)) {
       return args;

@@ -33,6 +33,11 @@ public final class UrbiCommand {
     Runtime.getRuntime().halt(status);
   }
 
+  /** Runs the program and returns its exit status. */
+  public static int run(String[] args, PrintStream out, PrintStream err) {
+    return new UrbiCommand(out, err).run(args);
+  }
+
   int run(String... args) {
     Program program =
         new Program(

@@ -14,21 +14,27 @@ import org.urbi.server.options.Program;
  * The server that a tool is to talk to: options {@code --host}, {@code --port}, {@code
  * --port-file}.
  */
-record Target(String host, int port) {
+public record Target(String host, int port) {
   /** Where an Urbi server listens by custom. */
-  static final int USUAL_PORT = 54000;
+  public static final int USUAL_PORT = 54000;
 
   private static final int CONNECT_MILLISECONDS = 10_000;
   private static final int HIGHEST_PORT = 65_535;
 
-  static Program options(Program program) {
+  /** Adds the options to a program. */
+  public static Program options(Program program) {
     return program
         .option("HOST", "Address to connect to (default: 127.0.0.1).", "-H", "--host")
         .option("PORT", "Port to connect to (default: " + USUAL_PORT + ").", "-P", "--port")
         .option("FILE", "Connect to the port that is written in FILE.", "--port-file");
   }
 
-  static Target of(Arguments arguments, String host) {
+  /**
+   * What the options say.
+   *
+   * @throws Failure if they make no sense, or the port's file cannot be read
+   */
+  public static Target of(Arguments arguments, String host) {
     String file = arguments.value("--port-file", null);
     if (file == null) {
       return new Target(host, arguments.number("--port", USUAL_PORT, 1, HIGHEST_PORT));
@@ -49,7 +55,7 @@ record Target(String host, int port) {
    *
    * @throws Failure if nobody answers
    */
-  Socket connect() {
+  public Socket connect() {
     Socket socket = new Socket();
     try {
       socket.setTcpNoDelay(true);

@@ -5,13 +5,13 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 
 /** What a tool printed, and how it ended. */
-record Captured(int status, String out, String err) {
+public record Captured(int status, String out, String err) {
   /** A tool's {@code run} method. */
-  interface Tool {
+  public interface Tool {
     int run(String[] args, PrintStream out, PrintStream err);
   }
 
-  static Captured of(Tool tool, String... args) {
+  public static Captured of(Tool tool, String... args) {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     ByteArrayOutputStream err = new ByteArrayOutputStream();
     int status =

@@ -1,0 +1,34 @@
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+
+/** The servomotors of a robot that we do not have: they go at once where they are sent. */
+final class Motors {
+  private static final int HIGHEST_ID = 15;
+  private static final double STOP = 90;
+  private static final Map<Integer, Double> POSITIONS = new ConcurrentHashMap<>();
+
+  private Motors() {}
+
+  /** Switches a motor on; false if there is no such motor. */
+  static boolean initialize(int id) {
+    return 0 <= id && id <= HIGHEST_ID && POSITIONS.put(id, 0.0) == null;
+  }
+
+  /** Where it is, in degrees. */
+  static double getPosition(int id) {
+    return POSITIONS.get(id);
+  }
+
+  /** Sends one to a position, in degrees; it has mechanical stops at ±90. */
+  static void setPosition(int id, double position) {
+    POSITIONS.put(id, Math.clamp(position, -STOP, STOP));
+  }
+
+  /** Sends several motors to their positions by one command. */
+  static void setPositions(List<Integer> ids, List<Double> positions) {
+    for (int i = 0; i < ids.size(); i++) {
+      setPosition(ids.get(i), positions.get(i));
+    }
+  }
+}

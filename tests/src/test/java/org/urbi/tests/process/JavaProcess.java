@@ -1,0 +1,162 @@
+package org.urbi.tests.process;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+
+/** A Java program in a process of its own, whose output can be waited for. */
+final class JavaProcess implements AutoCloseable {
+  /** How long anything may take on a machine that has much else to do. */
+  static final int PATIENCE_SECONDS = 40;
+
+  private static final List<String> FLAGS =
+      List.of(
+          "--add-opens=java.base/java.lang=ALL-UNNAMED",
+          "--enable-native-access=ALL-UNNAMED",
+          "-XX:+UseSerialGC",
+          "-XX:TieredStopAtLevel=1",
+          "-Durbi.stdin.terminal=false");
+
+  private final String name;
+  private final Process process;
+  private final List<String> lines = new ArrayList<>();
+  private final List<Thread> readers = new ArrayList<>();
+  private int open = 2;
+
+  private JavaProcess(String name, ProcessBuilder builder) throws IOException {
+    this.name = name;
+    process = builder.start();
+    readers.add(read(process.getInputStream()));
+    readers.add(read(process.getErrorStream()));
+  }
+
+  /** Says how a program is to be run. */
+  record Setting(Path folder, Map<String, String> environment, String classPath) {
+    /** In a folder, with all the classes of the project. */
+    static Setting in(Path folder) {
+      // Surefire hides the class path of the tests in a jar.
+      return new Setting(
+          folder,
+          Map.of(),
+          System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")));
+    }
+
+    /** With a variable in its environment. */
+    Setting with(String variable, String value) {
+      return new Setting(folder, Map.of(variable, value), classPath);
+    }
+
+    /** With other classes. */
+    Setting withClassPath(String other) {
+      return new Setting(folder, environment, other);
+    }
+  }
+
+  static JavaProcess start(Setting setting, String mainClass, List<String> arguments)
+      throws IOException {
+    List<String> command = new ArrayList<>();
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(FLAGS);
+    command.addAll(List.of("-Durbi.root=" + setting.folder, "-cp", setting.classPath, mainClass));
+    command.addAll(arguments);
+    ProcessBuilder builder = new ProcessBuilder(command).directory(setting.folder.toFile());
+    builder.environment().keySet().removeIf(variable -> variable.startsWith("URBI_"));
+    builder.environment().putAll(setting.environment);
+    return new JavaProcess(mainClass.substring(mainClass.lastIndexOf('.') + 1), builder);
+  }
+
+  private Thread read(InputStream stream) {
+    return Thread.ofPlatform()
+        .daemon()
+        .start(() -> {
+          try (BufferedReader reader =
+              new BufferedReader(new InputStreamReader(stream, StandardCharsets.UTF_8))) {
+            for (String line = reader.readLine(); line != null; line = reader.readLine()) {
+              add(line);
+            }
+          } catch (IOException e) {
+            add(e.toString());
+          } finally {
+            closeOne();
+          }
+        });
+  }
+
+  private synchronized void add(String line) {
+    lines.add(line);
+    notifyAll();
+  }
+
+  private synchronized void closeOne() {
+    open--;
+    notifyAll();
+  }
+
+  /** Sends to its standard input. */
+  void send(String text) {
+    try {
+      process.getOutputStream().write(text.getBytes(StandardCharsets.UTF_8));
+      process.getOutputStream().flush();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** Waits for a line, from either of its outputs, and returns it. */
+  synchronized String awaitLine(Predicate<String> wanted) throws InterruptedException {
+    long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+    for (int seen = 0; ; seen++) {
+      while (seen == lines.size()) {
+        long left = TimeUnit.NANOSECONDS.toMillis(deadline - System.nanoTime());
+        if (open == 0 || left <= 0) {
+          throw new AssertionError(
+              name + (open == 0 ? " has ended" : " did not say it") + ":\n" + text());
+        }
+        wait(left);
+      }
+      if (wanted.test(lines.get(seen))) {
+        return lines.get(seen);
+      }
+    }
+  }
+
+  /** Waits for a line that contains a text. */
+  String awaitText(String text) throws InterruptedException {
+    return awaitLine(line -> line.contains(text));
+  }
+
+  /** All that it has said so far, on both outputs. */
+  synchronized String text() {
+    return String.join("\n", lines);
+  }
+
+  /** Waits for its end, and returns its exit status. */
+  int awaitEnd() throws InterruptedException {
+    if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+      throw new AssertionError(name + " does not end:\n" + text());
+    }
+    for (Thread reader : readers) {
+      reader.join(TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS));
+    }
+    return process.exitValue();
+  }
+
+  /** Asks it to end, as the system does. */
+  void terminate() {
+    process.destroy();
+  }
+
+  @Override
+  public void close() {
+    process.destroyForcibly();
+  }
+}

@@ -1,0 +1,58 @@
+package org.urbi.tests.process;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+
+/** The program {@code urbi} as a server on a port that nobody else has. */
+final class ServerProcess implements AutoCloseable {
+  private static final String LISTENING = "listening on 127.0.0.1:";
+
+  private final JavaProcess process;
+  private final int port;
+
+  /** Starts a server in a folder. */
+  static ServerProcess in(Path folder, String... options) throws IOException, InterruptedException {
+    List<String> arguments = new ArrayList<>(List.of("--port", "0"));
+    Collections.addAll(arguments, options);
+    return new ServerProcess(
+        JavaProcess.start(
+            JavaProcess.Setting.in(folder), "org.urbi.server.cli.UrbiCommand", arguments));
+  }
+
+  /** A server that is being started, in whatever way, and tells its port. */
+  ServerProcess(JavaProcess process) throws InterruptedException {
+    this.process = process;
+    String line = process.awaitText(LISTENING);
+    port = Integer.parseInt(line.substring(line.indexOf(LISTENING) + LISTENING.length()));
+  }
+
+  int port() {
+    return port;
+  }
+
+  /** A new client of it. */
+  ConsoleClient connect() throws IOException {
+    return new ConsoleClient(port);
+  }
+
+  /** What it has said on its own outputs. */
+  String text() {
+    return process.text();
+  }
+
+  /** Shuts it down and returns its exit status. */
+  int shutDown() throws IOException, InterruptedException {
+    try (ConsoleClient client = connect()) {
+      client.send("shutdown;\n");
+    }
+    return process.awaitEnd();
+  }
+
+  @Override
+  public void close() {
+    process.close();
+  }
+}

@@ -1,0 +1,270 @@
+package org.urbi.tests.process;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.spi.ToolProvider;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.urbi.tests.process.JavaProcess.Setting;
+import urbi.UObject;
+
+/** The command lines of the manual's chapters 3 and 5, as they are printed there. */
+class UrbiLaunchJavaTest {
+  private static final String LAUNCH = "org.urbi.server.launch.UrbiLaunchJava";
+  private static final String SEND = "org.urbi.server.tools.UrbiSend";
+  private static final Path MACHINE = Modules.SOURCES.resolve("machine.uob");
+
+  @TempDir static Path built;
+  private static Modules modules;
+
+  @TempDir Path folder;
+  private Setting here;
+
+  @BeforeAll
+  static void makeModules() {
+    modules = new Modules(built);
+  }
+
+  @BeforeEach
+  void set() {
+    here = Setting.in(folder);
+  }
+
+  private void copy(String module) throws IOException {
+    Files.copy(modules.jar(module), folder.resolve(module + ".jar"));
+  }
+
+  private JavaProcess launch(String... arguments) throws IOException {
+    return JavaProcess.start(here, LAUNCH, List.of(arguments));
+  }
+
+  /** Runs a program to its end, which has to be a good one; time stamps do not count. */
+  private String output(String mainClass, String... arguments) throws Exception {
+    try (JavaProcess process = JavaProcess.start(here, mainClass, List.of(arguments))) {
+      assertEquals(0, process.awaitEnd(), process::text);
+      return plain(process.text());
+    }
+  }
+
+  private void failsToLaunch(String message, String... arguments) throws Exception {
+    try (JavaProcess process = launch(arguments)) {
+      assertEquals(1, process.awaitEnd(), process::text);
+      assertTrue(process.text().contains(message), process::text);
+      assertTrue(!process.text().contains("\tat "), process::text);
+    }
+  }
+
+  private static String plain(String text) {
+    return text.replaceAll("(?m)^\\[\\d{8,}", "[").replaceAll("0x[0-9a-f]+", "0x");
+  }
+
+  private static int freePort() throws IOException {
+    try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      return free.getLocalPort();
+    }
+  }
+
+  // ------------------------------------------------------------------ plugged
+
+  @Test
+  void aServerIsStartedWithItsModuleAndASession() throws Exception {
+    copy("machine");
+    try (JavaProcess urbi = launch("--start", "machine.jar", "--", "--interactive")) {
+      urbi.awaitText("Urbi");
+      urbi.send("var f = UMachine.new(10ms);\n");
+      urbi.awaitLine(line -> plain(line).equals("[] UMachine_0x"));
+      urbi.send("f.assemble([\"Hello, \", \"World!\"]);\n");
+      urbi.awaitLine(line -> plain(line).equals("[] \"Hello, World!\""));
+      urbi.send("shutdown;\n");
+      assertEquals(0, urbi.awaitEnd(), urbi::text);
+    }
+  }
+
+  @Test
+  void aServerWithItsModuleIsUsedByUrbiSend() throws Exception {
+    copy("machine");
+    try (JavaProcess urbi =
+            launch("-s", "machine", "-H", "127.0.0.1", "-P", "0", "-w", "port", "-d", "LOG");
+        ServerProcess server = new ServerProcess(urbi)) {
+      assertEquals(server.port() + "\n", Files.readString(folder.resolve("port")));
+      talkByUrbiSend("--port-file=port");
+      assertEquals(0, server.shutDown(), server::text);
+    }
+  }
+
+  /** The dialogue at the end of "Running UObjects". */
+  private void talkByUrbiSend(String where) throws Exception {
+    String first = output(SEND, where, "-e", "UMachine.assemble([12, 34]);", "--quit");
+    assertTrue(first.endsWith("[] \"1234\""), first);
+    String second =
+        output(
+            SEND,
+            where,
+            "-e",
+            "var f = UMachine.new(10ms)|",
+            "-e",
+            "f.assemble([\"ab\", \"cd\"]);",
+            "--quit");
+    assertTrue(second.endsWith("[] \"abcd\""), second);
+  }
+
+  @Test
+  void aRunningServerIsGivenModules() throws Exception {
+    copy("machine");
+    try (ServerProcess server = ServerProcess.in(built)) {
+      String port = "--port=" + server.port();
+      assertEquals("", output(LAUNCH, "--plugin", port, "machine"));
+      assertEquals("", output(LAUNCH, "-p", port, modules.jar("adder").toString()));
+      talkByUrbiSend(port);
+      failsToLaunch("urbi-launch-java: file not found: nowhere", "--plugin", port, "nowhere");
+      assertEquals(0, server.shutDown(), server::text);
+    }
+  }
+
+  @Test
+  void anotherProgramMayBeTheServer() throws Exception {
+    copy("machine");
+    Path program = folder.resolve("server");
+    Files.writeString(program, "#!/bin/sh\necho \"$@\"\nexit 7\n");
+    assertTrue(program.toFile().setExecutable(true));
+    try (JavaProcess launch =
+        launch("--start", "--customize", program.toString(), "-P", "0", "machine", "--", "-q")) {
+      assertEquals(7, launch.awaitEnd(), launch::text);
+      assertEquals(
+          "--port 0 --module " + folder.toRealPath().resolve("machine.jar") + " -q",
+          launch.text().replace(folder.toString(), folder.toRealPath().toString()));
+    }
+  }
+
+  // ------------------------------------------------------------------ remote
+
+  @Test
+  void aModuleRunsInAProcessOfItsOwn() throws Exception {
+    here = here.with("URBI_UOBJECT_PATH", "nowhere:" + built);
+    modules.jar("machine");
+    try (ServerProcess server = ServerProcess.in(folder, "--port-file", "port");
+        JavaProcess machine = launch("--port-file", "port", "machine.jar")) {
+      machine.awaitText("running on 127.0.0.1:" + server.port());
+      talkByUrbiSend("--port-file=port");
+      assertEquals(0, server.shutDown(), server::text);
+      machine.awaitEnd();
+    }
+  }
+
+  @Test
+  void modulesMadeByHandRunWithoutTheTools() throws Exception {
+    Path api = Path.of(UObject.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+    javac(api, folder, MACHINE.resolve("Machine.java"), MACHINE.resolve("UMachine.java"));
+    String classes = folder.toString();
+    tool(
+        "jar",
+        List.of(
+            "-cf",
+            folder.resolve("machine.jar").toString(),
+            "-C",
+            classes,
+            "UMachine.class",
+            "-C",
+            classes,
+            "Machine.class"));
+    Files.delete(folder.resolve("Machine.class"));
+    try (ServerProcess server = ServerProcess.in(folder);
+        JavaProcess machine =
+            JavaProcess.start(
+                here.withClassPath(api.toString()),
+                "urbi.UMain",
+                List.of("./machine.jar", "-P", String.valueOf(server.port())))) {
+      machine.awaitText("running on 127.0.0.1:" + server.port());
+      talkByUrbiSend("--port=" + server.port());
+      assertEquals(0, server.shutDown(), server::text);
+      machine.awaitEnd();
+    }
+  }
+
+  private static void javac(Path classPath, Path output, Path... sources) {
+    List<String> words =
+        new ArrayList<>(
+            List.of("-proc:none", "-cp", classPath.toString(), "-d", output.toString()));
+    for (Path source : sources) {
+      words.add(source.toString());
+    }
+    tool("javac", words);
+  }
+
+  private static void tool(String name, List<String> words) {
+    int status =
+        ToolProvider.findFirst(name)
+            .orElseThrow()
+            .run(System.out, System.err, words.toArray(String[]::new));
+    assertEquals(0, status, name);
+  }
+
+  @Test
+  void classesMayBeSharedByModules() throws Exception {
+    Path api = Path.of(UObject.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+    Path library = Files.createDirectory(folder.resolve("library"));
+    Path module = Files.createDirectory(folder.resolve("module"));
+    javac(api, library, MACHINE.resolve("Machine.java"));
+    javac(Path.of(api + ":" + library), module, MACHINE.resolve("UMachine.java"));
+    try (ServerProcess server = ServerProcess.in(folder);
+        JavaProcess machine = launch("-P" + server.port(), "-c", library.toString(), "module")) {
+      machine.awaitText("running on 127.0.0.1:" + server.port());
+      talkByUrbiSend("--port=" + server.port());
+      assertEquals(0, server.shutDown(), server::text);
+      machine.awaitEnd();
+    }
+  }
+
+  // ------------------------------------------------------------------ what goes wrong
+
+  @Test
+  void aModuleThatIsNotThereIsSaid() throws Exception {
+    failsToLaunch("urbi-launch-java: no module nowhere in .", "nowhere");
+    failsToLaunch("urbi-launch-java: no such module: /no/such.jar", "--start", "/no/such.jar");
+  }
+
+  @Test
+  void aServerThatIsNotThereIsSaid() throws Exception {
+    copy("machine");
+    int port = freePort();
+    failsToLaunch("cannot connect to 127.0.0.1:" + port, "-P" + port, "machine");
+    failsToLaunch("cannot connect to 127.0.0.1:" + port, "-P" + port, "--plugin", "machine");
+    failsToLaunch("is the server running?", "--port-file", "no-port", "machine");
+  }
+
+  @Test
+  void aFileThatIsNoModuleIsSaid() throws Exception {
+    Files.writeString(folder.resolve("text.jar"), "no jar", StandardCharsets.UTF_8);
+    Path library = Files.createDirectory(folder.resolve("library"));
+    Path api = Path.of(UObject.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+    javac(api, library, MACHINE.resolve("Machine.java"));
+    String where = library.toString();
+    String jar = folder.resolve("empty.jar").toString();
+    tool("jar", List.of("-cf", jar, "-C", where, "Machine.class"));
+    try (ServerProcess server = ServerProcess.in(folder)) {
+      String port = "-P" + server.port();
+      failsToLaunch("not a jar file", port, "text");
+      failsToLaunch("no UObject in", port, "empty");
+      assertEquals(0, server.shutDown(), server::text);
+    }
+  }
+
+  @Test
+  void whatIsAskedForIsTold() throws Exception {
+    assertEquals(folder.toString(), output(LAUNCH, "--print-root"));
+    assertEquals("", output(LAUNCH, "--check"));
+    assertTrue(output(LAUNCH, "--version").startsWith("urbi-launch-java version "));
+    assertTrue(output(LAUNCH, "--help").contains("--port-file"));
+  }
+}

@@ -1,0 +1,64 @@
+package org.urbi.server.launch;
+
+import java.io.File;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.urbi.server.cli.SearchPath;
+import org.urbi.server.options.Failure;
+
+/** Where modules are looked for: {@code URBI_UOBJECT_PATH} (manual, section 21.1). */
+record ModulePath(SearchPath path) {
+  private static final String VARIABLE = "URBI_UOBJECT_PATH";
+  private static final List<String> SUFFIXES = List.of("", ".jar", ".zip");
+
+  /** What the environment says; the current folder without. */
+  static ModulePath ofEnvironment() {
+    return new ModulePath(SearchPath.of(System.getenv(VARIABLE), List.of(Path.of("."))));
+  }
+
+  /**
+   * The jar of that name, or the folder of classes if there is none; the suffix may be left out.
+   *
+   * @return its absolute path
+   * @throws Failure if there is neither
+   */
+  Path find(String name) {
+    for (Path folder : path.directories()) {
+      for (String suffix : SUFFIXES) {
+        Path file = folder.resolve(name + suffix);
+        if (Files.isRegularFile(file)) {
+          return file.toAbsolutePath().normalize();
+        }
+      }
+      if (Files.isDirectory(folder.resolve(name))) {
+        return folder.resolve(name).toAbsolutePath().normalize();
+      }
+    }
+    if (Path.of(name).isAbsolute()) {
+      throw Failure.of("no such module: " + name);
+    }
+    throw Failure.of(
+        "no module " + name + " in " + shown() + " (" + VARIABLE + " says where to look)");
+  }
+
+  /**
+   * The jar of that name, which can be plugged into a server.
+   *
+   * @throws Failure if there is none
+   */
+  Path findJar(String name) {
+    Path found = find(name);
+    if (Files.isDirectory(found)) {
+      throw Failure.of(found + " is a folder, only a jar can be plugged: umake-java makes one");
+    }
+    return found;
+  }
+
+  private String shown() {
+    return path.directories().stream()
+        .map(Path::toString)
+        .collect(Collectors.joining(File.pathSeparator));
+  }
+}

@@ -1,0 +1,69 @@
+package org.urbi.server.launch;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.urbi.server.SourceText;
+import org.urbi.server.options.Arguments;
+import org.urbi.server.options.Failure;
+import org.urbi.server.tools.Target;
+
+/** Asks a running server to load modules, and tells what it says to that. */
+final class PluginRequest {
+  private static final String ERROR = ":error] !!! ";
+
+  /** Where in the request the error is, which tells nobody anything. */
+  private static final String LOCATION = "^\\d+\\.\\d+(-[\\d.]+)?: ";
+
+  private final PrintStream err;
+
+  PluginRequest(PrintStream err) {
+    this.err = err;
+  }
+
+  /**
+   * Loads them in their order.
+   *
+   * @return the exit status: 1 if one of them could not be loaded
+   */
+  int load(Arguments arguments) {
+    Target server = Target.of(arguments, arguments.value("--host", "127.0.0.1"));
+    try (Socket socket = server.connect()) {
+      StringBuilder text = new StringBuilder();
+      boolean here = InetAddress.getByName(server.host()).isLoopbackAddress();
+      for (String module : arguments.rest()) {
+        text.append(SourceText.loadModule(here ? ownName(module) : module));
+      }
+      text.append("quit;\n");
+      socket.getOutputStream().write(text.toString().getBytes(StandardCharsets.ISO_8859_1));
+      ByteArrayOutputStream answer = new ByteArrayOutputStream();
+      socket.getInputStream().transferTo(answer);
+      return report(answer.toString(StandardCharsets.UTF_8));
+    } catch (IOException e) {
+      throw Failure.of("connection lost: " + e.getMessage());
+    }
+  }
+
+  /** A server on this machine may have been started in another folder, but sees the same files. */
+  private static String ownName(String module) {
+    try {
+      return ModulePath.ofEnvironment().findJar(module).toString();
+    } catch (Failure e) {
+      // The server may look in other folders.
+      return module;
+    }
+  }
+
+  private int report(String answer) {
+    List<String> errors = answer.lines().filter(line -> line.contains(ERROR)).toList();
+    for (String error : errors) {
+      String message = error.substring(error.indexOf(ERROR) + ERROR.length());
+      err.println("urbi-launch-java: " + message.replaceFirst(LOCATION, ""));
+    }
+    return errors.isEmpty() ? 0 : 1;
+  }
+}

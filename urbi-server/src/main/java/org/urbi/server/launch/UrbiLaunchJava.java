@@ -1,0 +1,169 @@
+package org.urbi.server.launch;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.urbi.server.cli.RawArguments;
+import org.urbi.server.cli.SearchPath;
+import org.urbi.server.cli.UrbiCommand;
+import org.urbi.server.options.Arguments;
+import org.urbi.server.options.Failure;
+import org.urbi.server.options.Program;
+import org.urbi.server.tools.Target;
+import urbi.UMain;
+
+/**
+ * The program {@code urbi-launch-java}: runs UObjects written in Java, in a process of their own
+ * that is connected to a server, or plugged into one (manual, sections 21.5 and 21.6).
+ */
+public final class UrbiLaunchJava {
+  private static final String SEPARATOR = "--";
+
+  private final PrintStream out;
+  private final PrintStream err;
+  private List<String> moduleOptions = List.of();
+
+  private UrbiLaunchJava(PrintStream out, PrintStream err) {
+    this.out = out;
+    this.err = err;
+  }
+
+  public static void main(String[] args) {
+    int status = run(RawArguments.of(args), System.out, System.err);
+    System.out.flush();
+    System.err.flush();
+    Runtime.getRuntime().halt(status);
+  }
+
+  /** Runs the program and returns its exit status. */
+  public static int run(String[] args, PrintStream out, PrintStream err) {
+    return new UrbiLaunchJava(out, err).run(Arrays.asList(args));
+  }
+
+  private int run(List<String> words) {
+    int separator = words.indexOf(SEPARATOR);
+    List<String> own = separator < 0 ? words : words.subList(0, separator);
+    moduleOptions = separator < 0 ? List.of() : words.subList(separator + 1, words.size());
+    Program program =
+        new Program(
+            "urbi-launch-java",
+            "Runs UObjects written in Java, in a process of their own or plugged into a server.");
+    program
+        .flag("Show the root folder of this installation and exit.", "--print-root")
+        .flag("Exit with status 0 if UObjects in Java can be used.", "-C", "--check")
+        .option("FILE", "With --start: run FILE as the server, and not urbi.", "--customize")
+        .option(
+            "LEVEL",
+            "How much is said: NONE, LOG, TRACE, DEBUG or DUMP (default: GD_LEVEL, or LOG).",
+            "-d",
+            "--debug")
+        .option(
+            "PATH",
+            "Jars and folders, with colons between them, of classes that the modules refer to.",
+            "-c",
+            "--classpath")
+        .flag(
+            "Have a running server load each MODULE, as loadModule(\"MODULE\") does.",
+            "-p",
+            "--plugin")
+        .flag("Run in this process, connected to a server; the default.", "-r", "--remote")
+        .flag(
+            "Start a server with each MODULE plugged in; MODULE-OPTIONs are options of urbi.",
+            "-s",
+            "--start")
+        .option(
+            "ADDRESS",
+            "Address of the server (default: 127.0.0.1); with --start where it listens.",
+            "-H",
+            "--host")
+        .option(
+            "PORT",
+            "Port of the server (default: %d); with --start where it listens, if anywhere."
+                .formatted(Target.USUAL_PORT),
+            "-P",
+            "--port")
+        .option(
+            "FILE",
+            "The port is written in FILE; with --start: write it there.",
+            "-w",
+            "--port-file")
+        .arguments(
+            "MODULE... [-- MODULE-OPTION...]",
+            "Jars, or folders of classes, looked for in URBI_UOBJECT_PATH. What follows -- is for"
+                + " the modules, or with --start for urbi.");
+    return program.run(own.toArray(String[]::new), out, err, this::launch);
+  }
+
+  private int launch(Arguments arguments) {
+    if (arguments.has("--print-root")) {
+      out.println(SearchPath.root());
+      return 0;
+    }
+    if (arguments.has("--check")) {
+      // Whoever reads this runs on a Java that is new enough, and the classes come with it.
+      return 0;
+    }
+    List<String> modes =
+        List.of("--plugin", "--remote", "--start").stream().filter(arguments::has).toList();
+    if (modes.size() > 1) {
+      throw Failure.usage("choose one of " + String.join(", ", modes));
+    }
+    if (arguments.has("--customize") && !arguments.has("--start")) {
+      throw Failure.usage("--customize needs --start");
+    }
+    if (arguments.has("--classpath")) {
+      System.setProperty("urbi.classpath", arguments.value("--classpath", ""));
+    }
+    if (arguments.has("--start")) {
+      return start(arguments);
+    }
+    if (arguments.rest().isEmpty()) {
+      throw Failure.usage("no MODULE: which UObjects are to be run?");
+    }
+    return arguments.has("--plugin") ? new PluginRequest(err).load(arguments) : remote(arguments);
+  }
+
+  private int start(Arguments arguments) {
+    List<String> options = new ArrayList<>();
+    for (String option : List.of("--host", "--port", "--port-file", "--debug")) {
+      if (arguments.has(option)) {
+        options.addAll(List.of(option, arguments.value(option, null)));
+      }
+    }
+    ModulePath path = ModulePath.ofEnvironment();
+    for (String module : arguments.rest()) {
+      options.addAll(List.of("--module", path.findJar(module).toString()));
+    }
+    options.addAll(moduleOptions);
+    String other = arguments.value("--customize", null);
+    return other == null
+        ? UrbiCommand.run(options.toArray(String[]::new), out, err)
+        : runProcess(other, options);
+  }
+
+  private static int runProcess(String program, List<String> options) {
+    List<String> command = new ArrayList<>();
+    command.add(program);
+    command.addAll(options);
+    try {
+      return new ProcessBuilder(command).inheritIO().start().waitFor();
+    } catch (IOException e) {
+      throw Failure.of("cannot run " + program + ": " + e.getMessage());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw Failure.of("interrupted");
+    }
+  }
+
+  private int remote(Arguments arguments) {
+    ModulePath path = ModulePath.ofEnvironment();
+    Target server = Target.of(arguments, arguments.value("--host", "127.0.0.1"));
+    List<String> words =
+        new ArrayList<>(List.of("--host", server.host(), "--port", String.valueOf(server.port())));
+    arguments.rest().forEach(module -> words.add(path.find(module).toString()));
+    words.addAll(moduleOptions);
+    return UMain.run(words.toArray(String[]::new), out, err);
+  }
+}

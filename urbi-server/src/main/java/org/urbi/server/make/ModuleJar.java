@@ -1,0 +1,136 @@
+package org.urbi.server.make;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.lang.classfile.ClassFile;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.time.LocalDateTime;
+import java.util.ArrayList;
+import java.util.Enumeration;
+import java.util.List;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.jar.Attributes;
+import java.util.jar.Manifest;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipFile;
+import java.util.zip.ZipOutputStream;
+import org.urbi.server.options.Failure;
+import urbi.UModuleIndex;
+
+/**
+ * The jar that is made: the same classes give the same bytes, whenever it is made. What was added
+ * first under a name stays.
+ */
+final class ModuleJar {
+  /** The least that a jar can express. */
+  private static final LocalDateTime LONG_AGO = LocalDateTime.of(1980, 1, 1, 0, 0);
+
+  private static final String CLASS = ".class";
+  private static final String META = "META-INF/";
+
+  private final SortedMap<String, byte[]> entries = new TreeMap<>();
+
+  /** Adds classes by their names in a jar. */
+  void add(Map<String, byte[]> classes) {
+    classes.forEach(entries::putIfAbsent);
+  }
+
+  /** Adds a class file, wherever it lies. */
+  void addClass(Path file) {
+    try {
+      byte[] bytes = Files.readAllBytes(file);
+      String name = ClassFile.of().parse(bytes).thisClass().asInternalName();
+      entries.putIfAbsent(name + CLASS, bytes);
+    } catch (IOException e) {
+      throw Failure.of("cannot read " + file + ": " + e.getMessage());
+    } catch (IllegalArgumentException e) {
+      throw Failure.of("not a class file: " + file);
+    }
+  }
+
+  /** Adds what is in another jar; of its manifest and signatures nothing is kept. */
+  void addLibrary(Path file) {
+    try (ZipFile zip = new ZipFile(file.toFile())) {
+      if (zip.getEntry("urbi/UObject.class") != null) {
+        // The package urbi is where the module runs; a second one would be none of its own.
+        return;
+      }
+      for (Enumeration<? extends ZipEntry> all = zip.entries(); all.hasMoreElements(); ) {
+        ZipEntry entry = all.nextElement();
+        if (!entry.isDirectory() && !entry.getName().startsWith(META)) {
+          entries.putIfAbsent(entry.getName(), zip.getInputStream(entry).readAllBytes());
+        }
+      }
+    } catch (IOException e) {
+      throw Failure.of("cannot read " + file + ": " + e.getMessage());
+    }
+  }
+
+  /** How many classes there are. */
+  int classCount() {
+    return (int) entries.keySet().stream().filter(name -> name.endsWith(CLASS)).count();
+  }
+
+  /** The names of the classes that declare UObjects. */
+  List<String> uobjects() {
+    List<String> names = new ArrayList<>();
+    entries.forEach((name, bytes) -> {
+      if (name.endsWith(CLASS) && !name.startsWith("urbi/") && UModuleIndex.declares(bytes)) {
+        names.add(name.substring(0, name.length() - CLASS.length()).replace('/', '.'));
+      }
+    });
+    return names;
+  }
+
+  /** Writes the jar: at once and whole, so that whoever watches the file never sees a half. */
+  void write(Path file) {
+    try {
+      Path folder = file.toAbsolutePath().getParent();
+      Path part = Files.createTempFile(folder, file.getFileName().toString(), ".part");
+      try {
+        try (OutputStream out = Files.newOutputStream(part)) {
+          write(out);
+        }
+        part.toFile().setReadable(true, false);
+        Files.move(part, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+      } finally {
+        Files.deleteIfExists(part);
+      }
+    } catch (IOException e) {
+      throw Failure.of("cannot write " + file + ": " + e);
+    }
+  }
+
+  private void write(OutputStream out) throws IOException {
+    try (ZipOutputStream zip = new ZipOutputStream(out)) {
+      ByteArrayOutputStream manifest = new ByteArrayOutputStream();
+      manifest().write(manifest);
+      write(zip, META + "MANIFEST.MF", manifest.toByteArray());
+      for (Map.Entry<String, byte[]> entry : entries.entrySet()) {
+        write(zip, entry.getKey(), entry.getValue());
+      }
+    }
+  }
+
+  private static void write(ZipOutputStream zip, String name, byte[] bytes) throws IOException {
+    ZipEntry entry = new ZipEntry(name);
+    entry.setTimeLocal(LONG_AGO);
+    zip.putNextEntry(entry);
+    zip.write(bytes);
+    zip.closeEntry();
+  }
+
+  private Manifest manifest() {
+    Manifest manifest = new Manifest();
+    Attributes attributes = manifest.getMainAttributes();
+    attributes.put(Attributes.Name.MANIFEST_VERSION, "1.0");
+    attributes.putValue("Created-By", "umake-java");
+    attributes.putValue(UModuleIndex.ATTRIBUTE, String.join(" ", uobjects()));
+    return manifest;
+  }
+}

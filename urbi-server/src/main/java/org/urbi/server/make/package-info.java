@@ -1,0 +1,5 @@
+/**
+ * The program {@code umake-java}: from sources to a module, a jar of UObjects (manual, "The
+ * umake-java and urbi-launch-java tools").
+ */
+package org.urbi.server.make;
