@@ -13,6 +13,7 @@ import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
 import org.urbi.server.tools.Target;
 import urbi.UMain;
+import urbi.rtp.RtpOptions;
 
 /**
  * The program {@code urbi-launch-java}: runs UObjects written in Java, in a process of their own
@@ -134,7 +135,8 @@ public final class UrbiLaunchJava {
     }
     ModulePath path = ModulePath.ofEnvironment();
     for (String module : arguments.rest()) {
-      options.addAll(List.of("--module", path.findJar(module).toString()));
+      String found = module.equals(RtpOptions.MODULE) ? module : path.findJar(module).toString();
+      options.addAll(List.of("--module", found));
     }
     options.addAll(moduleOptions);
     String other = arguments.value("--customize", null);
@@ -162,7 +164,10 @@ public final class UrbiLaunchJava {
     Target server = Target.of(arguments, arguments.value("--host", "127.0.0.1"));
     List<String> words =
         new ArrayList<>(List.of("--host", server.host(), "--port", String.valueOf(server.port())));
-    arguments.rest().forEach(module -> words.add(path.find(module).toString()));
+    arguments
+        .rest()
+        .forEach(module ->
+            words.add(module.equals(RtpOptions.MODULE) ? module : path.find(module).toString()));
     words.addAll(moduleOptions);
     return UMain.run(words.toArray(String[]::new), out, err);
   }
