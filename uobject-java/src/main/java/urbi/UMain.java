@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import urbi.remote.Failure;
 import urbi.remote.RemoteContext;
+import urbi.rtp.RtpOptions;
 
 /**
  * Runs UObjects in a process of their own, connected to a server (manual, "Providing a main class
@@ -27,6 +28,7 @@ public final class UMain {
             --reconnect       connect again whenever the connection is lost
 
       JARs, or folders of classes, hold UObjects; they are looked for in the folders of URBI_UOBJECT_PATH.
+      urbi/rtp as one of them has binaries sent in datagrams, if the server has loaded it, too.
       """;
 
   private static final int RECONNECT_MILLISECONDS = 1000;
@@ -37,6 +39,7 @@ public final class UMain {
   private String host = UAbstractClient.default_host();
   private int port = UAbstractClient.URBI_PORT;
   private boolean reconnect;
+  private boolean rtp;
 
   private UMain(PrintStream out, PrintStream err) {
     this.out = out;
@@ -91,7 +94,11 @@ public final class UMain {
           if (arguments[i].startsWith("-")) {
             throw new IllegalArgumentException("unknown option " + arguments[i] + ", see --help");
           }
-          jars.add(arguments[i]);
+          if (arguments[i].equals(RtpOptions.MODULE)) {
+            rtp = true;
+          } else {
+            jars.add(arguments[i]);
+          }
         }
       }
     }
@@ -177,6 +184,9 @@ public final class UMain {
   private String serve(List<UModule> loaded) {
     try (RemoteContext context = new RemoteContext(host, port)) {
       context.onOutput(text -> err.write(text, 0, text.length));
+      if (rtp) {
+        context.useRtp(RtpOptions.DEFAULT);
+      }
       for (UModule module : loaded) {
         start(module, context);
         module.classes().forEach(type -> out.println("started " + type.name()));

@@ -7,6 +7,7 @@ public final class Frame {
   // From either side.
   public static final int PING = 1;
   public static final int PONG = 2;
+  public static final int LEFT = 3;
 
   // From the remote process.
   public static final int CLASS = 16;
@@ -32,6 +33,8 @@ public final class Frame {
   public static final int ACCESSED = 36;
   public static final int RTP = 37;
   public static final int FENCE = 38;
+  public static final int RTP_OFFER = 39;
+  public static final int RTP_ACTIVE = 40;
 
   // From the kernel.
   public static final int NEW = 64;
@@ -42,4 +45,8 @@ public final class Frame {
   public static final int REPLY = 69;
   public static final int REFUSAL = 70;
   public static final int OUTPUT = 71;
+  public static final int RTP_LOADED = 72;
+  public static final int RTP_TERMS = 73;
+  public static final int RTP_REFUSED = 74;
+  public static final int RTP_MODE = 75;
 }

@@ -4,6 +4,7 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
@@ -62,6 +63,11 @@ final class Link implements AutoCloseable {
       throw e;
     }
     Thread.ofPlatform().daemon().name("urbi-remote-writer").start(this::write);
+  }
+
+  /** Where the server is. */
+  InetAddress address() {
+    return socket.getInetAddress();
   }
 
   private void awaitAgreement() throws IOException {

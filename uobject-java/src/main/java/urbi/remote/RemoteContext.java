@@ -10,6 +10,7 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -28,6 +29,9 @@ import urbi.UObjectMode;
 import urbi.USlot;
 import urbi.UThreadPool;
 import urbi.UValue;
+import urbi.rtp.RtpCounts;
+import urbi.rtp.RtpMode;
+import urbi.rtp.RtpOptions;
 
 /**
  * The context of UObjects in a process that is connected to a kernel.
@@ -53,6 +57,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   private final CompletableFuture<String> closed = new CompletableFuture<>();
   private final List<Consumer<byte[]>> listeners = new CopyOnWriteArrayList<>();
   private final LinkWatch watch;
+  private final RemoteDatagrams datagrams;
 
   /**
    * Connects to a server.
@@ -65,6 +70,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
         new LinkWatch(
             () -> sendNow(out -> out.begin(Frame.PING).end()),
             () -> end("the server does not answer any more"));
+    datagrams = new RemoteDatagrams(this, link.address());
     dispatcher.start();
   }
 
@@ -116,18 +122,22 @@ public final class RemoteContext implements UContext, AutoCloseable {
       case Frame.PING -> sendNow(out -> out.begin(Frame.PONG).end());
       case Frame.PONG -> {}
       case Frame.CALL -> call(frame.size(), frame.text(), frame.text(), frame.values());
-      case Frame.CHANGED -> {
-        RemoteSlot slot = slots.get(frame.size());
-        if (slot != null) {
-          slot.changed(frame.number(), frame.value());
-        }
-      }
+      case Frame.CHANGED -> changed(frame);
       case Frame.REPLY -> requests.answer(frame.size(), frame.value());
       case Frame.REFUSAL -> requests.refuse(frame.size(), frame.text());
       case Frame.NEW -> {
         String className = frame.text();
         String name = frame.text();
         later(() -> make(className, name));
+      }
+      case Frame.LEFT, Frame.RTP_LOADED, Frame.RTP_TERMS, Frame.RTP_REFUSED ->
+          datagrams.take(type, frame);
+      case Frame.RTP_MODE -> {
+        RemoteSlot slot = slots.get(frame.size());
+        RtpMode mode = RtpMode.of(frame.octet());
+        if (slot != null) {
+          slot.setRtp(mode);
+        }
       }
       case Frame.GONE -> {
         String name = frame.text();
@@ -148,6 +158,21 @@ public final class RemoteContext implements UContext, AutoCloseable {
       }
       default -> throw new WireException("no kind of frame: " + type);
     }
+  }
+
+  private void changed(WireInput frame) {
+    RemoteSlot slot = slots.get(frame.size());
+    if (slot != null) {
+      slot.changed(frame.number(), frame.value());
+    }
+  }
+
+  /** A datagram tells of a new value; returns when all have been told that are told in turn. */
+  void changedInDatagram(WireInput frame) throws InterruptedException {
+    var told = new CountDownLatch(1);
+    changed(frame);
+    dispatcher.runHere(told::countDown);
+    told.await();
   }
 
   /** Has something executed by the thread that calls UObjects, in turn. */
@@ -415,7 +440,34 @@ public final class RemoteContext implements UContext, AutoCloseable {
     }
   }
 
+  /** Sets a variable, by a datagram if that may be, and can. */
+  void set(int variable, UValue value, RtpMode mode) {
+    if (!mode.includes(value) || !datagrams.set(variable, value)) {
+      send(out -> {
+        datagrams.leave(variable, out);
+        out.begin(Frame.SET).size(variable).value(value).end();
+      });
+    }
+  }
+
+  /**
+   * Has binaries, and the variables for which {@link urbi.UVar#useRTP} asks, sent in datagrams, as
+   * soon as the kernel takes them: {@code urbi/rtp} has to be loaded there, too. Until then, and
+   * where datagrams do not get through, all goes over the connection.
+   *
+   * @return told whether datagrams get through, when that is known
+   */
+  public CompletableFuture<Boolean> useRtp(RtpOptions options) {
+    return datagrams.use(options);
+  }
+
+  /** What became of the datagrams; null if there were none. */
+  public RtpCounts rtpCounts() {
+    return datagrams.counts();
+  }
+
   void forget(RemoteSlot slot) {
+    datagrams.forget(slot.id());
     if (slots.remove(slot.id()) != null) {
       send(out -> out.begin(Frame.CLOSE).size(slot.id()).end());
     }
@@ -487,6 +539,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   private void end(String why) {
     link.close();
     watch.close();
+    datagrams.close();
     timers.close();
     threads.close();
     requests.lost(why);

@@ -7,6 +7,7 @@ import urbi.UObject;
 import urbi.UProperty;
 import urbi.USlot;
 import urbi.UValue;
+import urbi.rtp.RtpMode;
 
 /** A variable of the kernel, as a remote process sees it: its value is a copy that is kept up. */
 final class RemoteSlot implements USlot {
@@ -27,6 +28,7 @@ final class RemoteSlot implements USlot {
   private volatile UValue written = NONE;
   private volatile long timestamp;
   private volatile boolean owned;
+  private volatile RtpMode rtp = RtpMode.RTP_DEFAULT;
   private int watched = CHANGES_OF_OTHERS;
 
   RemoteSlot(RemoteContext context, int id, String name) {
@@ -55,7 +57,7 @@ final class RemoteSlot implements USlot {
     if (!owned) {
       value = other;
     }
-    context.send(out -> out.begin(Frame.SET).size(id).value(other).end());
+    context.set(id, other, rtp);
   }
 
   @Override
@@ -83,6 +85,11 @@ final class RemoteSlot implements USlot {
       context.notify(callback, value);
     }
     context.later(done);
+  }
+
+  /** Somebody has decided how the variable is to be sent. */
+  void setRtp(RtpMode mode) {
+    rtp = mode;
   }
 
   void setInitial(UValue initial) {
@@ -191,6 +198,7 @@ final class RemoteSlot implements USlot {
 
   @Override
   public void useRtp(boolean on) {
+    rtp = on ? RtpMode.RTP_YES : RtpMode.RTP_NO;
     context.send(out -> out.begin(Frame.RTP).size(id).octet(on ? 1 : 0).end());
   }
 

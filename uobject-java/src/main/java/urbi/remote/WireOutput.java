@@ -58,6 +58,11 @@ public final class WireOutput {
     return this;
   }
 
+  /** A copy of what is between the length and the end of the only frame. */
+  public byte[] inside() {
+    return Arrays.copyOfRange(bytes, start + 4, size);
+  }
+
   /** Forgets the frame that has been begun. */
   public void abandon() {
     size = start;

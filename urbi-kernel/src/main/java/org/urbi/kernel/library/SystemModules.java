@@ -7,9 +7,11 @@ import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.outside.ConfinedException;
 import org.urbi.kernel.uobject.Modules;
 import org.urbi.kernel.uobject.PluggedContext;
 import urbi.UModuleException;
+import urbi.rtp.RtpOptions;
 
 /** Modules with UObjects (manual, "System": loadModule, loadLibrary). */
 @UrbiTypePart("System")
@@ -53,11 +55,20 @@ final class SystemModules {
     load(frame, site, library, true);
   }
 
+  /** Whether it is the module that has no file: it has values sent in datagrams. */
+  private static boolean isRtp(Frame frame, UrbiObject module) {
+    return frame.interpreter().asString(frame, module).equals(RtpOptions.MODULE);
+  }
+
   private static void load(Frame frame, CallSite site, UrbiObject module, boolean library) {
-    Path file = file(frame, module);
     try {
-      modules(frame).load(frame, file, library);
-    } catch (UModuleException e) {
+      if (isRtp(frame, module)) {
+        KernelControl.of(frame).outside().confinement().checkConnections();
+        PluggedContext.of(frame).rtp().turn(true);
+      } else {
+        modules(frame).load(frame, file(frame, module), library);
+      }
+    } catch (UModuleException | ConfinedException e) {
       throw frame
           .interpreter()
           .errors()
@@ -67,7 +78,11 @@ final class SystemModules {
 
   @Builtin(doc = "Unloads a module: its objects are no longer UObjects.")
   static void unloadModule(Frame frame, CallSite site, UrbiObject self, UrbiObject module) {
-    if (!modules(frame).unload(frame, file(frame, module))) {
+    boolean unloaded =
+        isRtp(frame, module)
+            ? PluggedContext.of(frame).rtp().turn(false)
+            : modules(frame).unload(frame, file(frame, module));
+    if (!unloaded) {
       throw frame
           .interpreter()
           .errors()

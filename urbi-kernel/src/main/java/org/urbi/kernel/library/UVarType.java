@@ -7,6 +7,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Values;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.uobject.PluggedContext;
 import org.urbi.kernel.variable.Datum;
@@ -93,6 +94,24 @@ final class UVarType {
     if (Truth.of(frame, on)) {
       self.own();
     }
+  }
+
+  @Builtin(
+      doc =
+          "Whether its values travel in datagrams to and from remote UObjects, if urbi/rtp is"
+              + " loaded; nil for binaries only.")
+  static UrbiObject rtp(Frame frame, UrbiUVar self) {
+    Boolean on = self.rtp();
+    Values values = frame.interpreter().values();
+    return on == null ? values.nil : values.bool(on);
+  }
+
+  @Builtin(
+      value = "rtp",
+      setter = true,
+      doc = "Says whether its values travel in datagrams; UVar.rtp, whether those of all do.")
+  static void assignRtp(Frame frame, UrbiUVar self, UrbiObject on) {
+    self.setRtp(on == frame.interpreter().values().nil ? null : (Boolean) Truth.of(frame, on));
   }
 
   @Builtin(

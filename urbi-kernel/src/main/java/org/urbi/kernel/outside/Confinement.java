@@ -134,7 +134,7 @@ public final class Confinement {
   }
 
   /** Refuses connections, over the network or a serial line, if they are not allowed. */
-  void checkConnections() throws ConfinedException {
+  public void checkConnections() throws ConfinedException {
     if (directory != null) {
       throw new ConfinedException("connections are not allowed in this kernel");
     }

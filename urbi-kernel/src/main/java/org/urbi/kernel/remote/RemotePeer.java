@@ -16,6 +16,7 @@ import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.uobject.PluggedContext;
 import urbi.UClass;
 import urbi.UContext;
+import urbi.UDataType;
 import urbi.UEmitter;
 import urbi.UModule;
 import urbi.UObject;
@@ -25,6 +26,10 @@ import urbi.remote.Frame;
 import urbi.remote.WireException;
 import urbi.remote.WireInput;
 import urbi.remote.WireOutput;
+import urbi.rtp.RtpMode;
+import urbi.rtp.RtpOptions;
+import urbi.rtp.RtpSession;
+import urbi.rtp.RtpTerms;
 
 /**
  * One remote process: its classes, objects and variables.
@@ -58,6 +63,7 @@ public final class RemotePeer {
   private boolean making;
   private boolean behind;
   private volatile String lost;
+  private final Runnable rtpEnd;
 
   /**
    * @param name of the process, for people
@@ -75,6 +81,7 @@ public final class RemotePeer {
     this.wire = wire;
     this.module = new UModule(name);
     this.tasks = new RemoteTasks(scheduler, context::lobby, wire::consumed, this::failed);
+    this.rtpEnd = context.rtp().onTurn(this::rtpTurned);
   }
 
   // ------------------------------------------------------------------ on the network thread
@@ -132,10 +139,15 @@ public final class RemotePeer {
         String name = in.text();
         yield answering(number, () -> startClass(name));
       }
-      case Frame.RTP ->
-          () -> {
-            // There are no datagrams in this version: values keep to the connection.
-          };
+      case Frame.RTP -> {
+        int id = in.size();
+        boolean on = in.octet() == 1;
+        yield () -> variable(id).slot().useRtp(on);
+      }
+      case Frame.RTP_OFFER -> {
+        RtpTerms terms = RtpTerms.read(in);
+        yield () -> openDatagrams(terms);
+      }
       case Frame.FENCE -> answering(in.size(), UValue::new);
       case Frame.ATTACH -> {
         int number = in.size();
@@ -166,7 +178,7 @@ public final class RemotePeer {
       }
       case Frame.CLOSE, Frame.OWN -> {
         int id = in.size();
-        yield type == Frame.OWN ? () -> variable(id).own() : () -> variables.remove(id).close();
+        yield type == Frame.OWN ? () -> variable(id).own() : () -> close(id);
       }
       case Frame.WATCH, Frame.INTERCEPT -> {
         int id = in.size();
@@ -318,9 +330,21 @@ public final class RemotePeer {
     RemoteVariable variable =
         new RemoteVariable(this, id, port ? context.inputPort(name) : context.variable(name));
     variables.put(id, variable);
+    if (variable.rtp() != RtpMode.RTP_DEFAULT) {
+      tellRtp(variable);
+    }
     UValue value = port ? new UValue() : variable.slot().get();
     variable.watch(1);
     return value;
+  }
+
+  private void close(int id) {
+    variable(id).close();
+    variables.remove(id);
+    RtpSession datagrams = wire.datagrams();
+    if (datagrams != null) {
+      datagrams.close(id);
+    }
   }
 
   private RemoteVariable variable(int id) {
@@ -369,8 +393,61 @@ public final class RemotePeer {
       return false;
     }
     long time = scheduler.now() / 1000;
-    write(o -> o.begin(Frame.CHANGED).size(variable.id()).number(time).value(value).end());
+    int id = variable.id();
+    RtpSession datagrams = wire.datagrams();
+    if (datagrams != null && datagrams.isActive() && variable.rtp().includes(value)) {
+      byte[] frame =
+          new WireOutput(1 << 6)
+              .begin(Frame.CHANGED)
+              .size(id)
+              .number(time)
+              .value(value)
+              .end()
+              .inside();
+      if (datagrams.send(id, value.getType() == UDataType.DATA_BINARY, frame)) {
+        return true;
+      }
+    }
+    write(o -> {
+      if (datagrams != null) {
+        datagrams.leave(id, o, Frame.LEFT);
+      }
+      o.begin(Frame.CHANGED).size(id).number(time).value(value).end();
+    });
     return true;
+  }
+
+  /** Tells the process how a variable is to be sent. */
+  void tellRtp(RemoteVariable variable) {
+    if (lost == null) {
+      int mode = variable.rtp().ordinal();
+      write(o -> o.begin(Frame.RTP_MODE).size(variable.id()).octet(mode).end());
+    }
+  }
+
+  private void openDatagrams(RtpTerms terms) {
+    if (context.rtp().isOn()) {
+      wire.openDatagrams(terms);
+    } else {
+      refuseDatagrams("not loaded");
+    }
+  }
+
+  private void refuseDatagrams(String why) {
+    write(o -> o.begin(Frame.RTP_REFUSED).text(RtpOptions.MODULE + " is " + why).end());
+  }
+
+  /** The module that has values sent in datagrams was loaded, or unloaded. */
+  private void rtpTurned(boolean on) {
+    if (lost != null) {
+      return;
+    }
+    if (on) {
+      write(o -> o.begin(Frame.RTP_LOADED).end());
+    } else {
+      wire.closeDatagrams();
+      refuseDatagrams("not loaded any more");
+    }
   }
 
   private void refresh() {
@@ -431,6 +508,7 @@ public final class RemotePeer {
     all.forEach(UObject::clean);
     classes.values().forEach(context::stop);
     module.leave(context);
+    rtpEnd.run();
     tasks.end();
   }
 }

@@ -3,9 +3,12 @@ package org.urbi.kernel.remote;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
+import org.urbi.kernel.uobject.PluggedContext;
+import org.urbi.kernel.variable.UrbiUVar;
 import urbi.UCallback;
 import urbi.USlot;
 import urbi.UValue;
+import urbi.rtp.RtpMode;
 
 /** A variable that a remote process has opened. */
 final class RemoteVariable {
@@ -23,11 +26,15 @@ final class RemoteVariable {
   private int watch;
   private UValue beingSet;
   private boolean stale;
+  private final UrbiUVar variable;
+  private final Runnable rtpEnd;
 
   RemoteVariable(RemotePeer peer, int id, USlot slot) {
     this.peer = peer;
     this.id = id;
     this.slot = slot;
+    this.variable = PluggedContext.behind(slot);
+    this.rtpEnd = variable.onRtp(() -> peer.tellRtp(this));
   }
 
   private static MethodHandle find(String name, Class<?>... parameters) {
@@ -45,6 +52,15 @@ final class RemoteVariable {
 
   USlot slot() {
     return slot;
+  }
+
+  /** Whether its values travel in datagrams. */
+  RtpMode rtp() {
+    Boolean on = variable.rtp();
+    if (on == null) {
+      return RtpMode.RTP_DEFAULT;
+    }
+    return on ? RtpMode.RTP_YES : RtpMode.RTP_NO;
   }
 
   private UCallback callback(MethodHandle handle) {
@@ -109,6 +125,7 @@ final class RemoteVariable {
   }
 
   void close() {
+    rtpEnd.run();
     notification = null;
     interception = null;
     slot.close();

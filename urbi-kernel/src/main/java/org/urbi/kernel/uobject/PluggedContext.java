@@ -53,6 +53,7 @@ public final class PluggedContext implements UContext {
   private final CallStatistics statistics;
   private final ConnectionList connections = new ConnectionList();
   private final Tells tells = new Tells();
+  private final RtpSwitch rtp = new RtpSwitch();
   private final Periods periods;
   private final Modules modules;
   private final SystemLobby systemLobby;
@@ -122,6 +123,18 @@ public final class PluggedContext implements UContext {
   /** Loads and unloads modules. */
   public Modules modules() {
     return modules;
+  }
+
+  /** Whether values may travel in datagrams. */
+  public RtpSwitch rtp() {
+    return rtp;
+  }
+
+  /**
+   * The variable of urbiscript of which {@link #variable} or {@link #inputPort} has made a slot.
+   */
+  public static UrbiUVar behind(USlot slot) {
+    return ((PluggedSlot) slot).behind();
   }
 
   /** The links between variables. */

@@ -39,6 +39,10 @@ final class PluggedSlot implements USlot {
     return name;
   }
 
+  UrbiUVar behind() {
+    return variable;
+  }
+
   // ------------------------------------------------------------------ the value
 
   @Override
@@ -165,7 +169,11 @@ final class PluggedSlot implements USlot {
 
   @Override
   public void useRtp(boolean on) {
-    // Nothing travels here.
+    // Nothing travels here, but others may want to know of the values elsewhere.
+    context.inKernel(frame -> {
+      variable.setRtp(on);
+      return null;
+    });
   }
 
   @Override

@@ -64,6 +64,8 @@ public final class UrbiUVar extends UrbiObject {
   private boolean input;
   private boolean bypass;
   private boolean silent;
+  private Boolean rtp;
+  private final List<Runnable> onRtp = new ArrayList<>(0);
   private long written;
   private long lastId;
 
@@ -180,6 +182,36 @@ public final class UrbiUVar extends UrbiObject {
     if (!owned) {
       value = sensed;
     }
+  }
+
+  /**
+   * Whether its values travel in datagrams to and from remote processes (manual, "Per-UVar control
+   * of RTP mode"): what was said of it, else of the prototype; null if nothing was.
+   */
+  public Boolean rtp() {
+    UrbiUVar prototype = general();
+    return rtp != null || prototype == this ? rtp : prototype.rtp;
+  }
+
+  /** Says whether they do; of the prototype, for all of which nothing else is said. */
+  public void setRtp(Boolean on) {
+    rtp = on;
+    List.copyOf(onRtp).forEach(Runnable::run);
+  }
+
+  /** Has somebody told when that may have changed; returns what ends it. */
+  public Runnable onRtp(Runnable listener) {
+    UrbiUVar prototype = general();
+    onRtp.add(listener);
+    prototype.onRtp.add(listener);
+    return () -> {
+      onRtp.remove(listener);
+      prototype.onRtp.remove(listener);
+    };
+  }
+
+  private UrbiUVar general() {
+    return (UrbiUVar) world().prototype("UVar");
   }
 
   /** The event that is emitted with each new value. */

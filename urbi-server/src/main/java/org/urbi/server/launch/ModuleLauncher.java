@@ -14,6 +14,7 @@ import org.urbi.server.options.Program;
 import org.urbi.server.tools.Target;
 import urbi.UMain;
 import urbi.UModule;
+import urbi.rtp.RtpOptions;
 import urbi.UModuleException;
 
 /**
@@ -179,7 +180,8 @@ final class ModuleLauncher {
     }
     ModulePath path = ModulePath.ofEnvironment();
     for (String module : arguments.rest()) {
-      options.addAll(List.of("--module", path.findJar(module).toString()));
+      String found = module.equals(RtpOptions.MODULE) ? module : path.findJar(module).toString();
+      options.addAll(List.of("--module", found));
     }
     options.addAll(moduleOptions);
     String other = arguments.value("--customize", null);
@@ -207,7 +209,9 @@ final class ModuleLauncher {
     Target server = Target.of(arguments, arguments.value("--host", "127.0.0.1"));
     List<String> words =
         new ArrayList<>(List.of("--host", server.host(), "--port", String.valueOf(server.port())));
-    arguments.rest().forEach(module -> words.add(path.find(module).toString()));
+    for (String module : arguments.rest()) {
+      words.add(module.equals(RtpOptions.MODULE) ? module : path.find(module).toString());
+    }
     words.addAll(moduleOptions);
     return UMain.run(words.toArray(String[]::new), out, err);
   }

@@ -35,6 +35,7 @@ public final class ConsoleServer implements AutoCloseable {
   private final EventLoopGroup loop;
   private final ChannelGroup clients = new DefaultChannelGroup(GlobalEventExecutor.INSTANCE);
   private final Channel listener;
+  private final DatagramPort datagrams;
 
   /**
    * Starts listening.
@@ -70,6 +71,8 @@ public final class ConsoleServer implements AutoCloseable {
     loop =
         new MultiThreadIoEventLoopGroup(
             1, new DefaultThreadFactory("urbi-network", true), NioIoHandler.newFactory());
+    datagrams =
+        new DatagramPort(loop, () -> new InetSocketAddress(address.getAddress(), port()), trace);
     ChannelFuture bound =
         new ServerBootstrap()
             .group(loop)
@@ -89,7 +92,8 @@ public final class ConsoleServer implements AutoCloseable {
                           .pipeline()
                           .addLast(
                               new ProtocolSwitch(
-                                  () -> new FrameHandler(remotes, trace), Version.number()));
+                                  () -> new FrameHandler(remotes, datagrams, trace),
+                                  Version.number()));
                     }
                     client
                         .pipeline()
@@ -124,6 +128,7 @@ public final class ConsoleServer implements AutoCloseable {
   @Override
   public void close() {
     listener.close().awaitUninterruptibly();
+    datagrams.close();
     clients.newCloseFuture().awaitUninterruptibly(FAREWELL_SECONDS, TimeUnit.SECONDS);
     clients.close().awaitUninterruptibly();
     loop.shutdownGracefully(0, 1, TimeUnit.SECONDS).awaitUninterruptibly();

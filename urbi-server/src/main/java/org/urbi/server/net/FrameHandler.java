@@ -16,6 +16,8 @@ import urbi.remote.Frame;
 import urbi.remote.Protocol;
 import urbi.remote.WireException;
 import urbi.remote.WireInput;
+import urbi.rtp.RtpSession;
+import urbi.rtp.RtpTerms;
 
 /**
  * A process with UObjects: cuts what it sends into frames for the kernel, and sends those of the
@@ -33,10 +35,12 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
 
   private final BiFunction<String, RemoteWire, RemotePeer> peers;
   private final Trace trace;
+  private final DatagramPort port;
   private final AtomicLong unconsumed = new AtomicLong();
   private ChannelHandlerContext context;
   private FrameOutput output;
   private RemotePeer peer;
+  private FrameDatagrams datagrams;
   private ByteBuf partial = Unpooled.EMPTY_BUFFER;
   private ScheduledFuture<?> watch;
   private long heard;
@@ -45,8 +49,10 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
 
   /**
    * @param peers makes the kernel's side, of a name for people
+   * @param port where datagrams come and go
    */
-  FrameHandler(BiFunction<String, RemoteWire, RemotePeer> peers, Trace trace) {
+  FrameHandler(BiFunction<String, RemoteWire, RemotePeer> peers, DatagramPort port, Trace trace) {
+    this.port = port;
     this.peers = peers;
     this.trace = trace;
   }
@@ -56,6 +62,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
     context = added;
     heard = added.executor().ticker().nanoTime();
     output = new FrameOutput(added, () -> peer.drained());
+    datagrams = new FrameDatagrams(added.executor(), port, output::writeAndFlush, this::value);
     peer = peers.apply(String.valueOf(added.channel().id().asShortText()), this);
     watch = added.executor().scheduleWithFixedDelay(this::watch, 1, 1, TimeUnit.SECONDS);
     trace.debug("client has UObjects: " + added.channel().remoteAddress());
@@ -123,12 +130,44 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
         in.skipBytes(1);
         context.fireChannelRead(in.readRetainedSlice(length - 1));
       }
+      case Frame.LEFT, Frame.RTP_ACTIVE -> {
+        byte[] bytes = new byte[length];
+        in.readBytes(bytes);
+        aboutDatagrams(new WireInput(bytes, 0, length));
+      }
       default -> {
         byte[] bytes = new byte[length];
         in.readBytes(bytes);
         unconsumed.addAndGet(length);
         peer.receive(length, new WireInput(bytes, 0, length));
       }
+    }
+  }
+
+  private void aboutDatagrams(WireInput in) {
+    int type = in.octet();
+    RtpSession session = datagrams.session();
+    if (session == null) {
+      return;
+    }
+    if (type == Frame.LEFT) {
+      session.left(in);
+    } else {
+      session.setActive(in.octet() == 1);
+    }
+  }
+
+  /** A value has come in datagrams. While the kernel has enough to do, such are dropped. */
+  private void value(byte[] frame) {
+    if (over || unconsumed.get() > MOST_INPUT || frame[0] != Frame.SET) {
+      return;
+    }
+    try {
+      peer.receive(frame.length, new WireInput(frame, 0, frame.length));
+      unconsumed.addAndGet(frame.length);
+      peer.received();
+    } catch (WireException e) {
+      trace.debug("a datagram makes no sense: " + e.getMessage());
     }
   }
 
@@ -166,6 +205,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
   public void channelInactive(ChannelHandlerContext gone) {
     over = true;
     watch.cancel(false);
+    datagrams.lost();
     peer.lost(reason);
     gone.fireChannelInactive();
   }
@@ -194,6 +234,21 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
     } else {
       output.send(frames);
     }
+  }
+
+  @Override
+  public void openDatagrams(RtpTerms terms) {
+    datagrams.open(terms);
+  }
+
+  @Override
+  public RtpSession datagrams() {
+    return datagrams.session();
+  }
+
+  @Override
+  public void closeDatagrams() {
+    datagrams.close();
   }
 
   @Override

@@ -1,0 +1,330 @@
+package urbi.remote;
+
+import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.PortUnreachableException;
+import java.net.SocketException;
+import java.security.SecureRandom;
+import java.util.Iterator;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import urbi.UClientException;
+import urbi.UDataType;
+import urbi.UValue;
+import urbi.rtp.RtpCounts;
+import urbi.rtp.RtpOptions;
+import urbi.rtp.RtpSession;
+import urbi.rtp.RtpTerms;
+
+/** The datagrams of a remote process: agrees upon them with the kernel, sends and receives them. */
+final class RemoteDatagrams implements AutoCloseable {
+  private static final int BUFFER = 4 << 20;
+  private static final int LARGEST = 1 << 16;
+  private static final long PROBE_MILLISECONDS = 50;
+
+  private final RemoteContext context;
+  private final InetAddress server;
+  private RtpOptions options;
+  private CompletableFuture<Boolean> works;
+  private volatile Path path;
+  private boolean closed;
+
+  RemoteDatagrams(RemoteContext context, InetAddress server) {
+    this.context = context;
+    this.server = server;
+  }
+
+  // ------------------------------------------------------------------ agreement
+
+  /** Offers datagrams to the kernel. */
+  synchronized CompletableFuture<Boolean> use(RtpOptions wanted) {
+    if (works == null || works.isDone()) {
+      works = new CompletableFuture<>();
+    }
+    options = wanted;
+    offer();
+    return works.copy();
+  }
+
+  private void offer() {
+    end();
+    try {
+      path = new Path(new DatagramSocket());
+      RtpTerms own = path.own;
+      context.sendNow(out -> own.write(out.begin(Frame.RTP_OFFER)).end());
+    } catch (IOException e) {
+      fails("no datagrams: " + e.getMessage());
+    }
+  }
+
+  /** The kernel says something about datagrams; on the thread that reads. */
+  void take(int type, WireInput frame) {
+    switch (type) {
+      case Frame.LEFT -> {
+        Path present = path;
+        if (present != null && present.session != null) {
+          present.session.left(frame);
+        }
+      }
+      case Frame.RTP_LOADED -> loaded();
+      case Frame.RTP_TERMS -> accepted(RtpTerms.read(frame));
+      default -> refused(frame.text());
+    }
+  }
+
+  private synchronized void loaded() {
+    if (options != null && !closed) {
+      if (works.isDone()) {
+        works = new CompletableFuture<>();
+      }
+      offer();
+    }
+  }
+
+  private synchronized void accepted(RtpTerms other) {
+    if (path != null && path.session == null && !closed) {
+      path.begin(other);
+    }
+  }
+
+  /** It is not loaded there, or not any more; it may be later. */
+  private synchronized void refused(String why) {
+    end();
+    fails(why);
+  }
+
+  private synchronized void fails(String why) {
+    if (!closed) {
+      context.report("RTP is not used: " + why);
+    }
+    if (works != null) {
+      works.complete(false);
+    }
+  }
+
+  private void end() {
+    Path old = path;
+    path = null;
+    if (old != null) {
+      old.close();
+    }
+  }
+
+  // ------------------------------------------------------------------ values
+
+  /** Sends the value of a variable; false if it has to go over the connection. */
+  boolean set(int variable, UValue value) {
+    Path present = path;
+    if (present == null || present.session == null || !present.session.isActive()) {
+      return false;
+    }
+    byte[] frame =
+        new WireOutput(1 << 6).begin(Frame.SET).size(variable).value(value).end().inside();
+    return present.session.send(variable, value.getType() == UDataType.DATA_BINARY, frame);
+  }
+
+  /** The next value of a variable goes over the connection, in this output. */
+  void leave(int variable, WireOutput out) {
+    Path present = path;
+    if (present != null && present.session != null) {
+      present.session.leave(variable, out, Frame.LEFT);
+    }
+  }
+
+  void forget(int variable) {
+    Path present = path;
+    if (present != null && present.session != null) {
+      present.session.close(variable);
+    }
+  }
+
+  RtpCounts counts() {
+    Path present = path;
+    return present == null || present.session == null ? null : present.session.counts();
+  }
+
+  @Override
+  public synchronized void close() {
+    closed = true;
+    end();
+    if (works != null) {
+      works.complete(false);
+    }
+  }
+
+  // ------------------------------------------------------------------ one agreement
+
+  /** A socket, and the threads that it needs. */
+  private final class Path implements RtpSession.Surroundings, AutoCloseable {
+    private final DatagramSocket socket;
+    private final RtpTerms own;
+    private final ScheduledThreadPoolExecutor clock;
+    private final Map<Integer, byte[]> arrived = new LinkedHashMap<>();
+    private volatile RtpSession session;
+    private Thread delivery;
+    private long probes;
+
+    Path(DatagramSocket socket) throws SocketException {
+      this.socket = socket;
+      socket.setReceiveBufferSize(BUFFER);
+      socket.setSendBufferSize(BUFFER);
+      int suitable =
+          server.isLoopbackAddress() ? RtpTerms.LOOPBACK_DATAGRAM : RtpTerms.USUAL_DATAGRAM;
+      SecureRandom random = new SecureRandom();
+      own =
+          new RtpTerms(
+              socket.getLocalPort(),
+              random.nextInt(),
+              random.nextLong(),
+              socket.getReceiveBufferSize(),
+              options.datagram() == 0 ? suitable : options.datagram());
+      clock =
+          new ScheduledThreadPoolExecutor(
+              1, Thread.ofPlatform().daemon().name("urbi-remote-rtp").factory());
+      clock.setRemoveOnCancelPolicy(true);
+    }
+
+    void begin(RtpTerms other) {
+      socket.connect(server, options.port() == 0 ? other.port() : options.port());
+      session = new RtpSession(own, other, this);
+      probes = Math.max(1, options.patience().toMillis() / PROBE_MILLISECONDS);
+      Thread.ofPlatform().daemon().name("urbi-remote-rtp-in").start(this::receive);
+      delivery = Thread.ofPlatform().daemon().name("urbi-remote-rtp-values").start(this::deliver);
+      after(0, this::probe);
+    }
+
+    private void probe() {
+      if (session.isActive() || path != this) {
+        return;
+      }
+      if (probes-- > 0) {
+        session.probe();
+        after(PROBE_MILLISECONDS, this::probe);
+      } else {
+        refused(
+            "datagrams do not get through to " + server.getHostAddress() + ":" + socket.getPort());
+      }
+    }
+
+    private void receive() {
+      byte[] bytes = new byte[LARGEST];
+      while (!socket.isClosed()) {
+        try {
+          DatagramPacket packet = new DatagramPacket(bytes, bytes.length);
+          socket.receive(packet);
+          session.receive(bytes, packet.getLength());
+        } catch (PortUnreachableException e) {
+          // Nobody listens there now; probes and reports that do not come tell the same.
+        } catch (IOException e) {
+          if (!socket.isClosed()) {
+            broken();
+            return;
+          }
+        }
+      }
+    }
+
+    @Override
+    public void send(byte[] datagram) {
+      try {
+        socket.send(new DatagramPacket(datagram, datagram.length));
+      } catch (IOException e) {
+        // It is lost, as any may be.
+      }
+    }
+
+    @Override
+    public void run(Runnable task) {
+      task.run();
+    }
+
+    @Override
+    public void after(long milliseconds, Runnable task) {
+      try {
+        clock.schedule(task, milliseconds, TimeUnit.MILLISECONDS);
+      } catch (RejectedExecutionException e) {
+        // It is over.
+      }
+    }
+
+    @Override
+    public long microseconds() {
+      return System.nanoTime() / 1000;
+    }
+
+    @Override
+    public void answered() {
+      synchronized (RemoteDatagrams.this) {
+        if (path == this && !session.isActive()) {
+          session.setActive(true);
+          context.sendNow(out -> out.begin(Frame.RTP_ACTIVE).octet(1).end());
+          works.complete(true);
+        }
+      }
+    }
+
+    @Override
+    public void broken() {
+      try {
+        context.sendNow(out -> out.begin(Frame.RTP_ACTIVE).octet(0).end());
+        refused("datagrams do not get through any more");
+      } catch (UClientException e) {
+        // There is no connection any more either.
+      }
+    }
+
+    /** Of a variable whose values come faster than they are taken, the newest one is taken. */
+    @Override
+    public void take(int variable, byte[] frame) {
+      synchronized (arrived) {
+        arrived.put(variable, frame);
+        arrived.notifyAll();
+      }
+    }
+
+    private void deliver() {
+      try {
+        while (true) {
+          byte[] frame = next();
+          try {
+            WireInput in = new WireInput(frame, 0, frame.length);
+            if (in.octet() == Frame.CHANGED) {
+              context.changedInDatagram(in);
+            }
+          } catch (WireException e) {
+            // It is dropped, as are other datagrams that make no sense.
+          }
+        }
+      } catch (InterruptedException e) {
+        // It is over.
+      }
+    }
+
+    private byte[] next() throws InterruptedException {
+      synchronized (arrived) {
+        while (arrived.isEmpty()) {
+          arrived.wait();
+        }
+        Iterator<byte[]> first = arrived.values().iterator();
+        byte[] frame = first.next();
+        first.remove();
+        return frame;
+      }
+    }
+
+    @Override
+    public void close() {
+      socket.close();
+      clock.shutdownNow();
+      if (delivery != null) {
+        delivery.interrupt();
+      }
+    }
+  }
+}

@@ -1,0 +1,225 @@
+package urbi.rtp;
+
+import java.util.ArrayDeque;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Iterator;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/**
+ * Cuts frames into datagrams, and sends no more of them than the other side has room for: it
+ * reports what it has read. Of a variable that changes faster than that, the newest value is sent.
+ *
+ * <p>Values that are no binaries share a stream; each variable that once had a binary has its own.
+ */
+final class RtpSender {
+  /** How long a report may take, in milliseconds, until what it should tell of is thought lost. */
+  private static final long PATIENCE_MILLISECONDS = 50;
+
+  /** After so many reports that did not come nothing gets through any more. */
+  private static final int MOST_SILENT = 20;
+
+  /** Where the datagrams go. */
+  interface Out {
+    void send(byte[] datagram);
+
+    /** Has something done after a while. */
+    void after(long milliseconds, Runnable task);
+
+    long microseconds();
+
+    /** Nothing gets through any more; told once. */
+    void broken();
+  }
+
+  /** What was sent of a variable before a number in a stream is out of date. */
+  record Past(int ssrc, int sequence) {}
+
+  private static final class Stream {
+    private final int ssrc;
+    private int next;
+
+    /** The sizes of the last datagrams, of which no report has told yet. */
+    private final ArrayDeque<Integer> unreported = new ArrayDeque<>();
+
+    Stream(int ssrc, int first) {
+      this.ssrc = ssrc;
+      this.next = first;
+    }
+  }
+
+  private static final class Outgoing {
+    private final Stream stream;
+    private final int variable;
+    private final byte[] frame;
+    private final int timestamp;
+    private int index;
+
+    Outgoing(Stream stream, int variable, byte[] frame, int timestamp) {
+      this.stream = stream;
+      this.variable = variable;
+      this.frame = frame;
+      this.timestamp = timestamp;
+    }
+  }
+
+  private final RtpTerms own;
+  private final RtpTerms other;
+  private final RtpCounts counts;
+  private final Out out;
+  private final int part;
+  private final int window;
+  private final Map<Integer, Stream> streams = new HashMap<>();
+
+  /** In which stream a variable was sent last, since it was sent otherwise. */
+  private final Map<Integer, Stream> used = new HashMap<>();
+
+  private final Map<Integer, Outgoing> waiting = new LinkedHashMap<>();
+  private Outgoing current;
+  private int inFlight;
+  private boolean watching;
+  private boolean reported;
+  private int silent;
+  private boolean broken;
+
+  RtpSender(RtpTerms own, RtpTerms other, RtpCounts counts, Out out) {
+    this.own = own;
+    this.other = other;
+    this.counts = counts;
+    this.out = out;
+    this.part = Math.min(own.datagram(), other.datagram()) - RtpPacket.HEADER;
+    this.window = other.window();
+  }
+
+  /** Takes a frame, which {@link #pump} will send; false if it has to go another way. */
+  synchronized boolean offer(int variable, boolean binary, byte[] frame) {
+    if (broken || frame.length > (long) part * RtpPacket.MOST_PARTS) {
+      return false;
+    }
+    int timestamp = (int) (out.microseconds() * 9 / 100);
+    Stream stream = stream(variable, binary);
+    used.put(variable, stream);
+    if (waiting.put(variable, new Outgoing(stream, variable, frame, timestamp)) != null) {
+      counts.replaced.increment();
+    }
+    return true;
+  }
+
+  private Stream stream(int variable, boolean binary) {
+    int single = own.ssrc() + variable;
+    int ssrc = binary || streams.containsKey(single) ? single : own.ssrc();
+    // Numbers start anywhere, so that they cannot be guessed.
+    return streams.computeIfAbsent(
+        ssrc, key -> new Stream(key, (int) (own.token() ^ other.token()) + key & 0xffff));
+  }
+
+  /** The variable goes another way from now on; null if it has not gone this one. */
+  synchronized Past past(int variable) {
+    Stream stream = used.remove(variable);
+    if (stream == null) {
+      return null;
+    }
+    forget(variable);
+    return new Past(stream.ssrc, stream.next & 0xffff);
+  }
+
+  /** The variable is not used any more. */
+  synchronized void close(int variable) {
+    used.remove(variable);
+    forget(variable);
+    Stream single = streams.remove(own.ssrc() + variable);
+    if (single != null) {
+      single.unreported.forEach(size -> inFlight -= size);
+    }
+  }
+
+  private void forget(int variable) {
+    waiting.remove(variable);
+    if (current != null && current.variable == variable) {
+      current = null;
+    }
+  }
+
+  /** Sends as much as there is room for. */
+  synchronized void pump() {
+    while (!broken && (inFlight == 0 || inFlight + part <= window)) {
+      if (current == null) {
+        Iterator<Outgoing> first = waiting.values().iterator();
+        if (!first.hasNext()) {
+          break;
+        }
+        current = first.next();
+        first.remove();
+      }
+      sendPart();
+    }
+    if (!broken && !watching && inFlight > 0) {
+      watching = true;
+      reported = false;
+      out.after(PATIENCE_MILLISECONDS, this::watch);
+    }
+  }
+
+  private void sendPart() {
+    Outgoing going = current;
+    Stream stream = going.stream;
+    int from = going.index * part;
+    int to = Math.min(from + part, going.frame.length);
+    int count = Math.max(1, (going.frame.length + part - 1) / part);
+    byte[] datagram =
+        new RtpPacket(
+                stream.next++ & 0xffff,
+                going.timestamp,
+                stream.ssrc,
+                other.token(),
+                going.variable,
+                going.index,
+                count,
+                Arrays.copyOfRange(going.frame, from, to))
+            .toBytes();
+    stream.unreported.add(datagram.length);
+    inFlight += datagram.length;
+    if (++going.index == count) {
+      current = null;
+      counts.sent.increment();
+    }
+    out.send(datagram);
+  }
+
+  /** Has a report come since? */
+  private void watch() {
+    boolean over;
+    synchronized (this) {
+      watching = false;
+      if (!reported && inFlight > 0) {
+        silent++;
+        inFlight = 0;
+        streams.values().forEach(stream -> stream.unreported.clear());
+      }
+      broken |= silent >= MOST_SILENT;
+      over = broken;
+    }
+    if (over) {
+      out.broken();
+    } else {
+      pump();
+    }
+  }
+
+  /** The other side has reported how far it has read. */
+  synchronized void reported(Map<Integer, Integer> highest) {
+    reported = true;
+    silent = 0;
+    highest.forEach((ssrc, sequence) -> {
+      Stream stream = streams.get(ssrc);
+      if (stream != null) {
+        int behind = (short) (stream.next - 1 - sequence);
+        while (behind >= 0 && stream.unreported.size() > behind) {
+          inFlight -= stream.unreported.poll();
+        }
+      }
+    });
+    pump();
+  }
+}

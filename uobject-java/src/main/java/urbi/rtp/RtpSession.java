@@ -1,0 +1,204 @@
+package urbi.rtp;
+
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicBoolean;
+import urbi.remote.WireInput;
+import urbi.remote.WireOutput;
+
+/**
+ * One end of the datagrams between a process with UObjects and the kernel. Its methods may be
+ * called from any thread.
+ */
+public final class RtpSession {
+  /** What surrounds an end. Its methods may be called from any thread, and must not wait. */
+  public interface Surroundings {
+    /** Sends a datagram to the other end; it may get lost. */
+    void send(byte[] datagram);
+
+    /** Has something done by the thread that sends. */
+    void run(Runnable task);
+
+    /** Has something done by that thread, after a while. */
+    void after(long milliseconds, Runnable task);
+
+    /** The time, from any beginning. */
+    long microseconds();
+
+    /** A frame has come; told by the thread that receives. */
+    void take(int variable, byte[] frame);
+
+    /** A probe has been answered: datagrams go both ways. */
+    void answered();
+
+    /** Nothing gets through any more; told once. */
+    void broken();
+  }
+
+  /** What has come is reported after that time, if it is not much before. */
+  private static final long REPORT_MILLISECONDS = 20;
+
+  private final RtpTerms own;
+  private final RtpTerms other;
+  private final Surroundings around;
+  private final RtpCounts counts = new RtpCounts();
+  private final RtpSender sender;
+  private final RtpReceiver receiver;
+  private final AtomicBoolean reporting = new AtomicBoolean();
+  private volatile boolean active;
+
+  /**
+   * @param own what this end has told the other
+   * @param other what the other has told this one
+   */
+  public RtpSession(RtpTerms own, RtpTerms other, Surroundings around) {
+    this.own = own;
+    this.other = other;
+    this.around = around;
+    this.sender = new RtpSender(own, other, counts, new ToOther());
+    this.receiver = new RtpReceiver(own, other, counts);
+  }
+
+  private final class ToOther implements RtpSender.Out {
+    @Override
+    public void send(byte[] datagram) {
+      around.send(datagram);
+    }
+
+    @Override
+    public void after(long milliseconds, Runnable task) {
+      around.after(milliseconds, task);
+    }
+
+    @Override
+    public long microseconds() {
+      return around.microseconds();
+    }
+
+    @Override
+    public void broken() {
+      active = false;
+      around.broken();
+    }
+  }
+
+  /** What became of the frames. */
+  public RtpCounts counts() {
+    return counts;
+  }
+
+  /**
+   * Whether values may be sent: a probe has come through, and nothing is known against it since.
+   */
+  public boolean isActive() {
+    return active;
+  }
+
+  public void setActive(boolean on) {
+    active = on;
+  }
+
+  /** Asks the other end for a sign of life. */
+  public void probe() {
+    around.send(RtcpPacket.probe(RtcpPacket.Kind.PROBE, own.ssrc(), other.token()).toBytes());
+  }
+
+  // ------------------------------------------------------------------ sending
+
+  /**
+   * Sends a frame.
+   *
+   * @param binary whether it has a binary, so that the variable gets a stream of its own
+   * @return false if it has to go over the connection
+   */
+  public boolean send(int variable, boolean binary, byte[] frame) {
+    if (!active || !sender.offer(variable, binary, frame)) {
+      return false;
+    }
+    around.run(sender::pump);
+    return true;
+  }
+
+  /**
+   * The next value of a variable is sent over the connection: before it, writes the frame there
+   * that says so, if the last one was not.
+   */
+  public void leave(int variable, WireOutput out, int frame) {
+    RtpSender.Past past = sender.past(variable);
+    if (past != null) {
+      out.begin(frame).size(variable).size(past.ssrc()).size(past.sequence()).end();
+    }
+  }
+
+  /** The variable is used no more. */
+  public void close(int variable) {
+    sender.close(variable);
+  }
+
+  // ------------------------------------------------------------------ receiving
+
+  /** What {@link #leave} has written at the other end has come: the fields of the frame. */
+  public void left(WireInput in) {
+    int variable = in.size();
+    receiver.past(variable, new RtpSender.Past(in.size(), in.size() & 0xffff));
+  }
+
+  /** The token of a datagram; 0 if it has none. */
+  public static long token(byte[] bytes, int length) {
+    if (RtcpPacket.is(bytes, length)) {
+      RtcpPacket packet = RtcpPacket.read(bytes, length);
+      return packet == null ? 0 : packet.token();
+    }
+    RtpPacket packet = RtpPacket.read(bytes, length);
+    return packet == null ? 0 : packet.token();
+  }
+
+  /** Takes a datagram; what is none of the other end's is dropped. */
+  public void receive(byte[] bytes, int length) {
+    if (RtcpPacket.is(bytes, length)) {
+      control(RtcpPacket.read(bytes, length));
+      return;
+    }
+    RtpPacket packet = RtpPacket.read(bytes, length);
+    if (packet == null || packet.token() != own.token()) {
+      counts.refused.increment();
+      return;
+    }
+    byte[] frame = receiver.take(packet);
+    report(false);
+    if (reporting.compareAndSet(false, true)) {
+      around.after(
+          REPORT_MILLISECONDS,
+          () -> {
+            reporting.set(false);
+            report(true);
+          });
+    }
+    if (frame != null) {
+      around.take(packet.variable(), frame);
+    }
+  }
+
+  private void report(boolean now) {
+    RtcpPacket report = receiver.report(now);
+    if (report != null) {
+      around.send(report.toBytes());
+    }
+  }
+
+  private void control(RtcpPacket packet) {
+    if (packet == null || packet.token() != own.token()) {
+      counts.refused.increment();
+      return;
+    }
+    switch (packet.kind()) {
+      case REPORT -> {
+        Map<Integer, Integer> highest = packet.highest();
+        around.run(() -> sender.reported(highest));
+      }
+      case PROBE ->
+          around.send(
+              RtcpPacket.probe(RtcpPacket.Kind.ANSWER, own.ssrc(), other.token()).toBytes());
+      case ANSWER -> around.answered();
+    }
+  }
+}

@@ -1,0 +1,124 @@
+package org.urbi.server.net;
+
+import io.netty.bootstrap.Bootstrap;
+import io.netty.buffer.ByteBuf;
+import io.netty.channel.Channel;
+import io.netty.channel.ChannelFuture;
+import io.netty.channel.ChannelHandlerContext;
+import io.netty.channel.ChannelOption;
+import io.netty.channel.EventLoopGroup;
+import io.netty.channel.FixedRecvByteBufAllocator;
+import io.netty.channel.SimpleChannelInboundHandler;
+import io.netty.channel.socket.DatagramPacket;
+import io.netty.channel.socket.nio.NioDatagramChannel;
+import java.net.InetSocketAddress;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.urbi.server.Trace;
+import urbi.rtp.RtpSession;
+
+/**
+ * The UDP port of a server: datagrams go to the connection whose token they show, all others are
+ * dropped. It is opened when the first connection wants it. All is done on the network thread.
+ */
+final class DatagramPort {
+  /** Somebody to whom datagrams go. */
+  interface Receiver {
+    void receive(byte[] datagram, InetSocketAddress sender);
+  }
+
+  private static final int LARGEST = 1 << 16;
+  private static final int BUFFER = 4 << 20;
+
+  private final EventLoopGroup loop;
+  private final Supplier<InetSocketAddress> server;
+  private final Trace trace;
+  private final Map<Long, Receiver> receivers = new HashMap<>();
+  private Channel channel;
+  private long refused;
+
+  /**
+   * @param server where it listens; the port is another one if that is taken
+   */
+  DatagramPort(EventLoopGroup loop, Supplier<InetSocketAddress> server, Trace trace) {
+    this.loop = loop;
+    this.server = server;
+    this.trace = trace;
+  }
+
+  /** Opens the port unless it is open, then calls one of the two. */
+  void open(Consumer<Channel> opened, Consumer<String> failed) {
+    if (channel != null) {
+      opened.accept(channel);
+      return;
+    }
+    InetSocketAddress same = server.get();
+    InetSocketAddress any = new InetSocketAddress(same.getAddress(), 0);
+    bind(same, opened, refusal -> bind(any, opened, failed));
+  }
+
+  private void bind(InetSocketAddress where, Consumer<Channel> opened, Consumer<String> failed) {
+    ChannelFuture bound =
+        new Bootstrap()
+            .group(loop)
+            .channel(NioDatagramChannel.class)
+            .option(ChannelOption.SO_RCVBUF, BUFFER)
+            .option(ChannelOption.SO_SNDBUF, BUFFER)
+            .option(ChannelOption.RECVBUF_ALLOCATOR, new FixedRecvByteBufAllocator(LARGEST))
+            .handler(new Incoming())
+            .bind(where);
+    bound.addListener(done -> {
+      if (!done.isSuccess()) {
+        failed.accept("cannot take datagrams: " + done.cause().getMessage());
+      } else if (channel != null) {
+        bound.channel().close();
+        opened.accept(channel);
+      } else {
+        channel = bound.channel();
+        trace.debug("taking datagrams on " + channel.localAddress());
+        opened.accept(channel);
+      }
+    });
+  }
+
+  /** From now on datagrams with a token go to somebody. */
+  void add(long token, Receiver receiver) {
+    receivers.put(token, receiver);
+  }
+
+  void remove(long token) {
+    receivers.remove(token);
+  }
+
+  void close() {
+    loop.next()
+        .execute(() -> {
+          if (channel != null) {
+            channel.close();
+          }
+        });
+  }
+
+  private final class Incoming extends SimpleChannelInboundHandler<DatagramPacket> {
+    @Override
+    protected void channelRead0(ChannelHandlerContext context, DatagramPacket packet) {
+      ByteBuf content = packet.content();
+      byte[] bytes = new byte[content.readableBytes()];
+      content.readBytes(bytes);
+      Receiver receiver = receivers.get(RtpSession.token(bytes, bytes.length));
+      if (receiver != null) {
+        receiver.receive(bytes, packet.sender());
+      } else if (refused++ == 0) {
+        trace.debug("a stranger sends datagrams: " + packet.sender());
+      }
+    }
+
+    @Override
+    public void exceptionCaught(ChannelHandlerContext context, Throwable cause) {
+      // A datagram could not be sent or taken: it is lost, as any may be.
+      trace.debug("a datagram is lost: " + cause.getMessage());
+    }
+  }
+}
