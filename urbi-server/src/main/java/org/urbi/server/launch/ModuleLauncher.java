@@ -14,8 +14,8 @@ import org.urbi.server.options.Program;
 import org.urbi.server.tools.Target;
 import urbi.UMain;
 import urbi.UModule;
-import urbi.rtp.RtpOptions;
 import urbi.UModuleException;
+import urbi.rtp.RtpOptions;
 
 /**
  * Runs UObjects in a process of their own that is connected to a server, or plugged into one
