@@ -73,7 +73,7 @@ final class RemoteDatagrams implements AutoCloseable {
         }
       }
       case Frame.RTP_LOADED -> loaded();
-      case Frame.RTP_TERMS -> accepted(RtpTerms.read(frame));
+      case Frame.RTP_TERMS -> accepted(frame.number(), RtpTerms.read(frame));
       default -> refused(frame.text());
     }
   }
@@ -87,8 +87,13 @@ final class RemoteDatagrams implements AutoCloseable {
     }
   }
 
-  private synchronized void accepted(RtpTerms other) {
-    if (path != null && path.session == null && !closed) {
+  /**
+   * The kernel takes up an offer.
+   *
+   * @param token that of the offer: it may be another one than the last
+   */
+  private synchronized void accepted(long token, RtpTerms other) {
+    if (path != null && path.own.token() == token && path.session == null && !closed) {
       path.begin(other);
     }
   }

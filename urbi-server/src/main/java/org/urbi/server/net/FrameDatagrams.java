@@ -74,7 +74,10 @@ final class FrameDatagrams implements RtpSession.Surroundings {
           process = sender;
           begun.receive(datagram, datagram.length);
         });
-    answers.accept(own.write(new WireOutput(1 << 6).begin(Frame.RTP_TERMS)).end().toBytes());
+    answers.accept(
+        own.write(new WireOutput(1 << 6).begin(Frame.RTP_TERMS).number(other.token()))
+            .end()
+            .toBytes());
   }
 
   private void refuse(String why) {

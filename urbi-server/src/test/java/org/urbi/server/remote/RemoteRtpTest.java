@@ -70,7 +70,7 @@ class RemoteRtpTest {
             each -> kernel.connect(each, false),
             kernel::connectRemote,
             Limits.DEFAULT,
-            new Trace(Trace.Level.DEBUG, System.err));
+            new Trace(Trace.Level.NONE, nowhere));
     relay = new UdpRelay(server.port());
     remote = new RemoteContext(HOST, server.port());
     client = USyncClient.connect(HOST, server.port(), PATIENCE);
@@ -153,6 +153,19 @@ class RemoteRtpTest {
         datagrams.stream().mapToInt(each -> ByteBuffer.wrap(each).getShort(2) & 0xffff).toArray();
     int first = numbers[0];
     return Arrays.stream(numbers).map(each -> each - first & 0xffff).toArray();
+  }
+
+  @Test
+  void theLastOfSeveralOffersCounts() throws Exception {
+    eval("loadModule(\"urbi/rtp\")");
+    RtpOptions options = new RtpOptions(0, relay.port(), Duration.ofSeconds(5));
+    for (int i = 0; i < 20; i++) {
+      remote.useRtp(options);
+    }
+    assertTrue(remote.useRtp(options).get(20, TimeUnit.SECONDS));
+    eval("Camera.shoot(1, 3000)");
+    awaitImage(1);
+    assertEquals(1, relay.toServer().size());
   }
 
   @Test
