@@ -129,6 +129,10 @@ class ArchitectureTest {
           .resideInAPackage("org.urbi..")
           .and()
           .resideOutsideOfPackages("org.urbi.kernel.random..", "org.urbi.bench..")
+          .and()
+          // Its secret is for the one who is to send datagrams, and must not be guessed from a
+          // seed.
+          .doNotHaveFullyQualifiedName("org.urbi.server.net.FrameDatagrams")
           .should()
           .callCodeUnitWhere(are(callsOf("a source of random numbers", DICE)));
 

@@ -127,6 +127,9 @@ public final class ConsoleServer implements AutoCloseable {
    */
   @Override
   public void close() {
+    if (loop.isShuttingDown()) {
+      return;
+    }
     listener.close().awaitUninterruptibly();
     datagrams.close();
     clients.newCloseFuture().awaitUninterruptibly(FAREWELL_SECONDS, TimeUnit.SECONDS);
