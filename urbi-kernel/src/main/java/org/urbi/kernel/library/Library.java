@@ -204,8 +204,11 @@ public final class Library {
   /** Gives a caught exception the place where it was thrown, and its message. */
   private void describe(Frame frame, UrbiException exception) {
     UrbiObject value = exception.value();
+    if (!value.isA(types.get("Exception"))) {
+      return;
+    }
     addMessage(frame, value);
-    if (value.isA(types.get("Exception")) && exception.isLocated()) {
+    if (exception.isLocated()) {
       if (exception.span() != null) {
         OwnSlots.put(value, "location", LocationType.make(world, exception.span()));
       }

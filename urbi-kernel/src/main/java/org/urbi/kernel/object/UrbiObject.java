@@ -292,12 +292,22 @@ public class UrbiObject {
     if (this == ancestor) {
       return true;
     }
-    for (UrbiObject proto : shape.protos) {
-      if (proto == ancestor) {
+    // The usual case, one prototype each, needs no set of visited objects.
+    UrbiObject at = this;
+    for (int steps = 0; steps < 64; steps++) {
+      UrbiObject[] protos = at.shape.protos;
+      if (protos.length == 0) {
+        return false;
+      }
+      if (protos.length > 1) {
+        break;
+      }
+      at = protos[0];
+      if (at == ancestor) {
         return true;
       }
     }
-    return isA(this, ancestor, new HashSet<>());
+    return isA(at, ancestor, new HashSet<>());
   }
 
   private static boolean isA(UrbiObject from, UrbiObject ancestor, Set<UrbiObject> visited) {
