@@ -13,6 +13,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.uobject.ArgumentFailure;
 import org.urbi.kernel.uobject.PluggedContext;
 import urbi.UClass;
 import urbi.UContext;
@@ -95,7 +96,9 @@ public final class RemotePeer {
     int type = in.octet();
     switch (type) {
       case Frame.RESULT -> complete(in.size(), in.value(), null);
-      case Frame.ERROR -> complete(in.size(), null, in.text());
+      case Frame.ERROR -> complete(in.size(), null, new RuntimeException(in.text()));
+      case Frame.ARGUMENT_ERROR ->
+          complete(in.size(), null, new ArgumentFailure(in.size(), in.text()));
       case Frame.ACCESSED -> complete(in.size(), new UValue(), null);
       default -> tasks.add(task(type, in), size);
     }
@@ -119,7 +122,7 @@ public final class RemotePeer {
     tasks.start();
   }
 
-  private void complete(int number, UValue value, String error) {
+  private void complete(int number, UValue value, RuntimeException error) {
     // Whoever waits finds done what came before the result: what the function has bound, say.
     tasks.start();
     CompletableFuture<UValue> call = calls.remove(number);
@@ -127,7 +130,7 @@ public final class RemotePeer {
       if (error == null) {
         call.complete(value);
       } else {
-        call.completeExceptionally(new RuntimeException(error));
+        call.completeExceptionally(error);
       }
     }
   }
