@@ -438,7 +438,7 @@ class RemoteUObjectTest {
 
   @Test
   void nothingIsLeftOfThoseWhoCameAndWent() {
-    eval("1");
+    remote.start(type("Watcher", Watcher::new));
     double jobs = client.syncEval("jobs.size").doubleValue();
     for (int i = 0; i < 100; i++) {
       try (RemoteContext passing = new RemoteContext(HOST, server.port())) {
