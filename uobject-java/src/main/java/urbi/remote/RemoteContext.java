@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.lang.reflect.Type;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
@@ -58,6 +59,8 @@ public final class RemoteContext implements UContext, AutoCloseable {
   private final AtomicInteger lastSlot = new AtomicInteger();
   private final CompletableFuture<String> closed = new CompletableFuture<>();
   private final List<Consumer<byte[]>> listeners = new CopyOnWriteArrayList<>();
+  private final KernelTime time = new KernelTime();
+  private volatile Consumer<String> trace;
   private final LinkWatch watch;
   private final RemoteDatagrams datagrams;
 
@@ -79,6 +82,16 @@ public final class RemoteContext implements UContext, AutoCloseable {
   /** Has what the server shows to this connection passed on, in pieces as they come. */
   public void onOutput(Consumer<byte[]> listener) {
     listeners.add(listener);
+  }
+
+  /** Has each call of a function told of, and each failure; null for none. */
+  public void trace(Consumer<String> told) {
+    trace = told;
+  }
+
+  /** Microseconds since the kernel was started. */
+  long now() {
+    return time.now();
   }
 
   /** Completed with the reason when the connection ends. */
@@ -154,6 +167,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
           sendNow(out -> out.begin(Frame.ACCESSED).size(number).end());
         }
       }
+      case Frame.TIME -> time.heard(frame.number());
       case Frame.OUTPUT -> {
         byte[] text = frame.rest();
         listeners.forEach(listener -> listener.accept(text));
@@ -164,8 +178,10 @@ public final class RemoteContext implements UContext, AutoCloseable {
 
   private void changed(WireInput frame) {
     RemoteSlot slot = slots.get(frame.size());
+    long when = frame.number();
+    time.heard(when);
     if (slot != null) {
-      slot.changed(frame.number(), frame.value());
+      slot.changed(when, frame.value());
     }
   }
 
@@ -328,6 +344,10 @@ public final class RemoteContext implements UContext, AutoCloseable {
   }
 
   private void call(int number, String object, String name, UValue[] arguments) {
+    Consumer<String> told = trace;
+    if (told != null) {
+      told.accept("call " + number + ": " + object + "." + name + Arrays.asList(arguments));
+    }
     UCallback known = function(object, name);
     if (known != null && known.isThreaded()) {
       if (!known.execute(this, () -> perform(known, number, arguments))) {
@@ -406,6 +426,10 @@ public final class RemoteContext implements UContext, AutoCloseable {
   }
 
   private void error(int number, String text) {
+    Consumer<String> told = trace;
+    if (told != null) {
+      told.accept("call " + number + " has failed: " + text);
+    }
     sendNow(out -> out.begin(Frame.ERROR).size(number).text(text).end());
   }
 

@@ -54,6 +54,7 @@ final class RemoteSlot implements USlot {
   @Override
   public void set(UValue other) {
     written = other;
+    timestamp = context.now();
     if (!owned) {
       value = other;
     }

@@ -17,6 +17,10 @@ final class Hooks {
     return hooks.isEmpty();
   }
 
+  int size() {
+    return hooks.size();
+  }
+
   void add(long id, Hook hook) {
     hooks.put(id, hook);
   }
