@@ -61,6 +61,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   private final List<Consumer<byte[]>> listeners = new CopyOnWriteArrayList<>();
   private final KernelTime time = new KernelTime();
   private volatile Consumer<String> trace;
+  private final LongTurn turn = new LongTurn(this::complain);
   private final LinkWatch watch;
   private final RemoteDatagrams datagrams;
 
@@ -73,6 +74,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
     link = new Link(host, port, CONNECT_MILLISECONDS);
     watch =
         new LinkWatch(
+            turn::complain,
             () -> sendNow(out -> out.begin(Frame.PING).end()),
             () -> end("the server does not answer any more"));
     datagrams = new RemoteDatagrams(this, link.address());
@@ -137,7 +139,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
       case Frame.PING -> sendNow(out -> out.begin(Frame.PONG).end());
       case Frame.PONG -> {}
       case Frame.CALL -> call(frame.size(), frame.text(), frame.text(), frame.values());
-      case Frame.CHANGED -> changed(frame);
+      case Frame.CHANGED -> time.heard(changed(frame));
       case Frame.REPLY -> requests.answer(frame.size(), frame.value());
       case Frame.REFUSAL -> requests.refuse(frame.size(), frame.text());
       case Frame.NEW -> {
@@ -176,13 +178,14 @@ public final class RemoteContext implements UContext, AutoCloseable {
     }
   }
 
-  private void changed(WireInput frame) {
+  /** A variable has changed; returns when, in microseconds after the kernel was started. */
+  private long changed(WireInput frame) {
     RemoteSlot slot = slots.get(frame.size());
     long when = frame.number();
-    time.heard(when);
     if (slot != null) {
       slot.changed(when, frame.value());
     }
+    return when;
   }
 
   /** A datagram tells of a new value; returns when all have been told that are told in turn. */
@@ -361,7 +364,9 @@ public final class RemoteContext implements UContext, AutoCloseable {
   private void perform(int number, String object, String name, UValue[] arguments) {
     UCallback function = function(object, name);
     if (function != null) {
+      turn.begin(function.name());
       perform(function, number, arguments);
+      turn.end();
     } else {
       error(number, failures.getOrDefault(object, "no function " + object + "." + name));
     }
@@ -436,18 +441,24 @@ public final class RemoteContext implements UContext, AutoCloseable {
   /** Tells a callback of a value, in turn or on its own thread. */
   void notify(UCallback callback, UValue value) {
     UValue[] arguments = callback.arity() == 0 ? new UValue[0] : new UValue[] {value};
-    Runnable task =
-        () -> {
-          try {
-            invoke(callback, arguments);
-          } catch (Throwable e) {
-            complain("exception caught while calling " + callback.name() + ": " + Failure.text(e));
-          }
-        };
     if (callback.isThreaded()) {
-      callback.execute(this, task);
+      callback.execute(this, () -> callBack(callback, arguments));
     } else {
-      later(task);
+      later(() -> callBackInTurn(callback, arguments));
+    }
+  }
+
+  private void callBackInTurn(UCallback callback, UValue... arguments) {
+    turn.begin(callback.name());
+    callBack(callback, arguments);
+    turn.end();
+  }
+
+  private void callBack(UCallback callback, UValue... arguments) {
+    try {
+      invoke(callback, arguments);
+    } catch (Throwable e) {
+      complain("exception caught while calling " + callback.name() + ": " + Failure.text(e));
     }
   }
 
@@ -519,17 +530,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
 
   @Override
   public Runnable every(Object owner, double milliseconds, UCallback function, boolean afterPass) {
-    return timers.every(
-        owner,
-        milliseconds,
-        () -> {
-          try {
-            invoke(function);
-          } catch (Throwable e) {
-            complain("exception caught while calling " + function.name() + ": " + Failure.text(e));
-          }
-        },
-        this::execute);
+    return timers.every(owner, milliseconds, () -> callBackInTurn(function), this::execute);
   }
 
   // ------------------------------------------------------------------ urbiscript
