@@ -6,6 +6,9 @@ import java.util.Map;
 
 /** Writes values as JSON: maps, lists, strings, numbers, truth values and null. */
 final class Json {
+  private static final double DIGITS = 1e5;
+  private static final double LARGE = 1e9;
+
   private Json() {}
 
   /**
@@ -63,8 +66,10 @@ final class Json {
       out.append("null");
       return;
     }
-    double rounded = Math.rint(number * 1e5) / 1e5;
-    if (rounded == Math.rint(rounded) && Math.abs(rounded) < 1e9) {
+    double rounded = Math.rint(number * DIGITS) / DIGITS;
+    if (Math.abs(number) > LARGE) {
+      out.append(number);
+    } else if (rounded == Math.rint(rounded)) {
       out.append((long) rounded);
     } else {
       out.append(rounded);

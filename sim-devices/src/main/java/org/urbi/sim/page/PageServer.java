@@ -165,6 +165,7 @@ public final class PageServer implements AutoCloseable {
     if (listening != null) {
       listening.close().awaitUninterruptibly();
     }
+    viewers.close();
     thread.shutdownGracefully(0, 1, TimeUnit.SECONDS);
   }
 }

@@ -5,7 +5,9 @@ import io.netty.channel.Channel;
 import io.netty.channel.group.ChannelGroup;
 import io.netty.channel.group.DefaultChannelGroup;
 import io.netty.handler.codec.http.websocketx.BinaryWebSocketFrame;
+import io.netty.handler.codec.http.websocketx.CloseWebSocketFrame;
 import io.netty.handler.codec.http.websocketx.TextWebSocketFrame;
+import io.netty.handler.codec.http.websocketx.WebSocketCloseStatus;
 import io.netty.util.concurrent.EventExecutor;
 import java.util.Map;
 import java.util.concurrent.RejectedExecutionException;
@@ -90,6 +92,14 @@ final class Viewers {
       moment = null;
       image = null;
       viewers.writeAndFlush(new TextWebSocketFrame(other));
+    });
+  }
+
+  /** Says goodbye to all, and closes their connections. */
+  void close() {
+    execute(() -> {
+      viewers.writeAndFlush(new CloseWebSocketFrame(WebSocketCloseStatus.ENDPOINT_UNAVAILABLE));
+      connections.close();
     });
   }
 

@@ -19,6 +19,7 @@ const camera = views[0];
 let wait = FIRST_WAIT;
 let clock = null;
 let redrawing = false;
+let connections = 0;
 
 function redraw() {
   if (redrawing) return;
@@ -70,6 +71,7 @@ function connect() {
   stream.binaryType = "blob";
   stream.onopen = () => {
     wait = FIRST_WAIT;
+    byId("connection").dataset.connections = ++connections;
     say("live", "live");
   };
   stream.onmessage = ({ data }) => {
