@@ -9,12 +9,15 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.awt.GraphicsEnvironment;
 import java.awt.Window;
 import java.awt.image.BufferedImage;
+import java.lang.reflect.InvocationTargetException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.concurrent.CompletableFuture;
 import javax.imageio.ImageIO;
 import javax.swing.JFrame;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -186,18 +189,30 @@ class UrbiImageTest {
   @Test
   void imagesAreShownUntilTheWindowIsClosed() throws Exception {
     assumeTrue(!GraphicsEnvironment.isHeadless(), "skipped: this machine has no display");
-    Thread closer =
-        Thread.ofPlatform()
-            .start(() -> {
-              while (Window.getWindows().length == 0 || !Window.getWindows()[0].isShowing()) {
-                Thread.onSpinWait();
-              }
-              assertEquals(
-                  2 * WIDTH, ((JFrame) Window.getWindows()[0]).getContentPane().getWidth());
-              Window.getWindows()[0].dispose();
-            });
+    CompletableFuture<Integer> width = CompletableFuture.supplyAsync(UrbiImageTest::closeWindow);
     Captured run = fetch("--scale=2", "--period=20");
-    closer.join();
     assertEquals(0, run.status(), run.err());
+    assertEquals(2 * WIDTH, width.join());
+  }
+
+  /** Waits for a window, closes it and returns how wide its content was. */
+  private static int closeWindow() {
+    int[] width = new int[1];
+    try {
+      while (width[0] == 0) {
+        Thread.sleep(20);
+        SwingUtilities.invokeAndWait(() -> {
+          for (Window window : Window.getWindows()) {
+            if (window instanceof JFrame frame && frame.isShowing()) {
+              width[0] = frame.getContentPane().getWidth();
+              frame.dispose();
+            }
+          }
+        });
+      }
+    } catch (InterruptedException | InvocationTargetException e) {
+      throw new AssertionError(e);
+    }
+    return width[0];
   }
 }
