@@ -87,7 +87,10 @@ final class UConnectionType {
     return self.fireRate();
   }
 
-  @Builtin(doc = "How many seconds the functions of the target took on average.")
+  @Builtin(
+      doc =
+          "How many seconds the functions of the target took on average; measured once a tick, as"
+              + " the next two are.")
   static double meanCallTime(UrbiConnection self) {
     return self.times().mean();
   }

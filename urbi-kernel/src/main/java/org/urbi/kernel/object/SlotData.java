@@ -25,6 +25,9 @@ public final class SlotData {
   /** Conditions that read this slot; null while there are none. */
   public Dependencies dependents;
 
+  /** Whether the slot is no longer there. */
+  public boolean removed;
+
   byte flags() {
     byte flags = 0;
     if (constant || changed != null || setter != null || dependents != null || getter != null) {
