@@ -131,7 +131,9 @@ public final class Errors {
    *
    * @param max {@link Integer#MAX_VALUE} when there may be any number
    */
-  public UrbiException arity(String routine, int given, int min, int max) {
+  public UrbiException arity(String called, int given, int min, int max) {
+    // A function that Java calls, a handler for instance, has no name.
+    String routine = called == null ? "apply" : called;
     return of("Arity", arityMessage(routine, given, min, max))
         .with("routine", routine)
         .with("effective", given)

@@ -25,9 +25,17 @@ public final class SlotData {
   /** Conditions that read this slot; null while there are none. */
   public Dependencies dependents;
 
+  /** What those who execute code know of assignments at the same time, {@code blend}; or null. */
+  public Object blending;
+
   byte flags() {
     byte flags = 0;
-    if (constant || changed != null || setter != null || dependents != null || getter != null) {
+    if (constant
+        || changed != null
+        || setter != null
+        || dependents != null
+        || getter != null
+        || blending != null) {
       flags |= Shape.WRITE_SPECIAL;
     }
     if (getter != null) {
