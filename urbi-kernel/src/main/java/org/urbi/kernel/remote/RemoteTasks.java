@@ -52,7 +52,7 @@ final class RemoteTasks {
 
   /** Has the tasks done; from any thread. */
   void start() {
-    if (announced.compareAndSet(false, true)) {
+    if (!tasks.isEmpty() && announced.compareAndSet(false, true)) {
       scheduler.inbox().post(this::wake);
     }
   }

@@ -1,4 +1,4 @@
-package org.urbi.kernel.variable;
+package org.urbi.kernel.event;
 
 /** How often something was called, and how long that took where it was measured, in nanoseconds. */
 public final class CallTimes {
