@@ -520,9 +520,13 @@ public final class RemotePeer {
     }
   }
 
-  /** A variable is about to be read: lets the process set it before. */
+  /**
+   * A variable is about to be read: lets the process set it before. Not where that happens because
+   * of something the process asks for: it may wait for that itself, and nothing else is done for it
+   * meanwhile.
+   */
   void announceAccess(RemoteVariable variable) {
-    if (lost != null) {
+    if (lost != null || tasks.areRunning()) {
       return;
     }
     var done = new CompletableFuture<UValue>();

@@ -101,6 +101,11 @@ final class RemoteTasks {
     }
   }
 
+  /** Whether the job that is running is the one that does the tasks. */
+  boolean areRunning() {
+    return job != null && scheduler.running() == job;
+  }
+
   /** There is nothing more to be done. */
   void end() {
     ended = true;
