@@ -157,7 +157,7 @@ public final class RemotePeer {
 
   private void complete(int number, UValue value, RuntimeException error) {
     // Whoever waits finds done what came before the result: what the function has bound, say.
-    tasks.start();
+    tasks.startAll();
     CompletableFuture<UValue> call = calls.remove(number);
     if (call != null) {
       if (error == null) {
