@@ -17,6 +17,7 @@ import java.util.function.Supplier;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.uobject.ArgumentFailure;
 import org.urbi.kernel.uobject.PluggedContext;
+import org.urbi.kernel.variable.UrbiUVar;
 import urbi.UClass;
 import urbi.UContext;
 import urbi.UDataType;
@@ -46,8 +47,6 @@ public final class RemotePeer {
 
   /** How long an access waits for the process to set the value. */
   private static final Duration ACCESS_PATIENCE = Duration.ofSeconds(2);
-
-  private static final Duration ACCESS_STEP = Duration.ofNanos(200_000);
 
   private final Scheduler scheduler;
   private final PluggedContext context;
@@ -90,6 +89,7 @@ public final class RemotePeer {
     this.module = new UModule(name);
     this.tasks = new RemoteTasks(scheduler, context::lobby, wire::consumed, this::failed);
     this.rtpEnd = context.rtp().onTurn(this::rtpTurned);
+    tasks.add(this::tellTime, 0);
   }
 
   // ------------------------------------------------------------------ on the network thread
@@ -129,14 +129,12 @@ public final class RemotePeer {
   /** The connection is lost: calls that wait fail, and what the process has brought goes. */
   public void lost(String why) {
     lost = why;
-    tasks.add(this::clear, 0);
-    tasks.start();
+    later(this::clear);
   }
 
   /** What waited to be sent has left. */
   public void drained() {
-    tasks.add(this::refresh, 0);
-    tasks.start();
+    later(this::refresh);
   }
 
   /** The connection is left to the kernel thread. */
@@ -269,6 +267,17 @@ public final class RemotePeer {
   }
 
   // ------------------------------------------------------------------ in the job
+
+  /** The process tells from it when it sets variables itself. */
+  private void tellTime() {
+    write(o -> o.begin(Frame.TIME).number(scheduler.clock().now() / 1000).end());
+  }
+
+  /** Has something done in turn. */
+  void later(Runnable task) {
+    tasks.add(task, 0);
+    tasks.start();
+  }
 
   private Runnable answering(int number, Supplier<UValue> question) {
     return () -> {
@@ -520,6 +529,11 @@ public final class RemotePeer {
     }
   }
 
+  /** Counts, or no longer counts, a process that only keeps a copy of a variable. */
+  void countMirror(UrbiUVar variable, boolean one) {
+    context.countMirror(variable, one);
+  }
+
   /**
    * A variable is about to be read: lets the process set it before. Not where that happens because
    * of something the process asks for: it may wait for that itself, and nothing else is done for it
@@ -533,10 +547,8 @@ public final class RemotePeer {
     int number = ++lastCall;
     calls.put(number, done);
     write(o -> o.begin(Frame.ACCESS).size(variable.id()).size(number).end());
-    long deadline = scheduler.now() + ACCESS_PATIENCE.toNanos();
-    while (!done.isDone() && lost == null && scheduler.now() < deadline) {
-      context.yieldFor(ACCESS_STEP);
-    }
+    reading.asked(this);
+    context.await(done, ACCESS_PATIENCE);
     calls.remove(number);
   }
 
