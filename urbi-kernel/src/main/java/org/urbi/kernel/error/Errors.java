@@ -102,7 +102,12 @@ public final class Errors {
 
   /** {@code routine: message}. */
   public UrbiException primitive(String routine, String message) {
-    return of("Primitive", message).with("routine", routine).build();
+    return of("Primitive", message).with("routine", named(routine)).build();
+  }
+
+  /** Code that is called from Java, as when a variable changes, may be called by no name. */
+  private static String named(String routine) {
+    return routine == null ? "apply" : routine;
   }
 
   /** {@code property lookup failed: slot->property}. */
@@ -132,8 +137,9 @@ public final class Errors {
    * @param max {@link Integer#MAX_VALUE} when there may be any number
    */
   public UrbiException arity(String routine, int given, int min, int max) {
-    return of("Arity", arityMessage(routine, given, min, max))
-        .with("routine", routine)
+    String name = named(routine);
+    return of("Arity", arityMessage(name, given, min, max))
+        .with("routine", name)
         .with("effective", given)
         .with("minimum", min)
         .with("maximum", max == Integer.MAX_VALUE ? values.voidObject : values.number(max))
@@ -187,7 +193,7 @@ public final class Errors {
    */
   public UrbiException argument(String routine, int index, UrbiObject cause) {
     return of("Argument")
-        .with("routine", routine)
+        .with("routine", named(routine))
         .with("index", index)
         .with("exception", cause)
         .build();
@@ -197,7 +203,7 @@ public final class Errors {
   public UrbiException badNumber(
       String type, String routine, String message, UrbiObject effective) {
     return of(type, message)
-        .with("routine", routine)
+        .with("routine", named(routine))
         .with("fmt", message)
         .with("effective", effective)
         .build();

@@ -322,6 +322,7 @@ public final class Scheduler {
     for (int rounds = 0; rounds < LAST_ROUNDS && !runnable.isEmpty(); rounds++) {
       runOnce(true);
     }
+    threads.loopEnded();
     runEndOfTick();
     listening.end();
   }

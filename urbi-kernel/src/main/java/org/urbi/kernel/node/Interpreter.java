@@ -159,8 +159,7 @@ public final class Interpreter {
       if (code.lookup(symbols.parentheses) instanceof Code own) {
         return call(caller, site, own, code, arguments);
       }
-      throw errors.arity(
-          site.calledName() == null ? "apply" : site.calledName(), arguments.length, 0, 0);
+      throw errors.arity(site.calledName(), arguments.length, 0, 0);
     }
     return code;
   }

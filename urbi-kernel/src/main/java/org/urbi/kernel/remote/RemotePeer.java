@@ -161,7 +161,7 @@ public final class RemotePeer {
 
   private void complete(int number, UValue value, RuntimeException error) {
     // Whoever waits finds done what came before the result: what the function has bound, say.
-    tasks.start();
+    tasks.startAll();
     CompletableFuture<UValue> call = calls.remove(number);
     if (call != null) {
       if (error == null) {
@@ -540,9 +540,13 @@ public final class RemotePeer {
     context.countMirror(variable, one);
   }
 
-  /** A variable is about to be read: lets the process set it before. */
+  /**
+   * A variable is about to be read: lets the process set it before. Not where that happens because
+   * of something the process asks for: it may wait for that itself, and nothing else is done for it
+   * meanwhile.
+   */
   void announceAccess(RemoteVariable variable) {
-    if (lost != null) {
+    if (lost != null || tasks.areRunning()) {
       return;
     }
     var done = new CompletableFuture<UValue>();

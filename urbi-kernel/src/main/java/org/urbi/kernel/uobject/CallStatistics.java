@@ -3,8 +3,8 @@ package org.urbi.kernel.uobject;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.Consumer;
+import org.urbi.kernel.event.CallTimes;
 import org.urbi.kernel.time.Clock;
-import org.urbi.kernel.variable.CallTimes;
 
 /**
  * How often functions of UObjects are called and how long they take, while somebody asks for it.

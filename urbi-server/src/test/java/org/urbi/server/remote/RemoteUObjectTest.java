@@ -94,6 +94,34 @@ class RemoteUObjectTest {
     return message.replaceFirst("^[\\d.-]*: ", "");
   }
 
+  /** Binds so many functions when it is initialized that others could have their turn meanwhile. */
+  static class Talented extends UObject {
+    static final int TALENTS = 1000;
+
+    Talented(String name) {
+      super(name);
+      UBindFunction("init");
+    }
+
+    public void init() {
+      for (int i = 0; i < TALENTS; i++) {
+        UBindFunctionRename("talent", "talent" + i);
+      }
+    }
+
+    public int talent() {
+      return 1;
+    }
+  }
+
+  @Test
+  void whatAFunctionHasBoundIsThereWhenItReturns() {
+    remote.start(type("Talented", Talented::new));
+    for (int i = 0; i < 10; i++) {
+      assertEquals("1", eval("Talented.new.talent" + (Talented.TALENTS - 1)));
+    }
+  }
+
   /** The manual's. */
   static class Adder extends UObject {
     private final UVar v = new UVar();
