@@ -112,8 +112,17 @@ public final class RemoteContext implements UContext, AutoCloseable {
   }
 
   UValue ask(BiConsumer<WireOutput, Integer> question) {
+    return ask(question, answer -> {});
+  }
+
+  /**
+   * Asks and waits.
+   *
+   * @param first is given the answer before anything is read that has come after it
+   */
+  UValue ask(BiConsumer<WireOutput, Integer> question, Consumer<UValue> first) {
     dispatcher.letRead();
-    return requests.ask(number -> sendNow(out -> question.accept(out, number)));
+    return requests.ask(number -> sendNow(out -> question.accept(out, number)), first);
   }
 
   // ------------------------------------------------------------------ receiving

@@ -64,9 +64,8 @@ final class RemoteSlot implements USlot {
 
   @Override
   public UValue sync() {
-    UValue fresh = context.ask((out, number) -> out.begin(Frame.SYNC).size(number).size(id).end());
-    value = fresh;
-    return fresh;
+    return context.ask(
+        (out, number) -> out.begin(Frame.SYNC).size(number).size(id).end(), fresh -> value = fresh);
   }
 
   /** The kernel tells of a new value. */

@@ -5,14 +5,17 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
 import urbi.UClientException;
 import urbi.UValue;
 
 /** What the remote process has asked the kernel, and waits for. */
 final class Requests {
   private final AtomicInteger last = new AtomicInteger();
-  private final Map<Integer, CompletableFuture<UValue>> waiting = new ConcurrentHashMap<>();
+  private final Map<Integer, Waiting> waiting = new ConcurrentHashMap<>();
   private volatile String lost;
+
+  private record Waiting(Consumer<UValue> first, CompletableFuture<UValue> answer) {}
 
   /** Sends a question. */
   interface Question {
@@ -22,13 +25,14 @@ final class Requests {
   /**
    * Asks and waits.
    *
+   * @param first is given the answer before anything is read that has come after it
    * @throws IllegalArgumentException with the kernel's words, if it refuses
    * @throws UClientException if the connection is lost before the answer
    */
-  UValue ask(Question question) {
+  UValue ask(Question question, Consumer<UValue> first) {
     int number = last.incrementAndGet();
     var answer = new CompletableFuture<UValue>();
-    waiting.put(number, answer);
+    waiting.put(number, new Waiting(first, answer));
     try {
       if (lost != null) {
         throw new UClientException(lost);
@@ -46,22 +50,25 @@ final class Requests {
   }
 
   void answer(int number, UValue value) {
-    CompletableFuture<UValue> answer = waiting.get(number);
-    if (answer != null) {
-      answer.complete(value);
+    Waiting asked = waiting.get(number);
+    if (asked != null) {
+      asked.first.accept(value);
+      asked.answer.complete(value);
     }
   }
 
   void refuse(int number, String reason) {
-    CompletableFuture<UValue> answer = waiting.get(number);
-    if (answer != null) {
-      answer.completeExceptionally(new IllegalArgumentException(reason));
+    Waiting asked = waiting.get(number);
+    if (asked != null) {
+      asked.answer.completeExceptionally(new IllegalArgumentException(reason));
     }
   }
 
   /** There will be no more answers. */
   void lost(String reason) {
     lost = reason;
-    waiting.values().forEach(answer -> answer.completeExceptionally(new UClientException(reason)));
+    waiting
+        .values()
+        .forEach(asked -> asked.answer.completeExceptionally(new UClientException(reason)));
   }
 }

@@ -384,9 +384,8 @@ public final class RemotePeer {
     if (variable.rtp() != RtpMode.RTP_DEFAULT) {
       tellRtp(variable);
     }
-    UValue value = port ? new UValue() : variable.slot().get();
     variable.watch(1);
-    return value;
+    return port ? new UValue() : variable.slot().get();
   }
 
   private void close(int id) {

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.urbi.kernel.Kernel;
+import org.urbi.kernel.job.JobThreads;
 import org.urbi.server.Trace;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
@@ -46,7 +47,11 @@ class RemoteAnswersTest {
 
   @BeforeEach
   void start() throws IOException {
-    kernel = Kernel.builder().start();
+    start(JobThreads.AUTO);
+  }
+
+  private void start(JobThreads threads) throws IOException {
+    kernel = Kernel.builder().jobThreads(threads).start();
     PrintStream nowhere =
         new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
     server =
@@ -126,6 +131,13 @@ class RemoteAnswersTest {
                   + " while (n < 3000) { n = Counter.next | if (Counter.v != n) wrong += 1 } |"
                   + " [n, wrong] }"));
     }
+  }
+
+  @Test
+  void whateverJobsRunOn() throws IOException {
+    stop();
+    start(JobThreads.BATON);
+    whatCameBeforeAnAnswerIsDoneBeforeIt();
   }
 
   @Test
