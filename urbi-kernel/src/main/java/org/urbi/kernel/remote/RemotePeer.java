@@ -47,7 +47,7 @@ public final class RemotePeer {
   /** How long an access waits for the process to set the value. */
   private static final Duration ACCESS_PATIENCE = Duration.ofSeconds(2);
 
-  private static final Duration ACCESS_STEP = Duration.ofNanos(200_000);
+  private static final Duration ANSWER_STEP = Duration.ofNanos(200_000);
 
   private final Scheduler scheduler;
   private final PluggedContext context;
@@ -310,9 +310,23 @@ public final class RemotePeer {
       if (prototype != null) {
         object.bindLike(prototype);
       }
-      write(o -> o.begin(Frame.NEW).text(className).text(name).end());
+      constructThere(className, name);
     }
     return object;
+  }
+
+  /**
+   * Has the process make the other side, and waits for it: what its constructor binds is there for
+   * whoever has asked for the object. What it throws, calls of the object will tell.
+   */
+  private void constructThere(String className, String name) {
+    var done = new CompletableFuture<UValue>();
+    int number = ++lastCall;
+    calls.put(number, done);
+    write(o -> o.begin(Frame.NEW).text(className).text(name).size(number).end());
+    if (!tasks.areRunning()) {
+      await(number, done, Long.MAX_VALUE);
+    }
   }
 
   /** The process has made an object by itself. */
@@ -533,9 +547,13 @@ public final class RemotePeer {
     int number = ++lastCall;
     calls.put(number, done);
     write(o -> o.begin(Frame.ACCESS).size(variable.id()).size(number).end());
-    long deadline = scheduler.now() + ACCESS_PATIENCE.toNanos();
+    await(number, done, scheduler.now() + ACCESS_PATIENCE.toNanos());
+  }
+
+  /** Lets others run until there is an answer, the process has gone, or it is too late. */
+  private void await(int number, CompletableFuture<UValue> done, long deadline) {
     while (!done.isDone() && lost == null && scheduler.now() < deadline) {
-      context.yieldFor(ACCESS_STEP);
+      context.yieldFor(ANSWER_STEP);
     }
     calls.remove(number);
   }
