@@ -145,7 +145,11 @@ public final class RemoteContext implements UContext, AutoCloseable {
       case Frame.NEW -> {
         String className = frame.text();
         String name = frame.text();
-        later(() -> make(className, name));
+        int number = frame.size();
+        later(() -> {
+          make(className, name);
+          result(number, null);
+        });
       }
       case Frame.LEFT, Frame.RTP_LOADED, Frame.RTP_TERMS, Frame.RTP_REFUSED ->
           datagrams.take(type, frame);

@@ -496,14 +496,28 @@ public final class PluggedContext implements UContext {
       Timers.Timer limit =
           scheduler.timers().add(scheduler.now() + most.toNanos(), () -> stage.cancel(false));
       try {
-        new Awaited(frame.job()).await(stage);
-      } catch (CompletionException e) {
-        // Whoever completes it says why elsewhere.
+        awaitEnd(frame, stage);
       } finally {
         limit.cancel();
       }
       return null;
     });
+  }
+
+  /** Waits in the job that runs until a stage is complete, normally or not. */
+  public void await(CompletableFuture<?> stage) {
+    inKernel(frame -> {
+      awaitEnd(frame, stage);
+      return null;
+    });
+  }
+
+  private static void awaitEnd(Frame frame, CompletableFuture<?> stage) {
+    try {
+      new Awaited(frame.job()).await(stage);
+    } catch (CompletionException e) {
+      // Whoever completes it says why elsewhere.
+    }
   }
 
   @Override

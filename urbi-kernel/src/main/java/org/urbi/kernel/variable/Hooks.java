@@ -35,7 +35,7 @@ final class Hooks {
   }
 
   int size() {
-    return hooks.size();
+    return all.length;
   }
 
   void add(long id, Hook hook) {
