@@ -14,6 +14,7 @@ import org.urbi.kernel.job.KernelThreadPin;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.library.KernelControl;
+import org.urbi.kernel.library.LogLevel;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
@@ -258,6 +259,13 @@ public final class PluggedContext implements UContext {
   void reportUnlessOver(String message) {
     if (!over) {
       report(message);
+    }
+  }
+
+  /** Puts a warning into the log. */
+  void warn(String message) {
+    if (LogLevel.LOG.compareTo(kernel.logLevel()) <= 0) {
+      kernel.log("warning: " + message);
     }
   }
 

@@ -4,6 +4,7 @@ import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.Consumer;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
@@ -64,6 +65,7 @@ public final class UrbiUVar extends UrbiObject {
   private boolean input;
   private boolean bypass;
   private boolean silent;
+  private Excursion excursion;
   private Boolean rtp;
   private final List<Runnable> onRtp = new ArrayList<>(0);
   private long written;
@@ -146,6 +148,16 @@ public final class UrbiUVar extends UrbiObject {
 
   public boolean isOwned() {
     return owned;
+  }
+
+  /**
+   * From now on it has a target and a sensed value, both what the value was.
+   *
+   * @param warned is told when targets begin to be out of range
+   */
+  public void own(Consumer<String> warned) {
+    own();
+    excursion = new Excursion(name, warned);
   }
 
   /** From now on it has a target and a sensed value, both what the value was. */
@@ -365,6 +377,9 @@ public final class UrbiUVar extends UrbiObject {
     }
     written = frame.interpreter().scheduler().now();
     value = inRange(frame, datum);
+    if (excursion != null) {
+      excursion.note(datum, value);
+    }
     if (silent) {
       return;
     }
@@ -458,7 +473,7 @@ public final class UrbiUVar extends UrbiObject {
     if (most instanceof UrbiFloat bound) {
       limited = Math.min(limited, bound.value());
     }
-    return limited == number.value()
+    return limited == number.value() || Double.isNaN(limited)
         ? assigned
         : new Datum(frame.interpreter().values().number(limited));
   }
