@@ -249,7 +249,8 @@ class SimulatedRobotTest {
       told = said(client, "ImageFilter.new(camera.__uobjectName + \".val\")");
       assertTrue(told.contains("OpenCV cannot be unpacked: "), told);
       told = said(client, "Simulation.new(\"" + broken + "\")");
-      assertTrue(told.contains(broken + ":2.10: mass: unknown unit 'cm'; it is in kg or g"), told);
+      assertTrue(
+          told.contains("broken.world:2.10: mass: unknown unit 'cm'; it is in kg or g"), told);
       told = said(client, "s.showPage(77777, nil)");
       assertTrue(told.contains("page: port: between 0 and 65535 expected, not 77777"), told);
       assertTrue(answer(client, "s.showPage(0, nil).url").startsWith("\"http://localhost:"));
