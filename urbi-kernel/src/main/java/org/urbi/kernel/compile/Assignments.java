@@ -13,6 +13,7 @@ import org.urbi.kernel.node.Properties;
 import org.urbi.kernel.node.Slots;
 import org.urbi.kernel.node.Trajectory;
 import org.urbi.kernel.node.Variables;
+import org.urbi.kernel.object.Symbol;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.source.Span;
 
@@ -157,9 +158,19 @@ final class Assignments {
         trajectory.modifiers().stream()
             .map(modifier -> operand(modifier.value(), block))
             .toArray(Node[]::new);
+    Node owner = null;
+    Symbol slot = null;
+    if (trajectory.target() instanceof Ast.Message message
+        && message.arguments() == null
+        && (message.target() != null || block.find(message.name()) == null)) {
+      slot = interpreter().world().symbol(message.name());
+      owner = compilation.receivers.target(message.target(), message.name(), message.span(), block);
+    }
     return new Trajectory(
         span,
         target,
+        owner,
+        slot,
         compilation.place(value, writer),
         write,
         trajectory.value() == null

@@ -43,9 +43,14 @@ public final class Emission {
     subscription.end(this, emitter);
   }
 
+  /** Begins for one subscription, even where that happens too late: then it ends at once. */
   void begin(Subscription subscription, Job emitter) {
-    told.add(subscription);
     subscription.begin(this, emitter);
+    if (over) {
+      subscription.end(this, emitter);
+    } else {
+      told.add(subscription);
+    }
   }
 
   /** Ends the emission, for those who have heard of it and still listen. */

@@ -1,9 +1,12 @@
 package org.urbi.kernel.event;
 
 import java.util.ArrayList;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.function.Supplier;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.SlotUpdate;
@@ -14,6 +17,7 @@ import org.urbi.kernel.object.UrbiObject;
 public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
   private final Set<Subscription> subscriptions = new LinkedHashSet<>();
   private final Set<Emission> lasting = new LinkedHashSet<>();
+  private Map<Subscription, UrbiSubscription> known = Map.of();
   private Runnable subscribed;
 
   public UrbiEvent(Shape shape) {
@@ -37,7 +41,7 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
   public void subscribe(Subscription subscription, Job job) {
     subscriptions.add(subscription);
     for (Emission emission : new ArrayList<>(lasting)) {
-      emission.begin(subscription, job);
+      begin(emission, subscription, job);
     }
     if (subscribed != null) {
       subscribed.run();
@@ -47,6 +51,37 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
     }
   }
 
+  /** Like {@link #subscribe(Subscription, Job)}, on the terms of an object. */
+  void subscribe(Subscription subscription, UrbiSubscription terms, Job job) {
+    know(subscription, terms);
+    subscribe(subscription, job);
+  }
+
+  private void know(Subscription subscription, UrbiSubscription terms) {
+    if (known.isEmpty()) {
+      known = new IdentityHashMap<>();
+    }
+    known.put(subscription, terms);
+  }
+
+  /**
+   * Those who listen, in the order in which they came; always the same object for the same one.
+   *
+   * @param shape of the objects to be made
+   */
+  public List<UrbiSubscription> subscribers(Supplier<Shape> shape) {
+    List<UrbiSubscription> all = new ArrayList<>();
+    for (Subscription subscription : subscriptions) {
+      UrbiSubscription terms = known.get(subscription);
+      if (terms == null) {
+        terms = new UrbiSubscription(shape.get(), this, subscription);
+        know(subscription, terms);
+      }
+      all.add(terms);
+    }
+    return all;
+  }
+
   /** Has the library do something each time somebody begins to listen. */
   public void setOnSubscribe(Runnable action) {
     subscribed = action;
@@ -54,6 +89,9 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
 
   public void unsubscribe(Subscription subscription) {
     subscriptions.remove(subscription);
+    if (!known.isEmpty()) {
+      known.remove(subscription);
+    }
   }
 
   /** Emits the event for no time. */
@@ -71,14 +109,33 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
     // Each handler enters and leaves before the next one hears of the event.
     switch (subscriptions.size()) {
       case 0 -> {}
-      case 1 -> new Emission(this, payload, sync).flash(subscriptions.iterator().next(), emitter);
+      case 1 -> flash(subscriptions.iterator().next(), emitter, sync, payload);
       default -> {
         for (Subscription subscription : new ArrayList<>(subscriptions)) {
           if (subscriptions.contains(subscription)) {
-            new Emission(this, payload, sync).flash(subscription, emitter);
+            flash(subscription, emitter, sync, payload);
           }
         }
       }
+    }
+  }
+
+  private void flash(Subscription subscription, Job emitter, boolean sync, UrbiObject[] payload) {
+    Emission emission = new Emission(this, payload, sync);
+    UrbiSubscription terms = known.get(subscription);
+    if (terms == null) {
+      emission.flash(subscription, emitter);
+    } else {
+      terms.gate().call(emitter, job -> emission.flash(subscription, job));
+    }
+  }
+
+  private void begin(Emission emission, Subscription subscription, Job emitter) {
+    UrbiSubscription terms = known.get(subscription);
+    if (terms == null) {
+      emission.begin(subscription, emitter);
+    } else {
+      terms.gate().call(emitter, job -> emission.begin(subscription, job));
     }
   }
 
@@ -94,7 +151,7 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
     List<Subscription> listeners = new ArrayList<>(subscriptions);
     for (Subscription subscription : listeners) {
       if (subscriptions.contains(subscription)) {
-        emission.begin(subscription, emitter);
+        begin(emission, subscription, emitter);
       }
     }
   }

@@ -1,12 +1,17 @@
 package org.urbi.kernel.library;
 
+import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.event.Emission;
+import org.urbi.kernel.event.FunctionHandler;
 import org.urbi.kernel.event.Subscription;
 import org.urbi.kernel.event.UrbiEvent;
+import org.urbi.kernel.event.UrbiSubscription;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 
 /** Events (manual, "Event"). */
@@ -70,6 +75,43 @@ final class EventType {
   @Builtin(doc = "Whether anybody listens.")
   static boolean hasSubscribers(UrbiEvent self) {
     return self.hasSubscribers();
+  }
+
+  @Builtin(
+      doc =
+          "Calls functions with the event and the list of what is sent with it: enter when the"
+              + " guard does not return void, leave when the emission is over; as at does.")
+  static UrbiObject onEvent(
+      Frame frame,
+      UrbiEvent self,
+      UrbiObject guard,
+      UrbiObject enter,
+      @Optional UrbiObject leave,
+      @Optional UrbiObject sync) {
+    boolean wait = sync != null && Truth.of(frame, sync);
+    UrbiSubscription subscription =
+        (UrbiSubscription) self.world().prototype("Subscription").cloned();
+    subscription.setListener(
+        (home, event) -> FunctionHandler.guarded(home, event, guard, enter, leave, wait));
+    subscription.listenTo(frame, self);
+    return subscription;
+  }
+
+  @Builtin(doc = "Has a subscription listen to this event; returns it.")
+  static UrbiObject subscribe(Frame frame, UrbiEvent self, UrbiSubscription subscription) {
+    if (!subscription.canListen()) {
+      throw frame
+          .interpreter()
+          .errors()
+          .primitive("subscribe", "the subscription has no function of its own");
+    }
+    subscription.listenTo(frame, self);
+    return subscription;
+  }
+
+  @Builtin(doc = "The subscriptions of those who listen.")
+  static List<UrbiSubscription> subscribers(UrbiEvent self) {
+    return self.subscribers(self.world().prototype("Subscription")::cloneShape);
   }
 
   /** Emits an event as another one is emitted. */

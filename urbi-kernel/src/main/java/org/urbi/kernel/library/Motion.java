@@ -52,37 +52,82 @@ final class Motion {
 
   /** Follows a curve, whatever else happens to the variable, and ends at the target. */
   void along(double duration, Curve curve) {
+    Limit limit = new Limit();
     for (double t = 0; t < duration; t = now() - start) {
-      set(curve.at(t));
+      set(limit.towards(curve.at(t)));
       pause(duration - t);
     }
-    set(target);
+    finish(limit);
   }
 
   /** Goes from wherever the variable is, so as to arrive in time. */
   void adapt(double duration) {
+    Limit limit = new Limit();
     double last = 0;
     for (double t = 0; t < duration; t = now() - start) {
       if (t > last) {
         double left = duration - last;
-        set(current() + (target - current()) * (t - last) / left);
+        set(limit.towards(current() + (target - current()) * (t - last) / left));
         last = t;
       }
       pause(duration - t);
     }
+    finish(limit);
+  }
+
+  /** The target is due: goes there, as fast as is allowed. */
+  private void finish(Limit limit) {
+    for (double value = limit.towards(target); value != target; value = limit.towards(target)) {
+      set(value);
+      pause(Math.abs(target - value) / limit.speed);
+    }
     set(target);
   }
 
-  /** Goes from wherever the variable is, at that speed. */
-  void chase(double speed) {
+  /** Goes from wherever the variable is, at that speed, until it is as near as it should be. */
+  void chase(double wanted) {
+    double speed = Math.min(Math.max(wanted, limit("speedmin")), fastest());
+    double near = limit("delta");
     double last = now();
-    while (current() != target) {
+    while (!(Math.abs(target - current()) <= near)) {
       pause(Math.abs(target - current()) / speed);
       double step = speed * (now() - last);
       last = now();
       double way = target - current();
       set(Math.abs(way) <= step ? target : current() + Math.signum(way) * step);
     }
+  }
+
+  /** How long a straight way takes, given how long it should: not less than {@code speedmin}. */
+  double straight(double way, double duration) {
+    double slowest = limit("speedmin");
+    return slowest > 0 ? Math.min(duration, Math.abs(way) / slowest) : duration;
+  }
+
+  /** What keeps the variable from moving faster than {@code speedmax}. */
+  private final class Limit {
+    private final double speed = fastest();
+    private double value = speed < Double.POSITIVE_INFINITY ? current() : 0;
+    private double last = start;
+
+    double towards(double wanted) {
+      if (speed < Double.POSITIVE_INFINITY) {
+        double step = speed * (now() - last);
+        last = now();
+        value = Math.min(Math.max(wanted, value - step), value + step);
+        return value;
+      }
+      return wanted;
+    }
+  }
+
+  private double fastest() {
+    double most = limit("speedmax");
+    return most > 0 ? most : Double.POSITIVE_INFINITY;
+  }
+
+  private double limit(String name) {
+    return has(name) ? Math.max(0, number(name)) : 0;
   }
 
   // ---------------------------------------------------------------- time and values
@@ -140,6 +185,18 @@ final class Motion {
       return number.value();
     }
     throw wrongType(1, attribute(name));
+  }
+
+  /** A speed: at 0 the variable stays where it is. */
+  double speed() {
+    double value = number("speed");
+    if (!(value >= 0)) {
+      throw frame
+          .interpreter()
+          .errors()
+          .primitive("TrajectoryGenerator", "speed must not be negative");
+    }
+    return value;
   }
 
   double positive(String name) {

@@ -29,6 +29,6 @@ final class SpeedAdaptiveTrajectoryType {
       UrbiFloat target,
       UrbiDictionary attributes) {
     Motion motion = new Motion(frame, site, self, read, write, target, attributes);
-    motion.chase(motion.positive("speed"));
+    motion.chase(motion.speed());
   }
 }

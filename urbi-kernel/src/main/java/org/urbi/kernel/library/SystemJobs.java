@@ -35,6 +35,11 @@ final class SystemJobs {
     return LobbyType.instances(frame, self.world().prototype("Lobby"));
   }
 
+  @Builtin(doc = "The job that runs this code: Job.current.")
+  static UrbiObject currentRunner(Frame frame, UrbiObject self) {
+    return JobType.current(frame, self);
+  }
+
   @Builtin(doc = "The lobby for which this code runs.")
   static UrbiObject lobby(Frame frame, UrbiObject self) {
     return LobbyType.of(frame);

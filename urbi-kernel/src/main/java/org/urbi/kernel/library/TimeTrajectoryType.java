@@ -28,8 +28,8 @@ final class TimeTrajectoryType {
     Motion motion = new Motion(frame, site, self, read, write, target, attributes);
     double from = motion.current();
     double way = motion.target() - from;
-    double duration =
-        motion.has("time") ? motion.positive("time") : Math.abs(way) / motion.positive("speed");
+    double wanted = motion.has("time") ? motion.positive("time") : Math.abs(way) / motion.speed();
+    double duration = motion.straight(way, wanted);
     motion.along(duration, t -> from + way * t / duration);
   }
 }

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.event.CallTimes;
 import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
@@ -15,7 +16,6 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Values;
 import org.urbi.kernel.uobject.CallStatistics;
 import org.urbi.kernel.uobject.PluggedContext;
-import org.urbi.kernel.variable.CallTimes;
 import org.urbi.kernel.variable.UrbiConnection;
 
 /** Where the UObjects are (manual, "uobjects"). */
@@ -67,7 +67,7 @@ final class UObjectsType {
     List<String> lines = new ArrayList<>();
     for (UrbiConnection connection : all) {
       if (connection.source() != null) {
-        CallTimes times = connection.times();
+        CallTimes times = connection.gate().times();
         lines.add(
             String.format(
                 Locale.ROOT,
@@ -75,7 +75,7 @@ final class UObjectsType {
                 connection.source().name(),
                 connection.target().name(),
                 times.count(),
-                connection.fireRate(),
+                connection.gate().fireRate(),
                 times.mean(),
                 times.least(),
                 times.most()));
@@ -88,7 +88,7 @@ final class UObjectsType {
 
   @Builtin(doc = "Forgets the statistics of all the links between variables.")
   static void resetConnectionStats(Frame frame, UrbiObject self) {
-    PluggedContext.of(frame).connections().all().forEach(link -> link.times().reset());
+    PluggedContext.of(frame).connections().all().forEach(link -> link.gate().times().reset());
   }
 
   @Builtin(doc = "Enables or disables messages of the log about each call of a bound function.")

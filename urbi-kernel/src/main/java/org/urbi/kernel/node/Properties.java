@@ -1,6 +1,7 @@
 package org.urbi.kernel.node;
 
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.object.BlendMode;
 import org.urbi.kernel.object.SlotData;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
@@ -52,9 +53,11 @@ public final class Properties {
       return;
     }
     UrbiObject holder = holder(frame, target, slot);
+    BlendMode blend = property.equals("blend") ? blendMode(frame, value) : null;
     SlotData data = holder.ensureSlotData(slot);
     data.properties.put(property, value);
     switch (property) {
+      case "blend" -> data.blending = blend == BlendMode.NORMAL ? null : new Blending(blend);
       case "constant" -> data.constant = Truth.of(frame, value);
       case "changed" -> data.changed = value;
       case "get" -> data.getter = value;
@@ -62,6 +65,18 @@ public final class Properties {
       default -> {}
     }
     holder.slotDataChanged(slot);
+  }
+
+  private static BlendMode blendMode(Frame frame, UrbiObject value) {
+    BlendMode mode = BlendMode.of(value);
+    if (mode == null) {
+      throw frame
+          .interpreter
+          .errors()
+          .primitive(
+              "setProperty", "invalid blend mode: " + frame.interpreter.asPrintable(frame, value));
+    }
+    return mode;
   }
 
   /** Removes a property; null when there was none. */
@@ -72,6 +87,7 @@ public final class Properties {
       return null;
     }
     switch (property) {
+      case "blend" -> data.blending = null;
       case "constant" -> data.constant = false;
       case "changed" -> data.changed = null;
       case "get" -> data.getter = null;

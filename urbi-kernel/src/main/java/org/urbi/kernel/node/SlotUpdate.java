@@ -85,6 +85,29 @@ public final class SlotUpdate {
     if (data.constant) {
       throw frame.interpreter.errors().constness();
     }
+    if (data.blending instanceof Blending blending) {
+      UrbiObject blended = blending.assigned(frame, value);
+      if (blended == null) {
+        return;
+      }
+      if (holder.slotData(name) != data) {
+        // It has waited, and the slot is not any more what it was.
+        assign(frame, target, name, blended);
+        return;
+      }
+      write(frame, target, holder, name, data, blended);
+      return;
+    }
+    write(frame, target, holder, name, data, value);
+  }
+
+  private static void write(
+      Frame frame,
+      UrbiObject target,
+      UrbiObject holder,
+      Symbol name,
+      SlotData data,
+      UrbiObject value) {
     if (data.setter != null) {
       frame.interpreter.call(frame, data.setter, target, value);
       if (data.setter instanceof Whole) {

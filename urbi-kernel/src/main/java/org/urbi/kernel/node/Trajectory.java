@@ -1,8 +1,11 @@
 package org.urbi.kernel.node;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.SlotData;
+import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
@@ -13,7 +16,12 @@ import org.urbi.lang.source.Span;
  * attributes, to {@code TrajectoryGenerator} (manual, "TrajectoryGenerator").
  */
 public final class Trajectory extends Node implements CallSite {
+  /** The properties of the slot that its motions keep to. */
+  private static final List<String> LIMITS = List.of("speedmin", "speedmax", "delta");
+
   private final Node variable;
+  private final Node owner;
+  private final Symbol slot;
   private final Variables.Place written;
   private final Node write;
   private final Node target;
@@ -22,12 +30,16 @@ public final class Trajectory extends Node implements CallSite {
 
   /**
    * @param variable reads what is moved
+   * @param owner the object whose slot is moved; null when it is no slot
+   * @param slot the name of that slot
    * @param written where the next value is put before {@code write} is executed
    * @param write assigns it to what is moved
    */
   public Trajectory(
       Span span,
       Node variable,
+      Node owner,
+      Symbol slot,
       Variables.Place written,
       Node write,
       Node target,
@@ -35,6 +47,8 @@ public final class Trajectory extends Node implements CallSite {
       Node[] values) {
     super(span);
     this.variable = variable;
+    this.owner = owner;
+    this.slot = slot;
     this.written = written;
     this.write = write;
     this.target = target;
@@ -58,6 +72,15 @@ public final class Trajectory extends Node implements CallSite {
     Map<UrbiDictionary.Key, UrbiObject> attributes = new LinkedHashMap<>();
     // There must be something to move: the error is where it is written.
     variable.execute(frame);
+    SlotData data = data(frame);
+    if (data != null) {
+      for (String property : LIMITS) {
+        UrbiObject limit = data.properties.get(property);
+        if (limit != null) {
+          attributes.put(DictionaryKey.of(frame, interpreter.values().string(property)), limit);
+        }
+      }
+    }
     for (int i = 0; i < names.length; i++) {
       attributes.put(
           DictionaryKey.of(frame, interpreter.values().string(names[i])),
@@ -67,6 +90,24 @@ public final class Trajectory extends Node implements CallSite {
     if (goal instanceof UrbiFloat number && Double.isNaN(number.value())) {
       goal = interpreter.values().number(0);
     }
+    UrbiObject end = goal;
+    return data != null && data.blending instanceof Blending blending
+        ? blending.move(frame, () -> follow(frame, end, attributes))
+        : follow(frame, end, attributes);
+  }
+
+  /** What the slot has besides its value, or null. */
+  private SlotData data(Frame frame) {
+    if (owner == null) {
+      return null;
+    }
+    UrbiObject holder = owner.execute(frame).locate(slot);
+    return holder == null ? null : holder.slotData(slot);
+  }
+
+  private UrbiObject follow(
+      Frame frame, UrbiObject goal, Map<UrbiDictionary.Key, UrbiObject> attributes) {
+    Interpreter interpreter = frame.interpreter;
     Shape code = interpreter.prototypes.codeShape;
     UrbiObject generator =
         interpreter.get(frame, frame.self, interpreter.world().symbol("TrajectoryGenerator"));

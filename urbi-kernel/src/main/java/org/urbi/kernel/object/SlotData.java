@@ -25,9 +25,20 @@ public final class SlotData {
   /** Conditions that read this slot; null while there are none. */
   public Dependencies dependents;
 
+  /** Whether the slot is no longer there. */
+  public boolean removed;
+
+  /** What those who execute code know of assignments at the same time, {@code blend}; or null. */
+  public Object blending;
+
   byte flags() {
     byte flags = 0;
-    if (constant || changed != null || setter != null || dependents != null || getter != null) {
+    if (constant
+        || changed != null
+        || setter != null
+        || dependents != null
+        || getter != null
+        || blending != null) {
       flags |= Shape.WRITE_SPECIAL;
     }
     if (getter != null) {

@@ -65,7 +65,7 @@ final class RemoteTasks {
 
   /** Has the tasks done; from any thread. */
   void start() {
-    if (announced.compareAndSet(false, true)) {
+    if (!tasks.isEmpty() && announced.compareAndSet(false, true)) {
       scheduler.inbox().post(this::wake);
     }
   }
@@ -112,6 +112,11 @@ final class RemoteTasks {
     } catch (RuntimeException e) {
       failed.accept(e);
     }
+  }
+
+  /** Whether the job that is running is the one that does the tasks. */
+  boolean areRunning() {
+    return job != null && scheduler.running() == job;
   }
 
   /** There is nothing more to be done. */

@@ -1,6 +1,7 @@
 package org.urbi.kernel.variable;
 
-import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.event.UrbiSubscription;
+import org.urbi.kernel.job.Job;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
@@ -8,16 +9,9 @@ import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
 /** Leads each new value of one variable to another (manual, "Customizing data-flow links"). */
-public final class UrbiConnection extends UrbiObject {
+public final class UrbiConnection extends UrbiSubscription {
   private UrbiUVar source;
   private UrbiUVar target;
-  private boolean enabled = true;
-  private boolean asynchronous;
-  private long minInterval;
-  private long lastPassed = Long.MIN_VALUE;
-  private boolean passing;
-  private long firstPassed;
-  private final CallTimes times = new CallTimes();
 
   public UrbiConnection(Shape shape) {
     super(shape);
@@ -37,6 +31,7 @@ public final class UrbiConnection extends UrbiObject {
   }
 
   /** Leads nothing any more. */
+  @Override
   public void disconnect() {
     if (source != null) {
       source.remove(this);
@@ -54,82 +49,18 @@ public final class UrbiConnection extends UrbiObject {
     return target;
   }
 
-  public boolean isEnabled() {
-    return enabled;
-  }
-
-  public void setEnabled(boolean on) {
-    enabled = on;
-  }
-
-  /** Whether values go to the target in a job of their own; what comes meanwhile is dropped. */
-  public boolean isAsynchronous() {
-    return asynchronous;
-  }
-
-  public void setAsynchronous(boolean on) {
-    asynchronous = on;
-  }
-
-  /** The least time between two values, in nanoseconds; what comes earlier is dropped. */
-  public long minInterval() {
-    return minInterval;
-  }
-
-  public void setMinInterval(long nanoseconds) {
-    minInterval = nanoseconds;
-  }
-
-  /** How often values have been passed, and how long that took. */
-  public CallTimes times() {
-    return times;
-  }
-
-  /** How often a second values have been passed, from the first to the last one. */
-  public double fireRate() {
-    return times.count() < 2 || lastPassed <= firstPassed
-        ? 0
-        : (times.count() - 1) * 1e9 / (lastPassed - firstPassed);
-  }
-
   /** There is a new value. */
   void pass(Frame frame, Datum value) {
     Interpreter interpreter = frame.interpreter();
-    long now = interpreter.scheduler().now();
-    if (!enabled || lastPassed != Long.MIN_VALUE && now - lastPassed < minInterval) {
-      return;
-    }
-    if (!asynchronous) {
-      begin(now);
-      deliver(frame, value);
-    } else if (!passing) {
-      passing = true;
-      begin(now);
-      Scheduler scheduler = interpreter.scheduler();
-      UrbiObject lobby = frame.job().lobby();
-      scheduler
-          .startDetached(
-              lobby,
-              scheduler.rootScope(),
-              "connection",
-              job -> deliver(Frame.top(interpreter, job, lobby, new FrameLayout()), value))
-          .onEnd(() -> passing = false);
-    }
-  }
-
-  private void begin(long now) {
-    if (times.count() == 0) {
-      firstPassed = now;
-    }
-    lastPassed = now;
-  }
-
-  private void deliver(Frame frame, Datum value) {
-    long started = frame.interpreter().scheduler().clock().now();
-    try {
-      target.write(frame, value);
-    } finally {
-      times.add(frame.interpreter().scheduler().clock().now() - started);
-    }
+    Job caller = frame.job();
+    gate()
+        .call(
+            caller,
+            job ->
+                target.write(
+                    job == caller
+                        ? frame
+                        : Frame.top(interpreter, job, job.lobby(), new FrameLayout()),
+                    value));
   }
 }

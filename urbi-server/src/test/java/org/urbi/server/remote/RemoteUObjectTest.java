@@ -134,7 +134,7 @@ class RemoteUObjectTest {
     public int init(double initial) {
       UBindVar(v, "v");
       v.setValue(initial);
-      UBindFunctions("add", "fail", "echo");
+      UBindFunctions("add", "fail", "echo", "whole");
       return 0;
     }
 
@@ -144,6 +144,10 @@ class RemoteUObjectTest {
 
     public void fail(String text) {
       throw new IllegalStateException(text);
+    }
+
+    public int whole(int value) {
+      return value;
     }
 
     public UValue echo(UValue value) {
@@ -188,7 +192,11 @@ class RemoteUObjectTest {
             + eval("a.__uobjectName").replace("\"", "")
             + ".fail: no way",
         error("a.fail(\"no way\")"));
-    assertTrue(error("a.add(\"many\")").contains("invalid cast to double from \"many\""));
+    String name = eval("a.__uobjectName").replace("\"", "");
+    assertEquals(
+        name + ".add: argument 1: unexpected \"many\", expected a Float",
+        error("a.add(\"many\")").replaceFirst("\\n.*", ""));
+    assertEquals("[-2147483648, 5]", eval("[a.whole(2147483648), a.whole(5.9)]"));
     assertEquals("3", eval("1 + 2"));
   }
 
@@ -458,7 +466,7 @@ class RemoteUObjectTest {
 
   @Test
   void nothingIsLeftOfThoseWhoCameAndWent() {
-    eval("1");
+    remote.start(type("Watcher", Watcher::new));
     double jobs = client.syncEval("jobs.size").doubleValue();
     for (int i = 0; i < 100; i++) {
       try (RemoteContext passing = new RemoteContext(HOST, server.port())) {

@@ -1,0 +1,109 @@
+package org.urbi.kernel.event;
+
+import java.util.List;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.TagScope;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Values;
+
+/** Functions that are called when an event is emitted, and when the emission is over. */
+public final class FunctionHandler implements Subscription, TagScope.Attachment {
+  private final UrbiEvent event;
+  private final Frame home;
+  private final TagScope scope;
+  private final UrbiObject guard;
+  private final UrbiObject enter;
+  private final UrbiObject leave;
+  private final boolean sync;
+
+  private FunctionHandler(
+      Frame home,
+      UrbiEvent event,
+      UrbiObject guard,
+      UrbiObject enter,
+      UrbiObject leave,
+      boolean sync) {
+    this.event = event;
+    this.home = home;
+    this.scope = home.job().scope();
+    this.guard = guard;
+    this.enter = enter;
+    this.leave = leave;
+    this.sync = sync;
+    scope.add(this);
+  }
+
+  /**
+   * As {@code at} is made of (Urbi 3, "Event", {@code onEvent}): the functions are called with the
+   * event and the list of what was sent with it; {@code enter} and {@code leave} with what the
+   * guard returned, too.
+   *
+   * @param guard accepts an emission, unless it returns void
+   * @param leave called when the emission is over; may be null
+   * @param sync whether the job that emits calls them; else jobs of their own do
+   */
+  public static FunctionHandler guarded(
+      Frame home,
+      UrbiEvent event,
+      UrbiObject guard,
+      UrbiObject enter,
+      UrbiObject leave,
+      boolean sync) {
+    return new FunctionHandler(home, event, guard, enter, leave, sync);
+  }
+
+  /** A function that the job that emits calls with what was sent with the event. */
+  public static FunctionHandler plain(Frame home, UrbiEvent event, UrbiObject function) {
+    return new FunctionHandler(home, event, null, function, null, true);
+  }
+
+  @Override
+  public void begin(Emission emission, Job emitter) {
+    if (scope.isFrozen()) {
+      return;
+    }
+    if (guard == null) {
+      call(emitter, enter, emission.payload());
+      return;
+    }
+    Values values = home.interpreter().values();
+    UrbiObject payload = values.list(List.of(emission.payload()));
+    UrbiObject matched = call(emitter, guard, event, payload);
+    if (matched == values.voidObject) {
+      return;
+    }
+    UrbiObject[] arguments = {event, payload, matched};
+    if (leave != null) {
+      emission.note(this, arguments);
+    }
+    run(emission, emitter, enter, arguments);
+  }
+
+  @Override
+  public void end(Emission emission, Job emitter) {
+    if (emission.noted(this) instanceof UrbiObject[] arguments) {
+      run(emission, emitter, leave, arguments);
+    }
+  }
+
+  private void run(Emission emission, Job emitter, UrbiObject function, UrbiObject[] arguments) {
+    if (sync || emission.isSync()) {
+      call(emitter, function, arguments);
+      return;
+    }
+    emitter
+        .scheduler()
+        .startDetached(home.job().lobby(), scope, "at", job -> call(job, function, arguments));
+  }
+
+  private UrbiObject call(Job job, UrbiObject function, UrbiObject... arguments) {
+    return home.interpreter().call(home.in(job), function, home.self(), arguments);
+  }
+
+  @Override
+  public void stopped() {
+    event.unsubscribe(this);
+    scope.remove(this);
+  }
+}

@@ -1,0 +1,68 @@
+package org.urbi.kernel.event;
+
+import org.urbi.kernel.job.TagScope;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiObject;
+
+/** Somebody who listens to an event, or to a variable, as urbiscript sees it. */
+public class UrbiSubscription extends UrbiObject {
+  /** Makes what listens to an event. */
+  @FunctionalInterface
+  public interface Listener {
+    Subscription listenTo(Frame frame, UrbiEvent event);
+  }
+
+  private final CallGate gate = new CallGate();
+  private Listener listener;
+  private UrbiEvent event;
+  private Subscription subscription;
+
+  public UrbiSubscription(Shape shape) {
+    super(shape);
+  }
+
+  /** Of somebody who listens to an event already. */
+  UrbiSubscription(Shape shape, UrbiEvent event, Subscription subscription) {
+    super(shape);
+    this.event = event;
+    this.subscription = subscription;
+  }
+
+  @Override
+  public UrbiObject cloned() {
+    return new UrbiSubscription(cloneShape());
+  }
+
+  public final CallGate gate() {
+    return gate;
+  }
+
+  /** Sets what is called once it {@linkplain #listenTo listens}. */
+  public final void setListener(Listener made) {
+    listener = made;
+  }
+
+  /** Whether it can listen to another event. */
+  public final boolean canListen() {
+    return listener != null;
+  }
+
+  /** Listens to an event from now on, and to no other one. */
+  public final void listenTo(Frame frame, UrbiEvent source) {
+    disconnect();
+    event = source;
+    subscription = listener.listenTo(frame, source);
+    source.subscribe(subscription, this, frame.job());
+  }
+
+  /** Listens no more. */
+  public void disconnect() {
+    if (subscription instanceof TagScope.Attachment attached) {
+      attached.stopped();
+    } else if (subscription != null) {
+      event.unsubscribe(subscription);
+    }
+    subscription = null;
+  }
+}
