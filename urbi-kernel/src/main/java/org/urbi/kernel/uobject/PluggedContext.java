@@ -17,6 +17,7 @@ import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.Timers;
 import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.library.KernelControl;
+import org.urbi.kernel.library.LogLevel;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
@@ -261,6 +262,13 @@ public final class PluggedContext implements UContext {
   void reportUnlessOver(String message) {
     if (!over) {
       report(message);
+    }
+  }
+
+  /** Puts a warning into the log. */
+  void warn(String message) {
+    if (LogLevel.LOG.compareTo(kernel.logLevel()) <= 0) {
+      kernel.log("warning: " + message);
     }
   }
 
