@@ -38,6 +38,7 @@ void SoundAlgorithm::init(UVar& dataSource)
   convertedData.sampleSize = 8;
   convertedData.sampleFormat = SAMPLE_UNSIGNED;
   UBindVars(SoundAlgorithm, samples, loudest);
+  samples = loudest = 0;
   UNotifyChange(dataSource, &SoundAlgorithm::onData);
 }
 

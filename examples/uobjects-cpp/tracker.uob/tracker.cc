@@ -82,7 +82,7 @@ void BallTracker::init(const std::string& cameraval)
   UBindVar(BallTracker, y);
   UNotifyChange(cameraval, &BallTracker::newImage);
 
-  visible = 0;
+  visible = x = y = 0;
 }
 
 void BallTracker::newImage(urbi::UVar& v)
@@ -116,6 +116,7 @@ public:
   {
     UNotifyChange(image, &ObjectTracker::onImage);
     UBindVar(ObjectTracker, val);
+    val = 0;
   }
 
   void onImage(UVar& src)
@@ -140,6 +141,7 @@ public:
     UBindFunction(PortTracker, init);
     UBindVar(PortTracker, input);
     UBindVar(PortTracker, val);
+    val = 0;
     UNotifyChange(input, &PortTracker::onImage);
   }
 

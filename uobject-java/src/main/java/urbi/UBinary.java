@@ -17,7 +17,7 @@ public final class UBinary {
   private String message;
   private byte[] data;
 
-  /** Where the data come from when somebody wants them; null as soon as they are here. */
+  /** Where the data come from when somebody wants them; null if they were just given. */
   private Supplier<byte[]> source;
 
   private int size;
@@ -102,10 +102,15 @@ public final class UBinary {
 
   /** The bytes; not copied. */
   public byte[] getData() {
-    if (source != null) {
-      setData(source.get());
+    if (data == null) {
+      data = source.get();
     }
     return data;
+  }
+
+  /** What fetches the data, as it was given; null if the data themselves were. */
+  public Supplier<byte[]> source() {
+    return source;
   }
 
   /** Sets the bytes; not copied. */
@@ -116,7 +121,7 @@ public final class UBinary {
 
   /** How many bytes there are. */
   public int getSize() {
-    return source == null ? data.length : size;
+    return data == null ? size : data.length;
   }
 
   /** Makes it empty. */

@@ -15,6 +15,7 @@ public final class UCallback {
   private final String name;
   private final MethodHandle handle;
   private final List<Type> parameterTypes;
+  private final MethodHandle uncopied;
   private final LockSpec lock;
   private final UTaskQueue queue;
 
@@ -22,11 +23,13 @@ public final class UCallback {
       String name,
       MethodHandle handle,
       List<Type> parameterTypes,
+      MethodHandle uncopied,
       LockSpec lock,
       UTaskQueue queue) {
     this.name = Objects.requireNonNull(name, "name");
     this.handle = handle;
     this.parameterTypes = parameterTypes;
+    this.uncopied = uncopied;
     this.lock = lock;
     this.queue = queue;
   }
@@ -51,7 +54,8 @@ public final class UCallback {
     if (handle.type().parameterCount() != parameterTypes.size()) {
       throw new IllegalArgumentException(name + ": " + parameterTypes + " for " + handle.type());
     }
-    return new UCallback(name, handle.asFixedArity(), List.copyOf(parameterTypes), null, null);
+    return new UCallback(
+        name, handle.asFixedArity(), List.copyOf(parameterTypes), null, null, null);
   }
 
   /**
@@ -60,7 +64,24 @@ public final class UCallback {
    * @param queue the calls that exclude this one; null for none
    */
   public UCallback threaded(LockSpec spec, UTaskQueue queue) {
-    return new UCallback(name, handle, parameterTypes, spec, queue);
+    return new UCallback(name, handle, parameterTypes, null, spec, queue);
+  }
+
+  /**
+   * The same function, which is given even without a parameter what it is told of where that was
+   * not copied (manual, "0-copy mode"): it need not ask for it.
+   *
+   * @param told what is called with such a {@link UValue}
+   */
+  public UCallback uncopied(MethodHandle told) {
+    return new UCallback(name, handle, parameterTypes, told, lock, queue);
+  }
+
+  /**
+   * What is called with a value that was not copied, if that is not {@link #handle}; null if it is.
+   */
+  public MethodHandle uncopied() {
+    return uncopied;
   }
 
   /** By which errors call it. */

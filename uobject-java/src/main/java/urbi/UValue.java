@@ -203,9 +203,9 @@ public final class UValue {
     return (float) doubleValue();
   }
 
-  /** The number without its decimals; the nearest one where it is too large. */
+  /** The number without its decimals; where it is too large, its lowest 32 bits. */
   public int intValue() {
-    return (int) doubleValue();
+    return (int) longValue();
   }
 
   /** The number without its decimals; the nearest one where it is too large. */

@@ -132,6 +132,7 @@ class UValueTest {
   @Test
   void gettersConvertWhatIsMeant() {
     assertEquals(42, new UValue("42").intValue());
+    assertEquals(-2147483648, new UValue(2147483648.0).intValue());
     assertEquals(0.2, new UValue("200ms").doubleValue());
     assertEquals("42", new UValue(42).stringValue());
     assertEquals("42.5", new UValue(42.5).stringValue());

@@ -11,7 +11,7 @@ import java.util.function.Consumer;
  */
 final class Dispatcher {
   /** How long a task takes at least that another thread reads for, in nanoseconds. */
-  private static final long LONG_NANOSECONDS = 2_000_000;
+  private static final long LONG_NANOSECONDS = 5_000_000;
 
   /** Reads one frame: executes it, or hands it to {@link Dispatcher#run}. */
   interface Reading {

@@ -33,6 +33,7 @@ public final class Failure {
             || cause.getClass() == Exception.class
             || cause instanceof IllegalStateException
             || cause instanceof IllegalArgumentException
+            || cause instanceof ArgumentException
             || cause instanceof UCastException;
     return plain ? message : cause.getClass().getSimpleName() + ": " + message;
   }

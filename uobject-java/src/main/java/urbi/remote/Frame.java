@@ -35,6 +35,7 @@ public final class Frame {
   public static final int FENCE = 38;
   public static final int RTP_OFFER = 39;
   public static final int RTP_ACTIVE = 40;
+  public static final int ARGUMENT_ERROR = 41;
 
   // From the kernel.
   public static final int NEW = 64;

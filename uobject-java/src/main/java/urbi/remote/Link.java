@@ -8,6 +8,8 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
@@ -28,12 +30,14 @@ final class Link implements AutoCloseable {
   private final InputStream in;
   private final OutputStream out;
   private final ReentrantLock lock = new ReentrantLock();
-  private final Condition changed = lock.newCondition();
+  private final Condition room = lock.newCondition();
+  private final Condition work = lock.newCondition();
   private WireOutput waiting = new WireOutput(1 << 16);
   private WireOutput spare = new WireOutput(1 << 16);
   private boolean writing;
   private boolean writerIdle;
   private volatile IOException failure;
+  private volatile boolean tooLate;
   private byte[] buffer = new byte[1 << 16];
   private int from;
   private int to;
@@ -44,25 +48,46 @@ final class Link implements AutoCloseable {
    * @throws UClientException if nobody answers, or somebody who does not speak it
    */
   Link(String host, int port, int milliseconds) {
+    var agreed = new CountDownLatch(1);
+    limit(agreed, milliseconds);
     try {
       socket.setTcpNoDelay(true);
       socket.setKeepAlive(true);
-      socket.connect(new InetSocketAddress(host, port), milliseconds);
-      socket.setSoTimeout(milliseconds);
+      socket.connect(new InetSocketAddress(host, port));
       in = socket.getInputStream();
       out = socket.getOutputStream();
       out.write(Protocol.request().getBytes(StandardCharsets.US_ASCII));
       awaitAgreement();
-      socket.setSoTimeout(0);
     } catch (IOException e) {
+      String reason = tooLate ? "no answer within " + milliseconds + " ms" : e.getMessage();
       closeSocket();
-      throw new UClientException(
-          "cannot connect to " + host + ":" + port + ": " + e.getMessage(), e);
+      throw new UClientException("cannot connect to " + host + ":" + port + ": " + reason, e);
     } catch (UClientException e) {
       closeSocket();
       throw e;
+    } finally {
+      agreed.countDown();
     }
     Thread.ofPlatform().daemon().name("urbi-remote-writer").start(this::write);
+  }
+
+  /**
+   * Closes the socket unless there is an agreement in time. A deadline of the socket's own would
+   * have it ask the system three times for each frame, for ever, instead of once.
+   */
+  private void limit(CountDownLatch agreed, int milliseconds) {
+    Thread.ofVirtual()
+        .name("urbi-remote-deadline")
+        .start(() -> {
+          try {
+            if (!agreed.await(milliseconds, TimeUnit.MILLISECONDS)) {
+              tooLate = true;
+              closeSocket();
+            }
+          } catch (InterruptedException e) {
+            // Nobody has the thread to interrupt it.
+          }
+        });
   }
 
   /** Where the server is. */
@@ -115,7 +140,7 @@ final class Link implements AutoCloseable {
     lock.lock();
     try {
       while (failure == null && waiting.length() > MOST_WAITING) {
-        changed.awaitUninterruptibly();
+        room.awaitUninterruptibly();
       }
       if (failure != null) {
         throw new UClientException("connection lost: " + failure.getMessage(), failure);
@@ -129,8 +154,8 @@ final class Link implements AutoCloseable {
       }
       if (!writing && (urgent || before > 0 && waiting.length() > MOST_WAITING)) {
         flush();
-      } else if (writerIdle) {
-        changed.signalAll();
+      } else {
+        callWriter();
       }
     } finally {
       lock.unlock();
@@ -156,7 +181,15 @@ final class Link implements AutoCloseable {
     if (problem != null) {
       fail(problem);
     }
-    changed.signalAll();
+    room.signalAll();
+    callWriter();
+  }
+
+  /** Wakes the writer, if there is something for it to do: that costs more than to write. */
+  private void callWriter() {
+    if (writerIdle && !writing && waiting.length() > 0) {
+      work.signal();
+    }
   }
 
   private void write() {
@@ -166,8 +199,8 @@ final class Link implements AutoCloseable {
         if (waiting.length() > 0 && !writing) {
           flush();
         } else {
-          writerIdle = !writing;
-          changed.awaitUninterruptibly();
+          writerIdle = true;
+          work.awaitUninterruptibly();
           writerIdle = false;
         }
       }
@@ -217,7 +250,8 @@ final class Link implements AutoCloseable {
       failure = problem;
       closeSocket();
     }
-    changed.signalAll();
+    room.signalAll();
+    work.signal();
   }
 
   private void closeSocket() {

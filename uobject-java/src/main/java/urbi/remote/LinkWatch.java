@@ -13,8 +13,11 @@ final class LinkWatch implements AutoCloseable {
    */
   LinkWatch(Runnable ask, Runnable giveUp) {
     thread =
-        Thread.ofVirtual()
-            .name("urbi-remote-watch")
+        // A virtual thread that writes would have the socket ask the system more often from then
+        // on.
+        Thread.ofPlatform()
+            .daemon()
+            .name("urbi-remote-keep-alive")
             .start(() -> {
               try {
                 while (silence() < Protocol.PATIENCE_SECONDS) {

@@ -1,6 +1,7 @@
 package urbi.remote;
 
 import java.io.IOException;
+import java.lang.reflect.Type;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
@@ -18,6 +19,7 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import urbi.UCallback;
 import urbi.UCast;
+import urbi.UCastException;
 import urbi.UClass;
 import urbi.UClientException;
 import urbi.UContext;
@@ -359,6 +361,9 @@ public final class RemoteContext implements UContext, AutoCloseable {
       } else {
         result(number, result);
       }
+    } catch (ArgumentException e) {
+      sendNow(out ->
+          out.begin(Frame.ARGUMENT_ERROR).size(number).size(e.place()).text(e.expected()).end());
     } catch (Throwable e) {
       error(number, Failure.text(e));
     }
@@ -375,9 +380,18 @@ public final class RemoteContext implements UContext, AutoCloseable {
               + arguments.length);
     }
     for (int i = 0; i < converted.length; i++) {
-      converted[i] = UCast.to(arguments[i], function.parameterTypes().get(i));
+      converted[i] = argument(arguments[i], i, function.parameterTypes().get(i));
     }
     return function.call(converted);
+  }
+
+  private static Object argument(UValue value, int index, Type type) {
+    try {
+      return UCast.to(value, type);
+    } catch (UCastException e) {
+      String expected = ArgumentTypes.name(type);
+      throw expected == null ? e : new ArgumentException(index + 1, expected, e);
+    }
   }
 
   private void result(int number, Object result) {

@@ -25,6 +25,7 @@ final class RemoteSlot implements USlot {
   private final List<UCallback> onChange = new CopyOnWriteArrayList<>();
   private final List<UCallback> onAccess = new CopyOnWriteArrayList<>();
   private volatile UValue value = NONE;
+  private boolean changed;
   private volatile UValue written = NONE;
   private volatile long timestamp;
   private volatile boolean owned;
@@ -70,7 +71,10 @@ final class RemoteSlot implements USlot {
   /** The kernel tells of a new value. */
   void changed(long time, UValue other) {
     timestamp = time;
-    value = other;
+    synchronized (this) {
+      changed = true;
+      value = other;
+    }
     for (UCallback callback : onChange) {
       context.notify(callback, other);
     }
@@ -92,8 +96,11 @@ final class RemoteSlot implements USlot {
     rtp = mode;
   }
 
-  void setInitial(UValue initial) {
-    value = initial;
+  /** The value that it had when it was opened; it may have another one by now. */
+  synchronized void setInitial(UValue initial) {
+    if (!changed) {
+      value = initial;
+    }
   }
 
   @Override

@@ -199,6 +199,19 @@ namespace urbi
       own(copy);
     }
 
+    /// Becomes what a header says, and uses those data. From one image to the next of the same size
+    /// there is nothing else to be done.
+    void share(const std::string& header, void* bytes, size_t length)
+    {
+      if (allocated_ || message != header)
+        set(header, bytes, length, false);
+      else
+      {
+        common.data = bytes;
+        common.size = length;
+      }
+    }
+
     /// Writes it as an urbiscript literal.
     std::ostream& print(std::ostream& out, int = 2) const
     {

@@ -13,6 +13,11 @@
 
 namespace urbi
 {
+  namespace detail
+  {
+    class Telling;
+  }
+
   /// A slot of an urbiscript object, which is read and written from any thread. Of an owned one, what
   /// is read here is the target that others have written, and what is written is what they read.
   class UVar : public UContext
@@ -148,11 +153,20 @@ namespace urbi
 
   private:
     friend class UObject;
+    friend class detail::Telling;
+
+    /// Takes the value of which a function is about to be told.
+    void tell(detail::Reader& in);
+
+    /// Whether this thread is being told of the value.
+    bool is_told() const;
 
     void bind(const std::string& name);
     void close() noexcept;
     detail::Request& read(detail::Request& request) const;
     void write(const UValue& value);
+    template <typename T>
+    void write_binary(const T& value);
 
     std::string name_;
     int64_t slot_;

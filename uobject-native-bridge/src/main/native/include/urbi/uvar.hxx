@@ -93,6 +93,19 @@ namespace urbi
 
   // ---------------------------------------------------------------- writing
 
+  template <typename T>
+  void UVar::write_binary(const T& value)
+  {
+    check();
+    detail::Request request(URBI_VARIABLE_SET, context(), slot_);
+    // The kernel copies the data where it has to.
+    if constexpr (std::is_same<T, UBinary>::value)
+      request.out.binary(value);
+    else
+      request.out.binary(UBinary(value, false));
+    request.send();
+  }
+
   inline void UVar::write(const UValue& value)
   {
     check();
@@ -112,8 +125,7 @@ namespace urbi
       write(value);
     else if constexpr (std::is_same<T, UBinary>::value || std::is_same<T, UImage>::value
                        || std::is_same<T, USound>::value)
-      // The kernel copies the data where it has to.
-      write(UValue(value, false));
+      write_binary(value);
     else
     {
       UValue made;
@@ -151,8 +163,24 @@ namespace urbi
     return request;
   }
 
+  inline void UVar::tell(detail::Reader& in)
+  {
+    std::lock_guard<std::mutex> guard(lock_);
+    in.value(value_);
+  }
+
+  inline bool UVar::is_told() const
+  {
+    for (const detail::Told* at = detail::thread_state().told; at; at = at->outer)
+      if (at->variable == this)
+        return true;
+    return false;
+  }
+
   inline const UValue& UVar::val() const
   {
+    if (is_told())
+      return value_;
     UValue read_now;
     detail::Request request(URBI_VARIABLE_GET, context(), slot_);
     read(request).reply().value(read_now);
@@ -176,6 +204,8 @@ namespace urbi
   {
     if constexpr (std::is_same<T, UImage>::value || std::is_same<T, USound>::value)
       return static_cast<T>(val());
+    else if (is_told())
+      return uvalue_cast<T>(value_);
     else
     {
       UValue value;
@@ -200,6 +230,8 @@ namespace urbi
   template <typename T, UVar::if_number<T>>
   UVar::operator T() const
   {
+    if (is_told())
+      return static_cast<T>(value_);
     detail::Request request(URBI_VARIABLE_GET, context(), slot_);
     detail::Reader reply = read(request).reply();
     ufloat number;

@@ -74,7 +74,15 @@ class ArchitectureTest {
   @ArchTest static final ArchRule antlrIsTheLanguages = onlyIn("org.urbi.lang..", "org.antlr..");
 
   @ArchTest
-  static final ArchRule nettyIsTheNetworks = onlyIn("org.urbi.server.net..", "io.netty..");
+  static final ArchRule nettyIsTheNetworksAndThePages =
+      noClasses()
+          .that()
+          .resideInAPackage("org.urbi..")
+          .and()
+          .resideOutsideOfPackages("org.urbi.server.net..", "org.urbi.sim.page..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAPackage("io.netty..");
 
   @ArchTest
   static final ArchRule jlineIsTheConsoles = onlyIn("org.urbi.server.console..", "org.jline..");

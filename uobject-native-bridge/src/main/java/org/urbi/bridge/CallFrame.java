@@ -2,11 +2,15 @@ package org.urbi.bridge;
 
 import com.sun.jna.Native;
 import java.util.ArrayDeque;
+import java.util.concurrent.atomic.AtomicReference;
 
 /** An exchange with its buffers, for calls into C++ code. Frames are used again. */
 final class CallFrame {
   private static final int BUFFER = 1024;
   private static final int MOST_SPARE = 32;
+
+  /** The one that was given back last, which is nearly always enough, and the others. */
+  private static final AtomicReference<CallFrame> LAST = new AtomicReference<>();
 
   private static final ArrayDeque<CallFrame> SPARE = new ArrayDeque<>();
 
@@ -30,6 +34,10 @@ final class CallFrame {
 
   /** A frame, to be given back by {@link #release}. */
   static CallFrame take() {
+    CallFrame last = LAST.getAndSet(null);
+    if (last != null) {
+      return last;
+    }
     synchronized (SPARE) {
       CallFrame spare = SPARE.poll();
       if (spare != null) {
@@ -68,6 +76,9 @@ final class CallFrame {
     }
     arguments.release();
     arguments.restart();
+    if (LAST.compareAndSet(null, this)) {
+      return;
+    }
     synchronized (SPARE) {
       if (SPARE.size() < MOST_SPARE) {
         SPARE.push(this);

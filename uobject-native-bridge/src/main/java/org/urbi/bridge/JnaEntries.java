@@ -5,12 +5,16 @@ package org.urbi.bridge;
  * their class: each library gets a copy of this class, by a class loader of its own.
  */
 public final class JnaEntries implements ModuleEntries {
+  private final JnaHost host;
+
   /** Made by {@link JnaLibrary}, of its copy. */
-  public JnaEntries() {}
+  public JnaEntries(JnaHost host) {
+    this.host = host;
+  }
 
   private static native long urbi_module_version();
 
-  private static native long urbi_module_open(long host, long exchange);
+  private static native long urbi_module_open(JnaHost host, long exchange);
 
   private static native long urbi_module_create(long exchange);
 
@@ -28,7 +32,7 @@ public final class JnaEntries implements ModuleEntries {
   }
 
   @Override
-  public long open(long host, long exchange) {
+  public long open(long exchange) {
     return urbi_module_open(host, exchange);
   }
 

@@ -9,12 +9,8 @@ public interface ModuleEntries {
   /** The version of the boundary. */
   long version();
 
-  /**
-   * Tells it its host.
-   *
-   * @param host the address of a function that takes requests
-   */
-  long open(long host, long exchange);
+  /** Tells it whom to ask: from now on it may call back. */
+  long open(long exchange);
 
   /** Makes an object; returns its address. */
   long create(long exchange);

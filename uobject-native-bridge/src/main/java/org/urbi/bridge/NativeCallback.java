@@ -63,7 +63,7 @@ final class NativeCallback {
     UCallback made =
         UCallback.of(name, callback.handle(arity), Collections.nCopies(arity, UValue.class));
     if (mode < 0) {
-      return made;
+      return arity == 0 ? made.uncopied(callback.handle(1)) : made;
     }
     LockSpec lock = new LockSpec(MODES[mode], most);
     return made.threaded(lock, owner.queue(lock.lockMode(), what));

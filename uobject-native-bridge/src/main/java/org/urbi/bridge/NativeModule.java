@@ -132,7 +132,7 @@ public final class NativeModule implements AutoCloseable {
     CallFrame frame = CallFrame.take();
     try {
       frame.prepare(0, 0, 0);
-      if (entries.open(JnaLibrary.host(), frame.exchange) == Exchange.FAILED) {
+      if (entries.open(frame.exchange) == Exchange.FAILED) {
         throw new UModuleException("cannot load " + path + ": " + frame.error());
       }
       declare(frame.reply(), path);

@@ -7,6 +7,7 @@ import urbi.UValue;
 final class NativeVariable {
   private final USlot slot;
   private volatile boolean bypass;
+  private volatile SharedHeader header = SharedHeader.NONE;
 
   NativeVariable(USlot slot) {
     this.slot = slot;
@@ -25,10 +26,13 @@ final class NativeVariable {
 
   /** Writes the value that C++ code wants to write. */
   void set(ValueReader in) {
-    SharedBinary shared = bypass ? in.shared() : null;
+    SharedBinary shared = bypass ? in.shared(header) : null;
     if (shared == null) {
       slot.set(in.value());
       return;
+    }
+    if (header != shared.header()) {
+      header = shared.header();
     }
     try (shared) {
       slot.set(new UValue(shared.binary()));

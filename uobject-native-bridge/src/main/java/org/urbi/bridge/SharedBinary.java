@@ -1,67 +1,67 @@
 package org.urbi.bridge;
 
-import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Supplier;
 import urbi.UBinary;
 
 /**
- * A binary whose data are in C++ memory, while a variable in bypass mode is written (manual,
- * "0-copy mode"): C++ code that is notified gets their address, and Java code a copy if it looks at
- * them.
+ * The data of a binary in C++ memory, while a variable in bypass mode is written (manual, "0-copy
+ * mode"): C++ code that is notified gets their address, and Java code a copy if it looks at them.
  */
-final class SharedBinary implements AutoCloseable {
-  /** Those that are being written, in all threads; hardly ever more than one. */
-  private static volatile SharedBinary[] present = {};
+final class SharedBinary implements Supplier<byte[]>, AutoCloseable {
+  private static final int OVER = -1;
 
+  private final SharedHeader header;
   private final long address;
-  private final UBinary binary;
-  private boolean over;
+  private final int size;
+
+  /** How many threads copy the data, or {@link #OVER}. */
+  private final AtomicInteger copying = new AtomicInteger();
 
   /** The data at an address, until {@link #close}. */
-  SharedBinary(String header, long address, int size) {
+  SharedBinary(SharedHeader header, long address, int size) {
+    this.header = header;
     this.address = address;
-    this.binary = new UBinary(header, size, () -> copy(size));
-    synchronized (SharedBinary.class) {
-      present = Arrays.copyOf(present, present.length + 1);
-      present[present.length - 1] = this;
-    }
+    this.size = size;
   }
 
   UBinary binary() {
-    return binary;
-  }
-
-  private synchronized byte[] copy(int size) {
-    if (over) {
-      throw new IllegalStateException(
-          "the data of a binary in bypass mode are there only while it is written");
-    }
-    return RawMemory.getBytes(address, size);
-  }
-
-  /** Where the data of a binary are in C++ memory; 0 if they are not. */
-  static long addressOf(UBinary wanted) {
-    for (SharedBinary each : present) {
-      if (each.binary == wanted) {
-        return each.address;
-      }
-    }
-    return 0;
+    return new UBinary(header.text(), size, this);
   }
 
   @Override
-  public void close() {
-    synchronized (this) {
-      over = true;
+  public byte[] get() {
+    if (copying.getAndUpdate(threads -> threads == OVER ? OVER : threads + 1) == OVER) {
+      throw new IllegalStateException(
+          "the data of a binary in bypass mode are there only while it is written");
     }
-    synchronized (SharedBinary.class) {
-      SharedBinary[] rest = new SharedBinary[present.length - 1];
-      int at = 0;
-      for (SharedBinary each : present) {
-        if (each != this) {
-          rest[at++] = each;
-        }
-      }
-      present = rest;
+    try {
+      return RawMemory.getBytes(address, size);
+    } finally {
+      copying.decrementAndGet();
+    }
+  }
+
+  /** The one that a binary is; null if its data are not in C++ memory, or no longer. */
+  static SharedBinary of(UBinary binary) {
+    return binary.source() instanceof SharedBinary shared && shared.copying.get() != OVER
+        ? shared
+        : null;
+  }
+
+  SharedHeader header() {
+    return header;
+  }
+
+  long address() {
+    return address;
+  }
+
+  /** Waits for those who copy the data. */
+  @Override
+  public void close() {
+    while (!copying.compareAndSet(0, OVER)) {
+      Thread.onSpinWait();
     }
   }
 }

@@ -45,15 +45,27 @@ final class ValueReader {
     return RawMemory.getText(take(length), length);
   }
 
-  /** The binary that is next, if only its address was written; null otherwise. */
-  SharedBinary shared() {
+  /**
+   * The binary that is next, if only its address was written; null otherwise.
+   *
+   * @param before the header of the one before
+   */
+  SharedBinary shared(SharedHeader before) {
     if (ended() || RawMemory.getByte(at) != ValueWriter.MARK_POINTER) {
       return null;
     }
     take(1);
-    String header = text();
+    SharedHeader header = header(before);
     int size = Math.toIntExact(rawLong());
     return new SharedBinary(header, rawLong(), size);
+  }
+
+  private SharedHeader header(SharedHeader before) {
+    int length = count();
+    long start = take(length);
+    return before.isAt(start, length)
+        ? before
+        : new SharedHeader(RawMemory.getBytes(start, length), RawMemory.getText(start, length));
   }
 
   UValue value() {

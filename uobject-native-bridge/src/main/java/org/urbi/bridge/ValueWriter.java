@@ -101,7 +101,10 @@ final class ValueWriter {
   }
 
   void text(String text) {
-    byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+    text(text.getBytes(StandardCharsets.UTF_8));
+  }
+
+  private void text(byte... bytes) {
     count(bytes.length);
     bytes(bytes);
   }
@@ -136,14 +139,17 @@ final class ValueWriter {
   }
 
   private void binary(UBinary binary) {
-    long shared = SharedBinary.addressOf(binary);
-    mark(shared == 0 ? MARK_BINARY : MARK_POINTER);
+    SharedBinary shared = SharedBinary.of(binary);
+    if (shared != null) {
+      mark(MARK_POINTER);
+      text(shared.header().bytes());
+      rawLong(binary.getSize());
+      rawLong(shared.address());
+      return;
+    }
+    mark(MARK_BINARY);
     text(binary.getMessage());
     rawLong(binary.getSize());
-    if (shared == 0) {
-      bytes(binary.getData());
-    } else {
-      rawLong(shared);
-    }
+    bytes(binary.getData());
   }
 }

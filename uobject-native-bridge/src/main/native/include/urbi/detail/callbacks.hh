@@ -215,7 +215,34 @@ namespace urbi
       Function function_;
     };
 
+    /// Has a variable know its value, which comes with the call, until that ends.
+    class Telling
+    {
+    public:
+      Telling(UVar& variable, Reader& in)
+        : told_{&variable, thread_state().told}
+      {
+        if (!in.ended())
+        {
+          variable.tell(in);
+          thread_state().told = &told_;
+        }
+      }
+
+      ~Telling()
+      {
+        thread_state().told = told_.outer;
+      }
+
+      Telling(const Telling&) = delete;
+      Telling& operator=(const Telling&) = delete;
+
+    private:
+      Told told_;
+    };
+
     /// A function that is told of changes or accesses: it takes nothing, the UVar, or the value.
+    /// The host gives the value to those that do not take it as well, if it was not copied.
     template <typename Object, typename Function, typename... Parameters>
     class NotificationCallback final : public Callback
     {
@@ -238,8 +265,11 @@ namespace urbi
 
       void call(Reader& in, Writer& out) override
       {
-        if constexpr (takes_variable)
+        if constexpr (takes_variable || sizeof...(Parameters) == 0)
+        {
+          Telling telling(*variable_, in);
           (object_->*function_)(static_cast<plain<Parameters>&>(*variable_)...);
+        }
         else
         {
           Arguments<Parameters...> arguments(in);

@@ -54,12 +54,20 @@ namespace urbi
       return all;
     }
 
+    /// A variable of whose value a function is being told: nobody need ask for it.
+    struct Told
+    {
+      const UVar* variable;
+      const Told* outer;
+    };
+
     /// What a thread does. Nothing here has a destructor: that would keep the module loaded until the
     /// thread ends.
     struct ThreadState
     {
       int64_t context;
       Creation* creation;
+      const Told* told;
       bool destroying; ///< whether a destructor runs, from which no exception may come
     };
 

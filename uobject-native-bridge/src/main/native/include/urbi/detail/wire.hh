@@ -271,8 +271,9 @@ namespace urbi
           std::string header = text();
           size_t size = static_cast<size_t>(raw<int64_t>());
           void* bytes = reinterpret_cast<void*>(static_cast<intptr_t>(raw<int64_t>()));
-          out = UValue(UBinary());
-          out.binary->set(header, bytes, size, false);
+          if (out.type != DATA_BINARY)
+            out = UValue(UBinary());
+          out.binary->share(header, bytes, size);
           break;
         }
         default: throw std::runtime_error("malformed value");

@@ -1,5 +1,8 @@
 package org.urbi.kernel;
 
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+
 /**
  * A line to a lobby of its own: text goes in and is executed, output comes back to the {@link
  * Client}. Every method may be called from any thread, and none waits.
@@ -22,4 +25,13 @@ public interface Connection {
 
   /** Whether what has been sent so far ends within a statement. */
   boolean incomplete();
+
+  /**
+   * The names with which that text can go on, for somebody who types it: the last name of each, in
+   * alphabetical order. Nothing is called to find them.
+   *
+   * @return done as soon as the kernel has time, never if it ends before; without names when the
+   *     lobby has closed
+   */
+  CompletableFuture<List<String>> complete(String text);
 }

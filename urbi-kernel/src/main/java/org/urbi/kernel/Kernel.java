@@ -39,6 +39,7 @@ import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.outside.Confinement;
 import org.urbi.kernel.outside.Outside;
+import org.urbi.kernel.remote.AnswerReading;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.remote.RemoteWire;
 import org.urbi.kernel.tag.UrbiTag;
@@ -55,6 +56,7 @@ import urbi.UObject;
  */
 public final class Kernel implements AutoCloseable, KernelControl {
   private final Scheduler scheduler;
+  private final AnswerReading answers;
   private final Interpreter interpreter;
   private final Embedding embedding;
   private final List<Path> searchPath;
@@ -216,6 +218,8 @@ public final class Kernel implements AutoCloseable, KernelControl {
     Clock clock = builder.virtualTime ? new VirtualClock() : new SystemClock();
     World world = new World();
     this.scheduler = new Scheduler(world, clock, builder.jobThreads, this::report);
+    this.answers = new AnswerReading(scheduler.inbox());
+    scheduler.setListening(answers);
     this.searchPath = builder.searchPath;
     this.library = builder.library == null ? null : builder.library.toAbsolutePath().normalize();
     this.moduleSearchPath = builder.moduleSearchPath;
@@ -479,7 +483,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
    * @param wire the way to it
    */
   public RemotePeer connectRemote(String name, RemoteWire wire) {
-    return new RemotePeer(name, scheduler, uobjects, this::describe, wire);
+    return new RemotePeer(name, scheduler, uobjects, this::describe, answers, wire);
   }
 
   /** What went wrong, for people; in a job. */

@@ -1,6 +1,9 @@
 package org.urbi.kernel;
 
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.urbi.kernel.lobby.Completion;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
@@ -88,6 +91,13 @@ final class KernelConnection implements Connection, Shell.Listener {
   @Override
   public boolean incomplete() {
     return incomplete;
+  }
+
+  @Override
+  public CompletableFuture<List<String>> complete(String text) {
+    CompletableFuture<List<String>> names = new CompletableFuture<>();
+    kernel.inbox().post(() -> names.complete(finished ? List.of() : Completion.of(lobby, text)));
+    return names;
   }
 
   // ------------------------------------------------------------------ on the kernel thread

@@ -1,11 +1,14 @@
 package org.urbi.kernel;
 
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Supplier;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -24,6 +27,7 @@ class JobLockTest {
 
   private final AtomicInteger released = new AtomicInteger();
   private final CountDownLatch over = new CountDownLatch(1);
+  private final Object lock = new Object();
   private volatile Thread waiting;
 
   @ParameterizedTest
@@ -37,7 +41,48 @@ class JobLockTest {
     }
   }
 
+  /** Kernels that pass a baton end only when their jobs have got what they wait for in Java. */
+  @Test
+  void whoWaitsBehindAKernelThatHasEndedGetsTheLock() throws InterruptedException {
+    Thread behind = Thread.ofPlatform().daemon().unstarted(this::takeLock);
+    synchronized (lock) {
+      try (Kernel kernel = Kernel.builder().jobThreads(JobThreads.TICK_LOOP).start()) {
+        start(kernel, this::takeLock);
+        awaitBlocked(() -> waiting);
+        behind.start();
+        awaitBlocked(() -> behind);
+      }
+    }
+    behind.join(TimeUnit.SECONDS.toMillis(60));
+    assertFalse(behind.isAlive());
+  }
+
+  private void takeLock() {
+    synchronized (lock) {
+      waiting = null;
+    }
+  }
+
+  private static void awaitBlocked(Supplier<Thread> thread) {
+    while (thread.get() == null || thread.get().getState() != Thread.State.BLOCKED) {
+      Thread.onSpinWait();
+    }
+  }
+
   private void start(Kernel kernel) {
+    start(
+        kernel,
+        () -> {
+          for (int turn = 1; turn <= TURNS; turn++) {
+            begun.set(turn);
+            while (released.get() < turn) {
+              LockSupport.park(this);
+            }
+          }
+        });
+  }
+
+  private void start(Kernel kernel, Runnable task) {
     var scheduler = kernel.scheduler();
     scheduler
         .inbox()
@@ -49,12 +94,7 @@ class JobLockTest {
                     "waiting",
                     job -> {
                       waiting = Thread.currentThread();
-                      for (int turn = 1; turn <= TURNS; turn++) {
-                        begun.set(turn);
-                        while (released.get() < turn) {
-                          LockSupport.park(this);
-                        }
-                      }
+                      task.run();
                     })
                 .onEnd(over::countDown));
   }

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.regex.Pattern;
 import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.error.Errors;
@@ -36,14 +37,17 @@ final class WrongCallKernel implements AutoCloseable {
   /** Simulated: as long as anything may wait. */
   private static final long PATIENCE = TimeUnit.HOURS.toNanos(30);
 
-  /** Real: after that long a call is ended, if it lets others run. */
-  private static final long WATCH_MS = 100;
+  /** Real: how long somebody waits before he looks. */
+  private static final long WAIT_MS = 100;
 
-  /** Real: after that long a call is ended as the user may end what never lets others run. */
-  private static final long INTERRUPT_MS = 500;
+  /** After so many waits a call is ended as the user may end what never lets others run. */
+  private static final int WAITS_TO_INTERRUPT = 5;
 
-  /** Real: after that long the kernel hangs. */
-  private static final long DEFECT_MS = 60_000;
+  /**
+   * After so many waits the kernel hangs. They are counted, and no clock is read: the whole process
+   * may be stopped for a while.
+   */
+  private static final int WAITS_TO_GIVE_UP = 600;
 
   private static final int TURNS_TO_END = 50;
 
@@ -102,7 +106,7 @@ final class WrongCallKernel implements AutoCloseable {
   private UrbiLobby lobby;
   private volatile Job judge;
   private volatile WrongCall current;
-  private volatile long since = System.nanoTime();
+  private final AtomicInteger waits = new AtomicInteger();
 
   /** What must be refused before any call is made. */
   private static final List<String> PROBES =
@@ -171,7 +175,7 @@ final class WrongCallKernel implements AutoCloseable {
   /** Does something in a job, and waits. */
   void within(Task body) {
     CompletableFuture<Void> over = new CompletableFuture<>();
-    since = System.nanoTime();
+    waits.set(0);
     kernel
         .scheduler()
         .inbox()
@@ -214,10 +218,10 @@ final class WrongCallKernel implements AutoCloseable {
   private void await(CompletableFuture<Void> over) {
     while (true) {
       try {
-        over.get(WATCH_MS, TimeUnit.MILLISECONDS);
+        over.get(WAIT_MS, TimeUnit.MILLISECONDS);
         return;
       } catch (TimeoutException e) {
-        hurry((System.nanoTime() - since) / 1_000_000);
+        hurry(waits.incrementAndGet());
       } catch (java.util.concurrent.ExecutionException e) {
         if (e.getCause() instanceof Defect defect) {
           throw defect;
@@ -240,14 +244,14 @@ final class WrongCallKernel implements AutoCloseable {
   }
 
   /** Ends what takes long: as others may, as the user may, and else it is a defect. */
-  private void hurry(long milliseconds) {
+  private void hurry(int waited) {
     WrongCall call = current;
-    if (milliseconds > DEFECT_MS) {
+    if (waited > WAITS_TO_GIVE_UP) {
       throw new Defect("no end: " + (call == null ? "not even before" : call.source()));
     }
-    if (call != null && milliseconds > INTERRUPT_MS) {
+    if (call != null && waited > WAITS_TO_INTERRUPT) {
       kernel.scheduler().interrupt(lobby);
-    } else if (call != null && milliseconds > WATCH_MS) {
+    } else if (call != null) {
       kernel.scheduler().inbox().post(judge::wake);
     }
   }
@@ -272,7 +276,7 @@ final class WrongCallKernel implements AutoCloseable {
   /** Makes a call and waits for its end; in the job of the judge. */
   Answer make(Job judge, WrongCall call) {
     current = call;
-    since = System.nanoTime();
+    waits.set(0);
     Attempt attempt = new Attempt(call);
     Job worker =
         kernel

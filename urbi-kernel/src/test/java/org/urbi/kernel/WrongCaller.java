@@ -5,7 +5,6 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -46,9 +45,10 @@ final class WrongCaller implements AutoCloseable {
       new EnumMap<>(WrongCallKernel.Result.class);
   private final List<String> defects = new ArrayList<>();
   private WrongCallKernel kernel;
+  private int kernels;
 
   /**
-   * @param directory for the files of the calls; whatever is there goes
+   * @param directory for the files of the calls, in a folder for each kernel
    */
   WrongCaller(Path directory, long seed) {
     this.directory = directory;
@@ -74,25 +74,13 @@ final class WrongCaller implements AutoCloseable {
   private WrongCallKernel kernel() {
     if (kernel == null) {
       try {
-        empty();
+        // What an ended kernel was doing outside may not be over yet.
+        kernel = new WrongCallKernel(Files.createDirectory(directory.resolve("" + ++kernels)));
       } catch (IOException e) {
         throw new UncheckedIOException(e);
       }
-      kernel = new WrongCallKernel(directory);
     }
     return kernel;
-  }
-
-  private void empty() throws IOException {
-    List<Path> left;
-    try (var entries = Files.walk(directory)) {
-      left = entries.sorted(Comparator.reverseOrder()).toList();
-    }
-    for (Path entry : left) {
-      if (!entry.equals(directory)) {
-        Files.delete(entry);
-      }
-    }
   }
 
   private void dismissKernel() {

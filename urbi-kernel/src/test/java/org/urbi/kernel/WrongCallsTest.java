@@ -18,7 +18,6 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.kernel.builtin.BuiltinTable;
@@ -63,7 +62,6 @@ class WrongCallsTest {
     }
   }
 
-  @Disabled("now and then kernels that end wait for a lock for ever")
   @Test
   void everyBuiltinAnswersWrongCalls() throws Exception {
     PrintStream stderr = System.err;

@@ -23,7 +23,8 @@ public final class RemoteBenchmark {
   /** What a call and its result have on the wire. */
   private static final int CALL_BYTES = 44;
 
-  private static final int ROUNDS = 8;
+  private static final int WARM_UP = 8;
+  private static final int ROUNDS = 20;
   private static final int CALLS = 5_000;
   private static final int UPDATES = 300_000;
   private static final int IMAGES = 600;
@@ -81,7 +82,7 @@ public final class RemoteBenchmark {
     long[] echoes = new long[ROUNDS * CALLS];
     try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), echoPort)) {
       socket.setTcpNoDelay(true);
-      for (int round = -2; round < ROUNDS; round++) {
+      for (int round = -WARM_UP; round < ROUNDS; round++) {
         marked = 0;
         kernel.eval(
             "for| (var i = 0; i < " + CALLS + "; i += 1) { mark() | Component.echo(i) } | mark()");

@@ -27,6 +27,7 @@ public final class BallDetector extends ImageConsumer {
   private final UVar orientation = new UVar();
   private BlobFinder finder;
   private ColourRange colour = ColourRange.RED;
+  private Blob last;
 
   public BallDetector(String name) {
     super(name);
@@ -69,11 +70,17 @@ public final class BallDetector extends ImageConsumer {
     colour = new ColourRange(minHue, maxHue, minSaturation, maxSaturation, minValue, maxValue);
   }
 
+  /** What it has found in the last image; null if nothing. */
+  Blob last() {
+    return last;
+  }
+
   @Override
   void see(UImage rgb) {
     double least = SimulationException.finite(threshold.doubleValue(), "threshold");
     Blob blob =
         finder.find(rgb.getData(), rgb.getWidth(), rgb.getHeight(), colour, least).orElse(null);
+    last = blob;
     if (blob != null) {
       x.setValue(blob.x());
       y.setValue(blob.y());

@@ -83,6 +83,11 @@ public final class SimCamera extends SimDevice {
     UNotifyChange(rate, "rateChanged");
   }
 
+  /** Where it is, and how it projects. */
+  Mount.Camera mount() {
+    return current;
+  }
+
   private void use(int index) {
     Lens lens = full.lens();
     Lens smaller =

@@ -34,6 +34,11 @@ abstract class SimDevice extends UObject implements AutoCloseable {
   /** Writes what the device senses now. */
   abstract void sense();
 
+  /** The world that it has joined; null before. */
+  final SimWorld simulation() {
+    return simulation;
+  }
+
   final SimulatedWorld world() {
     return simulation.world();
   }

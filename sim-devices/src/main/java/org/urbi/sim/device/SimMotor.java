@@ -39,9 +39,6 @@ abstract class SimMotor extends SimDevice {
   /** Refuses a drive that is controlled in another way. */
   abstract void requireFitting(Drive found);
 
-  /** What its {@code val} is. */
-  abstract double sensed();
-
   final Drive drive() {
     return drive;
   }
@@ -69,7 +66,7 @@ abstract class SimMotor extends SimDevice {
 
   @Override
   void sense() {
-    val.setValue(sensed());
+    val.setValue(drive.sensed());
     turn.setValue(drive.joint().position() / TURN);
     torque.setValue(drive.joint().load());
   }

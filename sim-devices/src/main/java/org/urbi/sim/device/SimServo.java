@@ -50,11 +50,6 @@ public final class SimServo extends SimMotor {
     UBindFunction("setPID");
   }
 
-  @Override
-  double sensed() {
-    return drive().joint().position();
-  }
-
   /** Sets all three gains. */
   public void setPID(double newP, double newI, double newD) {
     drive().setGains(newP, newI, newD);

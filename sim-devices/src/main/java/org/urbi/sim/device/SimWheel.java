@@ -34,11 +34,6 @@ public final class SimWheel extends SimMotor {
   }
 
   @Override
-  double sensed() {
-    return drive().joint().velocity();
-  }
-
-  @Override
   void sense() {
     super.sense();
     angle.setValue(drive().joint().position());

@@ -48,6 +48,7 @@ public final class SimWorld extends UObject implements AutoCloseable {
   private final UVar beat = new UVar();
 
   private final List<SimDevice> devices = new ArrayList<>();
+  private final List<SimPage> pages = new ArrayList<>();
   private final ProcessTime processTime = new ProcessTime();
   private final Renderer renderer = new Renderer();
   private SimulatedWorld world;
@@ -115,6 +116,15 @@ public final class SimWorld extends UObject implements AutoCloseable {
     devices.remove(device);
   }
 
+  /** Has a page show what there is after each {@link #update}. */
+  void add(SimPage page) {
+    pages.add(page);
+  }
+
+  void remove(SimPage page) {
+    pages.remove(page);
+  }
+
   // ------------------------------------------------------------------ time
 
   private double now() {
@@ -147,6 +157,9 @@ public final class SimWorld extends UObject implements AutoCloseable {
     time.setValue(world.physics().time());
     for (SimDevice device : List.copyOf(devices)) {
       device.sense();
+    }
+    for (SimPage page : List.copyOf(pages)) {
+      page.show();
     }
     return 0;
   }

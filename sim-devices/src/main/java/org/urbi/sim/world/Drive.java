@@ -2,6 +2,7 @@ package org.urbi.sim.world;
 
 import org.urbi.sim.SimulationException;
 import org.urbi.sim.physics.Joint;
+import org.urbi.sim.physics.JointDescription;
 
 /**
  * The motor of a joint and its controller. It is driven to a position by the speed {@code P·e +
@@ -111,6 +112,17 @@ public final class Drive {
       throw new SimulationException(name() + ": load: between 0 and 1 expected, not " + share);
     }
     load = share;
+  }
+
+  /** The position, or the speed, that it has. */
+  public double sensed() {
+    return control == Control.POSITION ? joint.position() : joint.velocity();
+  }
+
+  /** In which {@link #sensed} and {@link #target} are. */
+  public String unit() {
+    String length = joint.kind() == JointDescription.Kind.HINGE ? "rad" : "m";
+    return control == Control.POSITION ? length : length + "/s";
   }
 
   /** The position, or the speed, that it is to reach. */

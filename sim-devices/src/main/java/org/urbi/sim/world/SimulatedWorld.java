@@ -225,6 +225,11 @@ public final class SimulatedWorld implements AutoCloseable {
     return new Scene(things, lights.isEmpty() ? DAYLIGHT : lights, ambient, background);
   }
 
+  /** What the parts of a body look like, in their order. */
+  public List<Appearance> looks(Body body) {
+    return List.copyOf(appearances.get(body));
+  }
+
   /** What a camera sees now: red, green and blue of each pixel. */
   public byte[] render(Mount.Camera camera) {
     return renderer.render(scene(), camera.worldPose(), camera.lens());

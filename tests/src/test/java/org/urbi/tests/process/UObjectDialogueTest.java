@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -17,14 +18,16 @@ import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * The dialogues of {@code examples/uobjects}, twice: with the modules plugged into a server, and
- * with the modules in processes of their own. Two servers are enough for all: modules come and go.
+ * The dialogues of {@code examples/uobjects} and {@code examples/uobjects-cpp}, twice: with the
+ * modules plugged into a server, and with the same modules in processes of their own. Two servers
+ * are enough for all: modules come and go.
  */
 class UObjectDialogueTest {
   private static final Path DIALOGUES = Modules.SOURCES.resolve("dialogues");
 
   @TempDir static Path folder;
   private static Modules modules;
+  private static final CxxModules CXX_MODULES = new CxxModules();
   private static ServerProcess plugged;
   private static ServerProcess remote;
 
@@ -51,17 +54,36 @@ class UObjectDialogueTest {
     }
   }
 
+  /** A dialogue, the program that runs its modules remote, and how they are made. */
+  private record Play(Dialogue dialogue, String launcher, Function<String, Path> maker) {
+    List<Path> modules() {
+      return dialogue.modules().stream().map(maker).toList();
+    }
+  }
+
   @TestFactory
   Stream<DynamicTest> everyDialogueIsHeld() throws IOException {
+    return tests(DIALOGUES, "UrbiLaunchJava", module -> modules.jar(module));
+  }
+
+  @TestFactory
+  Stream<DynamicTest> everyDialogueWithCxxIsHeld() throws IOException {
+    return tests(CxxModules.SOURCES, "UrbiLaunch", CXX_MODULES::library);
+  }
+
+  private static Stream<DynamicTest> tests(
+      Path folder, String launcher, Function<String, Path> maker) throws IOException {
     List<DynamicTest> tests = new ArrayList<>();
-    try (Stream<Path> files = Files.list(DIALOGUES)) {
-      for (Path file : files.sorted().toList()) {
-        Dialogue dialogue = Dialogue.read(file);
+    try (Stream<Path> files = Files.list(folder)) {
+      for (Path file : files.filter(Files::isRegularFile).sorted().toList()) {
+        Play play =
+            new Play(Dialogue.read(file), "org.urbi.server.launch." + launcher, maker);
+        Dialogue dialogue = play.dialogue();
         if (dialogue.plugged()) {
-          tests.add(dynamicTest(dialogue.name() + ", plugged", () -> holdPlugged(dialogue)));
+          tests.add(dynamicTest(dialogue.name() + ", plugged", () -> holdPlugged(play)));
         }
         if (dialogue.remote()) {
-          tests.add(dynamicTest(dialogue.name() + ", remote", () -> holdRemote(dialogue)));
+          tests.add(dynamicTest(dialogue.name() + ", remote", () -> holdRemote(play)));
         }
       }
     }
@@ -69,33 +91,34 @@ class UObjectDialogueTest {
     return tests.stream();
   }
 
-  private static void holdPlugged(Dialogue dialogue) throws IOException {
+  private static void holdPlugged(Play play) throws IOException {
+    List<Path> files = play.modules();
     try (ConsoleClient manager = plugged.connect()) {
-      for (String module : dialogue.modules()) {
-        manage(manager, "loadModule", modules.jar(module));
+      for (Path file : files) {
+        manage(manager, "loadModule", file);
       }
       try (ConsoleClient client = plugged.connect()) {
-        dialogue.hold(client);
-      }
-      for (String module : dialogue.modules()) {
-        manage(manager, "unloadModule", modules.jar(module));
+        play.dialogue().hold(client);
+      } finally {
+        for (Path file : files) {
+          manage(manager, "unloadModule", file);
+        }
       }
     }
   }
 
-  private static void manage(ConsoleClient manager, String function, Path jar) throws IOException {
-    assertEquals(List.of(), manager.answers("%s(\"%s\");".formatted(function, jar)));
+  private static void manage(ConsoleClient manager, String function, Path file) throws IOException {
+    assertEquals(List.of(), manager.answers("%s(\"%s\");".formatted(function, file)));
   }
 
-  private static void holdRemote(Dialogue dialogue) throws Exception {
+  private static void holdRemote(Play play) throws Exception {
     List<String> arguments = new ArrayList<>(List.of("--port", String.valueOf(remote.port())));
-    dialogue.modules().forEach(module -> arguments.add(modules.jar(module).toString()));
+    play.modules().forEach(file -> arguments.add(file.toString()));
     try (JavaProcess launch =
-        JavaProcess.start(
-            JavaProcess.Setting.in(folder), "org.urbi.server.launch.UrbiLaunchJava", arguments)) {
+        JavaProcess.start(JavaProcess.Setting.in(folder), play.launcher(), arguments)) {
       launch.awaitText("running on 127.0.0.1:" + remote.port());
       try (ConsoleClient client = remote.connect()) {
-        dialogue.hold(client);
+        play.dialogue().hold(client);
       }
       launch.terminate();
       launch.awaitEnd();

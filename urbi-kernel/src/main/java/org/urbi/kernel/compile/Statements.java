@@ -322,7 +322,7 @@ final class Statements {
           LocalNames.in(claim).isEmpty()
               ? new Assertion(claim.span(), compilation.claims.claim(claim, inner.construct()))
               : new Assertion.Declared(claim.span(), compile(claim, inner, Seen.NOTHING)));
-      yields.add(false);
+      yields.add(true);
     }
     return chain(new Ast.Sequence(statement.span(), statement.claims(), List.of()), claims, yields);
   }

@@ -102,7 +102,12 @@ public final class Errors {
 
   /** {@code routine: message}. */
   public UrbiException primitive(String routine, String message) {
-    return of("Primitive", message).with("routine", routine).build();
+    return of("Primitive", message).with("routine", named(routine)).build();
+  }
+
+  /** Code that is called from Java, as when a variable changes, may be called by no name. */
+  private static String named(String routine) {
+    return routine == null ? "apply" : routine;
   }
 
   /** {@code property lookup failed: slot->property}. */
@@ -131,11 +136,10 @@ public final class Errors {
    *
    * @param max {@link Integer#MAX_VALUE} when there may be any number
    */
-  public UrbiException arity(String called, int given, int min, int max) {
-    // A function that Java calls, a handler for instance, has no name.
-    String routine = called == null ? "apply" : called;
-    return of("Arity", arityMessage(routine, given, min, max))
-        .with("routine", routine)
+  public UrbiException arity(String routine, int given, int min, int max) {
+    String name = named(routine);
+    return of("Arity", arityMessage(name, given, min, max))
+        .with("routine", name)
         .with("effective", given)
         .with("minimum", min)
         .with("maximum", max == Integer.MAX_VALUE ? values.voidObject : values.number(max))
@@ -194,7 +198,7 @@ public final class Errors {
    */
   public UrbiException argument(String routine, int index, UrbiObject cause) {
     return of("Argument")
-        .with("routine", routine)
+        .with("routine", named(routine))
         .with("index", index)
         .with("exception", cause)
         .build();
@@ -204,7 +208,7 @@ public final class Errors {
   public UrbiException badNumber(
       String type, String routine, String message, UrbiObject effective) {
     return of(type, message)
-        .with("routine", routine)
+        .with("routine", named(routine))
         .with("fmt", message)
         .with("effective", effective)
         .build();

@@ -1,15 +1,22 @@
 package org.urbi.kernel.event;
 
-/** How often something was called, and how long that took, in nanoseconds. */
+/** How often something was called, and how long that took where it was measured, in nanoseconds. */
 public final class CallTimes {
   private long count;
+  private long measured;
   private long total;
   private long least = Long.MAX_VALUE;
   private long most;
 
+  /** One more call, which nobody has measured. */
+  public void addUnmeasured() {
+    count++;
+  }
+
   /** One more call. */
   public void add(long nanoseconds) {
     count++;
+    measured++;
     total += nanoseconds;
     least = Math.min(least, nanoseconds);
     most = Math.max(most, nanoseconds);
@@ -18,6 +25,7 @@ public final class CallTimes {
   /** Forgets them all. */
   public void reset() {
     count = 0;
+    measured = 0;
     total = 0;
     least = Long.MAX_VALUE;
     most = 0;
@@ -27,14 +35,14 @@ public final class CallTimes {
     return count;
   }
 
-  /** The average in seconds; 0 without a call. */
+  /** The average in seconds of those that were measured; 0 without one. */
   public double mean() {
-    return count == 0 ? 0 : total / 1e9 / count;
+    return measured == 0 ? 0 : total / 1e9 / measured;
   }
 
-  /** The shortest in seconds; 0 without a call. */
+  /** The shortest in seconds; 0 without one. */
   public double least() {
-    return count == 0 ? 0 : least / 1e9;
+    return measured == 0 ? 0 : least / 1e9;
   }
 
   /** The longest in seconds. */

@@ -78,6 +78,10 @@ final class BatonThread implements JobThread {
       return thread;
     }
 
+    /** No job waits inside Java then: the loop would have waited with it. */
+    @Override
+    public void loopEnded() {}
+
     @Override
     public int maximumDepth() {
       return MAXIMUM_DEPTH;

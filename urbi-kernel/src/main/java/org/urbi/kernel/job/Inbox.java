@@ -1,5 +1,7 @@
 package org.urbi.kernel.job;
 
+import java.io.IOException;
+import java.nio.channels.Selector;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.locks.LockSupport;
 
@@ -11,6 +13,7 @@ public final class Inbox {
   private final ConcurrentLinkedQueue<Runnable> messages = new ConcurrentLinkedQueue<>();
   private volatile boolean filled;
   private volatile Thread waiting;
+  private volatile Selector selecting;
 
   /** Leaves a message; from any thread. Messages are taken in the order in which they came. */
   public void post(Runnable message) {
@@ -19,6 +22,10 @@ public final class Inbox {
     Thread sleeper = waiting;
     if (sleeper != null) {
       LockSupport.unpark(sleeper);
+    }
+    Selector listener = selecting;
+    if (listener != null) {
+      listener.wakeup();
     }
   }
 
@@ -49,6 +56,22 @@ public final class Inbox {
       }
     } finally {
       waiting = null;
+    }
+  }
+
+  /**
+   * Waits for a message or for a channel, for at most so many milliseconds.
+   *
+   * @throws IOException if the selector fails
+   */
+  public void await(Selector selector, long milliseconds) throws IOException {
+    selecting = selector;
+    try {
+      if (!filled) {
+        selector.select(milliseconds);
+      }
+    } finally {
+      selecting = null;
     }
   }
 }

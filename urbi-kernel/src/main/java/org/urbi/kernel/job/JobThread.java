@@ -25,6 +25,9 @@ interface JobThread {
     /** Starts the thread on which the tick loop runs. */
     Thread startLoop(Runnable loop);
 
+    /** The tick loop has resumed a job for the last time; called on its thread. */
+    void loopEnded();
+
     /** How many nested calls the stack of a job is sure to hold. */
     int maximumDepth();
   }

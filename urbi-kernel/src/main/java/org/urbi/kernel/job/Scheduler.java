@@ -39,6 +39,7 @@ public final class Scheduler {
   private final Inbox inbox = new Inbox();
   private final Timers timers = new Timers();
   private final Pace pace;
+  private Listening listening;
   private final JobThread.Factory threads;
   private final ArrayDeque<Job> runnable = new ArrayDeque<>();
   private final ArrayDeque<Job> ahead = new ArrayDeque<>();
@@ -104,6 +105,11 @@ public final class Scheduler {
   /** How long ticks take. */
   public CycleStatistics statistics() {
     return statistics;
+  }
+
+  /** Sets how a kernel in real time waits besides for its inbox; before it starts. */
+  public void setListening(Listening how) {
+    listening = how;
   }
 
   /** How a simulated time passes while something real goes on. */
@@ -316,7 +322,9 @@ public final class Scheduler {
     for (int rounds = 0; rounds < LAST_ROUNDS && !runnable.isEmpty(); rounds++) {
       runOnce(true);
     }
+    threads.loopEnded();
     runEndOfTick();
+    listening.end();
   }
 
   private void tick() {
@@ -340,6 +348,7 @@ public final class Scheduler {
     runOnce(false);
     runBehind();
     runEndOfTick();
+    listening.glance(now);
     if (!clock.isReal() && timeHolders == 0 && ++busyTicks >= BUSY_TICKS) {
       busyTicks = 0;
       clock.advanceTo(now + BUSY_STEP);
@@ -391,7 +400,10 @@ public final class Scheduler {
   private void idle() {
     long next = timers.next();
     if (clock.isReal()) {
-      inbox.await(next == Long.MAX_VALUE ? Long.MAX_VALUE : next - clock.now());
+      long time = next == Long.MAX_VALUE ? Long.MAX_VALUE : next - clock.now();
+      if (!listening.await(time)) {
+        inbox.await(time);
+      }
     } else if (timeHolders > 0) {
       inbox.await(Long.MAX_VALUE);
     } else if (pace.isReal()) {

@@ -3,8 +3,13 @@ package org.urbi.kernel.job;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 
 /**
@@ -76,11 +81,14 @@ final class TickLoopThread implements JobThread, Executor {
       // A lock, a timed park, a future or I/O inside a library call ended: that is news for the
       // inbox. It comes from another thread; or from the loop's own, if the wait ended while it
       // began.
-      factory.inbox.accept(() -> {
-        continuation = task;
-        job.wakeFromOutside();
-      });
+      factory.wake(this);
     }
+  }
+
+  /** What it waited for in Java is there: it goes on when its turn comes. */
+  private void awaken() {
+    continuation = own;
+    job.wakeFromOutside();
   }
 
   @Override
@@ -100,6 +108,9 @@ final class TickLoopThread implements JobThread, Executor {
 
   @Override
   public void suspend() {
+    if (factory.ended) {
+      throw new TagStop(null, null);
+    }
     resumed = false;
     handing = true;
     // Hands the continuation to execute(), and returns when the loop has run it again.
@@ -122,8 +133,13 @@ final class TickLoopThread implements JobThread, Executor {
 
     private static final int MAXIMUM_DEPTH = 200_000;
 
+    private static final long SECONDS_BEFORE_LATE_THREAD_ENDS = 1;
+
     private final Consumer<Runnable> inbox;
+    private final Queue<TickLoopThread> awakened = new ConcurrentLinkedQueue<>();
     private volatile Thread loop;
+    private volatile boolean ended;
+    private Executor late;
 
     Factory(Consumer<Runnable> inbox) {
       if (NEW_BUILDER == null) {
@@ -140,11 +156,55 @@ final class TickLoopThread implements JobThread, Executor {
 
     @Override
     public Thread startLoop(Runnable body) {
-      Thread thread = new Thread(null, body, "urbi-kernel", STACK_BYTES);
-      // As virtual threads are: a kernel that nobody waits for keeps no program from its end.
-      thread.setDaemon(true);
+      Thread thread = newThread(body, "urbi-kernel");
       loop = thread;
       thread.start();
+      return thread;
+    }
+
+    /** To be called from any thread. */
+    private void wake(TickLoopThread waiting) {
+      awakened.add(waiting);
+      if (ended) {
+        late.execute(this::runLate);
+      } else {
+        inbox.accept(() -> awakened.remove().awaken());
+      }
+    }
+
+    /**
+     * The jobs that wait for a lock of Java must still get it, and give it back, or whoever comes
+     * behind them waits for ever. They unwind as soon as they are urbiscript again.
+     */
+    @Override
+    public void loopEnded() {
+      var executor =
+          new ThreadPoolExecutor(
+              1,
+              1,
+              SECONDS_BEFORE_LATE_THREAD_ENDS,
+              TimeUnit.SECONDS,
+              new LinkedBlockingQueue<>(),
+              body -> newThread(body, "urbi-kernel-late"));
+      executor.allowCoreThreadTimeOut(true);
+      late = executor;
+      ended = true;
+      if (!awakened.isEmpty()) {
+        late.execute(this::runLate);
+      }
+    }
+
+    private void runLate() {
+      TickLoopThread waiting;
+      while ((waiting = awakened.poll()) != null) {
+        waiting.own.run();
+      }
+    }
+
+    private static Thread newThread(Runnable body, String name) {
+      Thread thread = new Thread(null, body, name, STACK_BYTES);
+      // As virtual threads are: a kernel that nobody waits for keeps no program from its end.
+      thread.setDaemon(true);
       return thread;
     }
 

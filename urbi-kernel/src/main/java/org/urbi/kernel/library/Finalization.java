@@ -4,13 +4,10 @@ import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
-import java.util.WeakHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
-import org.urbi.kernel.object.World;
 
 /**
  * Finds out, after each statement of the top level, which finalizable objects nobody refers to any
@@ -18,23 +15,12 @@ import org.urbi.kernel.object.World;
  * others have the memory looked through each time, so that runs repeat.
  */
 final class Finalization {
-  private static final Map<World, Finalization> ALL = new WeakHashMap<>();
-
   /** How often to look for an object that the virtual machine has yet to hand over. */
   private static final long PATIENCE = 10_000_000;
 
   private final ConcurrentLinkedQueue<UrbiFinalizable> reclaimed = new ConcurrentLinkedQueue<>();
   private final List<WeakReference<UrbiFinalizable>> alive = new ArrayList<>();
   private long created;
-
-  private Finalization() {}
-
-  /** That of a kernel. */
-  static Finalization of(World world) {
-    synchronized (ALL) {
-      return ALL.computeIfAbsent(world, key -> new Finalization());
-    }
-  }
 
   /** The number of the next object. */
   long nextNumber() {

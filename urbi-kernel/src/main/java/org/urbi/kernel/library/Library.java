@@ -64,7 +64,8 @@ public final class Library {
     constants();
     EvaluateVariable.install(interpreter);
     errors();
-    interpreter.setAfterStatements(Finalization.of(world)::run);
+    interpreter.setAfterStatements(
+        ((UrbiFinalizable) types.get("Finalizable")).finalization()::run);
     interpreter.rememberNumberOperators();
   }
 

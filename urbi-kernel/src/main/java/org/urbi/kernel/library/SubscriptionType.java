@@ -96,7 +96,7 @@ final class SubscriptionType {
     return self.gate().fireRate();
   }
 
-  @Builtin(doc = "How many seconds the calls took on average.")
+  @Builtin(doc = "How many seconds the calls took on average; measured once a tick.")
   static double meanCallTime(UrbiSubscription self) {
     return self.gate().times().mean();
   }

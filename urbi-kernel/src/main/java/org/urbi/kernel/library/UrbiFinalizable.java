@@ -9,7 +9,8 @@ final class UrbiFinalizable extends UrbiObject {
   private final long number;
 
   /**
-   * @param finalization told when the object is reclaimed; null for the prototype
+   * @param finalization that of the kernel, told when the object is reclaimed
+   * @param number 0 for the prototype, which never is
    */
   private UrbiFinalizable(Shape shape, Finalization finalization, long number) {
     super(shape);
@@ -18,15 +19,12 @@ final class UrbiFinalizable extends UrbiObject {
   }
 
   static UrbiFinalizable prototype(Shape shape) {
-    return new UrbiFinalizable(shape, null, 0);
+    return new UrbiFinalizable(shape, new Finalization(), 0);
   }
 
-  /** A new object. */
-  static UrbiFinalizable create(UrbiObject prototype, Finalization finalization) {
-    UrbiFinalizable made =
-        new UrbiFinalizable(prototype.cloneShape(), finalization, finalization.nextNumber());
-    finalization.add(made);
-    return made;
+  /** That of the kernel of this object. */
+  Finalization finalization() {
+    return finalization;
   }
 
   /** Objects are numbered in the order in which they were made. */
@@ -36,7 +34,9 @@ final class UrbiFinalizable extends UrbiObject {
 
   @Override
   public UrbiObject cloned() {
-    return create(this, Finalization.of(world()));
+    var made = new UrbiFinalizable(cloneShape(), finalization, finalization.nextNumber());
+    finalization.add(made);
+    return made;
   }
 
   /**
@@ -46,7 +46,7 @@ final class UrbiFinalizable extends UrbiObject {
   @Override
   @SuppressWarnings({"deprecation", "removal", "Finalize"})
   protected void finalize() {
-    if (finalization != null) {
+    if (number > 0) {
       finalization.reclaimed(this);
     }
   }

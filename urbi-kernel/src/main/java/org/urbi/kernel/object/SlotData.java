@@ -25,6 +25,9 @@ public final class SlotData {
   /** Conditions that read this slot; null while there are none. */
   public Dependencies dependents;
 
+  /** Whether the slot is no longer there. */
+  public boolean removed;
+
   /** What those who execute code know of assignments at the same time, {@code blend}; or null. */
   public Object blending;
 

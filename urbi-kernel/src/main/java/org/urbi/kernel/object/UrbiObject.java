@@ -198,6 +198,7 @@ public class UrbiObject {
     shape = shape.without(i);
     if (data != null) {
       storage.extra.slotData.remove(name);
+      data.removed = true;
       if (data.dependents != null) {
         data.dependents.changed();
       }

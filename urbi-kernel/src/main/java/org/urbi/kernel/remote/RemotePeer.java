@@ -1,5 +1,7 @@
 package org.urbi.kernel.remote;
 
+import java.nio.ByteBuffer;
+import java.nio.channels.SocketChannel;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -13,6 +15,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.uobject.ArgumentFailure;
 import org.urbi.kernel.uobject.PluggedContext;
 import urbi.UClass;
 import urbi.UContext;
@@ -49,6 +52,8 @@ public final class RemotePeer {
   private final Scheduler scheduler;
   private final PluggedContext context;
   private final RemoteWire wire;
+  private final AnswerReading reading;
+  private boolean wanting;
   private final UModule module;
   private final RemoteTasks tasks;
   private final Function<RuntimeException, String> describe;
@@ -68,13 +73,16 @@ public final class RemotePeer {
   /**
    * @param name of the process, for people
    * @param describe says what went wrong; called in a job
+   * @param reading reads answers on the kernel thread
    */
   public RemotePeer(
       String name,
       Scheduler scheduler,
       PluggedContext context,
       Function<RuntimeException, String> describe,
+      AnswerReading reading,
       RemoteWire wire) {
+    this.reading = reading;
     this.scheduler = scheduler;
     this.context = context;
     this.describe = describe;
@@ -94,10 +102,22 @@ public final class RemotePeer {
   public void receive(int size, WireInput in) {
     int type = in.octet();
     switch (type) {
-      case Frame.RESULT -> complete(in.size(), in.value(), null);
-      case Frame.ERROR -> complete(in.size(), null, in.text());
-      case Frame.ACCESSED -> complete(in.size(), new UValue(), null);
+      case Frame.RESULT, Frame.ERROR, Frame.ARGUMENT_ERROR, Frame.ACCESSED -> {
+        answer(type, in);
+        wire.consumed(size);
+      }
       default -> tasks.add(task(type, in), size);
+    }
+  }
+
+  private void answer(int type, WireInput in) {
+    int number = in.size();
+    switch (type) {
+      case Frame.RESULT -> complete(number, in.value(), null);
+      case Frame.ERROR -> complete(number, null, new RuntimeException(in.text()));
+      case Frame.ARGUMENT_ERROR ->
+          complete(number, null, new ArgumentFailure(in.size(), in.text()));
+      default -> complete(number, new UValue(), null);
     }
   }
 
@@ -119,15 +139,31 @@ public final class RemotePeer {
     tasks.start();
   }
 
-  private void complete(int number, UValue value, String error) {
+  /** The connection is left to the kernel thread. */
+  public void mayRead(SocketChannel socket) {
+    scheduler
+        .inbox()
+        .post(() -> {
+          if (lost == null) {
+            reading.begin(this, socket);
+          }
+        });
+  }
+
+  /** Asks the kernel thread whether it is there to read. */
+  public void askForAttention() {
+    scheduler.inbox().post(wire::attended);
+  }
+
+  private void complete(int number, UValue value, RuntimeException error) {
     // Whoever waits finds done what came before the result: what the function has bound, say.
-    tasks.start();
+    tasks.startAll();
     CompletableFuture<UValue> call = calls.remove(number);
     if (call != null) {
       if (error == null) {
         call.complete(value);
       } else {
-        call.completeExceptionally(new RuntimeException(error));
+        call.completeExceptionally(error);
       }
     }
   }
@@ -364,6 +400,32 @@ public final class RemotePeer {
 
   // ------------------------------------------------------------------ on the kernel thread
 
+  /** Whether an answer is to come. */
+  boolean isAsked() {
+    return !calls.isEmpty();
+  }
+
+  /** Would like to read the answers. */
+  void wantToRead() {
+    if (!wanting) {
+      wanting = true;
+      wire.wantToRead();
+    }
+  }
+
+  /** Reads; false if the network does so again. */
+  boolean read(ByteBuffer space) {
+    boolean more = wire.read(space);
+    wanting = more;
+    return more;
+  }
+
+  /** Has the network read again. */
+  void stopReading() {
+    wanting = false;
+    wire.stopReading();
+  }
+
   /** Calls a function of the process. */
   CompletionStage<UValue> call(String object, String function, UValue... arguments) {
     var result = new CompletableFuture<UValue>();
@@ -376,6 +438,7 @@ public final class RemotePeer {
     try {
       write(o ->
           o.begin(Frame.CALL).size(number).text(object).text(function).values(arguments).end());
+      reading.asked(this);
     } catch (RuntimeException e) {
       calls.remove(number);
       throw e;
@@ -457,9 +520,13 @@ public final class RemotePeer {
     }
   }
 
-  /** A variable is about to be read: lets the process set it before. */
+  /**
+   * A variable is about to be read: lets the process set it before. Not where that happens because
+   * of something the process asks for: it may wait for that itself, and nothing else is done for it
+   * meanwhile.
+   */
   void announceAccess(RemoteVariable variable) {
-    if (lost != null) {
+    if (lost != null || tasks.areRunning()) {
       return;
     }
     var done = new CompletableFuture<UValue>();
@@ -510,5 +577,6 @@ public final class RemotePeer {
     module.leave(context);
     rtpEnd.run();
     tasks.end();
+    reading.forget(this);
   }
 }

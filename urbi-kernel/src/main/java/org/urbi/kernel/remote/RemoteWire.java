@@ -1,5 +1,6 @@
 package org.urbi.kernel.remote;
 
+import java.nio.ByteBuffer;
 import urbi.rtp.RtpSession;
 import urbi.rtp.RtpTerms;
 
@@ -29,4 +30,24 @@ public interface RemoteWire {
 
   /** The kernel has done so much of what has come in. */
   void consumed(int bytes);
+
+  /**
+   * Asks for the connection to be left to the kernel thread, which reads from it by {@link #read}
+   * from when {@link RemotePeer#mayRead} is called on; if ever.
+   */
+  void wantToRead();
+
+  /**
+   * Reads what there is, without waiting, and gives it to the peer; on the kernel thread.
+   *
+   * @param space for the bytes
+   * @return false if the network reads again, from now on
+   */
+  boolean read(ByteBuffer space);
+
+  /** The network is to read again. */
+  void stopReading();
+
+  /** The kernel thread, to which the connection has been left, is there to read. */
+  void attended();
 }

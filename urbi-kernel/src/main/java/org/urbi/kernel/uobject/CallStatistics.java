@@ -12,8 +12,8 @@ import org.urbi.kernel.time.Clock;
 public final class CallStatistics {
   /** The calls of one function. */
   final class Entry {
-    private final CallTimes times = new CallTimes();
     private final String function;
+    private CallTimes times;
 
     Entry(String function) {
       this.function = function;
@@ -30,13 +30,16 @@ public final class CallStatistics {
     /** A call ends that began then. */
     void end(long started) {
       if (enabled) {
+        if (times == null) {
+          times = called.computeIfAbsent(function, name -> new CallTimes());
+        }
         times.add(clock.now() - started);
       }
     }
   }
 
   private final Clock clock;
-  private final Map<String, Entry> entries = new LinkedHashMap<>();
+  private final Map<String, CallTimes> called = new LinkedHashMap<>();
   private Consumer<String> trace;
   private boolean enabled;
 
@@ -46,12 +49,12 @@ public final class CallStatistics {
 
   /** The calls of the function of that name. */
   Entry entry(String function) {
-    return entries.computeIfAbsent(function, Entry::new);
+    return new Entry(function);
   }
 
   /** The calls of that function are no longer of interest. */
   void forget(String function) {
-    entries.remove(function);
+    called.remove(function);
   }
 
   public void enable(boolean on) {
@@ -64,15 +67,15 @@ public final class CallStatistics {
   }
 
   public void clear() {
-    entries.values().forEach(entry -> entry.times.reset());
+    called.values().forEach(CallTimes::reset);
   }
 
   /** The times of all functions that were called. */
   public Map<String, CallTimes> all() {
     Map<String, CallTimes> all = new LinkedHashMap<>();
-    entries.forEach((name, entry) -> {
-      if (entry.times.count() > 0) {
-        all.put(name, entry.times);
+    called.forEach((name, times) -> {
+      if (times.count() > 0) {
+        all.put(name, times);
       }
     });
     return all;

@@ -13,17 +13,13 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.Values;
 import org.urbi.kernel.variable.UrbiUVar;
-import urbi.UBinary;
 import urbi.UCallback;
 import urbi.UCast;
 import urbi.UCastException;
-import urbi.UDictionary;
-import urbi.UImage;
-import urbi.UList;
 import urbi.UObject;
-import urbi.USound;
 import urbi.UValue;
 import urbi.UVar;
+import urbi.remote.ArgumentTypes;
 
 /**
  * Calls Java functions with values of urbiscript: each parameter gets a converter of its own once,
@@ -32,17 +28,6 @@ import urbi.UVar;
  */
 final class Converters {
   private static final MethodHandles.Lookup LOOKUP = MethodHandles.lookup();
-
-  /** What the types of parameters are called in urbiscript. */
-  private static final Map<Class<?>, String> NAMES =
-      Map.of(
-          String.class, "String",
-          UList.class, "List",
-          UDictionary.class, "Dictionary",
-          UBinary.class, "Binary",
-          UImage.class, "Binary",
-          USound.class, "Binary",
-          UVar.class, "UVar");
 
   private final PluggedContext context;
   private final ValueExchange exchange;
@@ -244,7 +229,7 @@ final class Converters {
     try {
       return UCast.to(exchange.toJava(given), type);
     } catch (UCastException e) {
-      String name = type instanceof Class<?> raw ? NAMES.get(raw) : null;
+      String name = ArgumentTypes.name(type);
       throw new ConversionFailure(given, name, name == null ? e.getMessage() : null);
     }
   }

@@ -33,6 +33,17 @@ final class Failures {
       case RaisedInUrbi raised -> raised.original();
       case ConversionFailure e when e.getMessage() == null ->
           argument(context, errors, function, arguments, e);
+      case CompletionException e
+          when e.getCause() instanceof ArgumentFailure elsewhere
+              && elsewhere.place() >= 1
+              && elsewhere.place() <= arguments.length ->
+          argument(
+              context,
+              errors,
+              function,
+              elsewhere.place(),
+              arguments[elsewhere.place() - 1],
+              elsewhere.expected());
       default ->
           errors.primitive(
               site.calledName() == null ? function : site.calledName(),
@@ -50,12 +61,21 @@ final class Failures {
     while (place <= arguments.length && arguments[place - 1] != e.given()) {
       place++;
     }
-    String routine = Texts.toUrbi(function);
-    UrbiObject expected = context.interpreter().world().prototype(e.expected());
+    return argument(context, errors, function, place, e.given(), e.expected());
+  }
+
+  private static UrbiException argument(
+      PluggedContext context,
+      Errors errors,
+      String function,
+      int place,
+      UrbiObject given,
+      String type) {
+    UrbiObject expected = context.interpreter().world().prototype(type);
     return errors.argumentType(
-        routine,
+        Texts.toUrbi(function),
         place,
-        e.given(),
+        given,
         expected == null ? context.interpreter().values().nil : expected);
   }
 

@@ -1,6 +1,7 @@
 package org.urbi.kernel.uobject;
 
 import java.lang.invoke.MethodHandle;
+import java.lang.invoke.MethodType;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.node.Frame;
@@ -11,7 +12,6 @@ import org.urbi.kernel.variable.UrbiUVar;
 import urbi.UCallback;
 import urbi.UCast;
 import urbi.UCastException;
-import urbi.UValue;
 
 /** Tells a function of a UObject of changes of a variable, or of accesses to it. */
 final class JavaHook implements Hook {
@@ -24,11 +24,20 @@ final class JavaHook implements Hook {
   /** From the value in urbiscript, if it is wanted, to a result there. */
   private final MethodHandle whole;
 
+  /** From a value that was not copied, if it is wanted; null if it is not. */
+  private final MethodHandle uncopied;
+
   JavaHook(PluggedContext context, UCallback callback) {
     this.context = context;
     this.callback = callback;
     this.whole = callback.isThreaded() ? null : context.converters().whole(callback);
+    this.uncopied = uncopied(callback);
     this.statistics = context.statistics().entry(callback.name());
+  }
+
+  private static MethodHandle uncopied(UCallback callback) {
+    MethodHandle taken = callback.arity() == 1 ? callback.handle() : callback.uncopied();
+    return taken == null ? null : taken.asType(MethodType.genericMethodType(1));
   }
 
   @Override
@@ -37,7 +46,7 @@ final class JavaHook implements Hook {
     long started = statistics.begin();
     try {
       if (callback.isThreaded()) {
-        Object[] arguments = arguments(value, true);
+        Object[] arguments = arguments(value);
         context.runThreaded(callback, () -> callThreaded(arguments));
       } else {
         context.tells().begin(frame.job(), variable, value);
@@ -56,21 +65,24 @@ final class JavaHook implements Hook {
   }
 
   private void call(Datum value) throws Throwable {
-    if (callback.arity() == 1 && value.foreign() instanceof ForeignValue) {
-      callback.call(arguments(value, false));
+    if (uncopied != null && value.foreign() instanceof ForeignValue foreign) {
+      Object given =
+          callback.arity() == 0
+              ? foreign.value()
+              : UCast.to(foreign.value(), callback.parameterTypes().getFirst());
+      Object ignored = uncopied.invokeExact(given);
       return;
     }
     UrbiObject[] arguments = callback.arity() == 0 ? NONE : new UrbiObject[] {value.value()};
     UrbiObject ignored = (UrbiObject) whole.invokeExact(arguments);
   }
 
-  private Object[] arguments(Datum value, boolean copied) throws Throwable {
+  private Object[] arguments(Datum value) throws Throwable {
     if (callback.arity() == 0) {
       return new Object[0];
     }
     if (value.foreign() instanceof ForeignValue foreign) {
-      UValue given = copied ? foreign.copied() : foreign.value();
-      return new Object[] {UCast.to(given, callback.parameterTypes().getFirst())};
+      return new Object[] {UCast.to(foreign.copied(), callback.parameterTypes().getFirst())};
     }
     return new Object[] {context.converters().argument(callback, 0, value.value())};
   }

@@ -22,8 +22,12 @@ final class Tells {
   }
 
   void end(Job job, UrbiUVar variable, Datum value) {
-    if (!tells.isEmpty()) {
-      tells.remove(new Tell(job, variable, value));
+    for (int i = tells.size() - 1; i >= 0; i--) {
+      Tell tell = tells.get(i);
+      if (tell.job == job && tell.variable == variable && tell.value == value) {
+        tells.remove(i);
+        return;
+      }
     }
   }
 

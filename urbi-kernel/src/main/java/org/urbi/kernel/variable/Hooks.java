@@ -1,58 +1,83 @@
 package org.urbi.kernel.variable;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
+import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.node.Frame;
 
 /** The hooks of one kind that a variable has. */
 final class Hooks {
-  private final Map<Long, Hook> hooks = new LinkedHashMap<>();
+  private static final Entry[] NONE = {};
+
+  /** A hook, by its number. */
+  private static final class Entry {
+    private final long id;
+    private final Hook hook;
+    private boolean removed;
+
+    Entry(long id, Hook hook) {
+      this.id = id;
+      this.hook = hook;
+    }
+  }
+
+  /**
+   * In the order in which they were added; replaced as a whole, since hooks change it as they run.
+   */
+  private Entry[] all = NONE;
+
   private final List<Job> inside = new ArrayList<>(1);
 
   boolean isEmpty() {
-    return hooks.isEmpty();
+    return all.length == 0;
   }
 
   void add(long id, Hook hook) {
-    hooks.put(id, hook);
+    Entry[] more = Arrays.copyOf(all, all.length + 1);
+    more[all.length] = new Entry(id, hook);
+    all = more;
   }
 
   boolean remove(long id) {
-    return hooks.remove(id) != null;
+    for (Entry each : all) {
+      if (each.id == id) {
+        each.removed = true;
+        all = Arrays.stream(all).filter(other -> other != each).toArray(Entry[]::new);
+        return true;
+      }
+    }
+    return false;
   }
 
   /**
    * Runs them all; one that fails keeps no other from running. What a hook does to the variable
    * runs none of them again.
-   *
-   * @param removeFailed whether one that fails is removed
    */
-  void run(Frame frame, UrbiUVar variable, Datum value, boolean removeFailed) {
-    if (hooks.isEmpty()) {
+  void run(Frame frame, UrbiUVar variable, Datum value) {
+    if (all.length == 0) {
       return;
     }
-    boolean again = inside.contains(frame.job());
-    inside.add(frame.job());
+    Job job = frame.job();
+    boolean again = !inside.isEmpty() && inside.contains(job);
+    inside.add(job);
     try {
-      for (Map.Entry<Long, Hook> each : List.copyOf(hooks.entrySet())) {
-        if (!hooks.containsKey(each.getKey()) || again && !each.getValue().isReentrant()) {
+      for (Entry each : all) {
+        if (each.removed || again && !each.hook.isReentrant()) {
           continue;
         }
         try {
-          each.getValue().run(frame, variable, value);
+          each.hook.run(frame, variable, value);
         } catch (UrbiException e) {
           variable.reportFailure(frame, e);
-          if (removeFailed) {
-            hooks.remove(each.getKey());
+          if (variable.removesFailed(frame)) {
+            remove(each.id);
           }
         }
       }
     } finally {
-      inside.remove(frame.job());
+      inside.remove(job);
     }
   }
 }

@@ -2,8 +2,8 @@ package org.urbi.kernel.variable;
 
 import java.lang.ref.WeakReference;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
+import java.util.stream.Stream;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
@@ -30,11 +30,15 @@ import org.urbi.kernel.object.UrbiObject;
  */
 public final class UrbiUVar extends UrbiObject {
   /** A slot behind which the variable stands. */
-  private record Place(WeakReference<UrbiObject> owner, Symbol name) {
-    /** The data of the slot; null when the object has gone. */
+  private record Place(WeakReference<UrbiObject> owner, WeakReference<SlotData> slot) {
+    Place(UrbiObject owner, SlotData slot) {
+      this(new WeakReference<>(owner), new WeakReference<>(slot));
+    }
+
+    /** The data of the slot; null when it or the object has gone. */
     SlotData data() {
-      UrbiObject object = owner.get();
-      return object == null ? null : object.slotData(name);
+      SlotData data = slot.get();
+      return data == null || data.removed ? null : data;
     }
   }
 
@@ -52,7 +56,10 @@ public final class UrbiUVar extends UrbiObject {
   private final Hooks onChange = new Hooks();
   private final Hooks onChangeOwned = new Hooks();
   private final Hooks onAccess = new Hooks();
-  private final List<UrbiConnection> connections = new ArrayList<>(0);
+
+  /** Replaced as a whole, since what values lead to changes it. */
+  private List<UrbiConnection> connections = List.of();
+
   private final List<Reader> readers = new ArrayList<>(0);
   private AccessLoop accessLoop;
   private UrbiEvent changed;
@@ -115,8 +122,8 @@ public final class UrbiUVar extends UrbiObject {
     } else {
       owner.setSlotAt(owner.shape().indexOf(slot), this);
     }
-    places.add(new Place(new WeakReference<>(owner), slot));
     SlotData data = owner.ensureSlotData(slot);
+    places.add(new Place(owner, data));
     Shape code = interpreter.prototypes().code.cloneShape();
     data.getter = new Access(code, false);
     data.setter = new Access(code, true);
@@ -260,16 +267,16 @@ public final class UrbiUVar extends UrbiObject {
 
   /** The connections that begin here. */
   public List<UrbiConnection> connections() {
-    return Collections.unmodifiableList(connections);
+    return connections;
   }
 
   void add(Frame frame, UrbiConnection connection) {
-    connections.add(connection);
+    connections = Stream.concat(connections.stream(), Stream.of(connection)).toList();
     reviewAccess(frame.interpreter());
   }
 
   void remove(UrbiConnection connection) {
-    connections.remove(connection);
+    connections = connections.stream().filter(other -> other != connection).toList();
   }
 
   /**
@@ -313,7 +320,7 @@ public final class UrbiUVar extends UrbiObject {
   /** What everybody reads; hooks are run before. In bypass mode, waits for the next value. */
   public UrbiObject read(Frame frame) {
     if (!onAccess.isEmpty()) {
-      onAccess.run(frame, this, visible(), removesFailed(frame));
+      onAccess.run(frame, this, visible());
       reviewAccess(frame.interpreter());
     }
     if (bypass && isForgotten() && world().tracker == null) {
@@ -368,7 +375,7 @@ public final class UrbiUVar extends UrbiObject {
     if (silent) {
       return;
     }
-    onChangeOwned.run(frame, this, value, removesFailed(frame));
+    onChangeOwned.run(frame, this, value);
   }
 
   /**
@@ -408,15 +415,13 @@ public final class UrbiUVar extends UrbiObject {
     if (silent) {
       return;
     }
-    boolean removes = removesFailed(frame);
-    onChange.run(frame, this, assigned, removes);
+    onChange.run(frame, this, assigned);
     if (!owned) {
-      onChangeOwned.run(frame, this, assigned, removes);
+      onChangeOwned.run(frame, this, assigned);
     }
-    if (!connections.isEmpty()) {
-      for (UrbiConnection connection : List.copyOf(connections)) {
-        connection.pass(frame, assigned);
-      }
+    List<UrbiConnection> present = connections;
+    for (int i = 0; i < present.size(); i++) {
+      present.get(i).pass(frame, assigned);
     }
     if (changed != null && changed.hasSubscribers()) {
       changed.emit(frame, assigned.value());
@@ -442,15 +447,16 @@ public final class UrbiUVar extends UrbiObject {
 
   /** The value, not less than the slot's property rangemin and not more than rangemax. */
   private Datum inRange(Frame frame, Datum assigned) {
+    // What Java code has written is not even looked at: that would copy it.
+    if (assigned.foreign() != null || !(assigned.value() instanceof UrbiFloat number)) {
+      return assigned;
+    }
     SlotData data = places.isEmpty() ? null : places.getFirst().data();
-    if (data == null) {
+    if (data == null || data.properties.isEmpty()) {
       return assigned;
     }
     UrbiObject least = data.properties.get("rangemin");
     UrbiObject most = data.properties.get("rangemax");
-    if (least == null && most == null || !(assigned.value() instanceof UrbiFloat number)) {
-      return assigned;
-    }
     double limited = number.value();
     if (least instanceof UrbiFloat bound) {
       limited = Math.max(limited, bound.value());
@@ -465,7 +471,8 @@ public final class UrbiUVar extends UrbiObject {
 
   // ------------------------------------------------------------------ failures
 
-  private boolean removesFailed(Frame frame) {
+  /** Whether hooks that fail are removed. */
+  boolean removesFailed(Frame frame) {
     UrbiObject remove = lookup(world().symbol("eraseThrowingCallbacks"));
     return remove != null && Truth.of(frame, remove);
   }

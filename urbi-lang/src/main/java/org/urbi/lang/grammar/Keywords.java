@@ -116,6 +116,11 @@ public final class Keywords {
 
   private Keywords() {}
 
+  /** All of them, in no order. */
+  public static Set<String> all() {
+    return TOKENS.keySet();
+  }
+
   /** The token type of a word. */
   static int token(String word) {
     return TOKENS.getOrDefault(word, UrbiscriptLexer.WORD);

@@ -6,9 +6,15 @@ import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import org.jline.reader.Candidate;
 import org.jline.reader.EndOfFileException;
 import org.jline.reader.LineReader;
 import org.jline.reader.LineReaderBuilder;
+import org.jline.reader.ParsedLine;
 import org.jline.reader.UserInterruptException;
 import org.jline.terminal.Terminal;
 import org.jline.terminal.TerminalBuilder;
@@ -22,8 +28,12 @@ import org.urbi.server.SourceText;
 public final class TerminalSession implements AutoCloseable {
   private static final String CONTINUED = "  ";
 
+  /** Who has hit the key waits no longer than that for a kernel that is busy. */
+  private static final int PATIENCE_MS = 500;
+
   private final Terminal terminal;
   private final LineReader reader;
+  private volatile Connection connection;
   private volatile boolean closed;
 
   public TerminalSession() {
@@ -41,6 +51,7 @@ public final class TerminalSession implements AutoCloseable {
             // An exclamation mark is an operator here, and a backslash stands for itself.
             .option(LineReader.Option.DISABLE_EVENT_EXPANSION, true)
             .parser(new WholeLine())
+            .completer((from, line, candidates) -> complete(line, candidates))
             .build();
   }
 
@@ -66,6 +77,7 @@ public final class TerminalSession implements AutoCloseable {
    * @param interrupt what {@code Ctrl-C} does
    */
   public void run(Console console, Connection connection, Runnable interrupt) {
+    this.connection = connection;
     terminal.handle(Terminal.Signal.INT, signal -> interrupt.run());
     while (console.isOpen()) {
       try {
@@ -82,6 +94,24 @@ public final class TerminalSession implements AutoCloseable {
         }
         return;
       }
+    }
+  }
+
+  /** Adds the names that the one before the cursor may become; none when the kernel is too busy. */
+  private void complete(ParsedLine line, List<Candidate> candidates) {
+    Connection asked = connection;
+    if (asked == null) {
+      return;
+    }
+    try {
+      String typed = SourceText.bytes(line.line().substring(0, line.cursor()));
+      for (String name : asked.complete(typed).get(PATIENCE_MS, TimeUnit.MILLISECONDS)) {
+        candidates.add(new Candidate(name, name, null, null, null, null, false));
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } catch (ExecutionException | TimeoutException e) {
+      // Then there is nothing to offer.
     }
   }
 

@@ -5,10 +5,18 @@ import org.jline.reader.CompletingParsedLine;
 import org.jline.reader.ParsedLine;
 import org.jline.reader.Parser;
 
-/** Leaves a line as it is: quotes and backslashes are the language's business. */
+/**
+ * Leaves a line as it is: quotes and backslashes are the language's business. Its one word is the
+ * name before the cursor, which can be completed.
+ */
 final class WholeLine implements Parser {
   @Override
   public ParsedLine parse(String line, int cursor, ParseContext context) {
+    int start = cursor;
+    while (start > 0 && Character.isJavaIdentifierPart(line.charAt(start - 1))) {
+      start--;
+    }
+    String name = line.substring(start, cursor);
     return new CompletingParsedLine() {
       @Override
       public CharSequence escape(CharSequence candidate, boolean complete) {
@@ -17,22 +25,22 @@ final class WholeLine implements Parser {
 
       @Override
       public int rawWordCursor() {
-        return cursor;
+        return name.length();
       }
 
       @Override
       public int rawWordLength() {
-        return line.length();
+        return name.length();
       }
 
       @Override
       public String word() {
-        return line;
+        return name;
       }
 
       @Override
       public int wordCursor() {
-        return cursor;
+        return name.length();
       }
 
       @Override
@@ -42,7 +50,7 @@ final class WholeLine implements Parser {
 
       @Override
       public List<String> words() {
-        return List.of(line);
+        return List.of(name);
       }
 
       @Override

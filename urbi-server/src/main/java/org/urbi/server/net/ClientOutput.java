@@ -8,7 +8,6 @@ import io.netty.channel.socket.DuplexChannel;
 import java.nio.charset.StandardCharsets;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 
@@ -86,7 +85,7 @@ final class ClientOutput {
    */
   private void farewell() {
     channel.config().setAutoRead(true);
-    channel.eventLoop().schedule((Runnable) channel::close, FAREWELL_SECONDS, TimeUnit.SECONDS);
+    NetworkThread.close(channel, FAREWELL_SECONDS);
     flush()
         .addListener(
             (ChannelFutureListener)

@@ -7,7 +7,7 @@ import java.io.IOException;
 import java.nio.channels.SocketChannel;
 import java.util.List;
 
-/** A client's channel, whose socket may be written to by other threads, too. */
+/** A client's channel, whose socket may be written to, or read from, by other threads, too. */
 final class ConsoleChannel extends NioSocketChannel {
   /** The channel that listens. */
   static final class Listener extends NioServerSocketChannel {
@@ -22,6 +22,8 @@ final class ConsoleChannel extends NioSocketChannel {
     }
   }
 
+  private boolean left;
+
   private ConsoleChannel(Channel listener, SocketChannel socket) {
     super(listener, socket);
   }
@@ -29,5 +31,26 @@ final class ConsoleChannel extends NioSocketChannel {
   /** The socket, which does not block. */
   SocketChannel bare() {
     return javaChannel();
+  }
+
+  /** Leaves the reading to somebody else; on the network thread. */
+  void leaveReading() {
+    left = true;
+    clearReadPending();
+  }
+
+  /** Reads again; on the network thread. */
+  void resumeReading() {
+    left = false;
+    if (config().isAutoRead()) {
+      read();
+    }
+  }
+
+  @Override
+  protected void doBeginRead() throws Exception {
+    if (!left) {
+      super.doBeginRead();
+    }
   }
 }

@@ -5,7 +5,6 @@ import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.channel.socket.ChannelInputShutdownEvent;
 import java.nio.charset.StandardCharsets;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
@@ -76,9 +75,7 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
         context.close();
       } else {
         connection.end();
-        context
-            .executor()
-            .schedule(() -> context.close(), limits.secondsAfterEnd(), TimeUnit.SECONDS);
+        NetworkThread.close(context.channel(), limits.secondsAfterEnd());
       }
     }
     context.fireUserEventTriggered(event);

@@ -6,8 +6,11 @@ import io.netty.channel.ChannelDuplexHandler;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelPromise;
 import io.netty.util.concurrent.ScheduledFuture;
+import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BiFunction;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.remote.RemoteWire;
@@ -43,9 +46,12 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
   private FrameDatagrams datagrams;
   private ByteBuf partial = Unpooled.EMPTY_BUFFER;
   private ScheduledFuture<?> watch;
-  private long heard;
+  private final ReentrantLock reading = new ReentrantLock();
+  private boolean kernelReads;
+  private volatile boolean attended;
+  private volatile long heard;
   private String reason = "the remote process has gone";
-  private boolean over;
+  private volatile boolean over;
 
   /**
    * @param peers makes the kernel's side, of a name for people
@@ -75,6 +81,12 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
     } else if (silence >= Protocol.SILENCE_SECONDS) {
       output.writeAndFlush(PING);
     }
+    if (attended) {
+      attended = false;
+      peer.askForAttention();
+    } else {
+      stopReading();
+    }
   }
 
   // ------------------------------------------------------------------ in
@@ -92,8 +104,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
     try {
       read(in);
     } catch (WireException e) {
-      over = true;
-      close("the remote process does not keep to the protocol: " + e.getMessage());
+      broken(e);
     } finally {
       keep(in);
     }
@@ -102,6 +113,11 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
       from.channel().config().setAutoRead(false);
       consumed(0);
     }
+  }
+
+  private void broken(WireException e) {
+    over = true;
+    close("the remote process does not keep to the protocol: " + e.getMessage());
   }
 
   private void read(ByteBuf in) {
@@ -138,10 +154,14 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
       default -> {
         byte[] bytes = new byte[length];
         in.readBytes(bytes);
-        unconsumed.addAndGet(length);
-        peer.receive(length, new WireInput(bytes, 0, length));
+        receive(bytes);
       }
     }
+  }
+
+  private void receive(byte[] frame) {
+    unconsumed.addAndGet(frame.length);
+    peer.receive(frame.length, new WireInput(frame, 0, frame.length));
   }
 
   private void aboutDatagrams(WireInput in) {
@@ -156,6 +176,111 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
       session.setActive(in.octet() == 1);
     }
   }
+
+  // ------------------------------------------------------------------ in, by the kernel
+
+  @Override
+  public void wantToRead() {
+    if (context.channel() instanceof ConsoleChannel own) {
+      NetworkThread.execute(context.executor(), () -> leaveReading(own));
+    }
+  }
+
+  private void leaveReading(ConsoleChannel own) {
+    if (!over && !partial.isReadable() && own.config().isAutoRead()) {
+      own.leaveReading();
+      reading.lock();
+      kernelReads = true;
+      reading.unlock();
+      attended = true;
+      peer.mayRead(own.bare());
+    }
+  }
+
+  @Override
+  public void attended() {
+    attended = true;
+  }
+
+  @Override
+  public void stopReading() {
+    reading.lock();
+    try {
+      if (kernelReads) {
+        resumeReading(new byte[0]);
+      }
+    } finally {
+      reading.unlock();
+    }
+  }
+
+  /** Has the network thread go on, with what the kernel has read and is no good to it. */
+  private void resumeReading(byte[] rest) {
+    kernelReads = false;
+    NetworkThread.execute(
+        context.executor(),
+        () -> {
+          if (rest.length > 0 && !over) {
+            channelRead(context, context.alloc().buffer(rest.length).writeBytes(rest));
+          }
+          ((ConsoleChannel) context.channel()).resumeReading();
+        });
+  }
+
+  @Override
+  public boolean read(ByteBuffer space) {
+    reading.lock();
+    try {
+      if (!kernelReads) {
+        return false;
+      }
+      space.clear();
+      int size = ((ConsoleChannel) context.channel()).bare().read(space);
+      if (size != 0) {
+        heard = context.executor().ticker().nanoTime();
+        space.flip();
+        receiveAll(space);
+        peer.received();
+        if (size < 0 || space.hasRemaining() || unconsumed.get() > MOST_INPUT) {
+          byte[] rest = new byte[space.remaining()];
+          space.get(rest);
+          resumeReading(rest);
+        }
+      }
+    } catch (IOException e) {
+      // The network thread will see the same.
+      resumeReading(new byte[0]);
+    } catch (WireException e) {
+      broken(e);
+      resumeReading(new byte[0]);
+    } finally {
+      reading.unlock();
+    }
+    return kernelReads;
+  }
+
+  /** Takes the frames that are whole and for the kernel; the first other one ends it. */
+  private void receiveAll(ByteBuffer in) {
+    while (in.remaining() > HEADER) {
+      int length = in.getInt(in.position());
+      boolean whole = length >= 1 && length <= in.remaining() - HEADER;
+      if (!whole || !isForKernel(in.get(in.position() + HEADER))) {
+        return;
+      }
+      byte[] frame = new byte[length];
+      in.position(in.position() + HEADER).get(frame);
+      receive(frame);
+    }
+  }
+
+  private static boolean isForKernel(int type) {
+    return switch (type) {
+      case Frame.PING, Frame.PONG, Frame.CODE, Frame.LEFT, Frame.RTP_ACTIVE -> false;
+      default -> true;
+    };
+  }
+
+  // ------------------------------------------------------------------ in, by datagrams
 
   /** A value has come in datagrams. While the kernel has enough to do, such are dropped. */
   private void value(byte[] frame) {

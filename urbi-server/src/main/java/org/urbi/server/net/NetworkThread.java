@@ -1,7 +1,10 @@
 package org.urbi.server.net;
 
+import io.netty.channel.Channel;
 import io.netty.util.concurrent.EventExecutor;
+import io.netty.util.concurrent.ScheduledFuture;
 import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.TimeUnit;
 
 /** Gives work to the thread of a channel. */
 final class NetworkThread {
@@ -14,5 +17,12 @@ final class NetworkThread {
     } catch (RejectedExecutionException e) {
       // All the channels are closed, and the kernel will hear of it or has.
     }
+  }
+
+  /** Closes a channel after so long at the latest; and lets go of it when it has been closed. */
+  static void close(Channel channel, int seconds) {
+    ScheduledFuture<?> last =
+        channel.eventLoop().schedule((Runnable) channel::close, seconds, TimeUnit.SECONDS);
+    channel.closeFuture().addListener(closed -> last.cancel(false));
   }
 }

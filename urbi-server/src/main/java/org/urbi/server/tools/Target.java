@@ -6,9 +6,12 @@ import java.net.Socket;
 import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
+import urbi.UClientException;
+import urbi.USyncClient;
 
 /**
  * The server that a tool is to talk to: options {@code --host}, {@code --port}, {@code
@@ -51,6 +54,28 @@ public record Target(String host, int port) {
   }
 
   /**
+   * Connects as a client that asks and waits for answers.
+   *
+   * @throws Failure if nobody answers
+   */
+  public USyncClient client() {
+    try {
+      return USyncClient.connect(host, port, Duration.ofMillis(CONNECT_MILLISECONDS));
+    } catch (UClientException e) {
+      throw Failure.of(e.getMessage() + hint());
+    }
+  }
+
+  private String hint() {
+    return " (is a server running there? urbi --port " + port + " starts one)";
+  }
+
+  @Override
+  public String toString() {
+    return host + ":" + port;
+  }
+
+  /**
    * Connects.
    *
    * @throws Failure if nobody answers
@@ -65,8 +90,7 @@ public record Target(String host, int port) {
       throw Failure.of("unknown host: " + host);
     } catch (IOException e) {
       throw Failure.of(
-          "cannot connect to %s:%d: %s (is a server running there? urbi --port %d starts one)"
-              .formatted(host, port, e.getMessage(), port));
+          "cannot connect to %s:%d: %s%s".formatted(host, port, e.getMessage(), hint()));
     }
   }
 }

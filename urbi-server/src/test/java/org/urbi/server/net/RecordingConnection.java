@@ -2,6 +2,7 @@ package org.urbi.server.net;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import org.urbi.kernel.Connection;
 
 /** A lobby that only notes what is done to it, and has as much unread input as a test wants. */
@@ -37,5 +38,10 @@ final class RecordingConnection implements Connection {
   @Override
   public boolean incomplete() {
     return false;
+  }
+
+  @Override
+  public CompletableFuture<List<String>> complete(String text) {
+    throw new UnsupportedOperationException();
   }
 }

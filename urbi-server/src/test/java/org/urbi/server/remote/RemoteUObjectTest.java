@@ -94,6 +94,34 @@ class RemoteUObjectTest {
     return message.replaceFirst("^[\\d.-]*: ", "");
   }
 
+  /** Binds so many functions when it is initialized that others could have their turn meanwhile. */
+  static class Talented extends UObject {
+    static final int TALENTS = 1000;
+
+    Talented(String name) {
+      super(name);
+      UBindFunction("init");
+    }
+
+    public void init() {
+      for (int i = 0; i < TALENTS; i++) {
+        UBindFunctionRename("talent", "talent" + i);
+      }
+    }
+
+    public int talent() {
+      return 1;
+    }
+  }
+
+  @Test
+  void whatAFunctionHasBoundIsThereWhenItReturns() {
+    remote.start(type("Talented", Talented::new));
+    for (int i = 0; i < 10; i++) {
+      assertEquals("1", eval("Talented.new.talent" + (Talented.TALENTS - 1)));
+    }
+  }
+
   /** The manual's. */
   static class Adder extends UObject {
     private final UVar v = new UVar();
@@ -106,7 +134,7 @@ class RemoteUObjectTest {
     public int init(double initial) {
       UBindVar(v, "v");
       v.setValue(initial);
-      UBindFunctions("add", "fail", "echo");
+      UBindFunctions("add", "fail", "echo", "whole");
       return 0;
     }
 
@@ -116,6 +144,10 @@ class RemoteUObjectTest {
 
     public void fail(String text) {
       throw new IllegalStateException(text);
+    }
+
+    public int whole(int value) {
+      return value;
     }
 
     public UValue echo(UValue value) {
@@ -160,7 +192,11 @@ class RemoteUObjectTest {
             + eval("a.__uobjectName").replace("\"", "")
             + ".fail: no way",
         error("a.fail(\"no way\")"));
-    assertTrue(error("a.add(\"many\")").contains("invalid cast to double from \"many\""));
+    String name = eval("a.__uobjectName").replace("\"", "");
+    assertEquals(
+        name + ".add: argument 1: unexpected \"many\", expected a Float",
+        error("a.add(\"many\")").replaceFirst("\\n.*", ""));
+    assertEquals("[-2147483648, 5]", eval("[a.whole(2147483648), a.whole(5.9)]"));
     assertEquals("3", eval("1 + 2"));
   }
 
@@ -430,7 +466,7 @@ class RemoteUObjectTest {
 
   @Test
   void nothingIsLeftOfThoseWhoCameAndWent() {
-    eval("1");
+    remote.start(type("Watcher", Watcher::new));
     double jobs = client.syncEval("jobs.size").doubleValue();
     for (int i = 0; i < 100; i++) {
       try (RemoteContext passing = new RemoteContext(HOST, server.port())) {

@@ -1,0 +1,157 @@
+package org.urbi.sim.page;
+
+import io.netty.buffer.Unpooled;
+import io.netty.channel.Channel;
+import io.netty.channel.group.ChannelGroup;
+import io.netty.channel.group.DefaultChannelGroup;
+import io.netty.handler.codec.http.websocketx.BinaryWebSocketFrame;
+import io.netty.handler.codec.http.websocketx.CloseWebSocketFrame;
+import io.netty.handler.codec.http.websocketx.TextWebSocketFrame;
+import io.netty.handler.codec.http.websocketx.WebSocketCloseStatus;
+import io.netty.util.concurrent.EventExecutor;
+import java.util.Map;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.urbi.sim.vision.ImageCoder;
+import urbi.UImage;
+import urbi.UImageFormat;
+
+/**
+ * The browsers that look, and what they are sent: the setting, then moments (text), each new image
+ * of the camera (bytes of a JPEG file) after the first moment that has it. Everything but {@link
+ * #isWaiting}, {@link #show} and {@link #describe} is done on the page's thread.
+ */
+final class Viewers {
+  /** Moments in a second, at most. */
+  private static final int RATE = 30;
+
+  private static final int MOST_CONNECTIONS = 64;
+  private static final int QUALITY = 80;
+
+  private final EventExecutor thread;
+  private final ChannelGroup connections;
+  private final ChannelGroup viewers;
+  private final AtomicBoolean waiting = new AtomicBoolean();
+  private volatile String setting;
+  private String moment;
+  private byte[] image;
+  private long imageNumber;
+
+  Viewers(EventExecutor thread, String setting) {
+    this.thread = thread;
+    this.setting = setting;
+    connections = new DefaultChannelGroup(thread);
+    viewers = new DefaultChannelGroup(thread);
+  }
+
+  /** Asks for a moment now and then, as long as somebody looks. */
+  void start() {
+    thread.scheduleAtFixedRate(
+        () -> waiting.set(!viewers.isEmpty()), 0, 1000 / RATE, TimeUnit.MILLISECONDS);
+  }
+
+  int count() {
+    return viewers.size();
+  }
+
+  boolean isWaiting() {
+    return waiting.get();
+  }
+
+  /** A connection; beyond what is reasonable it is closed. */
+  void connected(Channel channel) {
+    if (connections.size() >= MOST_CONNECTIONS) {
+      channel.close();
+    } else {
+      connections.add(channel);
+    }
+  }
+
+  /** A browser looks from now on; it is sent what there is. */
+  void add(Channel viewer) {
+    viewers.add(viewer);
+    viewer.write(new TextWebSocketFrame(setting));
+    if (moment != null) {
+      viewer.write(new TextWebSocketFrame(moment));
+    }
+    if (image != null) {
+      viewer.write(new BinaryWebSocketFrame(Unpooled.wrappedBuffer(image)));
+    }
+    viewer.flush();
+  }
+
+  void show(Moment next) {
+    waiting.set(false);
+    execute(() -> send(next));
+  }
+
+  void describe(String other) {
+    setting = other;
+    execute(() -> {
+      moment = null;
+      image = null;
+      viewers.writeAndFlush(new TextWebSocketFrame(other));
+    });
+  }
+
+  /** Says goodbye to all, and closes their connections. */
+  void close() {
+    execute(() -> {
+      viewers.writeAndFlush(new CloseWebSocketFrame(WebSocketCloseStatus.ENDPOINT_UNAVAILABLE));
+      connections.close();
+    });
+  }
+
+  private void execute(Runnable work) {
+    try {
+      thread.execute(work);
+    } catch (RejectedExecutionException e) {
+      // The page has been closed: there is nobody to show it to.
+    }
+  }
+
+  private void send(Moment next) {
+    moment = next.json();
+    byte[] fresh = freshImage(next.sight());
+    for (Channel viewer : viewers) {
+      if (viewer.isWritable()) {
+        viewer.write(new TextWebSocketFrame(moment));
+        if (fresh != null) {
+          viewer.write(new BinaryWebSocketFrame(Unpooled.wrappedBuffer(fresh)));
+        }
+        viewer.flush();
+      }
+    }
+  }
+
+  /** The image of a moment as a file, if it is another one than that of the moment before. */
+  private byte[] freshImage(Moment.Sight sight) {
+    if (sight == null || sight.image() == null || sight.number() == imageNumber) {
+      return null;
+    }
+    imageNumber = sight.number();
+    try {
+      image = jpeg(sight.image());
+      return image;
+    } catch (RuntimeException e) {
+      // An image of a variable may be anything; whoever looks is told, and the page goes on.
+      viewers.writeAndFlush(
+          new TextWebSocketFrame(
+              Json.text(
+                  Map.of(
+                      "type", "trouble", "text", "no image: " + String.valueOf(e.getMessage())))));
+      return null;
+    }
+  }
+
+  private static byte[] jpeg(UImage image) {
+    if (image.getImageFormat() == UImageFormat.IMAGE_JPEG) {
+      return image.getData();
+    }
+    UImage rgb = ImageCoder.toRgb(image);
+    return ImageCoder.encode(
+            rgb.getData(), rgb.getWidth(), rgb.getHeight(), UImageFormat.IMAGE_JPEG, QUALITY)
+        .getData();
+  }
+}

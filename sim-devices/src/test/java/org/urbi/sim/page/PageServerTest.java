@@ -1,0 +1,361 @@
+package org.urbi.sim.page;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.ConnectException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.net.http.WebSocket;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.urbi.sim.SimulationException;
+import org.urbi.sim.geometry.Pose;
+import org.urbi.sim.vision.Blob;
+import org.urbi.sim.world.Mount;
+import org.urbi.sim.world.SimulatedWorld;
+import org.urbi.sim.world.WorldReader;
+import urbi.UImage;
+import urbi.UImageFormat;
+
+@Timeout(120)
+class PageServerTest {
+  private static final String LOCAL = "127.0.0.1";
+  private static final int PATIENCE_SECONDS = 30;
+  private static final byte[] JPEG = {(byte) 0xff, (byte) 0xd8, 1, 2, 3, (byte) 0xff, (byte) 0xd9};
+
+  private static final String WORLD =
+      """
+      world { step 1 ms }
+      body floor { plane { colour 1 1 1; checker 0 0 0; tile 50 cm } }
+      body arm { at 0 0 1; mass 1; box { size 0.5 0.1 0.1; colour 1 0.5 0 } }
+      hinge elbow { of world arm; axis 0 0 1; limits -1 2; drive position; force 5 }
+      camera eye { at 0 0 3; size 80 60; xfov 60 deg }
+      """;
+
+  private final SimulatedWorld world = WorldReader.read("test.world", WORLD, "ode4j");
+  private final HttpClient client = HttpClient.newHttpClient();
+  private PageServer server;
+
+  @BeforeEach
+  void serve() {
+    Mount.Camera eye = world.mount(Mount.Camera.class, "eye");
+    server = new PageServer(LOCAL, 0, Setting.of(world, eye.name(), eye.lens()));
+  }
+
+  @AfterEach
+  void close() {
+    client.shutdownNow();
+    server.close();
+    world.close();
+  }
+
+  private Moment moment(long imageNumber, byte[] jpeg) {
+    UImage image = new UImage(UImageFormat.IMAGE_JPEG, 80, 60, jpeg);
+    Blob blob = new Blob(0.25, -0.125, 0.5, 1, 0, 3);
+    return Moment.of(world, new Moment.Sight(Pose.ORIGIN, image, imageNumber, true, blob));
+  }
+
+  /** What a browser has been sent: texts, and the bytes of images. */
+  private static final class Stream implements WebSocket.Listener {
+    final BlockingQueue<Object> received = new LinkedBlockingQueue<>();
+    final CompletableFuture<Void> closed = new CompletableFuture<>();
+    private final StringBuilder text = new StringBuilder();
+    private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+
+    @Override
+    public CompletionStage<?> onText(WebSocket socket, CharSequence data, boolean last) {
+      text.append(data);
+      if (last) {
+        received.add(text.toString());
+        text.setLength(0);
+      }
+      socket.request(1);
+      return null;
+    }
+
+    @Override
+    public CompletionStage<?> onBinary(WebSocket socket, ByteBuffer data, boolean last) {
+      byte[] part = new byte[data.remaining()];
+      data.get(part);
+      bytes.writeBytes(part);
+      if (last) {
+        received.add(bytes.toByteArray());
+        bytes.reset();
+      }
+      socket.request(1);
+      return null;
+    }
+
+    @Override
+    public CompletionStage<?> onClose(WebSocket socket, int code, String reason) {
+      closed.complete(null);
+      return null;
+    }
+
+    @Override
+    public void onError(WebSocket socket, Throwable error) {
+      closed.complete(null);
+    }
+
+    Object next() throws InterruptedException {
+      Object next = received.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+      if (next == null) {
+        throw new AssertionError("nothing is sent");
+      }
+      return next;
+    }
+  }
+
+  private Stream watch() {
+    Stream stream = new Stream();
+    client
+        .newWebSocketBuilder()
+        .buildAsync(URI.create("ws://127.0.0.1:" + server.port() + "/stream"), stream)
+        .join();
+    return stream;
+  }
+
+  private void awaitReadiness() throws InterruptedException {
+    while (!server.isWaiting()) {
+      Thread.sleep(5);
+    }
+  }
+
+  /** Sends a request as it stands, and returns the first line of the answer. */
+  private String ask(String... lines) throws IOException {
+    try (Socket socket = new Socket(InetAddress.getByName(LOCAL), server.port())) {
+      socket.setSoTimeout((int) TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS));
+      String request = String.join("\r\n", lines) + "\r\n\r\n";
+      socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
+      StringBuilder first = new StringBuilder();
+      InputStream in = socket.getInputStream();
+      for (int c = in.read(); c != '\r' && c >= 0; c = in.read()) {
+        first.append((char) c);
+      }
+      return first.toString();
+    }
+  }
+
+  @Test
+  void filesOfThePageAreServed() throws Exception {
+    for (String file : List.of("", "page.css", "page.js", "camera.js", "scene.js", "plots.js")) {
+      HttpRequest request = HttpRequest.newBuilder(URI.create(server.url() + file)).build();
+      HttpResponse<String> answer = client.send(request, HttpResponse.BodyHandlers.ofString());
+      assertEquals(200, answer.statusCode(), file);
+      assertTrue(answer.body().length() > 500, file);
+    }
+    String host = "Host: localhost:" + server.port();
+    assertEquals("HTTP/1.1 404 Not Found", ask("GET /pom.xml HTTP/1.1", host));
+    assertEquals("HTTP/1.1 404 Not Found", ask("GET /../page/Json.class HTTP/1.1", host));
+    assertEquals("HTTP/1.1 405 Method Not Allowed", ask("POST / HTTP/1.1", host));
+    assertEquals("HTTP/1.1 400 Bad Request", ask("nonsense"));
+    assertEquals("HTTP/1.1 200 OK", ask("GET / HTTP/1.1", host), "it goes on");
+  }
+
+  @Test
+  void pagesOfOthersAreRefused() throws Exception {
+    assertEquals("HTTP/1.1 403 Forbidden", ask("GET / HTTP/1.1", "Host: rebound.example"));
+    assertEquals("HTTP/1.1 403 Forbidden", ask("GET / HTTP/1.1"));
+    String[] upgrade = {
+      "GET /stream HTTP/1.1",
+      "Host: 127.0.0.1:" + server.port(),
+      "Upgrade: websocket",
+      "Connection: Upgrade",
+      "Sec-WebSocket-Version: 13",
+      "Sec-WebSocket-Key: MDEyMzQ1Njc4OWFiY2RlZg==",
+      ""
+    };
+    upgrade[6] = "Origin: http://elsewhere.example";
+    assertEquals("HTTP/1.1 403 Forbidden", ask(upgrade));
+    assertEquals(0, server.viewers());
+    upgrade[6] = "Origin: http://127.0.0.1:" + server.port();
+    assertEquals("HTTP/1.1 101 Switching Protocols", ask(upgrade));
+  }
+
+  @Test
+  void momentsAreStreamedToWhoLooks() throws Exception {
+    assertFalse(server.isWaiting(), "nobody looks");
+    Stream first = watch();
+    String setting = (String) first.next();
+    assertTrue(setting.contains("\"name\":\"eye\""), setting);
+    assertTrue(
+        setting.contains(
+            "{\"name\":\"elbow\",\"control\":\"position\",\"unit\":\"rad\",\"low\":-1,\"high\":2}"),
+        setting);
+    assertTrue(setting.contains("\"shape\":\"box\",\"size\":[0.5,0.1,0.1]"), setting);
+    awaitReadiness();
+    assertEquals(1, server.viewers());
+    world.drive("elbow").setTarget(0.5);
+    world.step();
+    server.show(moment(1, JPEG));
+    assertFalse(server.isWaiting(), "it has just been shown something");
+    String shown = (String) first.next();
+    assertTrue(shown.startsWith("{\"type\":\"moment\",\"time\":0.001,"), shown);
+    assertTrue(shown.contains(",0.5]],\"sight\":"), shown);
+    assertTrue(shown.contains("\"blob\":[0.25,-0.125,0.5]"), shown);
+    assertArrayEquals(JPEG, (byte[]) first.next());
+    server.show(moment(1, JPEG));
+    first.next();
+    assertNull(first.received.poll(200, TimeUnit.MILLISECONDS), "the image is no other one");
+    // Who comes later is sent all that there is.
+    Stream second = watch();
+    assertEquals(setting, second.next());
+    assertEquals(shown, second.next());
+    assertArrayEquals(JPEG, (byte[]) second.next());
+    server.describe("{\"type\":\"setting\"}");
+    assertEquals("{\"type\":\"setting\"}", first.next());
+    server.close();
+    first.closed.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+    second.closed.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+  }
+
+  @Test
+  void imagesThatAreNoneAreTold() throws Exception {
+    Stream stream = watch();
+    stream.next();
+    UImage wrong = new UImage(UImageFormat.IMAGE_RGB, 80, 60, new byte[5]);
+    server.show(Moment.of(world, new Moment.Sight(Pose.ORIGIN, wrong, 1, false, null)));
+    List<String> texts = List.of((String) stream.next(), (String) stream.next());
+    assertTrue(texts.stream().anyMatch(text -> text.contains("no image: ")), texts.toString());
+    server.show(moment(2, JPEG));
+    stream.next();
+    assertArrayEquals(JPEG, (byte[]) stream.next());
+  }
+
+  @Test
+  void whoDoesNotReadSeesLessAndHoldsNothingUp() throws Exception {
+    byte[] large = new byte[200_000];
+    try (Socket asleep = new Socket(InetAddress.getByName(LOCAL), server.port())) {
+      String request =
+          String.join(
+              "\r\n",
+              "GET /stream HTTP/1.1",
+              "Host: localhost",
+              "Upgrade: websocket",
+              "Connection: Upgrade",
+              "Sec-WebSocket-Version: 13",
+              "Sec-WebSocket-Key: MDEyMzQ1Njc4OWFiY2RlZg==",
+              "\r\n");
+      asleep.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
+      Stream awake = watch();
+      awake.next();
+      while (server.viewers() < 2) {
+        Thread.sleep(5);
+      }
+      // 200 MB, of which the one who sleeps may be owed but a little.
+      Runtime memory = Runtime.getRuntime();
+      for (int number = 1; number <= 1000; number++) {
+        server.show(moment(number, large));
+        awake.next();
+        assertEquals(large.length, ((byte[]) awake.next()).length);
+      }
+      System.gc();
+      long used = memory.totalMemory() - memory.freeMemory();
+      assertTrue(used < 150_000_000, "in use: " + used);
+    }
+    while (server.viewers() > 1) {
+      Thread.sleep(5);
+    }
+  }
+
+  @Test
+  void crowdsAreSentAway() throws Exception {
+    List<Socket> crowd = new ArrayList<>();
+    try {
+      for (int i = 0; i < 80; i++) {
+        crowd.add(new Socket(InetAddress.getByName(LOCAL), server.port()));
+      }
+      Socket last = crowd.getLast();
+      last.setSoTimeout((int) TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS));
+      assertEquals(-1, last.getInputStream().read(), "closed at once");
+    } finally {
+      for (Socket each : crowd) {
+        each.close();
+      }
+    }
+    String first = "";
+    for (int i = 0; i < 100 && first.isEmpty(); i++) {
+      Thread.sleep(20);
+      first = ask("GET / HTTP/1.1", "Host: localhost");
+    }
+    assertEquals("HTTP/1.1 200 OK", first, "there is room again");
+  }
+
+  @Test
+  void portsThatCannotBeUsedAreTold() throws Exception {
+    try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getByName(LOCAL))) {
+      String message =
+          assertThrows(
+                  SimulationException.class,
+                  () -> new PageServer(LOCAL, taken.getLocalPort(), "{}"))
+              .getMessage();
+      assertTrue(
+          message.startsWith("page: cannot use port " + taken.getLocalPort() + " of 127.0.0.1"),
+          message);
+    }
+    assertEquals(
+        "page: port: between 0 and 65535 expected, not 70000",
+        assertThrows(SimulationException.class, () -> new PageServer(LOCAL, 70_000, "{}"))
+            .getMessage());
+    assertEquals(
+        "page: unknown host: no.such.host.invalid",
+        assertThrows(
+                SimulationException.class, () -> new PageServer("no.such.host.invalid", 0, "{}"))
+            .getMessage());
+  }
+
+  @Test
+  void nothingIsLeftBehind() throws Exception {
+    int port = server.port();
+    server.close();
+    // Java frees the port when the thread has let go of the channel.
+    for (int i = 0; i < 1000 && isOpen(port); i++) {
+      Thread.sleep(10);
+    }
+    assertFalse(isOpen(port));
+    for (int i = 0; i < 1000 && pageThreads() > 0; i++) {
+      Thread.sleep(10);
+    }
+    assertEquals(0, pageThreads());
+    server.show(moment(1, JPEG));
+    assertEquals(0, server.viewers(), "nobody looks, and nobody is hurt");
+  }
+
+  private static boolean isOpen(int port) throws IOException {
+    try (Socket socket = new Socket(InetAddress.getByName(LOCAL), port)) {
+      return true;
+    } catch (ConnectException e) {
+      return false;
+    }
+  }
+
+  private static long pageThreads() {
+    return Thread.getAllStackTraces().keySet().stream()
+        .filter(thread -> thread.getName().startsWith("page-"))
+        .count();
+  }
+}

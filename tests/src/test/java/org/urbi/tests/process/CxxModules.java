@@ -1,0 +1,83 @@
+package org.urbi.tests.process;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.Stream;
+
+/**
+ * The modules of {@code examples/uobjects-cpp}, made when they are first wanted, and kept: the next
+ * time only what has changed is compiled.
+ */
+final class CxxModules {
+  static final Path ROOT = Path.of("..").toAbsolutePath().normalize();
+  static final Path SOURCES = ROOT.resolve("examples").resolve("uobjects-cpp");
+  private static final Path MADE = Path.of("target", "cxx").toAbsolutePath();
+
+  private final Map<String, Path> made = new ConcurrentHashMap<>();
+
+  /** The library that {@code umake-shared} makes of {@code NAME.uob}, without a warning. */
+  Path library(String name) {
+    return made.computeIfAbsent(name, key -> make(key, SOURCES.resolve(key + ".uob")));
+  }
+
+  private static Path make(String name, Path sources) {
+    for (String tool : List.of("g++", "make")) {
+      assumeTrue(runs(tool, "--version"), "no " + tool + ": apt-get install " + tool);
+    }
+    try {
+      Files.createDirectories(MADE);
+      Path library = MADE.resolve(name + ".so");
+      String output =
+          output(
+              ROOT.resolve("umake-shared").toString(),
+              "-q",
+              "EXTRA_CXXFLAGS=-O0 -Wall -Wextra -Werror",
+              sources.toString(),
+              "-o",
+              library.toString());
+      assertEquals("umake: running to build library.\n", output);
+      return library;
+    } catch (IOException | InterruptedException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private static boolean runs(String... command) {
+    try {
+      output(command);
+      return true;
+    } catch (IOException | InterruptedException e) {
+      return false;
+    }
+  }
+
+  private static String output(String... command) throws IOException, InterruptedException {
+    List<String> words = new ArrayList<>(List.of(command));
+    Process process = new ProcessBuilder(words).redirectErrorStream(true).start();
+    process.getOutputStream().close();
+    String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertEquals(0, process.waitFor(), () -> String.join(" ", words) + "\n" + output);
+    return output;
+  }
+
+  /** The names of all there are. */
+  static List<String> names() throws IOException {
+    try (Stream<Path> files = Files.list(SOURCES)) {
+      return files
+          .map(file -> file.getFileName().toString())
+          .filter(name -> name.endsWith(".uob"))
+          .map(name -> name.substring(0, name.length() - ".uob".length()))
+          .sorted()
+          .toList();
+    }
+  }
+}

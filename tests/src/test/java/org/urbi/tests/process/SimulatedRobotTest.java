@@ -1,0 +1,238 @@
+package org.urbi.tests.process;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.net.ServerSocket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.urbi.server.make.UmakeJava;
+import org.urbi.tests.process.JavaProcess.Setting;
+
+/** The simulated robot as its user meets it: real processes, real time, a real browser. */
+@Timeout(300)
+class SimulatedRobotTest {
+  private static final Path ROOT = Path.of("..").toAbsolutePath().normalize();
+  private static final String URBI = "org.urbi.server.cli.UrbiCommand";
+  private static final String LAUNCH = "org.urbi.server.launch.UrbiLaunchJava";
+  private static final String DEMO = "examples/ball-tracking/demo.u";
+  private static final String ADDRESS = "Look at it: ";
+
+  @TempDir static Path built;
+  private static Setting root;
+
+  @BeforeAll
+  static void makeModule() {
+    Path classes = ROOT.resolve(Path.of("sim-devices", "target", "classes"));
+    assertTrue(Files.isDirectory(classes), classes + " is built before");
+    ByteArrayOutputStream output = new ByteArrayOutputStream();
+    PrintStream printer = new PrintStream(output, true, StandardCharsets.UTF_8);
+    String[] words = {"-q", classes.toString(), "-o", built.resolve("sim.jar").toString()};
+    int status = UmakeJava.run(words, printer, printer);
+    assertEquals("0 ", status + " " + output.toString(StandardCharsets.UTF_8));
+    Setting here = Setting.in(ROOT);
+    root = new Setting(ROOT, Map.of("URBI_UOBJECT_PATH", built.toString()), here.classPath());
+  }
+
+  /** How many different colours a canvas shows. */
+  private static String colours(String canvas) {
+    return """
+    const canvas = document.querySelector('%s');
+    if (!canvas.width || !canvas.height) return 0;
+    const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+    return new Set(new Uint32Array(pixels.buffer)).size;
+    """
+        .formatted(canvas);
+  }
+
+  private static int number(String text) {
+    return text.equals("undefined") ? 0 : Integer.parseInt(text);
+  }
+
+  @Test
+  void demonstrationIsSeenInABrowser(@TempDir Path folder) throws Exception {
+    try (Browser browser = Browser.start(folder);
+        JavaProcess urbi = JavaProcess.start(root, URBI, List.of("-q", "-i", DEMO, "0"))) {
+      String line = urbi.awaitText(ADDRESS);
+      String address = line.substring(line.indexOf(ADDRESS) + ADDRESS.length());
+      assertTrue(address.matches("http://localhost:\\d+/"), address);
+      browser.open(address);
+      imagesComeAndShowTheBall(browser);
+      everythingMoves(browser);
+      connectsAgain(browser, urbi);
+      urbi.send("simulation.page.viewers;\n");
+      urbi.awaitLine(said -> said.matches("\\[\\d+\\] 1"));
+      urbi.send("shutdown;\n");
+      browser.await(
+          "the loss of the connection",
+          "return document.querySelector('#connection').dataset.state",
+          "lost"::equals);
+      assertEquals(0, urbi.awaitEnd(), urbi::text);
+    }
+  }
+
+  private static void imagesComeAndShowTheBall(Browser browser) throws Exception {
+    browser.await("the camera's image", colours("#camera"), count -> number(count) > 100);
+    String image = "return document.querySelector('#camera').dataset.image";
+    int first = number(browser.evaluate(image));
+    browser.await("the next images", image, count -> number(count) > first + 5);
+    String seen = "return document.querySelector('#detection').dataset.seen";
+    browser.await("the ball", seen, "true"::equals);
+    // Something in the image is as yellow as the mark around the ball, and as red as the ball.
+    browser.await(
+        "the mark around the ball",
+        """
+        const canvas = document.querySelector('#camera');
+        const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+        let marked = 0, red = 0;
+        for (let i = 0; i < pixels.length; i += 4) {
+          if (pixels[i] > 240 && pixels[i + 1] > 210 && pixels[i + 2] < 110) marked++;
+          if (pixels[i] > 150 && pixels[i + 1] < 60 && pixels[i + 2] < 60) red++;
+        }
+        return marked > 50 && red > 50;
+        """,
+        "true"::equals);
+    String where = "return document.querySelector('#detection').textContent";
+    String before = browser.evaluate(where);
+    browser.await("the detection", where, now -> !now.equals(before));
+  }
+
+  private static void everythingMoves(Browser browser) throws Exception {
+    assertEquals(
+        "neck.yaw neck.head.pitch wheel[left] wheel[right]",
+        browser.evaluate(
+            "return [...document.querySelectorAll('#plots b')].map(b => b.textContent).join(' ')"));
+    String yaw = "document.querySelector('#plots canvas')";
+    for (String what : List.of("samples", "value", "target")) {
+      String part = "return " + yaw + ".dataset." + what;
+      String before = browser.evaluate(part);
+      assertNotEquals("undefined", before, what);
+      browser.await(what, part, now -> !now.equals(before));
+    }
+    browser.await("the plot", colours("#plots canvas"), count -> number(count) > 3);
+    browser.await("the scene", colours("#scene"), count -> number(count) > 20);
+    for (String canvas : List.of("#plots canvas", "#scene", "#camera")) {
+      String picture =
+          """
+          const text = document.querySelector('%s').toDataURL();
+          let sum = 0;
+          for (let i = 0; i < text.length; i++) sum = (31 * sum + text.charCodeAt(i)) | 0;
+          return sum;
+          """
+              .formatted(canvas);
+      String before = browser.evaluate(picture);
+      browser.await(canvas, picture, now -> !now.equals(before));
+    }
+  }
+
+  private static void connectsAgain(Browser browser, JavaProcess urbi) throws Exception {
+    String connections = "return document.querySelector('#connection').dataset.connections";
+    assertEquals("1", browser.evaluate(connections));
+    urbi.send("simulation.page.host = \"localhost\" | {};\n");
+    browser.await("the second connection", connections, "2"::equals);
+    String time = "return document.querySelector('#time').textContent";
+    String before = browser.evaluate(time);
+    browser.await("the time", time, now -> !now.equals(before));
+  }
+
+  @Test
+  void aTakenPortIsToldAndTheDemonstrationGoesOn() throws Exception {
+    try (ServerSocket other = new ServerSocket(0);
+        JavaProcess urbi =
+            JavaProcess.start(
+                root, URBI, List.of("-q", "-i", DEMO, String.valueOf(other.getLocalPort())))) {
+      urbi.awaitText("cannot use port " + other.getLocalPort() + " of 127.0.0.1");
+      urbi.awaitText("PORT takes another port");
+      urbi.send("simulation.world.time > 0;\n");
+      urbi.awaitLine(line -> line.endsWith("] true"));
+      urbi.send("shutdown;\n");
+      assertEquals(0, urbi.awaitEnd(), urbi::text);
+      assertTrue(!urbi.text().contains("\tat "), urbi::text);
+    }
+  }
+
+  /** The same devices, in a process of their own: nothing but the clock differs. */
+  @Test
+  void devicesRunInAProcessOfTheirOwn() throws Exception {
+    String module = built.resolve("sim.jar").toString();
+    try (ServerProcess server = ServerProcess.in(ROOT);
+        JavaProcess devices =
+            JavaProcess.start(
+                root, LAUNCH, List.of("--port", String.valueOf(server.port()), module))) {
+      devices.awaitText("running on 127.0.0.1:" + server.port());
+      try (ConsoleClient client = server.connect()) {
+        assertEquals(
+            List.of(),
+            client.answers(
+                """
+                requireFile("urbi/sim.u")|;
+                var Global.s = Simulation.new("examples/ball-tracking/table.world")|;
+                var Global.robot = s.robot|;
+                robot.makeCompactNames|;
+                var Global.ball = BallDetector.new(camera.__uobjectName + ".val")|;
+                """));
+        assertEquals("true", answer(client, "robot.isA(Interface.Mobile)"));
+        motorsAndSensors(client);
+        visionAndMistakes(client);
+        devices.terminate();
+        awaitAnswer(client, "uobjects.hasLocalSlot(\"SimServo\")", "false");
+      }
+      assertEquals(0, server.shutDown(), server::text);
+    }
+  }
+
+  private static void motorsAndSensors(ConsoleClient client) throws Exception {
+    client.answers("yaw.val = 0.4;");
+    awaitAnswer(client, "(yaw.val - 0.4).abs < 0.01 && (yaw.angle - 0.4).abs < 0.01", "true");
+    assertEquals("true", answer(client, "yaw.val->rangemax > 2"));
+    client.answers("wheel.val = 2;");
+    awaitAnswer(client, "(wheelL.val - 2).abs < 0.2 && (wheelR.speed - 2).abs < 0.2", "true");
+    awaitAnswer(client, "s.world.position(\"body\")[0] > 0.02", "true");
+    client.answers("wheel.val = 0;");
+    awaitAnswer(client, "wheelL.val.abs < 0.01", "true");
+    awaitAnswer(client, "(robot.body.accel[z].val - 9.81).abs < 0.5", "true");
+    client.answers("s.world.move(\"ball\", 0, 0, 0); s.world.place(\"ball\", 1, 0, 0.12);");
+    awaitAnswer(client, "robot.body.sonar[front].distance < 0.9", "true");
+  }
+
+  private static void visionAndMistakes(ConsoleClient client) throws Exception {
+    assertEquals("\"rgb 320 240\"", answer(client, "camera.val.keywords"));
+    awaitAnswer(client, "ball.visible", "1");
+    assertEquals("true", answer(client, "ball.x > 0"), "on the right");
+    String told = String.join("\n", client.answers("s.world.place(\"nothing\", 1, 2, 3);"));
+    assertTrue(told.contains("no body 'nothing' in this world; it has ground, north"), told);
+    client.answers("yaw.val = nan; yaw.P = -1; camera.format = 99;");
+    awaitAnswer(client, "camera.format", "1");
+    awaitAnswer(client, "yaw.P", "20");
+    assertEquals("true", answer(client, "(yaw.val - 0.4).abs < 0.01"), "as before");
+  }
+
+  /** What an expression is. */
+  private static String answer(ConsoleClient client, String expression) throws Exception {
+    List<String> lines = client.answers(expression + ";");
+    return lines.isEmpty() ? "" : lines.getLast().replaceFirst("^\\[\\d+\\] ", "");
+  }
+
+  /** Asks until an expression is as expected. */
+  private static void awaitAnswer(ConsoleClient client, String expression, String expected)
+      throws Exception {
+    long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(JavaProcess.PATIENCE_SECONDS);
+    String last = answer(client, expression);
+    while (!last.equals(expected)) {
+      assertTrue(System.nanoTime() < deadline, expression + " is still " + last);
+      Thread.sleep(50);
+      last = answer(client, expression);
+    }
+  }
+}

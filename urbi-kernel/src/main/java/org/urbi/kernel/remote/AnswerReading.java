@@ -1,0 +1,161 @@
+package org.urbi.kernel.remote;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.ClosedSelectorException;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.nio.channels.SocketChannel;
+import java.util.ArrayList;
+import java.util.List;
+import org.urbi.kernel.job.Inbox;
+import org.urbi.kernel.job.Listening;
+
+/**
+ * Reads what remote processes answer on the kernel thread, while that has nothing to do but to wait
+ * for it: a thread of the network's that were woken first, to wake the kernel, would double the
+ * time of a call. Only a kernel that makes one call after the other does so; and not when something
+ * is to be done within a millisecond, since a selector's deadlines are no finer. When it waits for
+ * no answer, the network's thread reads again.
+ */
+public final class AnswerReading implements Listening {
+  /** How many times in a row there was nothing to do but to wait for an answer. */
+  private static final int OFTEN = 16;
+
+  private static final long MILLISECOND = 1_000_000;
+
+  /** How long a busy kernel does not look whether there is an answer, in nanoseconds. */
+  private static final long LONG = 200_000;
+
+  private final Inbox inbox;
+  private final List<RemotePeer> asked = new ArrayList<>();
+  private final List<RemotePeer> read = new ArrayList<>();
+  private ByteBuffer space;
+  private Selector selector;
+  private int waits;
+  private boolean looking;
+  private long looked;
+
+  public AnswerReading(Inbox inbox) {
+    this.inbox = inbox;
+  }
+
+  /** A process has been asked something. */
+  void asked(RemotePeer peer) {
+    if (!asked.contains(peer)) {
+      asked.add(peer);
+    }
+  }
+
+  /** A process has gone. */
+  void forget(RemotePeer peer) {
+    asked.remove(peer);
+    if (read.remove(peer)) {
+      look(0);
+    }
+  }
+
+  @Override
+  public boolean await(long nanoseconds) {
+    for (int i = asked.size() - 1; i >= 0; i--) {
+      if (!asked.get(i).isAsked()) {
+        asked.remove(i);
+      }
+    }
+    if (asked.isEmpty() || nanoseconds < MILLISECOND) {
+      waits = 0;
+      leave();
+      return false;
+    }
+    if (++waits < OFTEN && read.isEmpty()) {
+      return false;
+    }
+    asked.forEach(RemotePeer::wantToRead);
+    if (read.isEmpty()) {
+      return false;
+    }
+    look(nanoseconds / MILLISECOND);
+    looking = true;
+    return true;
+  }
+
+  /** The network has left a connection to the kernel. */
+  void begin(RemotePeer peer, SocketChannel socket) {
+    try {
+      if (selector == null) {
+        selector = Selector.open();
+        space = ByteBuffer.allocateDirect(1 << 16);
+      }
+      SelectionKey key = socket.keyFor(selector);
+      if (key == null) {
+        socket.register(selector, SelectionKey.OP_READ, peer);
+      } else {
+        key.interestOps(SelectionKey.OP_READ);
+      }
+      read.add(peer);
+    } catch (IOException | RuntimeException e) {
+      // The connection is closed, or about to be.
+      peer.stopReading();
+    }
+  }
+
+  private void leave() {
+    for (int i = read.size() - 1; i >= 0; i--) {
+      read.get(i).stopReading();
+    }
+    if (!read.isEmpty()) {
+      read.clear();
+      selector.keys().forEach(AnswerReading::rest);
+    }
+  }
+
+  private static void rest(SelectionKey key) {
+    if (key.isValid()) {
+      key.interestOps(0);
+    }
+  }
+
+  private void look(long milliseconds) {
+    try {
+      if (milliseconds > 0) {
+        inbox.await(selector, milliseconds);
+      } else {
+        selector.selectNow();
+      }
+    } catch (IOException | ClosedSelectorException e) {
+      leave();
+      return;
+    }
+    for (SelectionKey key : selector.selectedKeys()) {
+      RemotePeer peer = (RemotePeer) key.attachment();
+      if (key.isValid() && !peer.read(space)) {
+        read.remove(peer);
+        rest(key);
+      }
+    }
+    selector.selectedKeys().clear();
+  }
+
+  @Override
+  public void glance(long now) {
+    if (looking) {
+      looking = false;
+      looked = now;
+    } else if (!read.isEmpty() && now - looked > LONG) {
+      looked = now;
+      look(0);
+    }
+  }
+
+  @Override
+  public void end() {
+    leave();
+    try {
+      if (selector != null) {
+        selector.close();
+      }
+    } catch (IOException e) {
+      // It is of no use any more.
+    }
+  }
+}
