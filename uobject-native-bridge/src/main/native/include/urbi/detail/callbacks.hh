@@ -294,6 +294,18 @@ namespace urbi
 
     // ---------------------------------------------------------------- from a pointer to a member
 
+    template <typename R, typename C, typename... P>
+    constexpr size_t arity_of(R (C::*)(P...))
+    {
+      return sizeof...(P);
+    }
+
+    template <typename R, typename C, typename... P>
+    constexpr size_t arity_of(R (C::*)(P...) const)
+    {
+      return sizeof...(P);
+    }
+
     /// The object of a class of which a pointer to a member was given.
     template <typename Class, typename Base>
     Class* self(Base* base)
