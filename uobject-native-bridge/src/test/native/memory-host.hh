@@ -11,7 +11,6 @@
 #include <thread>
 #include <vector>
 
-#include <urbi/detail/literal.hh>
 #include <urbi/detail/wire.hh>
 
 /// The functions of a module.
@@ -30,7 +29,7 @@ class MemoryHost
 {
 public:
   typedef urbi::UValue UValue;
-  typedef std::vector<UValue> Values;
+  typedef std::vector<const UValue*> Values;
 
   explicit MemoryHost(const Entries& module)
     : module_(module)
@@ -72,7 +71,7 @@ public:
     create(0, className, name);
   }
 
-  void destroy(const std::string& name)
+  void destroy(std::string name)
   {
     int64_t address = objects.at(name);
     objects.erase(name);
@@ -200,8 +199,8 @@ private:
   {
     uint8_t buffer[64];
     urbi::detail::Writer data(buffer, sizeof buffer, whole);
-    for (const UValue& each : arguments)
-      data.value(each);
+    for (const UValue* each : arguments)
+      data.value(*each);
     std::string reply;
     std::string error;
     auto run = [&] {
@@ -239,7 +238,7 @@ private:
       {
         Values arguments;
         if (each.arity || !whole)
-          arguments.push_back(value);
+          arguments.push_back(&value);
         invoke(each, arguments, whole);
       }
       for (const std::string& target : variable.links)
@@ -315,7 +314,8 @@ private:
     {
     case URBI_MODE: return 1;
     case URBI_OBJECT_NEW:
-      names[++last] = "object_" + std::to_string(last);
+      ++last;
+      names[last] = "object_" + std::to_string(last);
       objects[names[last]] = 0;
       out.text(names[last]);
       return last;
@@ -366,6 +366,14 @@ private:
     {
       int64_t property = in.raw<int64_t>();
       in.value(variables[name].properties[property]);
+      return 0;
+    }
+    case URBI_CONVERT:
+    {
+      // Only the Java host can; whoever asks gets what it has.
+      UValue source;
+      in.value(source);
+      out.value(source);
       return 0;
     }
     case URBI_SEND:

@@ -65,7 +65,7 @@ static std::string play(MemoryHost& host, const std::string& verb, const std::st
       MemoryHost::Values arguments;
       urbi::UValue list = literal(rest.empty() ? "[]" : rest);
       for (size_t i = 0; i < list.list->size(); ++i)
-        arguments.push_back((*list.list)[i]);
+        arguments.push_back(&(*list.list)[i]);
       urbi::UValue result = host.call(name, arguments);
       return result.type == urbi::DATA_VOID ? "" : urbi::detail::literal_of(result);
     }

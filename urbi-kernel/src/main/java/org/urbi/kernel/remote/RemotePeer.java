@@ -1,7 +1,6 @@
 package org.urbi.kernel.remote;
 
 import java.nio.ByteBuffer;
-import java.nio.channels.SocketChannel;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -15,6 +14,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.outside.SocketWatch;
 import org.urbi.kernel.uobject.ArgumentFailure;
 import org.urbi.kernel.uobject.PluggedContext;
 import org.urbi.kernel.variable.UrbiUVar;
@@ -52,6 +52,7 @@ public final class RemotePeer {
   private final PluggedContext context;
   private final RemoteWire wire;
   private final AnswerReading reading;
+  private SocketWatch.Socket socket;
   private boolean wanting;
   private final UModule module;
   private final RemoteTasks tasks;
@@ -137,15 +138,20 @@ public final class RemotePeer {
     later(this::refresh);
   }
 
-  /** The connection is left to the kernel thread. */
-  public void mayRead(SocketChannel socket) {
+  /** The connection, with this socket, is left to the kernel thread. */
+  public void mayRead(SocketWatch.Socket left) {
     scheduler
         .inbox()
         .post(() -> {
           if (lost == null) {
-            reading.begin(this, socket);
+            socket = left;
+            reading.begin(this);
           }
         });
+  }
+
+  SocketWatch.Socket socket() {
+    return socket;
   }
 
   /** Asks the kernel thread whether it is there to read. */
