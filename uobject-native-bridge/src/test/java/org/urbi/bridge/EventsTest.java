@@ -79,13 +79,13 @@ class EventsTest {
   @Test
   void objectsThatHaveGoneAreNotCalled() {
     assertEquals(
-        List.of("*** alive"), answers("var l = Listener|; l.quit()| l.ring!()| sleep(1ms)|; echo(\"alive\");"));
+        List.of("*** alive"),
+        answers("var l = Listener|; l.quit()| l.ring!()| sleep(1ms)|; echo(\"alive\");"));
   }
 
   @Test
   void groups() {
     assertEquals(
-        List.of("[[Listener], [Listener]]"),
-        answers("[Listeners.asList, everybody.asList];"));
+        List.of("[[Listener], [Listener]]"), answers("[Listeners.asList, everybody.asList];"));
   }
 }

@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -158,6 +159,127 @@ class SimulatedRobotTest {
       urbi.send("shutdown;\n");
       assertEquals(0, urbi.awaitEnd(), urbi::text);
       assertTrue(!urbi.text().contains("\tat "), urbi::text);
+    }
+  }
+
+  /** The same devices, in a process of their own: nothing but the clock differs. */
+  @Test
+  void devicesRunInAProcessOfTheirOwn() throws Exception {
+    String module = built.resolve("sim.jar").toString();
+    try (ServerProcess server = ServerProcess.in(ROOT);
+        JavaProcess devices =
+            JavaProcess.start(
+                root, LAUNCH, List.of("--port", String.valueOf(server.port()), module))) {
+      devices.awaitText("running on 127.0.0.1:" + server.port());
+      try (ConsoleClient client = server.connect()) {
+        assertEquals(
+            List.of(),
+            client.answers(
+                """
+                requireFile("urbi/sim.u")|;
+                var Global.s = Simulation.new("examples/ball-tracking/table.world")|;
+                var Global.robot = s.robot|;
+                robot.makeCompactNames|;
+                var Global.ball = BallDetector.new(camera.__uobjectName + ".val")|;
+                """));
+        assertEquals("true", answer(client, "robot.isA(Interface.Mobile)"));
+        motorsAndSensors(client);
+        visionAndMistakes(client);
+        devices.terminate();
+        awaitAnswer(client, "uobjects.hasLocalSlot(\"SimServo\")", "false");
+      }
+      assertEquals(0, server.shutDown(), server::text);
+    }
+  }
+
+  private static void motorsAndSensors(ConsoleClient client) throws Exception {
+    client.answers("yaw.val = 0.4;");
+    awaitAnswer(client, "(yaw.val - 0.4).abs < 0.01 && (yaw.angle - 0.4).abs < 0.01", "true");
+    assertEquals("true", answer(client, "yaw.val->rangemax > 2"));
+    client.answers("wheel.val = 2;");
+    awaitAnswer(client, "(wheelL.val - 2).abs < 0.2 && (wheelR.speed - 2).abs < 0.2", "true");
+    awaitAnswer(client, "s.world.position(\"body\")[0] > 0.02", "true");
+    client.answers("wheel.val = 0;");
+    awaitAnswer(client, "wheelL.val.abs < 0.01", "true");
+    awaitAnswer(client, "(robot.body.accel[z].val - 9.81).abs < 0.5", "true");
+    client.answers("s.world.move(\"ball\", 0, 0, 0); s.world.place(\"ball\", 1, 0, 0.12);");
+    awaitAnswer(client, "robot.body.sonar[front].distance < 0.9", "true");
+  }
+
+  private static void visionAndMistakes(ConsoleClient client) throws Exception {
+    assertEquals("\"rgb 320 240\"", answer(client, "camera.val.keywords"));
+    awaitAnswer(client, "ball.visible", "1");
+    assertEquals("true", answer(client, "ball.x > 0"), "on the right");
+    String told = said(client, "s.world.place(\"nothing\", 1, 2, 3)");
+    assertTrue(told.contains("no body 'nothing' in this world; it has ground, north"), told);
+    client.answers("yaw.val = nan; yaw.P = -1; camera.format = 99;");
+    awaitAnswer(client, "camera.format", "1");
+    awaitAnswer(client, "yaw.P", "20");
+    assertEquals("true", answer(client, "(yaw.val - 0.4).abs < 0.01"), "as before");
+  }
+
+  @Test
+  void withoutNativeLibrariesItSaysSoAndGoesOn(@TempDir Path folder) throws Exception {
+    Path notAFolder = Files.writeString(folder.resolve("file"), "");
+    Path broken = Files.writeString(folder.resolve("broken.world"), "body x {\n  mass 1 cm\n}\n");
+    Map<String, String> environment =
+        Map.of(
+            "URBI_UOBJECT_PATH",
+            built.toString(),
+            "JAVA_TOOL_OPTIONS",
+            "-Durbi.libode=/no/such/libode.so -Durbi.cache=" + notAFolder.resolve("cache"));
+    Setting bare = new Setting(ROOT, environment, root.classPath());
+    try (JavaProcess urbi = JavaProcess.start(bare, URBI, List.of("-P", "0"));
+        ServerProcess server = new ServerProcess(urbi);
+        ConsoleClient client = server.connect()) {
+      client.answers(
+          """
+          requireFile("urbi/sim.u")|;
+          var Global.s = Simulation.new("examples/ball-tracking/table.world")|;
+          s.robot.makeCompactNames|;
+          """);
+      assertTrue(answer(client, "s.world.engine").contains("ode4j"));
+      assertTrue(
+          answer(client, "s.world.whyNotNative").contains("libode not found (looked for /no/such"));
+      client.answers("yaw.val = 0.4;");
+      awaitAnswer(client, "(yaw.val - 0.4).abs < 0.01", "true");
+      assertEquals("\"jpeg 320 240\"", answer(client, "camera.format = 3 | camera.val.keywords"));
+      String told = said(client, "BallDetector.new(camera.__uobjectName + \".val\")");
+      assertTrue(told.contains("OpenCV cannot be unpacked: "), told);
+      told = said(client, "ImageFilter.new(camera.__uobjectName + \".val\")");
+      assertTrue(told.contains("OpenCV cannot be unpacked: "), told);
+      told = said(client, "Simulation.new(\"" + broken + "\")");
+      assertTrue(
+          told.contains("broken.world:2.10: mass: unknown unit 'cm'; it is in kg or g"), told);
+      told = said(client, "s.showPage(77777, nil)");
+      assertTrue(told.contains("page: port: between 0 and 65535 expected, not 77777"), told);
+      assertTrue(answer(client, "s.showPage(0, nil).url").startsWith("\"http://localhost:"));
+      assertEquals("3", answer(client, "1 + 2"));
+      assertEquals(0, server.shutDown(), server::text);
+      assertTrue(!server.text().contains("\tat "), server::text);
+    }
+  }
+
+  /** All that is answered to an expression. */
+  private static String said(ConsoleClient client, String expression) throws Exception {
+    return String.join("\n", client.answers(expression + ";"));
+  }
+
+  /** What an expression is. */
+  private static String answer(ConsoleClient client, String expression) throws Exception {
+    List<String> lines = client.answers(expression + ";");
+    return lines.isEmpty() ? "" : lines.getLast().replaceFirst("^\\[\\d+\\] ", "");
+  }
+
+  /** Asks until an expression is as expected. */
+  private static void awaitAnswer(ConsoleClient client, String expression, String expected)
+      throws Exception {
+    long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(JavaProcess.PATIENCE_SECONDS);
+    String last = answer(client, expression);
+    while (!last.equals(expected)) {
+      assertTrue(System.nanoTime() < deadline, expression + " is still " + last);
+      Thread.sleep(50);
+      last = answer(client, expression);
     }
   }
 }

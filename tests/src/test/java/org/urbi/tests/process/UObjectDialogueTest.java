@@ -76,8 +76,7 @@ class UObjectDialogueTest {
     List<DynamicTest> tests = new ArrayList<>();
     try (Stream<Path> files = Files.list(folder)) {
       for (Path file : files.filter(Files::isRegularFile).sorted().toList()) {
-        Play play =
-            new Play(Dialogue.read(file), "org.urbi.server.launch." + launcher, maker);
+        Play play = new Play(Dialogue.read(file), "org.urbi.server.launch." + launcher, maker);
         Dialogue dialogue = play.dialogue();
         if (dialogue.plugged()) {
           tests.add(dynamicTest(dialogue.name() + ", plugged", () -> holdPlugged(play)));

@@ -2,6 +2,7 @@ package org.urbi.tests.process;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.net.InetAddress;
@@ -32,6 +33,22 @@ class UrbiLaunchJavaTest {
         public Thrower(String name) {
           super(name);
           throw new IllegalStateException("no device");
+        }
+      }
+      """;
+
+  private static final String CLASSIC_MAIN =
+      """
+      import urbi.*;
+
+      public class Main {
+        static {
+          System.loadLibrary("urbijava");
+        }
+
+        public static void main(String[] argv) {
+          UObject.UStart(UMachine.class);
+          UObject.main(argv);
         }
       }
       """;
@@ -170,6 +187,47 @@ class UrbiLaunchJavaTest {
                 List.of("./machine.jar", "-P", String.valueOf(server.port())))) {
       machine.awaitText("running on 127.0.0.1:" + server.port());
       program().talkByUrbiSend("--port=" + server.port());
+      assertEquals(0, server.shutDown(), server::text);
+      machine.awaitEnd();
+    }
+  }
+
+  @Test
+  void aProgramMayLoadTheLibraryThatItOnceNeeded() throws Exception {
+    Path api = Path.of(UObject.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+    Path source = Files.writeString(folder.resolve("Main.java"), CLASSIC_MAIN);
+    javac(
+        Path.of(api + ":" + built),
+        folder,
+        source,
+        MACHINE.resolve("Machine.java"),
+        MACHINE.resolve("UMachine.java"));
+    Path script = Path.of("..", "scripts", "java-library.sh").toAbsolutePath();
+    Process make = new ProcessBuilder(script.toString(), folder.toString()).inheritIO().start();
+    assumeTrue(make.waitFor() == 0, "there is a C compiler");
+    here = here.with("LD_LIBRARY_PATH", folder.toString());
+    try (ServerProcess server = ServerProcess.in(folder);
+        JavaProcess program =
+            JavaProcess.start(
+                here.withClassPath(api + ":" + folder),
+                "Main",
+                List.of("-P", String.valueOf(server.port())))) {
+      program.awaitText("running on 127.0.0.1:" + server.port());
+      program().talkByUrbiSend("--port=" + server.port());
+      assertEquals(0, server.shutDown(), server::text);
+      program.awaitEnd();
+    }
+  }
+
+  @Test
+  void asMuchIsSaidAsIsAskedFor() throws Exception {
+    copy("machine");
+    try (ServerProcess server = ServerProcess.in(folder);
+        JavaProcess machine = launch("-P" + server.port(), "-d", "TRACE", "machine")) {
+      machine.awaitText("running on 127.0.0.1:" + server.port());
+      program().talkByUrbiSend("--port=" + server.port());
+      machine.awaitText("UMachine.assemble[[12, 34]]");
+      failsToLaunch("no level of messages: LOUD", "-P" + server.port(), "-d", "LOUD", "machine");
       assertEquals(0, server.shutDown(), server::text);
       machine.awaitEnd();
     }

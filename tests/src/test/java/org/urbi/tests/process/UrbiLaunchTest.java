@@ -47,7 +47,8 @@ class UrbiLaunchTest {
   @Test
   void aServerWithItsModuleIsUsedByUrbiSend() throws Exception {
     try (JavaProcess urbi =
-            program.start("-s", "machine.so", "-H", "127.0.0.1", "-P", "0", "-w", "port", "-d", "LOG");
+            program.start(
+                "-s", "machine.so", "-H", "127.0.0.1", "-P", "0", "-w", "port", "-d", "LOG");
         ServerProcess server = new ServerProcess(urbi)) {
       assertEquals(server.port() + "\n", Files.readString(folder.resolve("port")));
       program.talkByUrbiSend("--port-file=port");
@@ -62,7 +63,8 @@ class UrbiLaunchTest {
         new Launch(Setting.in(elsewhere).with("URBI_UOBJECT_PATH", "nowhere:" + folder), LAUNCH);
     try (ServerProcess server = ServerProcess.in(folder, "--port-file", "port");
         JavaProcess first =
-            other.start("-r", "-H", "127.0.0.1", "-w", folder.resolve("port").toString(), "machine")) {
+            other.start(
+                "-r", "-H", "127.0.0.1", "-w", folder.resolve("port").toString(), "machine")) {
       first.awaitText("running on 127.0.0.1:" + server.port());
       program.talkByUrbiSend("--port-file=port");
       assertEquals(0, server.shutDown(), server::text);

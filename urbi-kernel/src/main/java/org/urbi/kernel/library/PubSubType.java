@@ -18,7 +18,11 @@ final class PubSubType {
   }
 
   private static UrbiList subscribers(Frame frame, UrbiObject self) {
-    return (UrbiList) OwnSlots.get(frame, self, "subscribers");
+    UrbiObject all = OwnSlots.get(frame, self, "subscribers");
+    if (all instanceof UrbiList list) {
+      return list;
+    }
+    throw frame.interpreter().errors().type(all, self.world().prototype("List"));
   }
 
   @Builtin(doc = "Queues a value for each subscriber, and returns it.")

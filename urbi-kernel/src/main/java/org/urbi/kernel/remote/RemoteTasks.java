@@ -3,6 +3,7 @@ package org.urbi.kernel.remote;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.function.Supplier;
@@ -24,6 +25,11 @@ final class RemoteTasks {
   private final Consumer<RuntimeException> failed;
   private final Queue<Task> tasks = new ConcurrentLinkedQueue<>();
   private final AtomicBoolean announced = new AtomicBoolean();
+  private final AtomicLong added = new AtomicLong();
+
+  /** Up to this one, tasks are done without a break. */
+  private volatile long urgent;
+
   private Job job;
   private boolean waiting;
   private volatile boolean ended;
@@ -47,7 +53,14 @@ final class RemoteTasks {
   void add(Runnable action, int size) {
     if (!ended) {
       tasks.add(new Task(action, size));
+      added.incrementAndGet();
     }
+  }
+
+  /** Has all that has been added done before others have their turn; from any thread. */
+  void startAll() {
+    urgent = added.get();
+    start();
   }
 
   /** Has the tasks done; from any thread. */
@@ -68,7 +81,7 @@ final class RemoteTasks {
   }
 
   private void run(Job self) {
-    int done = 0;
+    long done = 0;
     while (!ended) {
       Task task = tasks.poll();
       if (task == null) {
@@ -85,7 +98,7 @@ final class RemoteTasks {
       if (task.size > 0) {
         consumed.accept(task.size);
       }
-      if (++done % TURN == 0) {
+      if (++done % TURN == 0 && done >= urgent) {
         self.yield();
       }
     }
