@@ -1,6 +1,7 @@
 package org.urbi.sim.physics.ode;
 
 import static org.urbi.sim.physics.ode.OdeLibrary.*;
+import static org.urbi.sim.physics.ode.StepCalls.*;
 
 import com.sun.jna.Memory;
 import com.sun.jna.Native;
@@ -54,8 +55,8 @@ final class NativeDynamics implements Dynamics {
   private final List<NativeJoint> joints = new ArrayList<>();
 
   // Held here since the library keeps but their addresses.
-  private final NearCallback pairCallback = (data, first, second) -> foundPair(first, second);
-  private final NearCallback rayCallback = (data, first, second) -> foundOnRay(first, second);
+  private final NearCallback pairCallback = new NearCallback(this::foundPair);
+  private final NearCallback rayCallback = new NearCallback(this::foundOnRay);
   private PairSink sink;
 
   NativeDynamics(PhysicsSettings settings) {
@@ -281,7 +282,8 @@ final class NativeDynamics implements Dynamics {
   @Override
   public void findNearPairs(PairSink pairs) {
     sink = pairs;
-    dSpaceCollide(space, 0, pairCallback);
+    dSpaceCollide(space, 0, pairCallback.address());
+    pairCallback.check();
   }
 
   private void foundPair(long first, long second) {
@@ -320,7 +322,8 @@ final class NativeDynamics implements Dynamics {
     sink = pairs;
     dGeomRaySetLength(ray, length);
     dGeomRaySet(ray, from.x(), from.y(), from.z(), direction.x(), direction.y(), direction.z());
-    dSpaceCollide2(ray, space, 0, rayCallback);
+    dSpaceCollide2(ray, space, 0, rayCallback.address());
+    rayCallback.check();
   }
 
   private void foundOnRay(long first, long second) {
