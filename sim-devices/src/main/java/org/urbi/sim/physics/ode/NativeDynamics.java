@@ -28,6 +28,9 @@ final class NativeDynamics implements Dynamics {
 
   private static final long MOVING = 2;
 
+  /** {@code dSAP_AXES_XYZ}: along which axes shapes are sorted. */
+  private static final int AXES = 0 | 1 << 2 | 2 << 4;
+
   private static final int MASS_SIZE = 136;
   private static final int FEEDBACK_SIZE = 128;
 
@@ -62,7 +65,7 @@ final class NativeDynamics implements Dynamics {
   NativeDynamics(PhysicsSettings settings) {
     this.settings = settings;
     world = dWorldCreate();
-    space = dHashSpaceCreate(0);
+    space = dSweepAndPruneSpaceCreate(0, AXES);
     contactGroup = dJointGroupCreate(0);
     ray = dCreateRay(0, 1);
     Vec3 g = settings.gravity();

@@ -187,7 +187,7 @@ final class OdeLibrary {
   static native void dBodyAddForceAtPos(
       long body, double fx, double fy, double fz, double x, double y, double z);
 
-  static native long dHashSpaceCreate(long space);
+  static native long dSweepAndPruneSpaceCreate(long space, int axes);
 
   static native void dSpaceDestroy(long space);
 
