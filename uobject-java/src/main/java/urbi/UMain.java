@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import urbi.remote.Failure;
 import urbi.remote.RemoteContext;
 import urbi.rtp.RtpOptions;
@@ -26,6 +27,8 @@ public final class UMain {
         -P, --port PORT       port of the server (default: 54000)
             --port-file FILE  take the port from FILE
             --reconnect       connect again whenever the connection is lost
+        -d, --debug LEVEL     how much is said: NONE (errors alone), LOG (the default; what is started),
+                              TRACE, DEBUG or DUMP (each call of a function as well)
 
       JARs, or folders of classes, hold UObjects; they are looked for in the folders of URBI_UOBJECT_PATH.
       urbi/rtp as one of them has binaries sent in datagrams, if the server has loaded it, too.
@@ -33,11 +36,15 @@ public final class UMain {
 
   private static final int RECONNECT_MILLISECONDS = 1000;
 
+  private static final List<String> LEVELS = List.of("NONE", "LOG", "TRACE", "DEBUG", "DUMP");
+  private static final int LOG = 1;
+
   private final PrintStream out;
   private final PrintStream err;
   private final List<String> jars = new ArrayList<>();
   private String host = UAbstractClient.default_host();
   private int port = UAbstractClient.URBI_PORT;
+  private int level = LOG;
   private boolean reconnect;
   private boolean rtp;
 
@@ -88,6 +95,7 @@ public final class UMain {
         case "-H", "--host" -> host = value(arguments, ++i);
         case "-P", "--port" -> port = port(value(arguments, ++i));
         case "--port-file" -> port = portFrom(value(arguments, ++i));
+        case "-d", "--debug" -> level = level(value(arguments, ++i));
         case "--reconnect" -> reconnect = true;
         case "--" -> {}
         default -> {
@@ -110,6 +118,21 @@ public final class UMain {
       throw new IllegalArgumentException(arguments[index - 1] + " wants a value");
     }
     return arguments[index];
+  }
+
+  private static int level(String text) {
+    int level = LEVELS.indexOf(text.toUpperCase(Locale.ROOT));
+    if (level < 0) {
+      throw new IllegalArgumentException(
+          "no level of messages: " + text + " (" + String.join(", ", LEVELS) + ")");
+    }
+    return level;
+  }
+
+  private void say(String text) {
+    if (level >= LOG) {
+      out.println(text);
+    }
   }
 
   private static int port(String text) {
@@ -184,14 +207,17 @@ public final class UMain {
   private String serve(List<UModule> loaded) {
     try (RemoteContext context = new RemoteContext(host, port)) {
       context.onOutput(text -> err.write(text, 0, text.length));
+      if (level > LOG) {
+        context.trace(text -> err.println("urbi.UMain: " + text));
+      }
       if (rtp) {
         context.useRtp(RtpOptions.DEFAULT);
       }
       for (UModule module : loaded) {
         start(module, context);
-        module.classes().forEach(type -> out.println("started " + type.name()));
+        module.classes().forEach(type -> say("started " + type.name()));
       }
-      out.println("running on " + host + ":" + port);
+      say("running on " + host + ":" + port);
       String why = context.onClosed().join();
       loaded.forEach(module -> module.leave(context));
       return why;

@@ -50,4 +50,5 @@ public final class Frame {
   public static final int RTP_TERMS = 73;
   public static final int RTP_REFUSED = 74;
   public static final int RTP_MODE = 75;
+  public static final int TIME = 76;
 }

@@ -2,16 +2,17 @@ package urbi.remote;
 
 import java.util.concurrent.TimeUnit;
 
-/** Notices when the other side is silent for too long. */
+/** Looks after a connection: notices when the other side is silent for too long. */
 final class LinkWatch implements AutoCloseable {
   private final Thread thread;
   private volatile long last = System.nanoTime();
 
   /**
+   * @param look is called once a second
    * @param ask asks for a sign of life
    * @param giveUp is called once
    */
-  LinkWatch(Runnable ask, Runnable giveUp) {
+  LinkWatch(Runnable look, Runnable ask, Runnable giveUp) {
     thread =
         // A virtual thread that writes would have the socket ask the system more often from then
         // on.
@@ -22,6 +23,7 @@ final class LinkWatch implements AutoCloseable {
               try {
                 while (silence() < Protocol.PATIENCE_SECONDS) {
                   TimeUnit.SECONDS.sleep(1);
+                  look.run();
                   if (silence() >= Protocol.SILENCE_SECONDS) {
                     ask.run();
                   }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.lang.reflect.Type;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
@@ -15,6 +16,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import urbi.UCallback;
@@ -56,8 +58,12 @@ public final class RemoteContext implements UContext, AutoCloseable {
   private final Map<String, UObjectHub> hubs = new ConcurrentHashMap<>();
   private final Map<Integer, RemoteSlot> slots = new ConcurrentHashMap<>();
   private final AtomicInteger lastSlot = new AtomicInteger();
+  private final AtomicReference<String> end = new AtomicReference<>();
   private final CompletableFuture<String> closed = new CompletableFuture<>();
   private final List<Consumer<byte[]>> listeners = new CopyOnWriteArrayList<>();
+  private final KernelTime time = new KernelTime();
+  private volatile Consumer<String> trace;
+  private final LongTurn turn = new LongTurn(this::complain);
   private final LinkWatch watch;
   private final RemoteDatagrams datagrams;
 
@@ -70,6 +76,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
     link = new Link(host, port, CONNECT_MILLISECONDS);
     watch =
         new LinkWatch(
+            turn::complain,
             () -> sendNow(out -> out.begin(Frame.PING).end()),
             () -> end("the server does not answer any more"));
     datagrams = new RemoteDatagrams(this, link.address());
@@ -79,6 +86,16 @@ public final class RemoteContext implements UContext, AutoCloseable {
   /** Has what the server shows to this connection passed on, in pieces as they come. */
   public void onOutput(Consumer<byte[]> listener) {
     listeners.add(listener);
+  }
+
+  /** Has each call of a function told of, and each failure; null for none. */
+  public void trace(Consumer<String> told) {
+    trace = told;
+  }
+
+  /** Microseconds since the kernel was started. */
+  long now() {
+    return time.now();
   }
 
   /** Completed with the reason when the connection ends. */
@@ -124,13 +141,17 @@ public final class RemoteContext implements UContext, AutoCloseable {
       case Frame.PING -> sendNow(out -> out.begin(Frame.PONG).end());
       case Frame.PONG -> {}
       case Frame.CALL -> call(frame.size(), frame.text(), frame.text(), frame.values());
-      case Frame.CHANGED -> changed(frame);
+      case Frame.CHANGED -> time.heard(changed(frame));
       case Frame.REPLY -> requests.answer(frame.size(), frame.value());
       case Frame.REFUSAL -> requests.refuse(frame.size(), frame.text());
       case Frame.NEW -> {
         String className = frame.text();
         String name = frame.text();
-        later(() -> make(className, name));
+        int number = frame.size();
+        later(() -> {
+          make(className, name);
+          result(number, null);
+        });
       }
       case Frame.LEFT, Frame.RTP_LOADED, Frame.RTP_TERMS, Frame.RTP_REFUSED ->
           datagrams.take(type, frame);
@@ -154,6 +175,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
           sendNow(out -> out.begin(Frame.ACCESSED).size(number).end());
         }
       }
+      case Frame.TIME -> time.heard(frame.number());
       case Frame.OUTPUT -> {
         byte[] text = frame.rest();
         listeners.forEach(listener -> listener.accept(text));
@@ -162,11 +184,14 @@ public final class RemoteContext implements UContext, AutoCloseable {
     }
   }
 
-  private void changed(WireInput frame) {
+  /** A variable has changed; returns when, in microseconds after the kernel was started. */
+  private long changed(WireInput frame) {
     RemoteSlot slot = slots.get(frame.size());
+    long when = frame.number();
     if (slot != null) {
-      slot.changed(frame.number(), frame.value());
+      slot.changed(when, frame.value());
     }
+    return when;
   }
 
   /** A datagram tells of a new value; returns when all have been told that are told in turn. */
@@ -328,6 +353,10 @@ public final class RemoteContext implements UContext, AutoCloseable {
   }
 
   private void call(int number, String object, String name, UValue[] arguments) {
+    Consumer<String> told = trace;
+    if (told != null) {
+      told.accept("call " + number + ": " + object + "." + name + Arrays.asList(arguments));
+    }
     UCallback known = function(object, name);
     if (known != null && known.isThreaded()) {
       if (!known.execute(this, () -> perform(known, number, arguments))) {
@@ -341,7 +370,9 @@ public final class RemoteContext implements UContext, AutoCloseable {
   private void perform(int number, String object, String name, UValue[] arguments) {
     UCallback function = function(object, name);
     if (function != null) {
+      turn.begin(function.name());
       perform(function, number, arguments);
+      turn.end();
     } else {
       error(number, failures.getOrDefault(object, "no function " + object + "." + name));
     }
@@ -406,24 +437,34 @@ public final class RemoteContext implements UContext, AutoCloseable {
   }
 
   private void error(int number, String text) {
+    Consumer<String> told = trace;
+    if (told != null) {
+      told.accept("call " + number + " has failed: " + text);
+    }
     sendNow(out -> out.begin(Frame.ERROR).size(number).text(text).end());
   }
 
   /** Tells a callback of a value, in turn or on its own thread. */
   void notify(UCallback callback, UValue value) {
     UValue[] arguments = callback.arity() == 0 ? new UValue[0] : new UValue[] {value};
-    Runnable task =
-        () -> {
-          try {
-            invoke(callback, arguments);
-          } catch (Throwable e) {
-            complain("exception caught while calling " + callback.name() + ": " + Failure.text(e));
-          }
-        };
     if (callback.isThreaded()) {
-      callback.execute(this, task);
+      callback.execute(this, () -> callBack(callback, arguments));
     } else {
-      later(task);
+      later(() -> callBackInTurn(callback, arguments));
+    }
+  }
+
+  private void callBackInTurn(UCallback callback, UValue... arguments) {
+    turn.begin(callback.name());
+    callBack(callback, arguments);
+    turn.end();
+  }
+
+  private void callBack(UCallback callback, UValue... arguments) {
+    try {
+      invoke(callback, arguments);
+    } catch (Throwable e) {
+      complain("exception caught while calling " + callback.name() + ": " + Failure.text(e));
     }
   }
 
@@ -495,17 +536,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
 
   @Override
   public Runnable every(Object owner, double milliseconds, UCallback function, boolean afterPass) {
-    return timers.every(
-        owner,
-        milliseconds,
-        () -> {
-          try {
-            invoke(function);
-          } catch (Throwable e) {
-            complain("exception caught while calling " + function.name() + ": " + Failure.text(e));
-          }
-        },
-        this::execute);
+    return timers.every(owner, milliseconds, () -> callBackInTurn(function), this::execute);
   }
 
   // ------------------------------------------------------------------ urbiscript
@@ -551,13 +582,15 @@ public final class RemoteContext implements UContext, AutoCloseable {
   // ------------------------------------------------------------------ the end
 
   private void end(String why) {
+    // Closing ends the reading as well, which has another reason then.
+    end.compareAndSet(null, why);
     link.close();
     watch.close();
     datagrams.close();
     timers.close();
     threads.close();
-    requests.lost(why);
-    closed.complete(why);
+    requests.lost(end.get());
+    closed.complete(end.get());
   }
 
   /** Ends the connection: the kernel forgets what was started here. */

@@ -55,6 +55,7 @@ final class RemoteSlot implements USlot {
   @Override
   public void set(UValue other) {
     written = other;
+    timestamp = context.now();
     if (!owned) {
       value = other;
     }

@@ -1,7 +1,6 @@
 package org.urbi.kernel.job;
 
 import java.io.IOException;
-import java.nio.channels.Selector;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.locks.LockSupport;
 
@@ -13,7 +12,7 @@ public final class Inbox {
   private final ConcurrentLinkedQueue<Runnable> messages = new ConcurrentLinkedQueue<>();
   private volatile boolean filled;
   private volatile Thread waiting;
-  private volatile Selector selecting;
+  private volatile Waiting elsewhere;
 
   /** Leaves a message; from any thread. Messages are taken in the order in which they came. */
   public void post(Runnable message) {
@@ -23,9 +22,9 @@ public final class Inbox {
     if (sleeper != null) {
       LockSupport.unpark(sleeper);
     }
-    Selector listener = selecting;
-    if (listener != null) {
-      listener.wakeup();
+    Waiting other = elsewhere;
+    if (other != null) {
+      other.wake();
     }
   }
 
@@ -60,18 +59,18 @@ public final class Inbox {
   }
 
   /**
-   * Waits for a message or for a channel, for at most so many milliseconds.
+   * Waits for a message in another way, for at most so many milliseconds.
    *
-   * @throws IOException if the selector fails
+   * @throws IOException if that way fails
    */
-  public void await(Selector selector, long milliseconds) throws IOException {
-    selecting = selector;
+  public void await(Waiting how, long milliseconds) throws IOException {
+    elsewhere = how;
     try {
       if (!filled) {
-        selector.select(milliseconds);
+        how.await(milliseconds);
       }
     } finally {
-      selecting = null;
+      elsewhere = null;
     }
   }
 }

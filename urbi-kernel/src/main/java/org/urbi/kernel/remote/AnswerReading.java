@@ -2,14 +2,11 @@ package org.urbi.kernel.remote;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.nio.channels.ClosedSelectorException;
-import java.nio.channels.SelectionKey;
-import java.nio.channels.Selector;
-import java.nio.channels.SocketChannel;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.kernel.job.Inbox;
 import org.urbi.kernel.job.Listening;
+import org.urbi.kernel.outside.SocketWatch;
 
 /**
  * Reads what remote processes answer on the kernel thread, while that has nothing to do but to wait
@@ -30,8 +27,9 @@ public final class AnswerReading implements Listening {
   private final Inbox inbox;
   private final List<RemotePeer> asked = new ArrayList<>();
   private final List<RemotePeer> read = new ArrayList<>();
+  private final List<RemotePeer> ready = new ArrayList<>();
   private ByteBuffer space;
-  private Selector selector;
+  private SocketWatch<RemotePeer> watch;
   private int waits;
   private boolean looking;
   private long looked;
@@ -80,20 +78,15 @@ public final class AnswerReading implements Listening {
   }
 
   /** The network has left a connection to the kernel. */
-  void begin(RemotePeer peer, SocketChannel socket) {
+  void begin(RemotePeer peer) {
     try {
-      if (selector == null) {
-        selector = Selector.open();
+      if (watch == null) {
+        watch = new SocketWatch<>();
         space = ByteBuffer.allocateDirect(1 << 16);
       }
-      SelectionKey key = socket.keyFor(selector);
-      if (key == null) {
-        socket.register(selector, SelectionKey.OP_READ, peer);
-      } else {
-        key.interestOps(SelectionKey.OP_READ);
-      }
+      watch.add(peer.socket(), peer);
       read.add(peer);
-    } catch (IOException | RuntimeException e) {
+    } catch (IOException e) {
       // The connection is closed, or about to be.
       peer.stopReading();
     }
@@ -101,39 +94,31 @@ public final class AnswerReading implements Listening {
 
   private void leave() {
     for (int i = read.size() - 1; i >= 0; i--) {
-      read.get(i).stopReading();
-    }
-    if (!read.isEmpty()) {
-      read.clear();
-      selector.keys().forEach(AnswerReading::rest);
-    }
-  }
-
-  private static void rest(SelectionKey key) {
-    if (key.isValid()) {
-      key.interestOps(0);
+      RemotePeer peer = read.remove(i);
+      watch.remove(peer.socket());
+      peer.stopReading();
     }
   }
 
   private void look(long milliseconds) {
     try {
       if (milliseconds > 0) {
-        inbox.await(selector, milliseconds);
+        inbox.await(watch, milliseconds);
       } else {
-        selector.selectNow();
+        watch.glance();
       }
-    } catch (IOException | ClosedSelectorException e) {
+    } catch (IOException e) {
       leave();
       return;
     }
-    for (SelectionKey key : selector.selectedKeys()) {
-      RemotePeer peer = (RemotePeer) key.attachment();
-      if (key.isValid() && !peer.read(space)) {
+    watch.ready(ready);
+    for (int i = ready.size() - 1; i >= 0; i--) {
+      RemotePeer peer = ready.remove(i);
+      if (!peer.read(space)) {
         read.remove(peer);
-        rest(key);
+        watch.remove(peer.socket());
       }
     }
-    selector.selectedKeys().clear();
   }
 
   @Override
@@ -151,8 +136,8 @@ public final class AnswerReading implements Listening {
   public void end() {
     leave();
     try {
-      if (selector != null) {
-        selector.close();
+      if (watch != null) {
+        watch.close();
       }
     } catch (IOException e) {
       // It is of no use any more.

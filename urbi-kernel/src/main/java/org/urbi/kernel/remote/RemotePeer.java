@@ -1,7 +1,6 @@
 package org.urbi.kernel.remote;
 
 import java.nio.ByteBuffer;
-import java.nio.channels.SocketChannel;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -15,8 +14,10 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.outside.SocketWatch;
 import org.urbi.kernel.uobject.ArgumentFailure;
 import org.urbi.kernel.uobject.PluggedContext;
+import org.urbi.kernel.variable.UrbiUVar;
 import urbi.UClass;
 import urbi.UContext;
 import urbi.UDataType;
@@ -47,12 +48,11 @@ public final class RemotePeer {
   /** How long an access waits for the process to set the value. */
   private static final Duration ACCESS_PATIENCE = Duration.ofSeconds(2);
 
-  private static final Duration ACCESS_STEP = Duration.ofNanos(200_000);
-
   private final Scheduler scheduler;
   private final PluggedContext context;
   private final RemoteWire wire;
   private final AnswerReading reading;
+  private SocketWatch.Socket socket;
   private boolean wanting;
   private final UModule module;
   private final RemoteTasks tasks;
@@ -90,6 +90,7 @@ public final class RemotePeer {
     this.module = new UModule(name);
     this.tasks = new RemoteTasks(scheduler, context::lobby, wire::consumed, this::failed);
     this.rtpEnd = context.rtp().onTurn(this::rtpTurned);
+    tasks.add(this::tellTime, 0);
   }
 
   // ------------------------------------------------------------------ on the network thread
@@ -129,25 +130,28 @@ public final class RemotePeer {
   /** The connection is lost: calls that wait fail, and what the process has brought goes. */
   public void lost(String why) {
     lost = why;
-    tasks.add(this::clear, 0);
-    tasks.start();
+    later(this::clear);
   }
 
   /** What waited to be sent has left. */
   public void drained() {
-    tasks.add(this::refresh, 0);
-    tasks.start();
+    later(this::refresh);
   }
 
-  /** The connection is left to the kernel thread. */
-  public void mayRead(SocketChannel socket) {
+  /** The connection, with this socket, is left to the kernel thread. */
+  public void mayRead(SocketWatch.Socket left) {
     scheduler
         .inbox()
         .post(() -> {
           if (lost == null) {
-            reading.begin(this, socket);
+            socket = left;
+            reading.begin(this);
           }
         });
+  }
+
+  SocketWatch.Socket socket() {
+    return socket;
   }
 
   /** Asks the kernel thread whether it is there to read. */
@@ -270,6 +274,17 @@ public final class RemotePeer {
 
   // ------------------------------------------------------------------ in the job
 
+  /** The process tells from it when it sets variables itself. */
+  private void tellTime() {
+    write(o -> o.begin(Frame.TIME).number(scheduler.clock().now() / 1000).end());
+  }
+
+  /** Has something done in turn. */
+  void later(Runnable task) {
+    tasks.add(task, 0);
+    tasks.start();
+  }
+
   private Runnable answering(int number, Supplier<UValue> question) {
     return () -> {
       try {
@@ -310,9 +325,24 @@ public final class RemotePeer {
       if (prototype != null) {
         object.bindLike(prototype);
       }
-      write(o -> o.begin(Frame.NEW).text(className).text(name).end());
+      constructThere(className, name);
     }
     return object;
+  }
+
+  /**
+   * Has the process make the other side, and waits for it: what its constructor binds is there for
+   * whoever has asked for the object. What it throws, calls of the object will tell.
+   */
+  private void constructThere(String className, String name) {
+    var done = new CompletableFuture<UValue>();
+    int number = ++lastCall;
+    calls.put(number, done);
+    write(o -> o.begin(Frame.NEW).text(className).text(name).size(number).end());
+    if (!tasks.areRunning()) {
+      reading.asked(this);
+      context.await(done);
+    }
   }
 
   /** The process has made an object by itself. */
@@ -520,6 +550,11 @@ public final class RemotePeer {
     }
   }
 
+  /** Counts, or no longer counts, a process that only keeps a copy of a variable. */
+  void countMirror(UrbiUVar variable, boolean one) {
+    context.countMirror(variable, one);
+  }
+
   /**
    * A variable is about to be read: lets the process set it before. Not where that happens because
    * of something the process asks for: it may wait for that itself, and nothing else is done for it
@@ -533,10 +568,8 @@ public final class RemotePeer {
     int number = ++lastCall;
     calls.put(number, done);
     write(o -> o.begin(Frame.ACCESS).size(variable.id()).size(number).end());
-    long deadline = scheduler.now() + ACCESS_PATIENCE.toNanos();
-    while (!done.isDone() && lost == null && scheduler.now() < deadline) {
-      context.yieldFor(ACCESS_STEP);
-    }
+    reading.asked(this);
+    context.await(done, ACCESS_PATIENCE);
     calls.remove(number);
   }
 

@@ -26,6 +26,9 @@ final class RemoteVariable {
   private int watch;
   private UValue beingSet;
   private boolean stale;
+  private boolean mirror;
+  private int accesses;
+  private UValue accessed;
   private final UrbiUVar variable;
   private final Runnable rtpEnd;
 
@@ -76,6 +79,17 @@ final class RemoteVariable {
     } else if (notification == null && how != NOTHING) {
       notification = slot.onChange(null, callback(CHANGED));
     }
+    reviewMirror();
+  }
+
+  /** A process that sets the value when it is read does not have it read to hear of that. */
+  private void reviewMirror() {
+    boolean now =
+        notification != null && interception != null && watch != ALL_CHANGES && !slot.isOwned();
+    if (now != mirror) {
+      mirror = now;
+      peer.countMirror(variable, now);
+    }
   }
 
   /** The process owns the variable: it hears of other changes than before. */
@@ -93,10 +107,19 @@ final class RemoteVariable {
     } else if (interception == null && on) {
       interception = slot.onAccess(null, callback(ACCESSED));
     }
+    reviewMirror();
   }
 
   /** The process sets the value; what it has set it need not be told, unless it became another. */
   void set(UValue value) {
+    if (accesses > 0) {
+      accessed = value;
+    } else {
+      setNow(value);
+    }
+  }
+
+  private void setNow(UValue value) {
     beingSet = value;
     try {
       slot.set(value);
@@ -120,14 +143,38 @@ final class RemoteVariable {
     }
   }
 
+  /**
+   * The variable is about to be read: what the process sets it to meanwhile is set by the job that
+   * reads, as a plugged object does, so that a condition does not hear of what it has caused.
+   */
   void accessed() {
-    peer.announceAccess(this);
+    accesses++;
+    boolean done = false;
+    try {
+      peer.announceAccess(this);
+      done = true;
+    } finally {
+      accesses--;
+      if (!done) {
+        peer.later(this::setAccessed);
+      }
+    }
+    setAccessed();
+  }
+
+  private void setAccessed() {
+    UValue value = accessed;
+    accessed = null;
+    if (value != null) {
+      setNow(value);
+    }
   }
 
   void close() {
     rtpEnd.run();
     notification = null;
     interception = null;
+    reviewMirror();
     slot.close();
   }
 }

@@ -3,6 +3,8 @@ package org.urbi.kernel.uobject;
 import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.concurrent.locks.LockSupport;
@@ -12,6 +14,7 @@ import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.KernelThreadPin;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.job.Timers;
 import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.library.KernelControl;
 import org.urbi.kernel.library.LogLevel;
@@ -485,6 +488,44 @@ public final class PluggedContext implements UContext {
   @Override
   public void report(String message) {
     kernel.log(message);
+  }
+
+  /** Counts, or no longer counts, somebody who only keeps a copy of a variable. */
+  public void countMirror(UrbiUVar variable, boolean one) {
+    variable.countMirror(interpreter, one);
+  }
+
+  /**
+   * Waits in the job that runs until a stage is complete, normally or not, or until the time is up;
+   * a stage that is not complete then is cancelled.
+   */
+  public void await(CompletableFuture<?> stage, Duration most) {
+    inKernel(frame -> {
+      Timers.Timer limit =
+          scheduler.timers().add(scheduler.now() + most.toNanos(), () -> stage.cancel(false));
+      try {
+        awaitEnd(frame, stage);
+      } finally {
+        limit.cancel();
+      }
+      return null;
+    });
+  }
+
+  /** Waits in the job that runs until a stage is complete, normally or not. */
+  public void await(CompletableFuture<?> stage) {
+    inKernel(frame -> {
+      awaitEnd(frame, stage);
+      return null;
+    });
+  }
+
+  private static void awaitEnd(Frame frame, CompletableFuture<?> stage) {
+    try {
+      new Awaited(frame.job()).await(stage);
+    } catch (CompletionException e) {
+      // Whoever completes it says why elsewhere.
+    }
   }
 
   @Override

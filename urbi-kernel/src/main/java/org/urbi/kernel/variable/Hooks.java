@@ -34,6 +34,10 @@ final class Hooks {
     return all.length == 0;
   }
 
+  int size() {
+    return all.length;
+  }
+
   void add(long id, Hook hook) {
     Entry[] more = Arrays.copyOf(all, all.length + 1);
     more[all.length] = new Entry(id, hook);

@@ -63,6 +63,7 @@ public final class UrbiUVar extends UrbiObject {
 
   private final List<Reader> readers = new ArrayList<>(0);
   private AccessLoop accessLoop;
+  private int mirrors;
   private UrbiEvent changed;
   private UrbiObject lobby;
   private String name = "";
@@ -265,6 +266,15 @@ public final class UrbiUVar extends UrbiObject {
     return lastId;
   }
 
+  /**
+   * Counts, or no longer counts, one of the hooks for changes as one of somebody who only keeps a
+   * copy, and who sets the value himself when it is read: it need not be read for him.
+   */
+  public void countMirror(Interpreter interpreter, boolean one) {
+    mirrors += one ? 1 : -1;
+    reviewAccess(interpreter);
+  }
+
   public boolean removeChange(long id) {
     return onChange.remove(id);
   }
@@ -313,7 +323,7 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   private boolean isWatched() {
-    if (!onChange.isEmpty()
+    if (onChange.size() > mirrors
         || !connections.isEmpty()
         || changed != null && changed.hasSubscribers()) {
       return true;

@@ -138,6 +138,9 @@ final class ModuleLauncher {
     if (arguments.has("--customize") && !arguments.has("--start")) {
       throw Failure.usage("--customize needs --start");
     }
+    if (arguments.has("--plugin") && arguments.has("--debug")) {
+      throw Failure.usage("--debug is for --start and --remote");
+    }
     if (arguments.has("--classpath")) {
       System.setProperty("urbi.classpath", arguments.value("--classpath", ""));
     }
@@ -209,6 +212,10 @@ final class ModuleLauncher {
     Target server = Target.of(arguments, arguments.value("--host", "127.0.0.1"));
     List<String> words =
         new ArrayList<>(List.of("--host", server.host(), "--port", String.valueOf(server.port())));
+    String level = arguments.value("--debug", System.getenv("GD_LEVEL"));
+    if (level != null) {
+      words.addAll(List.of("--debug", level));
+    }
     for (String module : arguments.rest()) {
       words.add(module.equals(RtpOptions.MODULE) ? module : path.find(module).toString());
     }

@@ -12,6 +12,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BiFunction;
+import org.urbi.kernel.outside.SocketWatch;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.remote.RemoteWire;
 import org.urbi.server.Trace;
@@ -115,7 +116,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
     }
   }
 
-  private void broken(WireException e) {
+  private void broken(RuntimeException e) {
     over = true;
     close("the remote process does not keep to the protocol: " + e.getMessage());
   }
@@ -193,7 +194,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
       kernelReads = true;
       reading.unlock();
       attended = true;
-      peer.mayRead(own.bare());
+      peer.mayRead(new SocketWatch.Socket(own.bare()));
     }
   }
 
@@ -250,7 +251,8 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
     } catch (IOException e) {
       // The network thread will see the same.
       resumeReading(new byte[0]);
-    } catch (WireException e) {
+    } catch (RuntimeException e) {
+      // Whatever a process sends, the kernel thread is not to end by it.
       broken(e);
       resumeReading(new byte[0]);
     } finally {

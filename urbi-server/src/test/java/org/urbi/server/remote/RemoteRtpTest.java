@@ -24,6 +24,7 @@ import java.util.Random;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -296,6 +297,56 @@ class RemoteRtpTest {
     eval("Camera.shoot(2, " + SMALL + ")");
     awaitImage(2);
     assertEquals(14, relay.toServer().size());
+  }
+
+  @Test
+  void brokenDatagramsOfOurOwnAreDropped() throws Exception {
+    use(500);
+    Random random = new Random(11);
+    AtomicBoolean breaking = new AtomicBoolean(true);
+    // Beyond the token all may be wrong: the variable, the parts, and what they are of.
+    relay.setFate(each -> {
+      if (breaking.get()) {
+        for (int i = 0; i < 3; i++) {
+          each[20 + random.nextInt(Math.min(60, each.length - 20))] = (byte) random.nextInt();
+        }
+      }
+      return List.of(each);
+    });
+    eval("Camera.&number.rtp = true");
+    eval("for| (var i = 0; i < 300; i += 1) { Camera.shoot(1, 40) | Camera.count(i) }");
+    eval(
+        "for| (var i = 0; i < 300; i += 1) {"
+            + " Global.image = Binary.new(\"rgb 2 2\", \"123456789012\") | sleep(1ms) }");
+    breaking.set(false);
+    client.send("Global.image = 0;");
+    while (Camera.SEEN.poll(200, TimeUnit.MILLISECONDS) != null) {
+      // What has been broken, and is an image all the same.
+    }
+    for (int i = 1; i <= 5; i++) {
+      eval("Camera.shoot(" + i + ", " + SMALL + ")");
+      awaitImage(i);
+    }
+    eval("{ Global.image = Camera.val | 0 }");
+    assertArrayEquals(data(5, SMALL), seen().getData());
+    assertEquals("3", eval("1 + 2"));
+  }
+
+  @Test
+  void whatIsTooLargeForDatagramsGoesOverTheConnection() throws Exception {
+    use(256);
+    int large = 5_000_000;
+    eval("Camera.shoot(1, 1000)");
+    awaitImage(1);
+    int before = relay.toServer().size();
+    eval("Camera.shoot(2, " + large + ")");
+    awaitImage(2);
+    assertEquals(before, relay.toServer().size());
+    eval("{ Global.image = Camera.val | 0 }");
+    assertArrayEquals(data(2, large), seen().getData());
+    eval("Camera.shoot(3, 1000)");
+    awaitImage(3);
+    assertTrue(relay.toServer().size() > before);
   }
 
   private void send(DatagramSocket from, byte[] bytes) throws IOException {

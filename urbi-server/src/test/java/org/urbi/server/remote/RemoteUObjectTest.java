@@ -372,19 +372,51 @@ class RemoteUObjectTest {
       super(name);
       UBindVar(v, "v");
       UNotifyAccess(v, "read");
+      UBindFunctions("reads", "age");
     }
 
     public void read(UVar var) {
       var.setValue(++reads);
     }
+
+    public int reads() {
+      return reads;
+    }
+
+    /** How many seconds after a moment of the kernel's the variable was set here. */
+    public double age(double seconds) {
+      v.setValue(0);
+      return v.timestamp() / 1e6 - seconds;
+    }
   }
 
   @Test
-  void accessesAreTold() {
+  void anAccessIsToldOnce() {
     remote.start(type("Accessed", Accessed::new));
-    double first = client.syncEval("Accessed.v").doubleValue();
-    assertTrue(first >= 1);
-    assertTrue(client.syncEval("Accessed.v").doubleValue() > first);
+    assertEquals(
+        "[500, 0]",
+        eval(
+            "{ var wrong = 0 |"
+                + " for| (var i = 1; i <= 500; i += 1) if (Accessed.v != i) wrong += 1 |"
+                + " [Accessed.reads, wrong] }"));
+  }
+
+  @Test
+  void aConditionDoesNotHearOfWhatItHasCaused() {
+    remote.start(type("Accessed", Accessed::new));
+    client.send("at (Accessed.v == -1) nil;");
+    double reads =
+        client
+            .syncEval("{ var before = Accessed.reads | sleep(400ms) | Accessed.reads - before }")
+            .doubleValue();
+    assertTrue(reads >= 2 && reads <= 25, reads + " in 20 periods");
+  }
+
+  @Test
+  void whatIsSetHereHasTheTimeOfTheKernel() {
+    remote.start(type("Accessed", Accessed::new));
+    double age = client.syncEval("Accessed.age(System.time)").doubleValue();
+    assertTrue(Math.abs(age) < 5, "off by " + age + " s");
   }
 
   static class Stuck extends UObject {

@@ -1,0 +1,24 @@
+package urbi.remote;
+
+/** What time it is in the kernel: as far as its messages tell, of which the quickest count. */
+final class KernelTime {
+  private volatile long ahead = Long.MIN_VALUE;
+
+  private static long here() {
+    return System.nanoTime() / 1000;
+  }
+
+  /** The kernel says that it was that time, in microseconds since its start, a moment ago. */
+  void heard(long time) {
+    long difference = time - here();
+    if (difference > ahead) {
+      ahead = difference;
+    }
+  }
+
+  /** Microseconds since the kernel was started; 0 if it has not said yet. */
+  long now() {
+    long difference = ahead;
+    return difference == Long.MIN_VALUE ? 0 : difference + here();
+  }
+}

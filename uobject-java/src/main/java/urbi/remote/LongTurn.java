@@ -1,0 +1,39 @@
+package urbi.remote;
+
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+
+/** Who has the turn to be executed; says so of a function that does not return for long. */
+final class LongTurn {
+  private static final long LONG_SECONDS = 10;
+
+  private final Consumer<String> told;
+  private volatile String function;
+  private volatile long since;
+  private boolean said;
+
+  LongTurn(Consumer<String> told) {
+    this.told = told;
+  }
+
+  void begin(String name) {
+    since = System.nanoTime();
+    function = name;
+  }
+
+  void end() {
+    function = null;
+  }
+
+  /** Complains, once, if the same function has had the turn for too long; by one thread. */
+  void complain() {
+    String name = function;
+    boolean isLong =
+        name != null && TimeUnit.NANOSECONDS.toSeconds(System.nanoTime() - since) >= LONG_SECONDS;
+    if (isLong && !said) {
+      told.accept(
+          name + " has not returned for " + LONG_SECONDS + " s; calls that are not threaded wait");
+    }
+    said = isLong;
+  }
+}
