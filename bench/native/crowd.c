@@ -69,7 +69,7 @@ int main(int argc, char **argv) {
   dInitODE2(0);
   dSetMessageHandler(ignore);
   world = dWorldCreate();
-  space = dHashSpaceCreate(0);
+  space = dSweepAndPruneSpaceCreate(0, dSAP_AXES_XYZ);
   contacts = dJointGroupCreate(0);
   dWorldSetGravity(world, 0, 0, -9.81);
   dWorldSetCFM(world, 1e-7);

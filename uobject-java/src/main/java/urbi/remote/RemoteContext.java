@@ -16,6 +16,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import urbi.UCallback;
@@ -57,6 +58,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   private final Map<String, UObjectHub> hubs = new ConcurrentHashMap<>();
   private final Map<Integer, RemoteSlot> slots = new ConcurrentHashMap<>();
   private final AtomicInteger lastSlot = new AtomicInteger();
+  private final AtomicReference<String> end = new AtomicReference<>();
   private final CompletableFuture<String> closed = new CompletableFuture<>();
   private final List<Consumer<byte[]>> listeners = new CopyOnWriteArrayList<>();
   private final KernelTime time = new KernelTime();
@@ -154,7 +156,11 @@ public final class RemoteContext implements UContext, AutoCloseable {
       case Frame.NEW -> {
         String className = frame.text();
         String name = frame.text();
-        later(() -> make(className, name));
+        int number = frame.size();
+        later(() -> {
+          make(className, name);
+          result(number, null);
+        });
       }
       case Frame.LEFT, Frame.RTP_LOADED, Frame.RTP_TERMS, Frame.RTP_REFUSED ->
           datagrams.take(type, frame);
@@ -585,13 +591,15 @@ public final class RemoteContext implements UContext, AutoCloseable {
   // ------------------------------------------------------------------ the end
 
   private void end(String why) {
+    // Closing ends the reading as well, which has another reason then.
+    end.compareAndSet(null, why);
     link.close();
     watch.close();
     datagrams.close();
     timers.close();
     threads.close();
-    requests.lost(why);
-    closed.complete(why);
+    requests.lost(end.get());
+    closed.complete(end.get());
   }
 
   /** Ends the connection: the kernel forgets what was started here. */

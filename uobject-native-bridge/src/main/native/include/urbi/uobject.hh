@@ -65,6 +65,15 @@
   (this->bindThreadedFunction_(Uname, &Obj::X, Lock))
 #define UBindThreadedFunction(Obj, X, Lock) UBindThreadedFunctionRename(Obj, X, #X, Lock)
 
+/// Has a member function called with each emission of the event of that name which has as many
+/// arguments. The object has such an event from now on.
+#define UAt(Obj, X) (this->at_(#X, &Obj::X))
+/// The same, and \a Fun, which takes nothing, when it ends.
+#define UAtEnd(Obj, X, Fun) (this->atEnd_(#X, &Obj::X, &Obj::Fun))
+/// The same, with each call on a thread of its own. \a Lock is a LockMode or a LockSpec.
+#define UThreadedAt(Obj, X, Lock) (this->threadedAt_(#X, &Obj::X, Lock))
+#define UThreadedAtEnd(Obj, X, Fun, Lock) (this->threadedAtEnd_(#X, &Obj::X, &Obj::Fun, Lock))
+
 /// Registers this object with a hub.
 #define URegister(Hub) (this->register_(#Hub))
 
@@ -155,6 +164,21 @@ namespace urbi
       v.keepSynchronized();
     }
 
+    /// Puts this object into a group of urbiscript, which is made if there is none of that name.
+    virtual void UJoinGroup(const std::string& groupName);
+
+    /// Puts this object into the groups in which it always is.
+    void UAutoGroup()
+    {
+      addAutoGroup();
+    }
+
+    /// That of its class, by the plural of its name, unless a subclass knows better.
+    virtual void addAutoGroup()
+    {
+      UJoinGroup(classname + "s");
+    }
+
     /// Ends all that it has bound. Nothing can be done with it afterwards but to delete it.
     void clean();
 
@@ -190,10 +214,54 @@ namespace urbi
       bind(name, function, &lock);
     }
 
+    template <typename F>
+    void at_(const std::string& event, F function)
+    {
+      bind(at(event), function, nullptr);
+      listen(event, detail::arity_of(function), false);
+    }
+
+    template <typename F>
+    void threadedAt_(const std::string& event, F function, LockSpec lock)
+    {
+      bind(at(event), function, &lock);
+      listen(event, detail::arity_of(function), false);
+    }
+
+    template <typename F, typename E>
+    void atEnd_(const std::string& event, F function, E end)
+    {
+      bind(at(event), function, nullptr);
+      bind(at_end(event), end, nullptr);
+      listen(event, detail::arity_of(function), true);
+    }
+
+    template <typename F, typename E>
+    void threadedAtEnd_(const std::string& event, F function, E end, LockSpec lock)
+    {
+      bind(at(event), function, &lock);
+      bind(at_end(event), end, &lock);
+      listen(event, detail::arity_of(function), true);
+    }
+
     void register_(const std::string& hubClass);
 
   private:
     friend class detail::Creator;
+
+    /// By which names urbiscript calls the functions that are told of an event.
+    static std::string at(const std::string& event)
+    {
+      return "__at_" + event;
+    }
+
+    static std::string at_end(const std::string& event)
+    {
+      return "__atEnd_" + event;
+    }
+
+    /// Has functions that were bound called with each emission of an event.
+    void listen(const std::string& event, size_t arity, bool end);
 
     template <typename F>
     void bind(const std::string& name, F function, const LockSpec* lock)

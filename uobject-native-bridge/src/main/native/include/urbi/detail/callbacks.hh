@@ -180,14 +180,27 @@ namespace urbi
 
     // ---------------------------------------------------------------- functions
 
+    /// A member function and its object. (With UBSan, g++ 12 takes the wrong `this` in a lambda here.)
+    template <typename Object, typename Function>
+    struct Member
+    {
+      template <typename... Arguments>
+      decltype(auto) operator()(Arguments&&... arguments) const
+      {
+        return (object->*function)(std::forward<Arguments>(arguments)...);
+      }
+
+      Object* object;
+      Function function;
+    };
+
     /// A bound function.
     template <typename Object, typename Function, typename Result, typename... Parameters>
     class FunctionCallback final : public Callback
     {
     public:
       FunctionCallback(Object* object, Function function)
-        : object_(object)
-        , function_(function)
+        : member_{object, function}
       {}
 
       int64_t arity() const override
@@ -198,21 +211,17 @@ namespace urbi
       void call(Reader& in, Writer& out) override
       {
         Arguments<Parameters...> arguments(in);
-        auto invoke = [this](Parameters... parameters) -> Result {
-          return (object_->*function_)(std::forward<Parameters>(parameters)...);
-        };
         if constexpr (std::is_void<Result>::value)
         {
-          arguments.pass(invoke);
+          arguments.pass(member_);
           out.nothing();
         }
         else
-          write_result(out, arguments.pass(invoke));
+          write_result(out, arguments.pass(member_));
       }
 
     private:
-      Object* object_;
-      Function function_;
+      Member<Object, Function> member_;
     };
 
     /// Has a variable know its value, which comes with the call, until that ends.
@@ -252,8 +261,7 @@ namespace urbi
     public:
       /// \param own  whether the variable lives as long as this
       NotificationCallback(Object* object, Function function, UVar* variable, bool own)
-        : object_(object)
-        , function_(function)
+        : member_{object, function}
         , variable_(variable)
         , owned_(own ? variable : nullptr)
       {}
@@ -268,26 +276,35 @@ namespace urbi
         if constexpr (takes_variable || sizeof...(Parameters) == 0)
         {
           Telling telling(*variable_, in);
-          (object_->*function_)(static_cast<plain<Parameters>&>(*variable_)...);
+          member_(static_cast<plain<Parameters>&>(*variable_)...);
         }
         else
         {
           Arguments<Parameters...> arguments(in);
-          arguments.pass([this](Parameters... parameters) {
-            (object_->*function_)(std::forward<Parameters>(parameters)...);
-          });
+          arguments.pass(member_);
         }
         out.nothing();
       }
 
     private:
-      Object* object_;
-      Function function_;
+      Member<Object, Function> member_;
       UVar* variable_;
       std::unique_ptr<UVar> owned_;
     };
 
     // ---------------------------------------------------------------- from a pointer to a member
+
+    template <typename R, typename C, typename... P>
+    constexpr size_t arity_of(R (C::*)(P...))
+    {
+      return sizeof...(P);
+    }
+
+    template <typename R, typename C, typename... P>
+    constexpr size_t arity_of(R (C::*)(P...) const)
+    {
+      return sizeof...(P);
+    }
 
     /// The object of a class of which a pointer to a member was given.
     template <typename Class, typename Base>

@@ -102,6 +102,34 @@ namespace urbi
     objecthub = hub;
   }
 
+  inline void UObject::listen(const std::string& event, size_t arity, bool end)
+  {
+    UEvent(*this, event);
+    std::string parameters;
+    std::string arguments;
+    for (size_t i = 0; i < arity; ++i)
+    {
+      std::string name = "a" + std::to_string(i);
+      parameters += (i ? ", var " : "var ") + name;
+      arguments += (i ? ", " : "") + name;
+    }
+    // The functions go with this object, and the event may stay.
+    std::string self = "uobjects." + __name;
+    auto call = [&self](const std::string& function, const std::string& with) {
+      return "{ if (uobjects.hasSlot(\"" + self.substr(9) + "\") && " + self + ".hasLocalSlot(\""
+             + function + "\")) " + self + ".getSlotValue(\"" + function + "\").apply([" + self
+             + (with.empty() ? "" : ", " + with) + "]) }";
+    };
+    send("at (" + self + "." + event + "?(" + parameters + ")) " + call(at(event), arguments)
+         + (end ? " onleave " + call(at_end(event), "") : "") + ";");
+  }
+
+  inline void UObject::UJoinGroup(const std::string& groupName)
+  {
+    send("if (!Global.hasLocalSlot(\"" + groupName + "\")) var Global." + groupName
+         + " = Group.new()|; Global." + groupName + ".add(uobjects." + __name + ")|;");
+  }
+
   // ---------------------------------------------------------------- UObjectHub
 
   inline UObjectHub::UObjectHub(const std::string& className)

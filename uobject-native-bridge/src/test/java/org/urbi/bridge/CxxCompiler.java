@@ -15,7 +15,6 @@ import java.util.stream.Stream;
 /** Compiles C++ code for tests, as the manual says to do it by hand. */
 final class CxxCompiler {
   static final Path HEADERS = Path.of("src", "main", "native", "include").toAbsolutePath();
-  static final Path EXAMPLES = Path.of("..", "examples", "uobjects-cpp").toAbsolutePath();
   static final Path MADE = Path.of("target", "cxx").toAbsolutePath();
 
   private CxxCompiler() {}

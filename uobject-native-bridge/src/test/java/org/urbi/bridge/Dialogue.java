@@ -1,55 +1,18 @@
 package org.urbi.bridge;
 
-import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
-import java.util.regex.Pattern;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
 
-/**
- * What is typed into a kernel with C++ UObjects, and what it answers: lines that begin with a time
- * stamp. Time stamps do not matter, and {@code NAME} stands for the name of an object.
- */
+/** What is typed into a kernel with C++ UObjects, and what it answers. */
 final class Dialogue {
-  private static final Pattern ANSWER = Pattern.compile("^\\[\\d{8,}(:\\w+)?\\] ");
-  private static final Pattern OBJECT = Pattern.compile("\\w+_0x[0-9a-f]+");
-
   private Dialogue() {}
-
-  /** The answers that are expected. */
-  static List<String> expected(Path file) throws IOException {
-    return answers(Files.readAllLines(file));
-  }
-
-  /** What a kernel answers in which modules have been loaded. */
-  static List<String> actual(Path file, Path... modules) throws IOException {
-    StringBuilder input = new StringBuilder();
-    for (String line : Files.readAllLines(file)) {
-      if (!ANSWER.matcher(line).find()) {
-        input.append(line).append('\n');
-      }
-    }
-    return answers(run(input.toString(), modules).lines().toList());
-  }
-
-  private static List<String> answers(List<String> lines) {
-    List<String> answers = new ArrayList<>();
-    for (String line : lines) {
-      var matcher = ANSWER.matcher(line);
-      if (matcher.find()) {
-        String channel = matcher.group(1) == null ? "" : matcher.group(1).substring(1) + ": ";
-        answers.add(OBJECT.matcher(channel + line.substring(matcher.end())).replaceAll("NAME"));
-      }
-    }
-    return answers;
-  }
 
   /** Runs a program on a kernel of its own, in virtual time, and returns what it prints. */
   static String run(String program, Path... modules) {

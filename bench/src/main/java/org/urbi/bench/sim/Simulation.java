@@ -50,6 +50,7 @@ public final class Simulation {
   public static void main(String[] arguments) throws IOException, InterruptedException {
     Path file = Path.of(arguments[0]);
     String bare = arguments.length > 1 ? arguments[1] : null;
+    OUT.println("Worlds of that size have the solver 'quick' unless they say otherwise.");
     for (Solver solver : Solver.values()) {
       steps(solver, bare);
     }

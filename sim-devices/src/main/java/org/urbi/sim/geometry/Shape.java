@@ -12,6 +12,10 @@ public sealed interface Shape {
   double reach();
 
   record Sphere(double radius) implements Shape {
+    public Sphere {
+      Size.check(radius);
+    }
+
     @Override
     public double volume() {
       return 4.0 / 3 * Math.PI * radius * radius * radius;
@@ -31,6 +35,10 @@ public sealed interface Shape {
 
   /** A box with these edges. */
   record Box(double x, double y, double z) implements Shape {
+    public Box {
+      Size.check(x, y, z);
+    }
+
     @Override
     public double volume() {
       return x * y * z;
@@ -49,6 +57,10 @@ public sealed interface Shape {
 
   /** Along the z axis. */
   record Cylinder(double radius, double length) implements Shape {
+    public Cylinder {
+      Size.check(radius, length);
+    }
+
     @Override
     public double volume() {
       return Math.PI * radius * radius * length;
@@ -68,6 +80,10 @@ public sealed interface Shape {
 
   /** A cylinder along the z axis with half a sphere at each end; the length is without these. */
   record Capsule(double radius, double length) implements Shape {
+    public Capsule {
+      Size.check(radius, length);
+    }
+
     @Override
     public double volume() {
       return tube() + caps();

@@ -8,9 +8,6 @@ import org.urbi.sim.geometry.Vec3;
 
 /** A rigid body of a {@link PhysicsWorld}. */
 public final class Body {
-  /** In m/s and rad/s. */
-  private static final double FASTEST = 1e4;
-
   /** Where velocity and spin begin in the state. */
   private static final int FIRST_SPEED = 7;
 
@@ -27,6 +24,7 @@ public final class Body {
   private final double mass;
 
   private final double[] state = new double[Dynamics.STATE_SIZE];
+  private final double[] remembered = new double[Dynamics.STATE_SIZE];
   private long stateOf = -1;
   private Pose pose;
 
@@ -119,12 +117,13 @@ public final class Body {
   /**
    * Puts it somewhere else, as it is.
    *
-   * @throws SimulationException if the place is not finite
+   * @throws SimulationException if the place is not finite, or too far away
    */
   public void place(Pose newPose) {
     if (!newPose.isFinite()) {
       throw new SimulationException(name + ": the place is not finite");
     }
+    Bounds.within(newPose.position(), Bounds.FARTHEST, name + ": the place");
     if (isFixed()) {
       for (int i = 0; i < parts.size(); i++) {
         BodyDescription.Part part = parts.get(i);
@@ -141,12 +140,11 @@ public final class Body {
   /**
    * Gives it a velocity, in m/s, and a rotation about the axes of the world, in rad/s.
    *
-   * @throws SimulationException if one is not finite, or if the body is fixed
+   * @throws SimulationException if one is not finite or too fast, or if the body is fixed
    */
   public void move(Vec3 velocity, Vec3 spin) {
-    if (!velocity.isFinite() || !spin.isFinite()) {
-      throw new SimulationException(name + ": the velocity is not finite");
-    }
+    Bounds.within(velocity, Bounds.FASTEST, name + ": the velocity");
+    Bounds.within(spin, Bounds.FASTEST, name + ": the spin");
     requireFree();
     world.dynamics().moveBody(number, velocity, spin);
     world.changed();
@@ -155,29 +153,57 @@ public final class Body {
   /**
    * Has a force, in newtons, act during the next step at a point of the world.
    *
-   * @throws SimulationException if it is not finite, or if the body is fixed
+   * @throws SimulationException if it is not finite or too strong, or if the body is fixed
    */
   public void push(Vec3 force, Vec3 point) {
-    if (!force.isFinite() || !point.isFinite()) {
-      throw new SimulationException(name + ": the force is not finite");
-    }
+    Bounds.within(force, Bounds.STRONGEST, name + ": the force");
+    Bounds.within(point, 2 * Bounds.FARTHEST, name + ": the point");
     requireFree();
     world.dynamics().addForce(number, force, point);
   }
 
-  /** Refuses to go on with what cannot be: the next step could overflow. */
+  /** Keeps how it is now, for {@link #restore}. */
+  void remember() {
+    update();
+    System.arraycopy(state, 0, remembered, 0, state.length);
+  }
+
+  /** Puts it where it was when it was remembered, at rest. */
+  void restore() {
+    if (!isFixed()) {
+      double[] s = remembered;
+      Rotation rotation = new Rotation(s[3], s[4], s[5], s[6]).normalized();
+      world.dynamics().placeBody(number, new Vec3(s[0], s[1], s[2]), rotation);
+      world.dynamics().moveBody(number, Vec3.ZERO, Vec3.ZERO);
+      world.changed();
+    }
+  }
+
+  /**
+   * Refuses to go on with what cannot be: the next step could overflow.
+   *
+   * @throws SimulationException if it is too fast or too far away
+   */
   void requireSane() {
     update();
     for (int i = FIRST_SPEED; i < state.length; i++) {
-      if (!(Math.abs(state[i]) < FASTEST)) {
-        throw new SimulationException(
-            name
-                + ": moves or turns faster than "
-                + FASTEST
-                + " m/s or rad/s: the simulation has diverged; try a smaller step, or the solver"
-                + " 'quick'");
+      if (!(Math.abs(state[i]) < Bounds.FASTEST)) {
+        throw diverged("moves or turns faster than " + Bounds.FASTEST + " m/s or rad/s");
       }
     }
+    for (int i = 0; i < FIRST_SPEED; i++) {
+      if (!(Math.abs(state[i]) < 2 * Bounds.FARTHEST)) {
+        throw diverged("is farther away than " + 2 * Bounds.FARTHEST + " m");
+      }
+    }
+  }
+
+  private SimulationException diverged(String how) {
+    return new SimulationException(
+        name
+            + ": "
+            + how
+            + ": the simulation has diverged; try a smaller step, or the solver 'quick'");
   }
 
   private void requireFree() {

@@ -78,8 +78,8 @@ public final class Joint {
    */
   public void drive(double velocity, double force) {
     requireAxis();
-    SimulationException.finite(velocity, name() + ": velocity");
-    if (!(SimulationException.finite(force, name() + ": force") >= 0)) {
+    Bounds.within(velocity, Bounds.FASTEST, name() + ": velocity");
+    if (!(Bounds.within(force, Bounds.STRONGEST, name() + ": force") >= 0)) {
       throw new SimulationException(name() + ": force: 0 or more expected, not " + force);
     }
     world.dynamics().setMotor(number, velocity, force);
@@ -88,7 +88,9 @@ public final class Joint {
   /** Has a torque or force act along the axis during the next step. */
   public void push(double force) {
     requireAxis();
-    world.dynamics().addJointForce(number, SimulationException.finite(force, name() + ": force"));
+    world
+        .dynamics()
+        .addJointForce(number, Bounds.within(force, Bounds.STRONGEST, name() + ": force"));
   }
 
   private void requireAxis() {

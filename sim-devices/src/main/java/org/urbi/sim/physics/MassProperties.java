@@ -27,6 +27,19 @@ record MassProperties(double mass, Vec3 centre, double[] inertia) {
     return new MassProperties(mass, centre, inertia);
   }
 
+  /**
+   * Whether an engine can divide by the inertia: all three of its moments are there (by Cholesky's
+   * decomposition), and none is nothing beside the others.
+   */
+  boolean isUsable() {
+    double[] i = inertia;
+    double least = 1e-12 * (i[0] + i[1] + i[2]);
+    double yy = i[1] - i[3] * i[3] / i[0];
+    double yz = i[5] - i[3] * i[4] / i[0];
+    double zz = i[2] - i[4] * i[4] / i[0] - yz * yz / yy;
+    return i[0] > least && yy > least && zz > least;
+  }
+
   /** R · diag(moments) · Rᵀ */
   private static void addTurned(double[] inertia, Vec3 moments, Rotation rotation) {
     Vec3 a = rotation.apply(Vec3.X);

@@ -104,6 +104,10 @@ public final class PhysicsWorld implements AutoCloseable {
     Vec3 centre = Vec3.ZERO;
     if (!description.fixed()) {
       MassProperties mass = MassProperties.of(description.mass(), description.parts());
+      if (!mass.isUsable()) {
+        throw new SimulationException(
+            description.name() + ": too thin beside its length: it would turn without effort");
+      }
       centre = mass.centre();
       number = dynamics().createBody(mass.mass(), mass.inertia());
     }
@@ -147,17 +151,27 @@ public final class PhysicsWorld implements AutoCloseable {
   /**
    * Goes on by one step.
    *
-   * @throws SimulationException if a body moves so fast that the world has gone wrong: libode would
-   *     end the process when numbers overflow
+   * @throws SimulationException if a body then moves so fast that the world has gone wrong: libode
+   *     would end the process when numbers overflow. All bodies are where they were, and at rest
    */
   public void step() {
     for (Body body : bodies) {
-      body.requireSane();
+      body.remember();
     }
     findContacts();
-    dynamics.step(steps);
+    try {
+      dynamics.step(steps);
+      version++;
+      for (Body body : bodies) {
+        body.requireSane();
+      }
+    } catch (SimulationException e) {
+      for (Body body : bodies) {
+        body.restore();
+      }
+      throw e;
+    }
     steps++;
-    version++;
     for (Joint joint : joints) {
       joint.followAngle();
     }
@@ -259,9 +273,8 @@ public final class PhysicsWorld implements AutoCloseable {
    * @param seen which bodies count
    */
   public Optional<RayHit> castRay(Vec3 from, Vec3 direction, double length, Predicate<Body> seen) {
-    if (!from.isFinite() || !direction.isFinite() || !Double.isFinite(length)) {
-      throw new SimulationException("a ray that is not finite");
-    }
+    Bounds.within(from, 4 * Bounds.FARTHEST, "a ray");
+    Bounds.within(length, 4 * Bounds.FARTHEST, "the length of a ray");
     Vec3 unit = direction.normalized();
     List<Integer> candidates = new ArrayList<>();
     dynamics()

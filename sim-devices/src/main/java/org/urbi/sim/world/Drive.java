@@ -1,6 +1,7 @@
 package org.urbi.sim.world;
 
 import org.urbi.sim.SimulationException;
+import org.urbi.sim.physics.Bounds;
 import org.urbi.sim.physics.Joint;
 import org.urbi.sim.physics.JointDescription;
 
@@ -31,7 +32,7 @@ public final class Drive {
   Drive(Joint joint, Control control, double maxForce, double maxSpeed, double[] gains) {
     this.joint = joint;
     this.control = control;
-    this.maxForce = maxForce;
+    this.maxForce = Bounds.within(maxForce, Bounds.STRONGEST, name() + ": force");
     setMaxSpeed(maxSpeed);
     setGains(gains[0], gains[1], gains[2]);
   }
@@ -62,7 +63,7 @@ public final class Drive {
    * @throws SimulationException if it is negative or not finite
    */
   public void setMaxSpeed(double speed) {
-    if (!(SimulationException.finite(speed, name() + ": speed") >= 0)) {
+    if (!(Bounds.within(speed, Bounds.FASTEST, name() + ": speed") >= 0)) {
       throw new SimulationException(name() + ": speed: 0 or more expected, not " + speed);
     }
     maxSpeed = speed;
@@ -87,7 +88,7 @@ public final class Drive {
    */
   public void setGains(double newP, double newI, double newD) {
     for (double gain : new double[] {newP, newI, newD}) {
-      if (!(SimulationException.finite(gain, name() + ": gain") >= 0)) {
+      if (!(Bounds.within(gain, Bounds.STRONGEST, name() + ": gain") >= 0)) {
         throw new SimulationException(name() + ": gain: 0 or more expected, not " + gain);
       }
     }
@@ -138,7 +139,7 @@ public final class Drive {
    * @throws SimulationException if it is not a finite number
    */
   public double setTarget(double wanted) {
-    SimulationException.finite(wanted, name() + ": target");
+    Bounds.within(wanted, Bounds.FARTHEST, name() + ": target");
     double low = control == Control.POSITION ? joint.low() : -maxSpeed;
     double high = control == Control.POSITION ? joint.high() : maxSpeed;
     target = Math.clamp(wanted, low, high);

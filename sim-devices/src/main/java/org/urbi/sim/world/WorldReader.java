@@ -31,6 +31,12 @@ import org.urbi.sim.world.WorldFileException.Place;
  * stand before it.
  */
 public final class WorldReader {
+  /**
+   * With more bodies that move, a world has the quick solver unless it says otherwise: the time of
+   * the exact one grows with the cube of what touches.
+   */
+  private static final int MOST_EXACT = 40;
+
   private final Map<String, Substance> substances = new HashMap<>();
   private final Map<String, Map<String, Integer>> partNames = new HashMap<>();
   private SimulatedWorld world;
@@ -70,7 +76,10 @@ public final class WorldReader {
         head = block;
       }
     }
-    world = emptyWorld(head == null ? new Block("world", null, start) : head, engine);
+    long moving =
+        blocks.stream().filter(block -> block.kind().equals("body") && block.has("mass")).count();
+    Solver usual = moving > MOST_EXACT ? Solver.QUICK : Solver.EXACT;
+    world = emptyWorld(head == null ? new Block("world", null, start) : head, engine, usual);
     try {
       for (Block block : blocks) {
         if (block != head) {
@@ -121,22 +130,27 @@ public final class WorldReader {
 
   // ------------------------------------------------------------------ the world as a whole
 
-  private SimulatedWorld emptyWorld(Block block, String engine) {
+  private SimulatedWorld emptyWorld(Block block, String engine, Solver usual) {
     block.requireNoName();
     block.requireNoBlocks();
     SimulatedWorld[] made = new SimulatedWorld[1];
-    checked(block, () -> made[0] = settled(block, engine));
+    checked(block, () -> made[0] = settled(block, engine, usual));
     return made[0];
   }
 
-  private static SimulatedWorld settled(Block block, String engine) {
+  private static SimulatedWorld settled(Block block, String engine, Solver usual) {
     PhysicsSettings defaults = PhysicsSettings.DEFAULT;
     double[] gravity = block.numbers("gravity", 3, Unit.NONE);
     double step = block.number("step", Unit.TIME, defaults.step());
-    String solver = block.has("solver") ? block.requiredWord("solver") : "exact";
-    if (!solver.equals("exact") && !solver.equals("quick")) {
-      throw block.wrong("solver", "exact or quick expected, not '" + solver + "'");
-    }
+    String word = block.has("solver") ? block.requiredWord("solver") : Engines.ANY;
+    Solver solver =
+        switch (word) {
+          case "exact" -> Solver.EXACT;
+          case "quick" -> Solver.QUICK;
+          case Engines.ANY -> usual;
+          default ->
+              throw block.wrong("solver", "auto, exact or quick expected, not '" + word + "'");
+        };
     int iterations = block.integer("iterations", defaults.iterations());
     String named = block.word("engine");
     double ambient = fraction(block, "ambient", 0.4);
@@ -144,10 +158,7 @@ public final class WorldReader {
     block.finish();
     PhysicsSettings settings =
         new PhysicsSettings(
-            gravity == null ? defaults.gravity() : vector(gravity),
-            step,
-            solver.equals("exact") ? Solver.EXACT : Solver.QUICK,
-            iterations);
+            gravity == null ? defaults.gravity() : vector(gravity), step, solver, iterations);
     String chosen = engine != null ? engine : named != null ? named : Engines.ANY;
     SimulatedWorld world = new SimulatedWorld(new PhysicsWorld(Engines.named(chosen), settings));
     world.setLook(ambient, background);

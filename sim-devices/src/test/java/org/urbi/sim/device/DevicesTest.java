@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.embed.UrbiError;
+import org.urbi.kernel.library.LogLevel;
 import org.urbi.sim.vision.OpenCv;
 
 /** The devices as urbiscript sees them, plugged into a kernel in virtual time. */
@@ -24,6 +25,7 @@ class DevicesTest {
   @TempDir static Path folder;
 
   private final BlockingQueue<String> output = new LinkedBlockingQueue<>();
+  private final BlockingQueue<String> logged = new LinkedBlockingQueue<>();
   private Kernel kernel;
 
   @BeforeAll
@@ -33,17 +35,18 @@ class DevicesTest {
 
   @BeforeEach
   void start() {
-    kernel = kernel(output);
+    kernel = kernel(output, logged);
     build(kernel);
   }
 
-  private static Kernel kernel(BlockingQueue<String> output) {
+  private static Kernel kernel(BlockingQueue<String> output, BlockingQueue<String> logged) {
     return Kernel.builder()
         .virtualTime(true)
         .searchPath(List.of(Path.of("../share"), Path.of("../examples/ball-tracking")))
         .moduleSearchPath(List.of(folder))
         .output(output::add)
-        .log(line -> {})
+        .logLevel(LogLevel.LOG)
+        .log(logged::add)
         .start();
   }
 
@@ -115,11 +118,39 @@ class DevicesTest {
     kernel.eval("yaw.val = nan | sleep(1s)");
     complained("neck.yaw: target: not a finite number: NaN");
     assertEquals(limit, number("yaw.val"), 1e-2, "as before");
+    kernel.eval("yaw.val = inf | sleep(100ms)");
+    assertEquals(limit, number("yaw.val"), 1e-2, "as far as it goes");
+    kernel.eval("wheelL.val = nan | sleep(100ms)");
+    complained("wheel[left]: target: not a finite number: NaN");
+    assertEquals(0, number("wheelL.val"), 1e-2, "as before");
     kernel.eval("yaw.P = -1; sleep(10ms)");
     complained("neck.yaw: gain: 0 or more expected, not -1.0");
     assertEquals(20, number("yaw.P"), "as before");
+    kernel.eval("yaw.P = inf; sleep(10ms)");
+    complained("neck.yaw: gain: not a finite number: Infinity");
+    kernel.eval("yaw.speed = nan; sleep(10ms)");
+    complained("neck.yaw: speed: not a finite number: NaN");
+    assertEquals(4, number("yaw.speed"), "as before");
     kernel.eval("yaw.load = 2; sleep(10ms)");
     complained("neck.yaw: load: between 0 and 1 expected, not 2.0");
+  }
+
+  @Test
+  void targetsOutOfRangeAreWarnedOfOncePerExcursion() {
+    kernel.eval("yaw.val = 2 | yaw.val = 2.5 | yaw.val = 9 | yaw.val = 3");
+    assertEquals(1, logged.size(), logged.toString());
+    String warning = logged.poll();
+    assertTrue(
+        warning.matches(
+            "warning: SimServo_0x[0-9a-f]+\\.val: 2.5 is more than 2.094\\d+, the rangemax:"
+                + " limited to that"),
+        warning);
+    kernel.eval("yaw.val = 1 | yaw.val = -7 | yaw.val = -1");
+    assertTrue(logged.poll().contains(".val: -7.0 is less than -2.094"));
+    kernel.eval("wheelL.val = 99 | wheelL.val = 0");
+    assertTrue(logged.poll().contains("SimWheel_"));
+    assertTrue(logged.isEmpty(), logged.toString());
+    assertTrue(output.isEmpty(), "nothing is said in the session: " + output);
   }
 
   @Test
@@ -224,6 +255,11 @@ class DevicesTest {
     refused("SimServo.new(\"nobody\", \"neck.yaw\")", "no simulated world 'nobody'");
     refused("SimServo.new(s.world.__uobjectName, \"elbow\")", "no drive 'elbow' in this world");
     refused("SimServo.new(s.world.__uobjectName, \"wheel[left]\")", "use SimWheel");
+    refused("s.world.move(\"ball\", inf, 0, 0)", "ball: the velocity is not finite");
+    refused("s.world.move(\"ball\", 1e300, 0, 0)", "ball: the velocity: between -10000.0 and");
+    refused("s.world.push(\"ball\", 0, -inf, 0)", "ball: the force is not finite");
+    refused("s.world.place(\"ball\", 1e12, 0, 0)", "ball: the place: between -1000000.0 and");
+    refused("s.world.picture(0, 0, nan, 0, 0, 1, 10, 10)", "picture: not a finite number");
     refused("s.world.step(-1)", "step: 0 or more expected, not -1");
     assertEquals(3, number("1 + 2"), "the kernel goes on");
   }
@@ -244,7 +280,7 @@ class DevicesTest {
         java.util.stream.Stream.generate(
                 () -> {
                   BlockingQueue<String> said = new LinkedBlockingQueue<>();
-                  try (Kernel other = kernel(said)) {
+                  try (Kernel other = kernel(said, new LinkedBlockingQueue<>())) {
                     build(other);
                     other.eval(program);
                   }

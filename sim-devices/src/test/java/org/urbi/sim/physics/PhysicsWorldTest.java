@@ -6,6 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Random;
+import java.util.function.DoubleSupplier;
+import java.util.function.Supplier;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.urbi.sim.SimulationException;
@@ -302,14 +305,107 @@ class PhysicsWorldTest {
   @EnumSource
   void divergenceIsToldBeforeNumbersOverflow(TestedEngine engine) {
     try (PhysicsWorld world = engine.world(DEFAULT)) {
-      Body ball = Scenes.ball(world, "ball", 0.1, Vec3.ZERO, Material.DEFAULT);
-      ball.move(new Vec3(1e300, 0, 0), Vec3.ZERO);
+      Scenes.floor(world);
+      Body ball = Scenes.ball(world, "ball", 0.1, new Vec3(0, 0, 0.5), Material.DEFAULT);
+      Body other = Scenes.ball(world, "other", 0.1, new Vec3(2, 0, 0.5), Material.DEFAULT);
+      Scenes.run(world, 50);
+      double height = ball.pose().position().z();
+      for (int i = 0; i < 1000; i++) {
+        ball.push(new Vec3(1e12, 0, 0), new Vec3(1e6, 1e6, 0));
+      }
       String message = assertThrows(SimulationException.class, world::step).getMessage();
       assertTrue(message.startsWith("ball: moves or turns faster than 10000.0 m/s"), message);
-      ball.move(Vec3.ZERO, Vec3.ZERO);
-      world.step();
-      assertTrue(ball.pose().isFinite());
+      assertEquals(50, world.steps());
+      assertEquals(height, ball.pose().position().z(), 1e-12, "where it was");
+      assertEquals(Vec3.ZERO, ball.velocity(), "at rest");
+      assertEquals(Vec3.ZERO, other.velocity());
+      // Whoever looks or measures meets nothing that is not finite, and it can go on.
+      assertEquals(
+          1.9,
+          world.castRay(new Vec3(0, 0, height), Vec3.X, 9, body -> body != ball).get().distance(),
+          1e-6);
+      Scenes.run(world, 1000);
+      assertEquals(0.1, ball.pose().position().z(), 1e-3, "on the floor");
     }
+  }
+
+  /** Whatever is done to it, a world says what is wrong, and the process lives on. */
+  @ParameterizedTest
+  @EnumSource
+  void extremeNumbersNeverEndTheProcess(TestedEngine engine) {
+    double[] numbers = {
+      0,
+      1,
+      -1,
+      1e-3,
+      1e3,
+      1e-6,
+      1e6,
+      -1e6,
+      1e-9,
+      9999,
+      1e12,
+      1e-300,
+      1e300,
+      -1e308,
+      Double.MIN_VALUE,
+      Double.MAX_VALUE,
+      Double.NaN,
+      Double.POSITIVE_INFINITY
+    };
+    Random random = new Random(17);
+    DoubleSupplier some = () -> numbers[random.nextInt(numbers.length)];
+    Supplier<Vec3> vector =
+        () -> new Vec3(some.getAsDouble(), some.getAsDouble(), some.getAsDouble());
+    int refusals = 0;
+    int steps = 0;
+    for (int round = 0; round < 300; round++) {
+      PhysicsSettings settings =
+          random.nextBoolean() ? DEFAULT : DEFAULT.withSolver(PhysicsSettings.Solver.QUICK, 20);
+      try (PhysicsWorld world = engine.world(settings)) {
+        Scenes.floor(world);
+        Joint pivot = Scenes.pendulum(world, 0.5);
+        Body ball = Scenes.ball(world, "ball", 0.1, new Vec3(1, 0, 0.3), Material.DEFAULT);
+        for (int i = 0; i < 30; i++) {
+          Body body = random.nextBoolean() ? ball : pivot.second();
+          int what = random.nextInt(9);
+          try {
+            switch (what) {
+              case 0 -> body.place(Pose.at(vector.get()));
+              case 1 -> body.move(vector.get(), vector.get());
+              case 2 -> body.push(vector.get(), vector.get());
+              case 3 -> pivot.drive(some.getAsDouble(), some.getAsDouble());
+              case 4 -> pivot.push(some.getAsDouble());
+              case 5 -> world.castRay(vector.get(), vector.get(), some.getAsDouble(), b -> true);
+              case 6 ->
+                  world.add(
+                      new BodyDescription(
+                          "made",
+                          Pose.at(vector.get()),
+                          some.getAsDouble(),
+                          List.of(
+                              new Part(
+                                  new Shape.Box(
+                                      some.getAsDouble(), some.getAsDouble(), some.getAsDouble()),
+                                  new Pose(vector.get(), Rotation.about(new Vec3(1, 1, 1), 0.7)),
+                                  Material.DEFAULT))));
+              case 7 ->
+                  world.add(
+                      new JointDescription(
+                          "joint", Kind.SLIDER, null, body, vector.get(), vector.get()));
+              default -> {
+                world.step();
+                steps++;
+              }
+            }
+          } catch (SimulationException e) {
+            refusals++;
+          }
+          assertTrue(ball.pose().isFinite() && pivot.second().pose().isFinite());
+        }
+      }
+    }
+    assertTrue(refusals > 1000 && steps > 300, refusals + " refusals, " + steps + " steps");
   }
 
   @ParameterizedTest
@@ -321,7 +417,7 @@ class PhysicsWorldTest {
       Body bob = pivot.second();
       Vec3 nan = new Vec3(Double.NaN, 0, 0);
       refused("bob: the place is not finite", () -> bob.place(Pose.at(nan)));
-      refused("bob: the velocity is not finite", () -> bob.move(Vec3.ZERO, nan));
+      refused("bob: the spin is not finite", () -> bob.move(Vec3.ZERO, nan));
       refused("bob: the force is not finite", () -> bob.push(nan, Vec3.ZERO));
       refused("pivot: velocity: not a finite number: NaN", () -> pivot.drive(Double.NaN, 1));
       refused("pivot: force: 0 or more expected, not -1.0", () -> pivot.drive(0, -1));

@@ -155,4 +155,73 @@ class WorldReaderTest {
         binary + ": not a text in UTF-8",
         assertThrows(SimulationException.class, () -> WorldReader.read(binary, null)).getMessage());
   }
+
+  /** Carts with four driven wheels each, side by side. */
+  private static String carts(int count, String solver) {
+    StringBuilder text = new StringBuilder("world { " + solver + " }\nbody floor { plane {} }\n");
+    for (int cart = 0; cart < count; cart++) {
+      text.append(
+          "body c%d { at 0 %d 0.2; mass 2; box { size 0.5 0.3 0.1 } }\n".formatted(cart, cart));
+      for (int wheel = 0; wheel < 4; wheel++) {
+        text.append(
+            """
+            body w%1$d%2$d { from c%1$d; at %3$s %4$s -0.1; turn 90 0 0 deg; mass 0.2; cylinder { radius 0.1; length 0.05 } }
+            hinge a%1$d%2$d { of c%1$d w%1$d%2$d; axis 0 0 -1; drive speed; force 1; speed 20 }
+            """
+                .formatted(
+                    cart, wheel, wheel < 2 ? "0.2" : "-0.2", wheel % 2 == 0 ? "0.2" : "-0.2"));
+      }
+    }
+    return text.toString();
+  }
+
+  @Test
+  void theSolverFitsTheSizeUnlessItIsNamed() {
+    String[][] cases = {
+      {"8", "", "EXACT"},
+      {"9", "", "QUICK"},
+      {"9", "solver auto", "QUICK"},
+      {"9", "solver exact", "EXACT"},
+      {"1", "solver quick", "QUICK"}
+    };
+    for (String[] one : cases) {
+      try (SimulatedWorld world = read(carts(Integer.parseInt(one[0]), one[1]))) {
+        assertEquals(one[2], world.physics().settings().solver().toString(), String.join(" ", one));
+      }
+    }
+    assertEquals(
+        "a.world:1.9: solver: auto, exact or quick expected, not 'good'",
+        assertThrows(SimulationException.class, () -> read("world { solver good }")).getMessage());
+  }
+
+  @Test
+  void manyCartsDriveAsTheyShouldWithTheirUsualSolver() {
+    try (SimulatedWorld world = read(carts(9, ""))) {
+      world.drives().forEach(drive -> drive.setTarget(5));
+      for (int i = 0; i < 2000; i++) {
+        world.step();
+      }
+      for (Drive drive : world.drives()) {
+        assertEquals(5, drive.sensed(), 0.05, drive.name());
+        Vec3 axle =
+            drive
+                .joint()
+                .first()
+                .pose()
+                .rotation()
+                .inverse()
+                .apply(
+                    drive
+                        .joint()
+                        .second()
+                        .pose()
+                        .position()
+                        .minus(drive.joint().first().pose().position()));
+        assertEquals(0.2, Math.abs(axle.x()), 1e-3, drive.name());
+        assertEquals(0.2, Math.abs(axle.y()), 1e-3, drive.name());
+        assertEquals(-0.1, axle.z(), 1e-3, drive.name());
+      }
+      assertEquals(1, world.body("c4").pose().position().x(), 0.1, "2 s at 0.5 m/s");
+    }
+  }
 }

@@ -210,12 +210,59 @@ class SimulatedRobotTest {
     assertEquals("\"rgb 320 240\"", answer(client, "camera.val.keywords"));
     awaitAnswer(client, "ball.visible", "1");
     assertEquals("true", answer(client, "ball.x > 0"), "on the right");
-    String told = String.join("\n", client.answers("s.world.place(\"nothing\", 1, 2, 3);"));
+    String told = said(client, "s.world.place(\"nothing\", 1, 2, 3)");
     assertTrue(told.contains("no body 'nothing' in this world; it has ground, north"), told);
     client.answers("yaw.val = nan; yaw.P = -1; camera.format = 99;");
     awaitAnswer(client, "camera.format", "1");
     awaitAnswer(client, "yaw.P", "20");
     assertEquals("true", answer(client, "(yaw.val - 0.4).abs < 0.01"), "as before");
+  }
+
+  @Test
+  void withoutNativeLibrariesItSaysSoAndGoesOn(@TempDir Path folder) throws Exception {
+    Path notAFolder = Files.writeString(folder.resolve("file"), "");
+    Path broken = Files.writeString(folder.resolve("broken.world"), "body x {\n  mass 1 cm\n}\n");
+    Map<String, String> environment =
+        Map.of(
+            "URBI_UOBJECT_PATH",
+            built.toString(),
+            "JAVA_TOOL_OPTIONS",
+            "-Durbi.libode=/no/such/libode.so -Durbi.cache=" + notAFolder.resolve("cache"));
+    Setting bare = new Setting(ROOT, environment, root.classPath());
+    try (JavaProcess urbi = JavaProcess.start(bare, URBI, List.of("-P", "0"));
+        ServerProcess server = new ServerProcess(urbi);
+        ConsoleClient client = server.connect()) {
+      client.answers(
+          """
+          requireFile("urbi/sim.u")|;
+          var Global.s = Simulation.new("examples/ball-tracking/table.world")|;
+          s.robot.makeCompactNames|;
+          """);
+      assertTrue(answer(client, "s.world.engine").contains("ode4j"));
+      assertTrue(
+          answer(client, "s.world.whyNotNative").contains("libode not found (looked for /no/such"));
+      client.answers("yaw.val = 0.4;");
+      awaitAnswer(client, "(yaw.val - 0.4).abs < 0.01", "true");
+      assertEquals("\"jpeg 320 240\"", answer(client, "camera.format = 3 | camera.val.keywords"));
+      String told = said(client, "BallDetector.new(camera.__uobjectName + \".val\")");
+      assertTrue(told.contains("OpenCV cannot be unpacked: "), told);
+      told = said(client, "ImageFilter.new(camera.__uobjectName + \".val\")");
+      assertTrue(told.contains("OpenCV cannot be unpacked: "), told);
+      told = said(client, "Simulation.new(\"" + broken + "\")");
+      assertTrue(
+          told.contains("broken.world:2.10: mass: unknown unit 'cm'; it is in kg or g"), told);
+      told = said(client, "s.showPage(77777, nil)");
+      assertTrue(told.contains("page: port: between 0 and 65535 expected, not 77777"), told);
+      assertTrue(answer(client, "s.showPage(0, nil).url").startsWith("\"http://localhost:"));
+      assertEquals("3", answer(client, "1 + 2"));
+      assertEquals(0, server.shutDown(), server::text);
+      assertTrue(!server.text().contains("\tat "), server::text);
+    }
+  }
+
+  /** All that is answered to an expression. */
+  private static String said(ConsoleClient client, String expression) throws Exception {
+    return String.join("\n", client.answers(expression + ";"));
   }
 
   /** What an expression is. */

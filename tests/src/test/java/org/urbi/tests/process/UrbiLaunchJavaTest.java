@@ -23,7 +23,6 @@ import urbi.UObject;
 /** The command lines of the manual's chapters 3 and 5, as they are printed there. */
 class UrbiLaunchJavaTest {
   private static final String LAUNCH = "org.urbi.server.launch.UrbiLaunchJava";
-  private static final String SEND = "org.urbi.server.tools.UrbiSend";
   private static final Path MACHINE = Modules.SOURCES.resolve("machine.uob");
 
   private static final String THROWER =
@@ -74,28 +73,16 @@ class UrbiLaunchJavaTest {
     Files.copy(modules.jar(module), folder.resolve(module + ".jar"));
   }
 
-  private JavaProcess launch(String... arguments) throws IOException {
-    return JavaProcess.start(here, LAUNCH, List.of(arguments));
+  private Launch program() {
+    return new Launch(here, LAUNCH);
   }
 
-  /** Runs a program to its end, which has to be a good one; time stamps do not count. */
-  private String output(String mainClass, String... arguments) throws Exception {
-    try (JavaProcess process = JavaProcess.start(here, mainClass, List.of(arguments))) {
-      assertEquals(0, process.awaitEnd(), process::text);
-      return plain(process.text());
-    }
+  private JavaProcess launch(String... arguments) throws IOException {
+    return program().start(arguments);
   }
 
   private void failsToLaunch(String message, String... arguments) throws Exception {
-    try (JavaProcess process = launch(arguments)) {
-      assertEquals(1, process.awaitEnd(), process::text);
-      assertTrue(process.text().contains(message), process::text);
-      assertTrue(!process.text().contains("\tat "), process::text);
-    }
-  }
-
-  private static String plain(String text) {
-    return text.replaceAll("(?m)^\\[\\d{8,}", "[").replaceAll("0x[0-9a-f]+", "0x");
+    program().fails(1, message, arguments);
   }
 
   private static int freePort() throws IOException {
@@ -112,9 +99,9 @@ class UrbiLaunchJavaTest {
     try (JavaProcess urbi = launch("--start", "machine.jar", "--", "--interactive")) {
       urbi.awaitText("Urbi");
       urbi.send("var f = UMachine.new(10ms);\n");
-      urbi.awaitLine(line -> plain(line).equals("[] UMachine_0x"));
+      urbi.awaitLine(line -> Launch.plain(line).equals("[] UMachine_0x"));
       urbi.send("f.assemble([\"Hello, \", \"World!\"]);\n");
-      urbi.awaitLine(line -> plain(line).equals("[] \"Hello, World!\""));
+      urbi.awaitLine(line -> Launch.plain(line).equals("[] \"Hello, World!\""));
       urbi.send("shutdown;\n");
       assertEquals(0, urbi.awaitEnd(), urbi::text);
     }
@@ -127,25 +114,9 @@ class UrbiLaunchJavaTest {
             launch("-s", "machine", "-H", "127.0.0.1", "-P", "0", "-w", "port", "-d", "LOG");
         ServerProcess server = new ServerProcess(urbi)) {
       assertEquals(server.port() + "\n", Files.readString(folder.resolve("port")));
-      talkByUrbiSend("--port-file=port");
+      program().talkByUrbiSend("--port-file=port");
       assertEquals(0, server.shutDown(), server::text);
     }
-  }
-
-  /** The dialogue at the end of "Running UObjects". */
-  private void talkByUrbiSend(String where) throws Exception {
-    String first = output(SEND, where, "-e", "UMachine.assemble([12, 34]);", "--quit");
-    assertTrue(first.endsWith("[] \"1234\""), first);
-    String second =
-        output(
-            SEND,
-            where,
-            "-e",
-            "var f = UMachine.new(10ms)|",
-            "-e",
-            "f.assemble([\"ab\", \"cd\"]);",
-            "--quit");
-    assertTrue(second.endsWith("[] \"abcd\""), second);
   }
 
   @Test
@@ -153,9 +124,9 @@ class UrbiLaunchJavaTest {
     copy("machine");
     try (ServerProcess server = ServerProcess.in(built)) {
       String port = "--port=" + server.port();
-      assertEquals("", output(LAUNCH, "--plugin", port, "machine"));
-      assertEquals("", output(LAUNCH, "-p", port, modules.jar("adder").toString()));
-      talkByUrbiSend(port);
+      assertEquals("", program().output("--plugin", port, "machine"));
+      assertEquals("", program().output("-p", port, modules.jar("adder").toString()));
+      program().talkByUrbiSend(port);
       failsToLaunch("urbi-launch-java: file not found: nowhere", "--plugin", port, "nowhere");
       assertEquals(0, server.shutDown(), server::text);
     }
@@ -185,7 +156,7 @@ class UrbiLaunchJavaTest {
     try (ServerProcess server = ServerProcess.in(folder, "--port-file", "port");
         JavaProcess machine = launch("--port-file", "port", "machine.jar")) {
       machine.awaitText("running on 127.0.0.1:" + server.port());
-      talkByUrbiSend("--port-file=port");
+      program().talkByUrbiSend("--port-file=port");
       assertEquals(0, server.shutDown(), server::text);
       machine.awaitEnd();
     }
@@ -215,7 +186,7 @@ class UrbiLaunchJavaTest {
                 "urbi.UMain",
                 List.of("./machine.jar", "-P", String.valueOf(server.port())))) {
       machine.awaitText("running on 127.0.0.1:" + server.port());
-      talkByUrbiSend("--port=" + server.port());
+      program().talkByUrbiSend("--port=" + server.port());
       assertEquals(0, server.shutDown(), server::text);
       machine.awaitEnd();
     }
@@ -242,7 +213,7 @@ class UrbiLaunchJavaTest {
                 "Main",
                 List.of("-P", String.valueOf(server.port())))) {
       program.awaitText("running on 127.0.0.1:" + server.port());
-      talkByUrbiSend("--port=" + server.port());
+      program().talkByUrbiSend("--port=" + server.port());
       assertEquals(0, server.shutDown(), server::text);
       program.awaitEnd();
     }
@@ -254,7 +225,7 @@ class UrbiLaunchJavaTest {
     try (ServerProcess server = ServerProcess.in(folder);
         JavaProcess machine = launch("-P" + server.port(), "-d", "TRACE", "machine")) {
       machine.awaitText("running on 127.0.0.1:" + server.port());
-      talkByUrbiSend("--port=" + server.port());
+      program().talkByUrbiSend("--port=" + server.port());
       machine.awaitText("UMachine.assemble[[12, 34]]");
       failsToLaunch("no level of messages: LOUD", "-P" + server.port(), "-d", "LOUD", "machine");
       assertEquals(0, server.shutDown(), server::text);
@@ -290,7 +261,7 @@ class UrbiLaunchJavaTest {
     try (ServerProcess server = ServerProcess.in(folder);
         JavaProcess machine = launch("-P" + server.port(), "-c", library.toString(), "module")) {
       machine.awaitText("running on 127.0.0.1:" + server.port());
-      talkByUrbiSend("--port=" + server.port());
+      program().talkByUrbiSend("--port=" + server.port());
       assertEquals(0, server.shutDown(), server::text);
       machine.awaitEnd();
     }
@@ -339,9 +310,9 @@ class UrbiLaunchJavaTest {
 
   @Test
   void whatIsAskedForIsTold() throws Exception {
-    assertEquals(folder.toString(), output(LAUNCH, "--print-root"));
-    assertEquals("", output(LAUNCH, "--check"));
-    assertTrue(output(LAUNCH, "--version").startsWith("urbi-launch-java version "));
-    assertTrue(output(LAUNCH, "--help").contains("--port-file"));
+    assertEquals(folder.toString(), program().output("--print-root"));
+    assertEquals("", program().output("--check"));
+    assertTrue(program().output("--version").startsWith("urbi-launch-java version "));
+    assertTrue(program().output("--help").contains("--port-file"));
   }
 }

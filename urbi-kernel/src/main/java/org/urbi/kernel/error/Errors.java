@@ -146,6 +146,11 @@ public final class Errors {
         .build();
   }
 
+  /** {@code routine: cannot inherit from a Finalizable without being one}. */
+  public UrbiException finalizable(String routine) {
+    return primitive(routine, "cannot inherit from a Finalizable without being one");
+  }
+
   /** The text of an arity error. */
   public static String arityMessage(String routine, int given, int min, int max) {
     String expected;

@@ -1,5 +1,6 @@
 package org.urbi.kernel.event;
 
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.Timers;
@@ -76,7 +77,11 @@ public final class AtCondition extends Node {
         return;
       }
       boolean before = holds;
-      holds = Truth.of(handler.home().in(evaluator), value);
+      try {
+        holds = Truth.of(handler.home().in(evaluator), value);
+      } catch (UrbiException e) {
+        throw handler.home().located(e, condition.span());
+      }
       if (holds == before) {
         return;
       }

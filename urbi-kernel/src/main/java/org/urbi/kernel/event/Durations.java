@@ -25,7 +25,33 @@ public final class Durations {
     }
     var interpreter = frame.interpreter();
     throw frame.located(
-        interpreter.errors().argumentType("duration", 0, value, interpreter.values().floatProto),
+        interpreter.errors().argumentType("duration", 1, value, interpreter.values().floatProto),
+        expression.span());
+  }
+
+  /**
+   * The value of an expression in nanoseconds.
+   *
+   * @param routine what it is the period of
+   * @throws org.urbi.kernel.error.UrbiException unless it is positive: time would stand still
+   */
+  static long positive(Frame frame, Node expression, String routine) {
+    long nanoseconds = nanoseconds(frame, expression);
+    if (nanoseconds > 0) {
+      return nanoseconds;
+    }
+    UrbiObject value = expression.execute(frame);
+    throw frame.located(
+        frame
+            .interpreter()
+            .errors()
+            .badNumber(
+                "NonPositiveNumber",
+                routine,
+                "unexpected "
+                    + frame.interpreter().asString(frame, value)
+                    + ", expected positive number",
+                value),
         expression.span());
   }
 

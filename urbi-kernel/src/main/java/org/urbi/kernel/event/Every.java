@@ -50,7 +50,7 @@ public final class Every extends Node {
     @Override
     public boolean test(Frame frame) {
       Job job = frame.job();
-      long interval = Durations.nanoseconds(frame, period);
+      long interval = Durations.positive(frame, period, "every");
       if (due < 0) {
         due = now(job) + interval;
         return true;

@@ -21,7 +21,15 @@ public final class WatchExpression extends Node {
     Frame home = frame.fork(frame.job(), false);
     Watch watch =
         new Watch(home, expression, (value, evaluator) -> event.emit(evaluator, false, value));
-    watch.evaluate(frame.job());
+    boolean ready = false;
+    try {
+      watch.evaluate(frame.job());
+      ready = true;
+    } finally {
+      if (!ready) {
+        watch.close();
+      }
+    }
     TagScope scope = frame.job().scope();
     scope.add(
         new TagScope.Attachment() {

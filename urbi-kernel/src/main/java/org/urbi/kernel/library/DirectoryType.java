@@ -210,6 +210,7 @@ final class DirectoryType {
 
   private static UrbiObject copied(Frame frame, CallSite site, UrbiDirectory self, UrbiPath to) {
     checkAbsent(frame, site, to);
+    FileAccess.checkPlace(frame, site, to);
     UrbiPath from = path(frame, site, self);
     FileAccess.changeSlowly(
         frame, site, from, () -> FileAccess.disk(frame).copyTree(from.file(), to.file()));
@@ -228,6 +229,7 @@ final class DirectoryType {
 
   private static UrbiObject moved(Frame frame, CallSite site, UrbiDirectory self, UrbiPath to) {
     checkAbsent(frame, site, to);
+    FileAccess.checkPlace(frame, site, to);
     UrbiPath from = path(frame, site, self);
     FileAccess.changeSlowly(
         frame, site, from, () -> FileAccess.disk(frame).move(from.file(), to.file()));

@@ -6,6 +6,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.ClassNodes;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -26,7 +27,11 @@ final class EnumerationType {
       UrbiObject value = self.cloned();
       value.addSlot(frame.interpreter().symbols().asString, each);
       values.add(value);
-      self.addSlot(self.world().symbol(frame.interpreter().asString(frame, each)), value);
+      Symbol symbol = self.world().symbol(frame.interpreter().asString(frame, each));
+      if (self.hasLocalSlot(symbol)) {
+        throw frame.interpreter().errors().redefinition(symbol.name());
+      }
+      self.addSlot(symbol, value);
     }
     self.addSlot(self.world().symbol("values"), frame.interpreter().values().list(values));
   }

@@ -128,6 +128,13 @@ final class FileAccess {
     }
   }
 
+  /** Something is to be moved or copied there: there must be a directory for it. */
+  static void checkPlace(Frame frame, CallSite site, UrbiPath to) {
+    if (!isDirectory(frame, site, PathType.dirname(to))) {
+      throw error(frame, site, "no such file or directory", to);
+    }
+  }
+
   /** Something that changes files. */
   interface Change {
     void run() throws IOException;

@@ -215,6 +215,7 @@ final class FileType {
     if (FileAccess.isDirectory(frame, site, to)) {
       throw FileAccess.error(frame, site, "is a directory", to);
     }
+    FileAccess.checkPlace(frame, site, to);
     FileAccess.changeSlowly(
         frame, site, from, () -> FileAccess.disk(frame).replace(from.file(), to.file()));
     self.setPath(to);

@@ -2,7 +2,6 @@ package org.urbi.kernel.library;
 
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
-import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
@@ -22,15 +21,10 @@ final class FinalizableType {
   static void finalize(UrbiObject self) {}
 
   /** Refuses a prototype that would make an object finalizable which was not made so. */
-  static void check(Frame frame, CallSite site, UrbiObject self, UrbiObject proto) {
+  static void check(Frame frame, String routine, UrbiObject self, UrbiObject proto) {
     UrbiObject finalizable = self.world().prototype("Finalizable");
     if (!(self instanceof UrbiFinalizable) && proto.isA(finalizable)) {
-      throw frame
-          .interpreter()
-          .errors()
-          .primitive(
-              site.calledName() == null ? "updateSlot" : site.calledName(),
-              "cannot inherit from a Finalizable without being one");
+      throw frame.interpreter().errors().finalizable(routine == null ? "updateSlot" : routine);
     }
   }
 }

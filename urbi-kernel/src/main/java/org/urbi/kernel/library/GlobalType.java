@@ -13,7 +13,7 @@ import org.urbi.kernel.object.UrbiObject;
 /** What can be named from everywhere (manual, "Global"). */
 @UrbiType(
     value = "Global",
-    protos = {"Tag.tags", "Control", "Math", "System", "uobjects"},
+    protos = {"Tag.tags", "Math", "System", "uobjects"},
     doc = "The namespace of all objects.")
 final class GlobalType {
   private static final Pattern NAMES = Pattern.compile("[A-Za-z_]\\w*(\\.[A-Za-z_]\\w*)*");

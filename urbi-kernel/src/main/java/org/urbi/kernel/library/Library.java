@@ -163,6 +163,9 @@ public final class Library {
     script(types.get("TrajectoryGenerator.Until"), "run", TrajectoryUntil.RUN);
     script(types.get("TrajectoryGenerator.Sequence"), "run", TrajectorySequence.RUN);
     EventType.fill(types.get("Event"));
+    for (String name : List.of("detach", "disown", "persist", "waituntil")) {
+      global.addSlot(world.symbol(name), types.get("Control").localSlot(world.symbol(name)));
+    }
     UrbiObject lobby = types.get("Lobby");
     lobby.setProtos(topLevel);
     lobby.addSlot(world.symbol("topLevel"), topLevel);

@@ -12,6 +12,9 @@ import org.urbi.kernel.object.UrbiObject;
 
 /** One motion of one variable (manual, "TrajectoryGenerator"): what all the kinds share. */
 final class Motion {
+  /** The period of a kernel which has none, in seconds. */
+  private static final double PERIOD = 0.02;
+
   /** The value of a variable at a time since the beginning, in seconds. */
   interface Curve {
     double at(double seconds);
@@ -140,7 +143,8 @@ final class Motion {
   /** Waits for the period of the kernel, or less if less is left. */
   private void pause(double left) {
     UrbiObject period = frame.interpreter().send(frame, self, "period");
-    double step = period instanceof UrbiFloat seconds ? seconds.value() : 0.02;
+    double step =
+        period instanceof UrbiFloat seconds && seconds.value() > 0 ? seconds.value() : PERIOD;
     job.sleepUntil(
         job.scheduler().now() + Math.max(1, Durations.nanoseconds(Math.min(step, left))));
   }

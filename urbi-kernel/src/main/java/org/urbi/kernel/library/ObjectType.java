@@ -32,7 +32,7 @@ final class ObjectType {
 
   @Builtin(doc = "Puts a prototype in front of the others.")
   static UrbiObject addProto(Frame frame, CallSite site, UrbiObject self, UrbiObject proto) {
-    FinalizableType.check(frame, site, self, proto);
+    FinalizableType.check(frame, site.calledName(), self, proto);
     checkNumber(frame, site, self, proto);
     self.addProto(proto);
     return self;
@@ -149,8 +149,8 @@ final class ObjectType {
   }
 
   @Builtin(value = "protos", setter = true, doc = "Replaces the list of the prototypes.")
-  static void assignProtos(Frame frame, CallSite site, UrbiObject self, UrbiList protos) {
-    setProtos(frame, site, self, protos);
+  static void assignProtos(Frame frame, UrbiObject self, UrbiList protos) {
+    replaceProtos(frame, "updateSlot", self, protos);
   }
 
   @Builtin(doc = "Takes a prototype away.")
@@ -161,8 +161,12 @@ final class ObjectType {
 
   @Builtin(doc = "Replaces the list of the prototypes.")
   static void setProtos(Frame frame, CallSite site, UrbiObject self, UrbiList protos) {
+    replaceProtos(frame, site.calledName(), self, protos);
+  }
+
+  private static void replaceProtos(Frame frame, String routine, UrbiObject self, UrbiList protos) {
     for (UrbiObject proto : protos.elements()) {
-      FinalizableType.check(frame, site, self, proto);
+      FinalizableType.check(frame, routine, self, proto);
     }
     self.setProtos(new LinkedHashSet<>(protos.elements()).toArray(UrbiObject[]::new));
   }

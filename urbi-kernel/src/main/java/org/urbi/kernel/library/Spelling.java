@@ -72,12 +72,12 @@ public final class Spelling {
 
   /**
    * The first of the most alike candidates which somebody may have meant by a name: long words with
-   * two mistakes, short ones with one; null when there is none.
+   * two mistakes, short ones with one; null when there is none, or the name itself is one.
    */
   static String meant(String name, Collection<String> candidates) {
     int least = MOST_EDITS + 1;
     String meant = null;
-    if (name.length() > LONGEST_NAME) {
+    if (name.length() > LONGEST_NAME || candidates.contains(name)) {
       return null;
     }
     for (String candidate : candidates) {

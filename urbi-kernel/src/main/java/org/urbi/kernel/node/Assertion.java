@@ -56,7 +56,7 @@ public final class Assertion extends Node {
     }
     if (claim.message == null) {
       UrbiObject value = claim.whole.execute(frame);
-      if (!Truth.of(frame, value)) {
+      if (!holds(frame, value)) {
         // A construct, printed on lines of its own, says what it does: no value is added.
         fail(
             frame,
@@ -69,10 +69,18 @@ public final class Assertion extends Node {
     UrbiObject target = claim.target == null ? frame.self : claim.target.execute(frame);
     Recorder recorder = new Recorder(claim, span());
     UrbiObject value = recorder.send(frame, target);
-    if (!Truth.of(frame, value)) {
+    if (!holds(frame, value)) {
       fail(frame, recorder.shown(frame, target, value));
     }
     return interpreter.values().voidObject;
+  }
+
+  private boolean holds(Frame frame, UrbiObject value) {
+    try {
+      return Truth.of(frame, value);
+    } catch (UrbiException e) {
+      throw frame.located(e, span());
+    }
   }
 
   /**

@@ -1,6 +1,7 @@
 package org.urbi.kernel.node;
 
 import java.util.List;
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
@@ -33,6 +34,9 @@ public final class ClassNodes {
       UrbiObject[] parents = new UrbiObject[protos.length];
       for (int i = 0; i < parents.length; i++) {
         parents[i] = Arguments.notVoid(frame, protos[i], span());
+        if (parents[i].isA(interpreter.world().prototype("Finalizable"))) {
+          throw frame.located(interpreter.errors().finalizable("apply"), span());
+        }
       }
       UrbiObject first = parents.length == 0 ? interpreter.values().object : parents[0];
       UrbiObject object = first.cloned();
@@ -82,8 +86,12 @@ public final class ClassNodes {
     public UrbiObject execute(Frame frame) {
       var values = interpreter.values();
       UrbiObject names = values.list(members.stream().map(values::string).toList());
-      return interpreter.send(
-          frame, interpreter.prototypes.enumeration, "new", values.string(name), names);
+      try {
+        return interpreter.send(
+            frame, interpreter.prototypes.enumeration, "new", values.string(name), names);
+      } catch (UrbiException e) {
+        throw frame.located(e, span());
+      }
     }
   }
 }

@@ -1,6 +1,7 @@
 package org.urbi.kernel.node;
 
 import java.util.List;
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiFloat;
@@ -77,13 +78,18 @@ public final class ForEach extends Node implements CallSite {
   }
 
   private UrbiObject over(Frame frame, UrbiObject range) {
-    if (range instanceof UrbiFloat number && isOfLibrary(range)) {
+    if (range instanceof UrbiFloat number && isCount(number.value()) && isOfLibrary(range)) {
       return overNumber(frame, number.value());
     }
     if (range instanceof UrbiList list && isOfLibrary(range)) {
       return overList(frame, list);
     }
     return send(frame, range);
+  }
+
+  /** Any other number is no range: its {@code each} says so. */
+  private static boolean isCount(double number) {
+    return number == (int) number;
   }
 
   private boolean isOfLibrary(UrbiObject over) {
@@ -163,7 +169,11 @@ public final class ForEach extends Node implements CallSite {
   /** Any other range: gives its {@code each} the body as a function. */
   private UrbiObject send(Frame frame, UrbiObject over) {
     UrbiObject action = new Body(frame.interpreter.prototypes.codeShape, frame);
-    frame.interpreter.send(frame, this, over, each, action);
+    try {
+      frame.interpreter.send(frame, this, over, each, action);
+    } catch (UrbiException e) {
+      throw frame.located(e, range.span());
+    }
     return frame.interpreter.values().voidObject;
   }
 

@@ -123,9 +123,9 @@ public final class Network {
   }
 
   private static int port(String name) throws IOException {
-    if (!name.isEmpty() && name.chars().allMatch(Character::isDigit)) {
+    if (name.matches("-?[0-9]+")) {
       int port = name.length() > 5 ? MAXIMUM_PORT + 1 : Integer.parseInt(name);
-      if (port > MAXIMUM_PORT) {
+      if (port < 0 || port > MAXIMUM_PORT) {
         throw new IOException("invalid port: " + name);
       }
       return port;

@@ -325,9 +325,24 @@ public final class RemotePeer {
       if (prototype != null) {
         object.bindLike(prototype);
       }
-      write(o -> o.begin(Frame.NEW).text(className).text(name).end());
+      constructThere(className, name);
     }
     return object;
+  }
+
+  /**
+   * Has the process make the other side, and waits for it: what its constructor binds is there for
+   * whoever has asked for the object. What it throws, calls of the object will tell.
+   */
+  private void constructThere(String className, String name) {
+    var done = new CompletableFuture<UValue>();
+    int number = ++lastCall;
+    calls.put(number, done);
+    write(o -> o.begin(Frame.NEW).text(className).text(name).size(number).end());
+    if (!tasks.areRunning()) {
+      reading.asked(this);
+      context.await(done);
+    }
   }
 
   /** The process has made an object by itself. */

@@ -17,6 +17,7 @@ import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.Timers;
 import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.library.KernelControl;
+import org.urbi.kernel.library.LogLevel;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
@@ -264,6 +265,13 @@ public final class PluggedContext implements UContext {
     }
   }
 
+  /** Puts a warning into the log. */
+  void warn(String message) {
+    if (LogLevel.LOG.compareTo(kernel.logLevel()) <= 0) {
+      kernel.log("warning: " + message);
+    }
+  }
+
   /** Calls a function in a job, and reports what it throws. */
   void callBack(Job job, UrbiObject lobby, UCallback callback) {
     Frame frame = Frame.top(interpreter, job, lobby, new FrameLayout());
@@ -496,14 +504,28 @@ public final class PluggedContext implements UContext {
       Timers.Timer limit =
           scheduler.timers().add(scheduler.now() + most.toNanos(), () -> stage.cancel(false));
       try {
-        new Awaited(frame.job()).await(stage);
-      } catch (CompletionException e) {
-        // Whoever completes it says why elsewhere.
+        awaitEnd(frame, stage);
       } finally {
         limit.cancel();
       }
       return null;
     });
+  }
+
+  /** Waits in the job that runs until a stage is complete, normally or not. */
+  public void await(CompletableFuture<?> stage) {
+    inKernel(frame -> {
+      awaitEnd(frame, stage);
+      return null;
+    });
+  }
+
+  private static void awaitEnd(Frame frame, CompletableFuture<?> stage) {
+    try {
+      new Awaited(frame.job()).await(stage);
+    } catch (CompletionException e) {
+      // Whoever completes it says why elsewhere.
+    }
   }
 
   @Override

@@ -146,7 +146,7 @@ final class PluggedSlot implements USlot {
   @Override
   public void own() {
     context.inKernel(frame -> {
-      variable.own();
+      variable.own(context::warn);
       owner = true;
       return null;
     });

@@ -3,6 +3,7 @@ package org.urbi.kernel.variable;
 import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.UrbiEvent;
@@ -72,6 +73,7 @@ public final class UrbiUVar extends UrbiObject {
   private boolean input;
   private boolean bypass;
   private boolean silent;
+  private Excursion excursion;
   private Boolean rtp;
   private final List<Runnable> onRtp = new ArrayList<>(0);
   private long written;
@@ -154,6 +156,16 @@ public final class UrbiUVar extends UrbiObject {
 
   public boolean isOwned() {
     return owned;
+  }
+
+  /**
+   * From now on it has a target and a sensed value, both what the value was.
+   *
+   * @param warned is told when targets begin to be out of range
+   */
+  public void own(Consumer<String> warned) {
+    own();
+    excursion = new Excursion(name, warned);
   }
 
   /** From now on it has a target and a sensed value, both what the value was. */
@@ -382,6 +394,9 @@ public final class UrbiUVar extends UrbiObject {
     }
     written = frame.interpreter().scheduler().now();
     value = inRange(frame, datum);
+    if (excursion != null) {
+      excursion.note(datum, value);
+    }
     if (silent) {
       return;
     }
@@ -474,7 +489,7 @@ public final class UrbiUVar extends UrbiObject {
     if (most instanceof UrbiFloat bound) {
       limited = Math.min(limited, bound.value());
     }
-    return limited == number.value()
+    return limited == number.value() || Double.isNaN(limited)
         ? assigned
         : new Datum(frame.interpreter().values().number(limited));
   }

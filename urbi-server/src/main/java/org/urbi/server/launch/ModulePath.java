@@ -4,6 +4,7 @@ import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Objects;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.urbi.server.cli.SearchPath;
@@ -17,9 +18,17 @@ record ModulePath(SearchPath path) {
       Stream.concat(Stream.concat(Stream.of(""), UModule.suffixes().stream()), Stream.of(".zip"))
           .toList();
 
-  /** What the environment says; the current folder without. */
+  /**
+   * What the environment says; without, the current folder and that of the components that come
+   * with urbi, which the launcher names.
+   */
   static ModulePath ofEnvironment() {
-    return new ModulePath(SearchPath.of(System.getenv(VARIABLE), List.of(Path.of("."))));
+    List<Path> standard =
+        Stream.of(".", System.getProperty("urbi.uobjects"))
+            .filter(Objects::nonNull)
+            .map(Path::of)
+            .toList();
+    return new ModulePath(SearchPath.of(System.getenv(VARIABLE), standard));
   }
 
   /**

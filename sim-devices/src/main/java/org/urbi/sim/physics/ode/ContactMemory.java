@@ -35,23 +35,19 @@ final class ContactMemory {
 
   private final Memory memory = new Memory((long) SIZE * Dynamics.CONTACTS_PER_PAIR);
   private final ByteBuffer buffer = memory.getByteBuffer(0, memory.size());
-  private final Pointer[] contacts = new Pointer[Dynamics.CONTACTS_PER_PAIR];
-  private final Pointer firstGeometry = memory.share(GEOM);
+  private final long address = Pointer.nativeValue(memory);
 
   ContactMemory() {
     memory.clear();
-    for (int i = 0; i < contacts.length; i++) {
-      contacts[i] = memory.share((long) i * SIZE);
-    }
   }
 
   /** Where {@code dCollide} writes, every {@link #SIZE} bytes. */
-  Pointer geometry() {
-    return firstGeometry;
+  long geometry() {
+    return address + GEOM;
   }
 
-  Pointer contact(int index) {
-    return contacts[index];
+  long contact(int index) {
+    return address + (long) index * SIZE;
   }
 
   /** Copies position, normal and depth of a contact. */

@@ -1,6 +1,7 @@
 package org.urbi.sim.physics.ode;
 
 import static org.urbi.sim.physics.ode.OdeLibrary.*;
+import static org.urbi.sim.physics.ode.StepCalls.*;
 
 import com.sun.jna.Memory;
 import com.sun.jna.Native;
@@ -26,6 +27,9 @@ final class NativeDynamics implements Dynamics {
   private static final long FIXED = 1;
 
   private static final long MOVING = 2;
+
+  /** {@code dSAP_AXES_XYZ}: along which axes shapes are sorted. */
+  private static final int AXES = 0 | 1 << 2 | 2 << 4;
 
   private static final int MASS_SIZE = 136;
   private static final int FEEDBACK_SIZE = 128;
@@ -54,14 +58,14 @@ final class NativeDynamics implements Dynamics {
   private final List<NativeJoint> joints = new ArrayList<>();
 
   // Held here since the library keeps but their addresses.
-  private final NearCallback pairCallback = (data, first, second) -> foundPair(first, second);
-  private final NearCallback rayCallback = (data, first, second) -> foundOnRay(first, second);
+  private final NearCallback pairCallback = new NearCallback(this::foundPair);
+  private final NearCallback rayCallback = new NearCallback(this::foundOnRay);
   private PairSink sink;
 
   NativeDynamics(PhysicsSettings settings) {
     this.settings = settings;
     world = dWorldCreate();
-    space = dHashSpaceCreate(0);
+    space = dSweepAndPruneSpaceCreate(0, AXES);
     contactGroup = dJointGroupCreate(0);
     ray = dCreateRay(0, 1);
     Vec3 g = settings.gravity();
@@ -281,7 +285,8 @@ final class NativeDynamics implements Dynamics {
   @Override
   public void findNearPairs(PairSink pairs) {
     sink = pairs;
-    dSpaceCollide(space, 0, pairCallback);
+    dSpaceCollide(space, 0, pairCallback.address());
+    pairCallback.check();
   }
 
   private void foundPair(long first, long second) {
@@ -320,7 +325,8 @@ final class NativeDynamics implements Dynamics {
     sink = pairs;
     dGeomRaySetLength(ray, length);
     dGeomRaySet(ray, from.x(), from.y(), from.z(), direction.x(), direction.y(), direction.z());
-    dSpaceCollide2(ray, space, 0, rayCallback);
+    dSpaceCollide2(ray, space, 0, rayCallback.address());
+    rayCallback.check();
   }
 
   private void foundOnRay(long first, long second) {

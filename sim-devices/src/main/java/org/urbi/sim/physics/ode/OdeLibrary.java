@@ -26,11 +26,6 @@ final class OdeLibrary {
 
   private static final int ALLOCATE_ALL = -1;
 
-  /** Of {@code dNearCallback}. */
-  interface NearCallback extends Callback {
-    void near(long data, long firstGeom, long secondGeom);
-  }
-
   /** Of {@code dMessageFunction}; the last is a {@code va_list}. */
   interface MessageCallback extends Callback {
     void message(int number, String format, Pointer arguments);
@@ -46,12 +41,15 @@ final class OdeLibrary {
    */
   private static final MessageCallback MESSAGES = (number, format, arguments) -> {};
 
+  private static NativeLibrary library;
   private static String noted;
 
   static {
     SimulationException failure = null;
     try {
-      Native.register(OdeLibrary.class, find());
+      library = find();
+      Native.register(OdeLibrary.class, library);
+      StepCalls.link();
       requireDoublePrecision(dGetConfiguration());
       dInitODE2(0);
       dSetMessageHandler(MESSAGES);
@@ -101,6 +99,15 @@ final class OdeLibrary {
       throw new SimulationException(FAILURE.getMessage(), FAILURE);
     }
     dAllocateODEDataForThread(ALLOCATE_ALL);
+  }
+
+  /**
+   * Where a function of the library is, for {@link StepCalls}.
+   *
+   * @throws UnsatisfiedLinkError if it is not there
+   */
+  static Pointer function(String name) {
+    return library.getFunction(name);
   }
 
   private static synchronized void note(String format) {
@@ -180,13 +187,9 @@ final class OdeLibrary {
   static native void dBodyAddForceAtPos(
       long body, double fx, double fy, double fz, double x, double y, double z);
 
-  static native long dHashSpaceCreate(long space);
+  static native long dSweepAndPruneSpaceCreate(long space, int axes);
 
   static native void dSpaceDestroy(long space);
-
-  static native void dSpaceCollide(long space, long data, NearCallback callback);
-
-  static native void dSpaceCollide2(long first, long second, long data, NearCallback callback);
 
   static native long dCreateSphere(long space, double radius);
 
@@ -223,15 +226,11 @@ final class OdeLibrary {
 
   static native void dGeomSetCollideBits(long geom, long bits);
 
-  static native int dCollide(long first, long second, int flags, Pointer contact, int skip);
-
   static native long dJointGroupCreate(int size);
 
   static native void dJointGroupDestroy(long group);
 
   static native void dJointGroupEmpty(long group);
-
-  static native long dJointCreateContact(long world, long group, Pointer contact);
 
   static native long dJointCreateFixed(long world, long group);
 
@@ -240,8 +239,6 @@ final class OdeLibrary {
   static native long dJointCreateSlider(long world, long group);
 
   static native long dJointCreateBall(long world, long group);
-
-  static native void dJointAttach(long joint, long first, long second);
 
   static native void dJointSetFeedback(long joint, Pointer feedback);
 
@@ -258,8 +255,6 @@ final class OdeLibrary {
   static native void dJointGetHingeAxis(long joint, double[] axis);
 
   static native void dJointSetHingeParam(long joint, int parameter, double value);
-
-  static native double dJointGetHingeAngle(long joint);
 
   static native double dJointGetHingeAngleRate(long joint);
 
