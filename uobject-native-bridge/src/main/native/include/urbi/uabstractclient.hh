@@ -224,8 +224,7 @@ namespace urbi
     {
       std::string tag = fresh();
       UCallbackID id = setCallback(callback, tag.c_str());
-      send("if (!hasLocalSlot(\"" + tag + "\")) var " + tag + " = Channel.new(\"" + tag + "\")|; "
-           + tag + " << " + code);
+      send("Channel.new(\"" + tag + "\") << " + code);
       return id;
     }
 

@@ -86,14 +86,21 @@ namespace urbi
     return message.print(out);
   }
 
-  /// Takes the value of a message, which is deleted; 0 if it had none.
+  /// Takes the value of a message, which is deleted; 0 if it had none, or one of another kind.
   template <typename T>
   int getValue(UMessage* message, T& out)
   {
     std::unique_ptr<UMessage> owner(message);
     if (!message || !message->value)
       return 0;
-    out = uvalue_cast<T>(*message->value);
+    try
+    {
+      out = uvalue_cast<T>(*message->value);
+    }
+    catch (const std::exception&)
+    {
+      return 0;
+    }
     return 1;
   }
 }

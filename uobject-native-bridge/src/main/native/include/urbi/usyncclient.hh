@@ -89,7 +89,8 @@ namespace urbi
       expect(tag);
       send("{ var urbiAnswer = Channel.new(\"" + tag + "\")| try { urbiAnswer << ("
            + stripped(expression)
-           + ") } catch (var urbiError) { urbiAnswer << \"!!! \" + urbiError.asString() } },\n");
+           + ") } catch (var urbiError) { lobby.send(\"!!! \" + urbiError.asString().replace(\"\\n\", \" \"), \""
+           + tag + "\") } },\n");
       return wait(tag, useconds);
     }
 

@@ -169,7 +169,7 @@ class FailuresTest {
     for (String expected :
         List.of(
             call + "runtime: failing.so: bad weather",
-            call + "memory: failing.so: ",
+            call + "memory: failing.so: std::bad_alloc",
             call + "strange: failing.so: exception of type Strange",
             call + "text: failing.so: just text",
             call + "elsewhere: failing.so: UVar creation on non existing object: nowhere",

@@ -86,4 +86,176 @@ class UmakeTest {
     assertEquals(1, umake("umake", "--package=no-such-package-at-all", ".").status());
     assertEquals(2, umake("umake", "-j", "0").status());
   }
+
+  /** A source whose function returns what a macro says. */
+  private Path answer(String name) throws IOException {
+    Path source = folder.resolve(name + ".cc");
+    return Files.writeString(source, "extern \"C\" int " + name + "() { return ANSWER; }\n");
+  }
+
+  /** A program whose status is what the function answer says. */
+  private Path program() throws IOException {
+    Path source = folder.resolve("main.cc");
+    return Files.writeString(
+        source, "extern \"C\" int answer();\nint main() { return answer(); }\n");
+  }
+
+  private static void succeeds(Run run) {
+    assertEquals(0, run.status(), run.output());
+  }
+
+  @Test
+  void whatIsAskedForIsTold() {
+    assertTrue(umake("umake", "--help").output().contains("--disable-automain"));
+    assertTrue(umake("umake", "-V").output().contains("version"));
+  }
+
+  @Test
+  void programsOfTheirOwn() throws IOException {
+    String made = folder.resolve("seven").toString();
+    succeeds(
+        umake(
+            "umake",
+            "-m",
+            "-DANSWER=7",
+            answer("answer").toString(),
+            program().toString(),
+            "-o",
+            made));
+    assertEquals(7, CxxCompiler.run(List.of(made)).status());
+    // Other options are a reason to compile again.
+    succeeds(
+        umake("umake", "-qm", "EXTRA_CPPFLAGS=-DANSWER=8", folder.toString(), "--output=" + made));
+    assertEquals(8, CxxCompiler.run(List.of(made)).status());
+  }
+
+  @Test
+  void archivesObjectsAndLibraries() throws IOException {
+    String archive = folder.resolve("libanswer").toString();
+    succeeds(umake("umake", "--library", "-DANSWER=5", answer("answer").toString(), "-o", archive));
+    String made = folder.resolve("five").toString();
+    succeeds(umake("umake", "-m", program().toString(), archive + ".a", "-o", made));
+    assertEquals(5, CxxCompiler.run(List.of(made)).status());
+    succeeds(
+        umake("umake", "-m", program().toString(), "-L" + folder, "-lanswer", "-o", made + "l"));
+    assertEquals(5, CxxCompiler.run(List.of(made + "l")).status());
+    Path object = folder.resolve("answer.o");
+    succeeds(
+        CxxCompiler.run(
+            List.of(
+                "g++",
+                "-DANSWER=6",
+                "-c",
+                folder.resolve("answer.cc").toString(),
+                "-o",
+                object.toString())));
+    succeeds(umake("umake", "-m", program().toString(), object.toString(), "-o", made + "o"));
+    assertEquals(6, CxxCompiler.run(List.of(made + "o")).status());
+  }
+
+  @Test
+  void headersAndSourcesElsewhere() throws IOException {
+    Path headers = Files.createDirectory(folder.resolve("headers"));
+    Files.writeString(headers.resolve("four.hh"), "#define ANSWER 4\n");
+    Path source = answer("answer");
+    Files.writeString(source, "#include <four.hh>\n" + Files.readString(source));
+    program();
+    String made = folder.resolve("four").toString();
+    succeeds(
+        umake(
+            "umake", "-m", "-I" + headers, "VPATH=" + folder, "answer.cc", "main.cc", "-o", made));
+    assertEquals(4, CxxCompiler.run(List.of(made)).status());
+  }
+
+  @Test
+  void makefilesOfOthersAndVariables() throws IOException {
+    Path mine =
+        Files.writeString(folder.resolve("mine.mk"), "URBI_CPPFLAGS += -DANSWER=$(WANTED)\n");
+    String made = folder.resolve("three").toString();
+    succeeds(
+        umake(
+            "umake",
+            "-m",
+            "--param-mk=" + mine,
+            "WANTED=3",
+            answer("answer").toString(),
+            program().toString(),
+            "-o",
+            made));
+    assertEquals(3, CxxCompiler.run(List.of(made)).status());
+  }
+
+  @Test
+  void compiledAnewAndCleaned() throws IOException {
+    String made = folder.resolve("clean").toString();
+    String[] words = {"-vs", "-DANSWER=1", answer("answer").toString(), "-o", made};
+    succeeds(umake("umake", words));
+    assertFalse(umake("umake", words).output().contains("-c -o"));
+    List<String> again = new ArrayList<>(List.of(words));
+    again.add("--clean");
+    assertTrue(umake("umake", again.toArray(String[]::new)).output().contains("-c -o"));
+    assertTrue(Files.exists(folder.resolve("_ubuild-clean.so")));
+    succeeds(umake("umake", "--deep-clean", folder.toString()));
+    assertFalse(Files.exists(folder.resolve("_ubuild-clean.so")));
+    assertTrue(Files.exists(Path.of(made + ".so")));
+  }
+
+  /** Two at a time take less long than their sum: each waits for the other to have begun. */
+  @Test
+  void severalAtATime() throws IOException {
+    Path compiler =
+        Files.writeString(
+            folder.resolve("c++"),
+            """
+            #!/bin/sh
+            case "$*" in
+            *-c\\ *)
+              : >"%1$s/begun.$$"
+              for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
+                [ "$(ls "%1$s" | grep -c begun)" -ge 2 ] && exec g++ "$@"
+                sleep 0.5
+              done
+              exit 1 ;;
+            *) exec g++ "$@" ;;
+            esac
+            """
+                .replace("%1$s", folder.toString()));
+    assertTrue(compiler.toFile().setExecutable(true));
+    Path sources = Files.createDirectory(folder.resolve("two.uob"));
+    Files.writeString(sources.resolve("one.cc"), "int one() { return 1; }\n");
+    Files.writeString(sources.resolve("two.cc"), "int two() { return 2; }\n");
+    Run run =
+        CxxCompiler.run(
+            List.of(
+                "env",
+                "CXX=" + compiler,
+                ROOT.resolve("umake-shared").toString(),
+                "--jobs=2",
+                sources.toString(),
+                "-o",
+                folder.resolve("two").toString()));
+    succeeds(run);
+  }
+
+  @Test
+  void otherHostsAndPlaces() throws IOException {
+    String source = answer("answer").toString();
+    Run run = umake("umake", "-s", "-H", "sparc-sun-solaris", source, "-o", folder + "/x");
+    assertEquals(1, run.status());
+    assertTrue(run.output().contains("no C++ compiler sparc-sun-solaris-g++"), run.output());
+    run = umake("umake", "-s", "--prefix=" + folder, source, "-o", folder + "/x");
+    assertEquals("umake: no headers in " + folder + "/include\n", run.output());
+    assertEquals(2, umake("umake", "--core=nonsense", source).status());
+    String made = folder.resolve("remote").toString();
+    succeeds(
+        umake("umake", "-DANSWER=1", "-k", folder.toString(), "-C", "engine", source, "-o", made));
+    Path launch = folder.resolve("urbi-launch");
+    Files.writeString(launch, "#!/bin/sh\necho \"$@\"\n");
+    assertTrue(launch.toFile().setExecutable(true));
+    assertEquals(
+        new Run(0, "--start --port 1 " + folder.toRealPath() + "/remote.so\n"),
+        CxxCompiler.run(List.of(made, "--port", "1")));
+    succeeds(umake("umake", "-DANSWER=1", "-k", folder.toString(), source, "-o", made));
+    assertTrue(CxxCompiler.run(List.of(made)).output().startsWith("--remote "));
+  }
 }

@@ -29,10 +29,25 @@ final class CxxModules {
     return made.computeIfAbsent(name, key -> make(key, SOURCES.resolve(key + ".uob")));
   }
 
-  private static Path make(String name, Path sources) {
-    for (String tool : List.of("g++", "make")) {
+  private static void assumeTools(String... tools) {
+    for (String tool : tools) {
       assumeTrue(runs(tool, "--version"), "no " + tool + ": apt-get install " + tool);
     }
+  }
+
+  /** Compiles a program with the headers, and accepts no warning. */
+  static void compileProgram(String compiler, Path source, Path program, String... options)
+      throws IOException, InterruptedException {
+    assumeTools(compiler);
+    List<String> words = new ArrayList<>(List.of(compiler, "-Wall", "-Wextra", "-Werror"));
+    words.addAll(List.of(options));
+    words.addAll(List.of("-I", ROOT.resolve("include").toString(), source.toString()));
+    words.addAll(List.of("-o", program.toString(), "-pthread"));
+    assertEquals("", output(words.toArray(String[]::new)));
+  }
+
+  private static Path make(String name, Path sources) {
+    assumeTools("g++", "make");
     try {
       Files.createDirectories(MADE);
       Path library = MADE.resolve(name + ".so");
@@ -60,7 +75,8 @@ final class CxxModules {
     }
   }
 
-  private static String output(String... command) throws IOException, InterruptedException {
+  /** Runs a program, which has to end well, and returns what it has said. */
+  static String output(String... command) throws IOException, InterruptedException {
     List<String> words = new ArrayList<>(List.of(command));
     Process process = new ProcessBuilder(words).redirectErrorStream(true).start();
     process.getOutputStream().close();

@@ -213,7 +213,7 @@ class UrbiLaunchJavaTest {
                 "Main",
                 List.of("-P", String.valueOf(server.port())))) {
       program.awaitText("running on 127.0.0.1:" + server.port());
-      talkByUrbiSend("--port=" + server.port());
+      program().talkByUrbiSend("--port=" + server.port());
       assertEquals(0, server.shutDown(), server::text);
       program.awaitEnd();
     }
@@ -225,7 +225,7 @@ class UrbiLaunchJavaTest {
     try (ServerProcess server = ServerProcess.in(folder);
         JavaProcess machine = launch("-P" + server.port(), "-d", "TRACE", "machine")) {
       machine.awaitText("running on 127.0.0.1:" + server.port());
-      talkByUrbiSend("--port=" + server.port());
+      program().talkByUrbiSend("--port=" + server.port());
       machine.awaitText("UMachine.assemble[[12, 34]]");
       failsToLaunch("no level of messages: LOUD", "-P" + server.port(), "-d", "LOUD", "machine");
       assertEquals(0, server.shutDown(), server::text);

@@ -43,13 +43,13 @@ public final class Emission {
     subscription.end(this, emitter);
   }
 
-  /** Begins for one subscription, even where that happens too late: then it ends at once. */
+  /** Begins for one subscription; where the emission is over already, it ends at once. */
   void begin(Subscription subscription, Job emitter) {
+    boolean late = over;
+    told.add(subscription);
     subscription.begin(this, emitter);
-    if (over) {
+    if (late) {
       subscription.end(this, emitter);
-    } else {
-      told.add(subscription);
     }
   }
 

@@ -3,6 +3,7 @@ package org.urbi.kernel.node;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.SlotData;
 import org.urbi.kernel.object.Symbol;
@@ -111,15 +112,19 @@ public final class Trajectory extends Node implements CallSite {
     Shape code = interpreter.prototypes.codeShape;
     UrbiObject generator =
         interpreter.get(frame, frame.self, interpreter.world().symbol("TrajectoryGenerator"));
-    return interpreter.send(
-        frame,
-        this,
-        generator,
-        interpreter.world().symbol("follow"),
-        new Accessor(code, frame, false),
-        new Accessor(code, frame, true),
-        goal,
-        interpreter.values().dictionary(attributes));
+    try {
+      return interpreter.send(
+          frame,
+          this,
+          generator,
+          interpreter.world().symbol("follow"),
+          new Accessor(code, frame, false),
+          new Accessor(code, frame, true),
+          goal,
+          interpreter.values().dictionary(attributes));
+    } catch (UrbiException e) {
+      throw frame.located(e, span());
+    }
   }
 
   /** The variable, as a function that reads or writes it. */

@@ -1,0 +1,171 @@
+// A program that talks to a server, by all that the clients in C++ can do: clients PORT. It says what is
+// not as it should be, and ends with status 1 then.
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include <urbi/usyncclient.hh>
+
+using namespace urbi;
+
+static std::atomic<int> failures(0);
+
+#define CHECK(Condition)                                                                          \
+  do                                                                                              \
+    if (!(Condition))                                                                             \
+    {                                                                                             \
+      ++failures;                                                                                 \
+      std::printf("%d: not so: %s\n", __LINE__, #Condition);                                      \
+    }                                                                                             \
+  while (false)
+
+/// What has come, of which another thread waits for some.
+class Inbox
+{
+public:
+  UCallbackAction take(const UMessage& message)
+  {
+    std::lock_guard<std::mutex> guard(lock_);
+    all_.push_back(message.tag + " " + message.rawMessage);
+    come_.notify_all();
+    return URBI_CONTINUE;
+  }
+
+  UCallbackAction takeOnce(const UMessage& message)
+  {
+    take(message);
+    return URBI_REMOVE;
+  }
+
+  bool has(const std::string& text, size_t times = 1)
+  {
+    std::unique_lock<std::mutex> guard(lock_);
+    return come_.wait_for(guard, std::chrono::seconds(20), [&] {
+      size_t found = 0;
+      for (const std::string& each : all_)
+        found += each.find(text) != std::string::npos;
+      return found >= times;
+    });
+  }
+
+  size_t size()
+  {
+    std::lock_guard<std::mutex> guard(lock_);
+    return all_.size();
+  }
+
+private:
+  std::mutex lock_;
+  std::condition_variable come_;
+  std::list<std::string> all_;
+};
+
+static void callbacks(unsigned port)
+{
+  Inbox tagged, errors, everything, once, answers;
+  UClient client("localhost", port);
+  CHECK(client.error() == 0 && client.init() && client.getServerPort() == port);
+  client.setCallback(tagged, &Inbox::take, "mine");
+  client.setCallback(once, &Inbox::takeOnce, "mine");
+  client.setErrorCallback(callback(errors, &Inbox::take));
+  client.setWildcardCallback(callback(everything, &Inbox::take));
+  client.send("var mine = Channel.new(\"mine\")|; mine << %d; mine << \"a\\\"b\";", 6 * 7);
+  CHECK(tagged.has("mine 42") && tagged.has("mine \"a\\\"b\""));
+  CHECK(once.has("mine 42"));
+  client << "mine << [1, " << 2.5 << "];" << std::endl;
+  CHECK(tagged.has("[1, 2.5]"));
+  CHECK(once.size() == 1);
+  client.send(std::string("nonsense;"));
+  CHECK(errors.has("lookup failed: nonsense"));
+  client.send("var Global.b = ");
+  client.sendBinary("a;b\nc", 5, "jpeg 3 4");
+  client.send(";");
+  CHECK(everything.has("BIN 5 jpeg 3 4"));
+  UCallbackID id = client.sendCommand(callback(answers, &Inbox::take), "1 + 1;");
+  CHECK(answers.has(" 2"));
+  CHECK(client.deleteCallback(id) == 1 && client.deleteCallback(id) == 0);
+}
+
+static void questions(unsigned port)
+{
+  Inbox inbox;
+  USyncClient client("127.0.0.1", port);
+  ufloat number = 0;
+  CHECK(client.syncGetResult("1 + 2 * 3", number) == 1 && number == 7);
+  UValue value;
+  CHECK(client.syncGetValue("[1, \"two\", [\"three\" => 3]]", value) == 1);
+  CHECK(value.type == DATA_LIST && value.list->size() == 3);
+  CHECK(static_cast<std::string>((*value.list)[1]) == "two");
+  UMessage* message = client.syncGet("\"%s\"", "formatted");
+  CHECK(message && message->value && static_cast<std::string>(*message->value) == "formatted");
+  delete message;
+  message = client.syncGet(std::string("nonsense"));
+  CHECK(message && message->type == MESSAGE_ERROR && !message->value
+        && message->message.find("lookup failed: nonsense") != std::string::npos);
+  delete message;
+  CHECK(client.syncGetResult("\"no number\"", number) == 0);
+  CHECK(client.syncGetResult("nonsense", number) == 0);
+  // What takes too long is not waited for.
+  CHECK(!client.syncGet(100000, "{ sleep(10s); %d }", 1));
+  client.send("class Global.motor { var val = 12; var P = 3; };");
+  CHECK(client.syncGetDevice("motor", number) == 1 && number == 12);
+  CHECK(client.syncGetDevice("motor", "P", number) == 1 && number == 3);
+  client.send("var Global.cam = Object.clone()|; var cam.val = BIN 6 rgb 2 1;abcdef;");
+  char buffer[16];
+  size_t size = sizeof buffer, width = 0, height = 0;
+  CHECK(client.syncGetImage("cam", buffer, size, width, height) == 1 && size == 6 && width == 2
+        && height == 1 && std::memcmp(buffer, "abcdef", 6) == 0);
+  // In a callback, too.
+  client.setCallback(
+    [&](const UMessage&) {
+      ufloat three = 0;
+      CHECK(client.isCallbackThread());
+      CHECK(client.syncGetResult("1 + 2", three) == 1 && three == 3);
+      return URBI_CONTINUE;
+    },
+    "ask");
+  client.setCallback(inbox, &Inbox::take, "ask");
+  client.send("Channel.new(\"ask\") << 1;");
+  CHECK(inbox.has("ask 1"));
+  std::thread later([&] { client.send("Channel.new(\"awaited\") << 5;"); });
+  message = client.waitForTag("awaited", 20000000);
+  CHECK(message && message->value && static_cast<int>(*message->value) == 5);
+  delete message;
+  later.join();
+}
+
+static void withoutThread(unsigned port)
+{
+  Inbox inbox;
+  USyncClient client("127.0.0.1", port, UAbstractClient::URBI_BUFLEN, false);
+  client.setCallback(inbox, &Inbox::take, "mine");
+  client.send("Channel.new(\"mine\") << 1;");
+  ufloat one = 0;
+  CHECK(client.syncGetResult("1", one) == 1);
+  CHECK(inbox.size() == 0);
+  CHECK(client.processEvents(20000000) && inbox.size() == 1);
+}
+
+static void what_goes_wrong(unsigned port)
+{
+  UClient nobody("127.0.0.1", 1);
+  CHECK(nobody.error() != 0 && nobody.send("1;") != 0);
+  Inbox inbox;
+  USyncClient client("127.0.0.1", port);
+  client.setClientErrorCallback(callback(inbox, &Inbox::take));
+  client.send("quit;");
+  CHECK(inbox.has("End of file"));
+  CHECK(!client.syncGet("1"));
+}
+
+int main(int argc, char* argv[])
+{
+  std::setvbuf(stdout, nullptr, _IONBF, 0);
+  unsigned port = argc == 2 ? static_cast<unsigned>(std::atoi(argv[1])) : 0;
+  callbacks(port);
+  questions(port);
+  withoutThread(port);
+  what_goes_wrong(port);
+  std::printf("%d failures\n", failures.load());
+  return failures != 0;
+}
