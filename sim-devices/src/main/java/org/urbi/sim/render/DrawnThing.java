@@ -63,45 +63,56 @@ final class DrawnThing {
     }
   }
 
-  /** The pixels that the box around the shape covers: all of them where it reaches the camera. */
+  /** The pixels that the box around the shape covers, as far as it is before the camera. */
   private int[] covered(Pose fromCamera, Lens lens) {
     Vec3 half = solid.halfExtent();
-    int[] all = {0, 0, lens.width(), lens.height()};
     if (half == null) {
-      return all;
+      return new int[] {0, 0, lens.width(), lens.height()};
     }
-    double minX = Double.POSITIVE_INFINITY;
-    double minY = Double.POSITIVE_INFINITY;
-    double maxX = Double.NEGATIVE_INFINITY;
-    double maxY = Double.NEGATIVE_INFINITY;
-    int behind = 0;
-    for (int i = 0; i < 8; i++) {
+    Vec3[] corners = new Vec3[8];
+    for (int i = 0; i < corners.length; i++) {
       Vec3 sign = new Vec3((i & 1) * 2 - 1, (i & 2) - 1, (i >> 1 & 2) - 1);
-      Vec3 p =
+      corners[i] =
           fromCamera.apply(new Vec3(half.x() * sign.x(), half.y() * sign.y(), half.z() * sign.z()));
-      if (p.x() < lens.near()) {
-        behind++;
+    }
+    double[] bounds = {
+      Double.POSITIVE_INFINITY,
+      Double.POSITIVE_INFINITY,
+      Double.NEGATIVE_INFINITY,
+      Double.NEGATIVE_INFINITY
+    };
+    for (int i = 0; i < corners.length; i++) {
+      Vec3 corner = corners[i];
+      if (corner.x() >= lens.near()) {
+        widen(bounds, corner, lens);
         continue;
       }
-      double x = lens.width() / 2.0 - p.y() / p.x() * lens.focalLength();
-      double y = lens.height() / 2.0 - p.z() / p.x() * lens.focalLength();
-      minX = Math.min(minX, x);
-      minY = Math.min(minY, y);
-      maxX = Math.max(maxX, x);
-      maxY = Math.max(maxY, y);
-    }
-    if (behind == 8) {
-      return new int[4];
-    }
-    if (behind > 0) {
-      return all;
+      for (int axis = 1; axis < corners.length; axis <<= 1) {
+        Vec3 neighbour = corners[i ^ axis];
+        if (neighbour.x() >= lens.near()) {
+          // Where the edge between them goes through the plane that is nearest to the camera.
+          double share = (lens.near() - corner.x()) / (neighbour.x() - corner.x());
+          Vec3 point = corner.plus(neighbour.minus(corner).times(share));
+          widen(bounds, new Vec3(lens.near(), point.y(), point.z()), lens);
+        }
+      }
     }
     return new int[] {
-      (int) Math.max(0, Math.floor(minX)),
-      (int) Math.max(0, Math.floor(minY)),
-      (int) Math.min(lens.width(), Math.ceil(maxX) + 1),
-      (int) Math.min(lens.height(), Math.ceil(maxY) + 1)
+      (int) Math.clamp(Math.floor(bounds[0]), 0.0, lens.width()),
+      (int) Math.clamp(Math.floor(bounds[1]), 0.0, lens.height()),
+      (int) Math.clamp(Math.ceil(bounds[2]) + 1, 0.0, lens.width()),
+      (int) Math.clamp(Math.ceil(bounds[3]) + 1, 0.0, lens.height())
     };
+  }
+
+  /** Has bounds (left, top, right, bottom) contain the pixel where a point is seen. */
+  private static void widen(double[] bounds, Vec3 point, Lens lens) {
+    double x = lens.width() / 2.0 - point.y() / point.x() * lens.focalLength();
+    double y = lens.height() / 2.0 - point.z() / point.x() * lens.focalLength();
+    bounds[0] = Math.min(bounds[0], x);
+    bounds[1] = Math.min(bounds[1], y);
+    bounds[2] = Math.max(bounds[2], x);
+    bounds[3] = Math.max(bounds[3], y);
   }
 
   /** Enters itself where it is nearer than what has been drawn before. */
