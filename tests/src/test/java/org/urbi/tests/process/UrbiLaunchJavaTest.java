@@ -39,7 +39,7 @@ class UrbiLaunchJavaTest {
 
   private static final String CLASSIC_MAIN =
       """
-      import urbi.*;
+      import liburbi.main.*;
 
       public class Main {
         static {

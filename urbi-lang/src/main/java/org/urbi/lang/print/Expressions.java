@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import org.urbi.lang.ast.Ast;
 
 /** Prints what may stand where a value is expected. */
@@ -12,46 +13,80 @@ final class Expressions {
 
   /** An expression of any precedence; a statement, which is none, goes between braces. */
   static String expression(Ast tree) {
+    return form(tree).get();
+  }
+
+  /**
+   * How it is printed. Not by this method: one that tells all the forms apart needs so much stack
+   * that deep trees could not be printed by the threads that have parsed them.
+   */
+  private static Supplier<String> form(Ast tree) {
     return switch (tree) {
-      case Ast.FloatLiteral number -> FloatFormat.format(number.value());
-      case Ast.StringLiteral string -> StringEscape.quote(string.value());
-      case Ast.ListLiteral list -> "[" + values(list.elements()) + "]";
-      case Ast.TupleLiteral tuple -> tuple(tuple.elements());
-      case Ast.DictionaryLiteral dictionary -> dictionary(dictionary.entries());
-      case Ast.This self -> "this";
-      case Ast.CallMessage call -> "call";
-      case Ast.Message message -> message(message);
-      case Ast.And and -> conjunct(and.left()) + " && " + primary(and.right());
-      case Ast.Or or -> disjunct(or.left()) + " || " + conjunct(or.right());
-      case Ast.SlotAccess slot -> target(slot.target(), ".") + "&" + StringEscape.name(slot.name());
-      case Ast.Property property ->
-          target(property.target(), ".")
-              + StringEscape.name(property.slot())
-              + "->"
-              + StringEscape.name(property.name());
-      case Ast.Declaration declaration -> declaration(declaration);
-      case Ast.Assignment assignment ->
-          lvalue(assignment.target()) + " = " + expression(assignment.value());
+      case Ast.FloatLiteral number -> () -> FloatFormat.format(number.value());
+      case Ast.StringLiteral string -> () -> StringEscape.quote(string.value());
+      case Ast.ListLiteral list -> () -> list(list.elements());
+      case Ast.TupleLiteral tuple -> () -> tuple(tuple.elements());
+      case Ast.DictionaryLiteral dictionary -> () -> dictionary(dictionary.entries());
+      case Ast.This self -> () -> "this";
+      case Ast.CallMessage call -> () -> "call";
+      case Ast.Message message -> () -> message(message);
+      case Ast.And and -> () -> and(and);
+      case Ast.Or or -> () -> or(or);
+      case Ast.SlotAccess slot -> () -> slot(slot);
+      case Ast.Property property -> () -> property(property);
+      case Ast.Declaration declaration -> () -> declaration(declaration);
+      case Ast.Assignment assignment -> () -> assign(assignment.target(), "=", assignment.value());
       case Ast.OperatorAssignment assignment ->
-          lvalue(assignment.target())
-              + " "
-              + assignment.operator()
-              + " "
-              + expression(assignment.value());
-      case Ast.Postfix postfix -> lvalue(postfix.target()) + postfix.operator();
-      case Ast.Trajectory trajectory -> trajectory(trajectory);
-      case Ast.Function function -> function(function);
-      case Ast.FunctionDefinition definition -> Definitions.function(definition);
-      case Ast.Watch watch -> "watch(" + expression(watch.expression()) + ")";
-      case Ast.Emit emit when emit.duration() == null -> emission(emit);
-      case Ast.Do block -> Statements.doBlock(block);
-      case Ast.Scope scope -> Statements.scope(scope);
-      default -> Statements.clause(tree);
+          () -> assign(assignment.target(), assignment.operator(), assignment.value());
+      case Ast.Postfix postfix -> () -> lvalue(postfix.target()).concat(postfix.operator());
+      case Ast.Trajectory trajectory -> () -> trajectory(trajectory);
+      case Ast.Function function -> () -> function(function);
+      case Ast.FunctionDefinition definition -> () -> Definitions.function(definition);
+      case Ast.Watch watch -> () -> watch(watch);
+      case Ast.Emit emit when emit.duration() == null -> () -> emission(emit);
+      case Ast.Do block -> () -> Statements.doBlock(block);
+      case Ast.Scope scope -> () -> Statements.scope(scope);
+      default -> () -> Statements.clause(tree);
     };
   }
 
+  private static String list(List<Ast> elements) {
+    return "[" + values(elements) + "]";
+  }
+
+  private static String and(Ast.And and) {
+    return conjunct(and.left()) + " && " + primary(and.right());
+  }
+
+  private static String or(Ast.Or or) {
+    return disjunct(or.left()) + " || " + conjunct(or.right());
+  }
+
+  private static String slot(Ast.SlotAccess slot) {
+    return target(slot.target(), ".") + "&" + StringEscape.name(slot.name());
+  }
+
+  private static String property(Ast.Property property) {
+    return target(property.target(), ".")
+        + StringEscape.name(property.slot())
+        + "->"
+        + StringEscape.name(property.name());
+  }
+
+  private static String assign(Ast target, String operator, Ast value) {
+    return lvalue(target) + " " + operator + " " + expression(value);
+  }
+
+  private static String watch(Ast.Watch watch) {
+    return "watch(" + expression(watch.expression()) + ")";
+  }
+
   static String values(List<Ast> values) {
-    return join(values, Expressions::expression);
+    var text = new StringBuilder();
+    for (Ast value : values) {
+      text.append(text.isEmpty() ? "" : ", ").append(expression(value));
+    }
+    return text.toString();
   }
 
   static <T> String join(List<T> parts, Function<T, String> print) {

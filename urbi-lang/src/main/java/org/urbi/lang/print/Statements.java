@@ -1,6 +1,7 @@
 package org.urbi.lang.print;
 
 import java.util.List;
+import java.util.function.Supplier;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.ast.Ast.Flavor;
 
@@ -9,48 +10,76 @@ final class Statements {
   private Statements() {}
 
   static String statement(Ast tree) {
+    return form(tree).get();
+  }
+
+  /**
+   * How it is printed. Not by this method: one that tells all the forms apart needs so much stack
+   * that deep trees could not be printed by the threads that have parsed them.
+   */
+  private static Supplier<String> form(Ast tree) {
     return switch (tree) {
-      case Ast.Noop nothing -> "";
-      case Ast.Sequence sequence -> sequence(sequence);
-      case Ast.Accessor accessor -> Definitions.accessor(accessor);
-      case Ast.ClassDefinition definition -> Definitions.classDefinition(definition);
-      case Ast.PackageDefinition definition -> Definitions.packageDefinition(definition);
-      case Ast.EnumDefinition definition -> Definitions.enumDefinition(definition);
-      case Ast.Import statement -> Definitions.importStatement(statement);
-      case Ast.If choice ->
-          "if ("
-              + statement(choice.condition())
-              + ")\n"
-              + clause(choice.thenClause())
-              + optional("else", choice.elseClause());
-      case Ast.While loop ->
-          loop("while", loop.flavor(), "(" + statement(loop.condition()) + ")", loop.body());
-      case Ast.For loop -> loop("for", loop.flavor(), clauses(loop), loop.body());
-      case Ast.ForEach loop -> loop("for", loop.flavor(), range(loop), loop.body());
-      case Ast.Loop loop ->
-          "loop" + flavor(loop.flavor(), Flavor.SEMICOLON) + "\n" + clause(loop.body());
-      case Ast.Every every -> every(every);
-      case Ast.Switch choice -> choice(choice);
-      case Ast.Return exit -> "return" + value(exit.value());
-      case Ast.Break exit -> "break";
-      case Ast.Continue exit -> "continue";
-      case Ast.Throw exit -> "throw" + value(exit.value());
-      case Ast.Try attempt -> attempt(attempt);
-      case Ast.Assert claim -> claim(claim);
-      case Ast.Tagged tagged ->
-          Expressions.expression(tagged.tag()) + ": " + nonempty(tagged.body());
-      case Ast.At at -> Events.at(at);
-      case Ast.Whenever whenever -> Events.whenever(whenever);
-      case Ast.WaitUntil wait -> "waituntil " + Events.condition(wait.condition());
-      case Ast.Emit emit when emit.duration() != null -> Events.lasting(emit);
-      case Ast.Timeout timeout ->
-          "timeout (" + Expressions.expression(timeout.duration()) + ")\n" + clause(timeout.body());
-      case Ast.StopIf stop ->
-          "stopif " + Events.condition(stop.condition()) + "\n" + clause(stop.body());
-      case Ast.FreezeIf freeze ->
-          "freezeif " + Events.condition(freeze.condition()) + "\n" + clause(freeze.body());
-      default -> Expressions.expression(tree);
+      case Ast.Noop nothing -> () -> "";
+      case Ast.Sequence sequence -> () -> sequence(sequence);
+      case Ast.Accessor accessor -> () -> Definitions.accessor(accessor);
+      case Ast.ClassDefinition definition -> () -> Definitions.classDefinition(definition);
+      case Ast.PackageDefinition definition -> () -> Definitions.packageDefinition(definition);
+      case Ast.EnumDefinition definition -> () -> Definitions.enumDefinition(definition);
+      case Ast.Import statement -> () -> Definitions.importStatement(statement);
+      case Ast.If choice -> () -> conditional(choice);
+      case Ast.While loop -> () -> loop(loop);
+      case Ast.For loop -> () -> loop("for", loop.flavor(), clauses(loop), loop.body());
+      case Ast.ForEach loop -> () -> loop("for", loop.flavor(), range(loop), loop.body());
+      case Ast.Loop loop -> () -> loop(loop);
+      case Ast.Every every -> () -> every(every);
+      case Ast.Switch choice -> () -> choice(choice);
+      case Ast.Return exit -> () -> "return" + value(exit.value());
+      case Ast.Break exit -> () -> "break";
+      case Ast.Continue exit -> () -> "continue";
+      case Ast.Throw exit -> () -> "throw" + value(exit.value());
+      case Ast.Try attempt -> () -> attempt(attempt);
+      case Ast.Assert claim -> () -> claim(claim);
+      case Ast.Tagged tagged -> () -> tagged(tagged);
+      case Ast.At at -> () -> Events.at(at);
+      case Ast.Whenever whenever -> () -> Events.whenever(whenever);
+      case Ast.WaitUntil wait -> () -> "waituntil " + Events.condition(wait.condition());
+      case Ast.Emit emit when emit.duration() != null -> () -> Events.lasting(emit);
+      case Ast.Timeout timeout -> () -> timeout(timeout);
+      case Ast.StopIf stop -> () -> conditional("stopif", stop.condition(), stop.body());
+      case Ast.FreezeIf freeze -> () -> conditional("freezeif", freeze.condition(), freeze.body());
+      default -> () -> Expressions.expression(tree);
     };
+  }
+
+  private static String conditional(Ast.If choice) {
+    return "if ("
+        + statement(choice.condition())
+        + ")\n"
+        + clause(choice.thenClause())
+        + optional("else", choice.elseClause());
+  }
+
+  private static String conditional(String keyword, Ast.Condition condition, Ast body) {
+    return keyword + " " + Events.condition(condition) + "\n" + clause(body);
+  }
+
+  private static String loop(Ast.While loop) {
+    return loop("while", loop.flavor(), "(" + statement(loop.condition()) + ")", loop.body());
+  }
+
+  private static String loop(Ast.Loop loop) {
+    return "loop" + flavor(loop.flavor(), Flavor.SEMICOLON) + "\n" + clause(loop.body());
+  }
+
+  private static String tagged(Ast.Tagged tagged) {
+    return Expressions.expression(tagged.tag()) + ": " + nonempty(tagged.body());
+  }
+
+  private static String timeout(Ast.Timeout timeout) {
+    return "timeout ("
+        + Expressions.expression(timeout.duration())
+        + ")\n"
+        + clause(timeout.body());
   }
 
   // ------------------------------------------------------------------------------ composition
