@@ -35,6 +35,7 @@ public final class PageServer implements AutoCloseable {
   private static final int LONGEST_MESSAGE = 1 << 10;
   private static final int HANDSHAKE_MILLISECONDS = 5000;
   private static final int IDLE_SECONDS = 20;
+  private static final int CLOSE_SECONDS = 2;
   private static final int HIGHEST_PORT = 65_535;
 
   private final String host;
@@ -166,6 +167,9 @@ public final class PageServer implements AutoCloseable {
       listening.close().awaitUninterruptibly();
     }
     viewers.close();
-    thread.shutdownGracefully(0, 1, TimeUnit.SECONDS);
+    // The port is free when the thread has let go of the channel: somebody may want it at once.
+    thread
+        .shutdownGracefully(0, 1, TimeUnit.SECONDS)
+        .awaitUninterruptibly(CLOSE_SECONDS, TimeUnit.SECONDS);
   }
 }
