@@ -87,6 +87,7 @@ public final class ConsoleServer implements AutoCloseable {
                   @Override
                   protected void initChannel(Channel client) {
                     clients.add(client);
+                    client.pipeline().addLast(new ProtocolRefusal(trace));
                     if (remotes != null) {
                       client
                           .pipeline()

@@ -64,6 +64,19 @@ class ConsoleServerTest {
   }
 
   @Test
+  void aPageInABrowserRunsNothing() throws IOException {
+    try (TestClient judge = client();
+        TestClient page = client()) {
+      page.send(
+          "POST / HTTP/1.1\r\nHost: localhost\r\nOrigin: http://elsewhere\r\n\r\n"
+              + "\n*/}])>;\n;var Global.taken = 1;\n");
+      assertTrue(page.line().endsWith("which does not speak HTTP: closing"));
+      assertNull(page.line());
+      assertEquals("[:error] !!! 1.1-5: lookup failed: taken", judge.ask("taken;"));
+    }
+  }
+
+  @Test
   void aStatementMayBeCutAnywhere() throws IOException {
     try (TestClient client = client()) {
       for (char c : "echo(\"cut\" + 1".toCharArray()) {
