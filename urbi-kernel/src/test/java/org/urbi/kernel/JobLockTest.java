@@ -1,8 +1,11 @@
 package org.urbi.kernel;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -55,6 +58,49 @@ class JobLockTest {
     }
     behind.join(TimeUnit.SECONDS.toMillis(60));
     assertFalse(behind.isAlive());
+  }
+
+  /** Somebody else's lock is nothing simulated: an hour must not pass while a job waits for it. */
+  @Test
+  void simulatedTimeDoesNotRunAwayFromWhoWaitsInsideJava() throws InterruptedException {
+    List<String> order = new CopyOnWriteArrayList<>();
+    CountDownLatch hourOver = new CountDownLatch(1);
+    try (Kernel kernel =
+        Kernel.builder().jobThreads(JobThreads.TICK_LOOP).virtualTime(true).start()) {
+      synchronized (lock) {
+        start(
+            kernel,
+            () -> {
+              takeLock();
+              order.add("lock");
+            });
+        awaitBlocked(() -> waiting);
+        startHour(
+            kernel,
+            () -> {
+              order.add("hour");
+              hourOver.countDown();
+            });
+        assertFalse(hourOver.await(200, TimeUnit.MILLISECONDS), "the hour is over");
+      }
+      assertTrue(hourOver.await(60, TimeUnit.SECONDS), "the hour is never over");
+    }
+    assertEquals(List.of("lock", "hour"), order);
+  }
+
+  private static void startHour(Kernel kernel, Runnable whenOver) {
+    var scheduler = kernel.scheduler();
+    scheduler
+        .inbox()
+        .post(() ->
+            scheduler.startDetached(
+                null,
+                scheduler.rootScope(),
+                "asleep",
+                job -> {
+                  job.sleepUntil(scheduler.now() + TimeUnit.HOURS.toNanos(1));
+                  whenOver.run();
+                }));
   }
 
   private void takeLock() {

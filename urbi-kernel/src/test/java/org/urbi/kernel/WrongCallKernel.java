@@ -51,6 +51,9 @@ final class WrongCallKernel implements AutoCloseable {
 
   private static final int TURNS_TO_END = 50;
 
+  /** After so many waits besides, a call cannot be stopped. */
+  private static final int WAITS_TO_END = 300;
+
   private static final Pattern JAVA =
       Pattern.compile(
           "java[x]?\\.|org\\.urbi\\.|jdk\\.|\\tat |internal error|Exception in thread|"
@@ -251,7 +254,8 @@ final class WrongCallKernel implements AutoCloseable {
     }
     if (call != null && waited > WAITS_TO_INTERRUPT) {
       kernel.scheduler().interrupt(lobby);
-    } else if (call != null) {
+    }
+    if (call != null) {
       kernel.scheduler().inbox().post(judge::wake);
     }
   }
@@ -291,6 +295,10 @@ final class WrongCallKernel implements AutoCloseable {
       worker.terminate();
       for (int i = 0; i < TURNS_TO_END && worker.state() != Job.State.ENDED; i++) {
         judge.yieldNow();
+      }
+      // It may wait inside Java for what another thread has: a lock, a class that is being loaded.
+      for (int i = 0; i < WAITS_TO_END && worker.state() != Job.State.ENDED; i++) {
+        judge.waitForWake();
       }
       if (worker.state() != Job.State.ENDED) {
         throw new Defect("cannot be stopped: " + call.source());

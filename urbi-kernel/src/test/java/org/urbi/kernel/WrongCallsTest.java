@@ -120,7 +120,7 @@ class WrongCallsTest {
     assertEquals(calls, sum, results.toString());
     int spoilt = results.getOrDefault(WrongCallKernel.Result.SPOILT, 0);
     assertTrue(spoilt <= calls / RARE, results.toString());
-    if (calls >= RARE) {
+    if (calls >= RARE && ONLY.isEmpty()) {
       assertTrue(results.get(WrongCallKernel.Result.VALUE) > calls / RARE, results.toString());
       assertTrue(results.get(WrongCallKernel.Result.EXCEPTION) > calls / RARE, results.toString());
     }

@@ -383,8 +383,17 @@ public final class Job implements Runnable {
     }
   }
 
+  /**
+   * Its thread waits inside Java, as for a lock that another thread has. That is something real: a
+   * simulated time must not run away meanwhile.
+   */
+  void waitsInJava() {
+    scheduler.pace().begin();
+  }
+
   /** The JDK has something for the thread of this job. */
   void wakeFromOutside() {
+    scheduler.pace().end();
     scheduler.enqueue(this);
   }
 

@@ -103,6 +103,9 @@ final class TickLoopThread implements JobThread, Executor {
     continuation = null;
     if (next != null) {
       next.run();
+      if (continuation == null && job.state() != Job.State.ENDED) {
+        job.waitsInJava();
+      }
     }
   }
 
