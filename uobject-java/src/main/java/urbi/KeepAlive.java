@@ -1,5 +1,9 @@
 package urbi;
 
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import urbi.time.Stopwatch;
+
 /** Asks at intervals of silence, and gives up when the silence goes on. */
 final class KeepAlive {
   private final long interval;
@@ -7,7 +11,8 @@ final class KeepAlive {
   private final Runnable ask;
   private final Runnable giveUp;
   private final Thread thread;
-  private volatile long last = System.nanoTime();
+  private final Stopwatch silence = new Stopwatch();
+  private final AtomicInteger signs = new AtomicInteger();
 
   /**
    * @param interval milliseconds of silence before asking
@@ -23,7 +28,8 @@ final class KeepAlive {
 
   /** There has been a sign of life. */
   void alive() {
-    last = System.nanoTime();
+    silence.restart();
+    signs.incrementAndGet();
   }
 
   void stop() {
@@ -37,10 +43,10 @@ final class KeepAlive {
         if (left > 0) {
           Thread.sleep(left);
         } else {
-          long asked = last;
+          int before = signs.get();
           ask.run();
           Thread.sleep(patience);
-          if (last == asked) {
+          if (signs.get() == before) {
             giveUp.run();
             return;
           }
@@ -52,6 +58,6 @@ final class KeepAlive {
   }
 
   private long left(long milliseconds) {
-    return milliseconds - (System.nanoTime() - last) / 1_000_000;
+    return milliseconds - silence.elapsed(TimeUnit.MILLISECONDS);
   }
 }

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import urbi.time.Stopwatch;
 
 /**
  * What a client of a server does, wherever its bytes go: it sends urbiscript, and calls callbacks
@@ -23,7 +24,7 @@ public abstract class UAbstractClient {
   /** The tag of the messages that the client itself makes of its errors. */
   public static final String CLIENTERROR_TAG = "client error";
 
-  private static final long START = System.nanoTime();
+  private static final Stopwatch SINCE_START = new Stopwatch();
 
   private final String host;
   private final int port;
@@ -216,7 +217,7 @@ public abstract class UAbstractClient {
 
   /** Milliseconds since some time that does not change. */
   public long getCurrentTime() {
-    return TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - START);
+    return SINCE_START.elapsed(TimeUnit.MILLISECONDS);
   }
 
   /** The time stamp of the last message. */

@@ -1,5 +1,12 @@
 package urbi;
 
+import java.util.function.Supplier;
+import urbi.media.Colours;
+import urbi.media.ImageFormat;
+import urbi.media.MediaException;
+import urbi.media.Picture;
+import urbi.media.Recording;
+
 /**
  * Converts images and sounds (manual, "Binary conversion").
  *
@@ -15,17 +22,29 @@ public final class UConversion {
    * gets new data.
    */
   public static void convert(UImage source, UImage destination) {
-    Pixels pixels = ImageDecoder.decode(source);
-    int width = destination.getWidth() == 0 ? pixels.width() : destination.getWidth();
-    int height = destination.getHeight() == 0 ? pixels.height() : destination.getHeight();
-    UImageFormat format = destination.getImageFormat();
-    if (format == source.getImageFormat() && width == pixels.width() && height == pixels.height()) {
-      destination.setData(source.getData().clone());
-    } else {
-      destination.setData(ImageEncoder.encode(pixels.scaled(width, height), format));
+    Picture made =
+        guarded(() ->
+            picture(source)
+                .converted(
+                    destination.getImageFormat().format(),
+                    destination.getWidth(),
+                    destination.getHeight()));
+    destination.setData(made.data());
+    destination.setWidth(made.width());
+    destination.setHeight(made.height());
+  }
+
+  private static Picture picture(UImage image) {
+    return new Picture(
+        image.getImageFormat().format(), image.getWidth(), image.getHeight(), image.getData());
+  }
+
+  private static <T> T guarded(Supplier<T> conversion) {
+    try {
+      return conversion.get();
+    } catch (MediaException e) {
+      throw new UConversionException(e.getMessage(), e);
     }
-    destination.setWidth(width);
-    destination.setHeight(height);
   }
 
   /**
@@ -34,7 +53,23 @@ public final class UConversion {
    * destination gets new data.
    */
   public static void convert(USound source, USound destination) {
-    SoundConversion.convert(source, destination);
+    Recording made = guarded(() -> recording(source).converted(recording(destination)));
+    destination.setChannels(made.channels());
+    destination.setRate(made.rate());
+    destination.setSampleSize(made.sampleSize());
+    destination.setSampleFormat(USoundSampleFormat.of(made.samples()));
+    destination.setData(made.data());
+  }
+
+  private static Recording recording(USound sound) {
+    USoundSampleFormat samples = sound.getSampleFormat();
+    return new Recording(
+        sound.getSoundFormat().format(),
+        sound.getChannels(),
+        sound.getRate(),
+        sound.getSampleSize(),
+        samples == null ? null : samples.format(),
+        sound.getData());
   }
 
   /** Red, green, blue to luminance, blue and red difference. */
@@ -87,9 +122,7 @@ public final class UConversion {
    * @param quality from 0 to 100
    */
   public static byte[] convertRGBtoJPEG(byte[] source, int width, int height, int quality) {
-    Pixels pixels = new Pixels(width, height, false, source);
-    pixels.check("rgb");
-    return ImageEncoder.jpeg(pixels, quality);
+    return guarded(() -> new Picture(ImageFormat.RGB, width, height, source).toJpeg(quality));
   }
 
   /**
@@ -98,8 +131,7 @@ public final class UConversion {
    * @param quality from 0 to 100
    */
   public static byte[] convertYCrCbtoJPEG(byte[] source, int width, int height, int quality) {
-    Pixels pixels = new Pixels(width, height, true, convertYCrCbtoYCbCr(source));
-    pixels.check("YCbCr");
-    return ImageEncoder.jpeg(pixels, quality);
+    byte[] ycbcr = convertYCrCbtoYCbCr(source);
+    return guarded(() -> new Picture(ImageFormat.YCBCR, width, height, ycbcr).toJpeg(quality));
   }
 }

@@ -1,45 +1,49 @@
 package urbi;
 
-import java.util.Locale;
+import urbi.media.ImageFormat;
 
 /** How the data of a {@link UImage} are to be read. */
 public enum UImageFormat {
-  IMAGE_UNKNOWN("unknown"),
+  IMAGE_UNKNOWN(ImageFormat.UNKNOWN),
   /** Red, green, blue: 3 bytes for each pixel. */
-  IMAGE_RGB("rgb"),
+  IMAGE_RGB(ImageFormat.RGB),
   /** Luminance, blue and red difference: 3 bytes for each pixel, full range. */
-  IMAGE_YCbCr("YCbCr"),
+  IMAGE_YCbCr(ImageFormat.YCBCR),
   /** A JPEG file. */
-  IMAGE_JPEG("jpeg"),
+  IMAGE_JPEG(ImageFormat.JPEG),
   /** A PPM file, variant P6. */
-  IMAGE_PPM("ppm"),
+  IMAGE_PPM(ImageFormat.PPM),
   /** Two pixels in four bytes: Y, U, Y, V; also known as YUYV. */
-  IMAGE_YUV422("yuv422"),
+  IMAGE_YUV422(ImageFormat.YUV422),
   /** One byte for each pixel. */
-  IMAGE_GREY8("grey8"),
+  IMAGE_GREY8(ImageFormat.GREY8),
   /**
    * Two pixels in each byte, the first in the upper half; rows follow one another without a gap.
    */
-  IMAGE_GREY4("grey4"),
+  IMAGE_GREY4(ImageFormat.GREY4),
   /** All Y, then the U and the V of each four neighbours in a row. */
-  IMAGE_YUV411_PLANAR("yuv411planar"),
+  IMAGE_YUV411_PLANAR(ImageFormat.YUV411_PLANAR),
   /** All Y, then U and V in turn, one pair for each two by two pixels. */
-  IMAGE_NV12("nv12"),
+  IMAGE_NV12(ImageFormat.NV12),
   /** All Y, then all U, then all V, one of each for two by two pixels. */
-  IMAGE_YUV420_PLANAR("yuv420planar");
+  IMAGE_YUV420_PLANAR(ImageFormat.YUV420_PLANAR);
 
   /** Another name of {@link #IMAGE_YCbCr}. */
   public static final UImageFormat IMAGE_YUV = IMAGE_YCbCr;
 
-  private final String text;
+  private final ImageFormat format;
 
-  UImageFormat(String text) {
-    this.text = text;
+  UImageFormat(ImageFormat format) {
+    this.format = format;
   }
 
   /** The word that starts the header of a binary of that format. */
   public String format_string() {
-    return text;
+    return format.keyword();
+  }
+
+  ImageFormat format() {
+    return format;
   }
 
   /**
@@ -47,18 +51,12 @@ public enum UImageFormat {
    * for others.
    */
   public static UImageFormat parse(String word) {
-    return switch (word.toLowerCase(Locale.ROOT)) {
-      case "rgb" -> IMAGE_RGB;
-      case "ycbcr", "ycrcb", "yuv" -> IMAGE_YCbCr;
-      case "jpeg", "jpg" -> IMAGE_JPEG;
-      case "ppm" -> IMAGE_PPM;
-      case "yuv422", "yuyv" -> IMAGE_YUV422;
-      case "grey8" -> IMAGE_GREY8;
-      case "grey4" -> IMAGE_GREY4;
-      case "yuv411planar", "yuv411_planar" -> IMAGE_YUV411_PLANAR;
-      case "nv12" -> IMAGE_NV12;
-      case "yuv420planar", "yuv420_planar" -> IMAGE_YUV420_PLANAR;
-      default -> IMAGE_UNKNOWN;
-    };
+    ImageFormat wanted = ImageFormat.of(word);
+    for (UImageFormat each : values()) {
+      if (each.format == wanted) {
+        return each;
+      }
+    }
+    return IMAGE_UNKNOWN;
   }
 }

@@ -1,13 +1,9 @@
 package urbi;
 
-import java.io.IOException;
-import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.ServiceLoader;
 import java.util.WeakHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 
@@ -16,11 +12,15 @@ import java.util.concurrent.CopyOnWriteArrayList;
  * program itself. {@link UObject#UStart} adds a class to the module whose class loader has loaded
  * it.
  *
- * <p>A jar is read whole when it is loaded, into a class loader of its own; the file may be
- * replaced at any time. Two contexts that load the same jar share nothing.
+ * <p>Files with modules are loaded by {@code urbi.spi.ModuleFiles}.
  */
-public final class UModule {
-  /** The modules of class loaders that are not made here. */
+public class UModule {
+  /** A class loader that loads the classes of one module. */
+  public interface Loader {
+    UModule module();
+  }
+
+  /** The modules of the other class loaders. */
   private static final Map<ClassLoader, UModule> PROGRAMS = new WeakHashMap<>();
 
   private final String name;
@@ -29,7 +29,6 @@ public final class UModule {
   private final List<UContext> contexts = new CopyOnWriteArrayList<>();
   private final UTaskQueue queue = new UTaskQueue();
   private final Runnable whenLeft;
-  private ModuleClassLoader loader;
 
   /** A module to be filled by hand, for classes that are not of Java. */
   public UModule(String name) {
@@ -47,71 +46,9 @@ public final class UModule {
     this.whenLeft = Objects.requireNonNull(whenLeft, "whenLeft");
   }
 
-  /** Those who load what is no jar. */
-  private static ServiceLoader<UModuleLoader> loaders() {
-    return ServiceLoader.load(UModuleLoader.class, UModule.class.getClassLoader());
-  }
-
-  /** What the names of files with modules end with, with the dot; those of jars come first. */
-  public static List<String> suffixes() {
-    List<String> suffixes = new ArrayList<>(List.of(".jar"));
-    loaders().forEach(other -> suffixes.add(other.suffix()));
-    return suffixes;
-  }
-
-  /**
-   * Loads a jar, or a folder of classes: every class in it that calls {@link UObject#UStart} or
-   * {@link UObject#UStartHub} when it is initialized, or is annotated with {@link UStart}, is
-   * initialized now; which these are {@linkplain UModuleIndex the manifest} may say. Files that end
-   * as a {@link UModuleLoader} wants it are loaded by that.
-   *
-   * @throws UModuleException if the file cannot be read or is no jar, has no such class, or one
-   *     that cannot be loaded
-   */
-  public static UModule load(Path jar) {
-    return load(jar, List.of());
-  }
-
-  /**
-   * Loads a jar that may use classes of other ones, too.
-   *
-   * @param libraries looked into for classes that the jar lacks, whenever one is needed
-   * @throws UModuleException as {@link #load(Path)}
-   */
-  public static UModule load(Path jar, List<UModule> libraries) {
-    UModule module = loadLibrary(jar, libraries);
-    if (module.classes.isEmpty() && module.hubs.isEmpty()) {
-      throw new UModuleException("no UObject in " + jar);
-    }
-    return module;
-  }
-
-  /**
-   * Loads a jar for the classes in it, which may be UObjects.
-   *
-   * @throws UModuleException as {@link #load(Path)}, but it need not have UObjects
-   */
-  public static UModule loadLibrary(Path jar, List<UModule> libraries) {
-    for (UModuleLoader other : loaders()) {
-      if (jar.toString().endsWith(other.suffix())) {
-        return other.load(jar);
-      }
-    }
-    JarContent content;
-    try {
-      content = JarContent.read(jar);
-    } catch (IOException e) {
-      throw new UModuleException("cannot read " + jar + ": " + JarContent.reason(e), e);
-    }
-    UModule module = new UModule(jar.getFileName().toString());
-    module.loader = new ModuleClassLoader(content, module, libraries, ModuleParent.LOADER);
-    module.loader.initialize();
-    return module;
-  }
-
   /** The module of the classes that a class loader has loaded. */
   static UModule of(ClassLoader classLoader) {
-    if (classLoader instanceof ModuleClassLoader own) {
+    if (classLoader instanceof Loader own) {
       return own.module();
     }
     synchronized (PROGRAMS) {
@@ -122,7 +59,7 @@ public final class UModule {
   /** The one context in which the module of a class loader is started, or null. */
   static UContext contextOf(ClassLoader classLoader) {
     UModule module;
-    if (classLoader instanceof ModuleClassLoader own) {
+    if (classLoader instanceof Loader own) {
       module = own.module();
     } else {
       synchronized (PROGRAMS) {
@@ -132,23 +69,18 @@ public final class UModule {
     return module != null && module.contexts.size() == 1 ? module.contexts.getFirst() : null;
   }
 
-  /** A class of the jar by its name, for other modules; null if it has none. */
-  Class<?> findClass(String className) {
-    return loader == null ? null : loader.own(className);
-  }
-
   /** What it is called: the name of the file. */
-  public String name() {
+  public final String name() {
     return name;
   }
 
   /** Its classes, in the order in which they were declared. */
-  public List<UClass> classes() {
+  public final List<UClass> classes() {
     return List.copyOf(classes);
   }
 
   /** Its hubs, in the order in which they were declared. */
-  public List<UHubClass> hubs() {
+  public final List<UHubClass> hubs() {
     return List.copyOf(hubs);
   }
 
@@ -158,14 +90,14 @@ public final class UModule {
   }
 
   /** Declares a class; contexts in which the module is started already get it now. */
-  public void add(UClass type) {
+  public final void add(UClass type) {
     classes.removeIf(known -> known.name().equals(type.name()));
     classes.add(type);
     contexts.forEach(context -> context.start(type));
   }
 
   /** Declares a class of hubs; contexts in which the module is started already get it now. */
-  public void add(UHubClass type) {
+  public final void add(UHubClass type) {
     hubs.removeIf(known -> known.name().equals(type.name()));
     hubs.add(type);
     contexts.forEach(context -> context.startHub(type));
@@ -176,14 +108,14 @@ public final class UModule {
    *
    * @throws RuntimeException what the first one throws that cannot be started
    */
-  public void startIn(UContext context) {
+  public final void startIn(UContext context) {
     contexts.add(context);
     hubs.forEach(context::startHub);
     classes.forEach(context::start);
   }
 
   /** It is no longer used in a context. */
-  public void leave(UContext context) {
+  public final void leave(UContext context) {
     if (contexts.remove(context) && contexts.isEmpty()) {
       whenLeft.run();
     }

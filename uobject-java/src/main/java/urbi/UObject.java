@@ -81,7 +81,8 @@ public abstract non-sealed class UObject extends UResident {
   public static void main(String[] arguments) {
     Class<?> caller =
         StackWalker.getInstance(StackWalker.Option.RETAIN_CLASS_REFERENCE).getCallerClass();
-    if (UMain.runProgram(arguments, caller.getClassLoader()) != 0) {
+    UModule program = UModule.of(caller.getClassLoader());
+    if (RemoteRunner.get().run(arguments, program, System.out, System.err) != 0) {
       throw new IllegalStateException("the UObjects could not be run");
     }
   }

@@ -1,28 +1,32 @@
 package urbi;
 
-import java.util.Locale;
+import urbi.media.SoundFormat;
 
 /** How the data of a {@link USound} are to be read. */
 public enum USoundFormat {
   /** Samples one after the other, those of all channels together, lowest byte first. */
-  SOUND_RAW("raw"),
+  SOUND_RAW(SoundFormat.RAW),
   /** A WAV file. */
-  SOUND_WAV("wav"),
+  SOUND_WAV(SoundFormat.WAV),
   /** An MP3 file. */
-  SOUND_MP3("mp3"),
+  SOUND_MP3(SoundFormat.MP3),
   /** An Ogg file. */
-  SOUND_OGG("ogg"),
-  SOUND_UNKNOWN("unknown");
+  SOUND_OGG(SoundFormat.OGG),
+  SOUND_UNKNOWN(SoundFormat.UNKNOWN);
 
-  private final String text;
+  private final SoundFormat format;
 
-  USoundFormat(String text) {
-    this.text = text;
+  USoundFormat(SoundFormat format) {
+    this.format = format;
   }
 
   /** The word that starts the header of a binary of that format. */
   public String format_string() {
-    return text;
+    return format.keyword();
+  }
+
+  SoundFormat format() {
+    return format;
   }
 
   /**
@@ -30,12 +34,12 @@ public enum USoundFormat {
    * for others.
    */
   public static USoundFormat parse(String word) {
-    return switch (word.toLowerCase(Locale.ROOT)) {
-      case "raw" -> SOUND_RAW;
-      case "wav" -> SOUND_WAV;
-      case "mp3" -> SOUND_MP3;
-      case "ogg" -> SOUND_OGG;
-      default -> SOUND_UNKNOWN;
-    };
+    SoundFormat wanted = SoundFormat.of(word);
+    for (USoundFormat each : values()) {
+      if (each.format == wanted) {
+        return each;
+      }
+    }
+    return SOUND_UNKNOWN;
   }
 }

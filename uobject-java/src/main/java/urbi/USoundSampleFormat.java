@@ -1,28 +1,44 @@
 package urbi;
 
+import urbi.media.SampleFormat;
+
 /** What the bits of a sample mean. */
 public enum USoundSampleFormat {
-  SAMPLE_SIGNED(1),
-  SAMPLE_UNSIGNED(2),
+  SAMPLE_SIGNED(SampleFormat.SIGNED),
+  SAMPLE_UNSIGNED(SampleFormat.UNSIGNED),
   /** IEEE 754. */
-  SAMPLE_FLOAT(3);
+  SAMPLE_FLOAT(SampleFormat.FLOAT);
 
-  private final int code;
+  private final SampleFormat format;
 
-  USoundSampleFormat(int code) {
-    this.code = code;
+  USoundSampleFormat(SampleFormat format) {
+    this.format = format;
   }
 
   /** The number that stands for it in the header of a binary. */
   public int code() {
-    return code;
+    return format.code();
+  }
+
+  SampleFormat format() {
+    return format;
+  }
+
+  /** What a format of samples is called here; null for null. */
+  static USoundSampleFormat of(SampleFormat format) {
+    for (USoundSampleFormat each : values()) {
+      if (each.format == format) {
+        return each;
+      }
+    }
+    return null;
   }
 
   /** What a number stands for; null for others, and for 0, which leaves it open. */
   static USoundSampleFormat of(int code) {
-    for (USoundSampleFormat format : values()) {
-      if (format.code == code) {
-        return format;
+    for (USoundSampleFormat each : values()) {
+      if (each.code() == code) {
+        return each;
       }
     }
     return null;

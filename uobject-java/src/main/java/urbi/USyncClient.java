@@ -9,6 +9,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import urbi.time.Stopwatch;
 
 /**
  * A client that also asks and waits for the answer. That may be done in callbacks, too: they are
@@ -126,11 +127,9 @@ public class USyncClient extends UClient {
    * @return whether there were any
    */
   public boolean processEvents(long microseconds) {
-    long start = System.nanoTime();
+    Stopwatch time = new Stopwatch();
     boolean any = false;
-    while (microseconds < 0
-        || !any
-        || System.nanoTime() - start < TimeUnit.MICROSECONDS.toNanos(microseconds)) {
+    while (microseconds < 0 || !any || time.elapsed(TimeUnit.MICROSECONDS) < microseconds) {
       UMessage message = queue.poll();
       if (message == null || message == END) {
         break;
@@ -288,8 +287,8 @@ public class USyncClient extends UClient {
 
   /** How long the server takes to execute a statement and to answer. */
   public Duration ping(Duration time) {
-    long start = System.nanoTime();
+    Stopwatch taken = new Stopwatch();
     syncGet(time, "0");
-    return Duration.ofNanos(System.nanoTime() - start);
+    return Duration.ofNanos(taken.elapsed(TimeUnit.NANOSECONDS));
   }
 }

@@ -1,11 +1,14 @@
 package urbi.remote;
 
+import java.util.concurrent.TimeUnit;
+import urbi.time.Stopwatch;
+
 /** What time it is in the kernel: as far as its messages tell, of which the quickest count. */
 final class KernelTime {
   private volatile long ahead = Long.MIN_VALUE;
 
   private static long here() {
-    return System.nanoTime() / 1000;
+    return TimeUnit.NANOSECONDS.toMicros(Stopwatch.nanoseconds());
   }
 
   /** The kernel says that it was that time, in microseconds since its start, a moment ago. */

@@ -14,6 +14,10 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import urbi.UClientException;
+import urbi.wire.Protocol;
+import urbi.wire.WireException;
+import urbi.wire.WireInput;
+import urbi.wire.WireOutput;
 
 /**
  * The connection of a remote process: frames out and in. What is urgent is sent by the thread that

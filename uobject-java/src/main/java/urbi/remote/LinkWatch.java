@@ -1,11 +1,13 @@
 package urbi.remote;
 
 import java.util.concurrent.TimeUnit;
+import urbi.time.Stopwatch;
+import urbi.wire.Protocol;
 
 /** Looks after a connection: notices when the other side is silent for too long. */
 final class LinkWatch implements AutoCloseable {
   private final Thread thread;
-  private volatile long last = System.nanoTime();
+  private final Stopwatch silence = new Stopwatch();
 
   /**
    * @param look is called once a second
@@ -36,12 +38,12 @@ final class LinkWatch implements AutoCloseable {
   }
 
   private long silence() {
-    return TimeUnit.NANOSECONDS.toSeconds(System.nanoTime() - last);
+    return silence.elapsed(TimeUnit.SECONDS);
   }
 
   /** There has been a sign of life. */
   void alive() {
-    last = System.nanoTime();
+    silence.restart();
   }
 
   @Override

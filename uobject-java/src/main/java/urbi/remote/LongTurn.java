@@ -2,6 +2,7 @@ package urbi.remote;
 
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import urbi.time.Stopwatch;
 
 /** Who has the turn to be executed; says so of a function that does not return for long. */
 final class LongTurn {
@@ -9,7 +10,7 @@ final class LongTurn {
 
   private final Consumer<String> told;
   private volatile String function;
-  private volatile long since;
+  private final Stopwatch since = new Stopwatch();
   private boolean said;
 
   LongTurn(Consumer<String> told) {
@@ -17,7 +18,7 @@ final class LongTurn {
   }
 
   void begin(String name) {
-    since = System.nanoTime();
+    since.restart();
     function = name;
   }
 
@@ -28,8 +29,7 @@ final class LongTurn {
   /** Complains, once, if the same function has had the turn for too long; by one thread. */
   void complain() {
     String name = function;
-    boolean isLong =
-        name != null && TimeUnit.NANOSECONDS.toSeconds(System.nanoTime() - since) >= LONG_SECONDS;
+    boolean isLong = name != null && since.elapsed(TimeUnit.SECONDS) >= LONG_SECONDS;
     if (isLong && !said) {
       told.accept(
           name + " has not returned for " + LONG_SECONDS + " s; calls that are not threaded wait");

@@ -31,11 +31,18 @@ import urbi.UObject;
 import urbi.UObjectHub;
 import urbi.UObjectMode;
 import urbi.USlot;
-import urbi.UThreadPool;
 import urbi.UValue;
 import urbi.rtp.RtpCounts;
 import urbi.rtp.RtpMode;
 import urbi.rtp.RtpOptions;
+import urbi.spi.ArgumentException;
+import urbi.spi.ArgumentTypes;
+import urbi.spi.Failure;
+import urbi.spi.ThreadPool;
+import urbi.wire.Frame;
+import urbi.wire.WireException;
+import urbi.wire.WireInput;
+import urbi.wire.WireOutput;
 
 /**
  * The context of UObjects in a process that is connected to a kernel.
@@ -49,7 +56,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   private final Link link;
   private final Dispatcher dispatcher = new Dispatcher(this::readOne, this::execute);
   private final Requests requests = new Requests();
-  private final UThreadPool threads = new UThreadPool("urbi-remote-function-");
+  private final ThreadPool threads = new ThreadPool("urbi-remote-function-");
   private final RemoteTimers timers = new RemoteTimers(dispatcher);
   private final Map<String, UClass> classes = new ConcurrentHashMap<>();
   private final Map<String, UObject> objects = new ConcurrentHashMap<>();

@@ -21,6 +21,11 @@ import urbi.rtp.RtpCounts;
 import urbi.rtp.RtpOptions;
 import urbi.rtp.RtpSession;
 import urbi.rtp.RtpTerms;
+import urbi.time.Stopwatch;
+import urbi.wire.Frame;
+import urbi.wire.WireException;
+import urbi.wire.WireInput;
+import urbi.wire.WireOutput;
 
 /** The datagrams of a remote process: agrees upon them with the kernel, sends and receives them. */
 final class RemoteDatagrams implements AutoCloseable {
@@ -260,7 +265,7 @@ final class RemoteDatagrams implements AutoCloseable {
 
     @Override
     public long microseconds() {
-      return System.nanoTime() / 1000;
+      return TimeUnit.NANOSECONDS.toMicros(Stopwatch.nanoseconds());
     }
 
     @Override

@@ -8,6 +8,7 @@ import urbi.UProperty;
 import urbi.USlot;
 import urbi.UValue;
 import urbi.rtp.RtpMode;
+import urbi.wire.Frame;
 
 /** A variable of the kernel, as a remote process sees it: its value is a copy that is kept up. */
 final class RemoteSlot implements USlot {

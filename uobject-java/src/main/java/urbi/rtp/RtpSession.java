@@ -2,8 +2,8 @@ package urbi.rtp;
 
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicBoolean;
-import urbi.remote.WireInput;
-import urbi.remote.WireOutput;
+import urbi.wire.WireInput;
+import urbi.wire.WireOutput;
 
 /**
  * One end of the datagrams between a process with UObjects and the kernel. Its methods may be

@@ -1,7 +1,7 @@
 package urbi.rtp;
 
-import urbi.remote.WireInput;
-import urbi.remote.WireOutput;
+import urbi.wire.WireInput;
+import urbi.wire.WireOutput;
 
 /**
  * What one side tells the other, over the connection, about the datagrams that it takes and sends.

@@ -15,6 +15,8 @@ import com.tngtech.archunit.core.importer.ImportOption.DoNotIncludeTests;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.library.dependencies.SliceAssignment;
+import com.tngtech.archunit.library.dependencies.SliceIdentifier;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -57,6 +59,53 @@ class ArchitectureTest {
           .should()
           .onlyDependOnClassesThat()
           .resideInAnyPackage("urbi..", "java..", "javax.imageio..");
+
+  @ArchTest static final ArchRule theClockKnowsNobody = knowsOnly("urbi.time");
+
+  @ArchTest static final ArchRule imagesAndSoundsKnowNobody = knowsOnly("urbi.media");
+
+  @ArchTest
+  static final ArchRule whatUsersImportKnowsWhatIsBelow =
+      knowsOnly("urbi", "urbi.time", "urbi.media");
+
+  @ArchTest static final ArchRule homesOfUObjectsKnowUObjects = knowsOnly("urbi.spi", "urbi");
+
+  @ArchTest static final ArchRule valuesAsBytesKnowValues = knowsOnly("urbi.wire", "urbi");
+
+  @ArchTest
+  static final ArchRule datagramsKnowTheirContent = knowsOnly("urbi.rtp", "urbi.wire", "urbi");
+
+  @ArchTest
+  static final ArchRule nobodyInTheSdkKnowsRemoteProcesses =
+      noClasses()
+          .that()
+          .resideInAPackage("urbi..")
+          .and()
+          .resideOutsideOfPackage("urbi.remote..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAPackage("urbi.remote..");
+
+  @ArchTest
+  static final ArchRule noCyclesAmongTheRoomsOfTheSdk =
+      slices()
+          .assignedFrom(
+              new SliceAssignment() {
+                @Override
+                public SliceIdentifier getIdentifierOf(JavaClass type) {
+                  String room = type.getPackageName();
+                  return room.equals("urbi") || room.startsWith("urbi.")
+                      ? SliceIdentifier.of(room)
+                      : SliceIdentifier.ignore();
+                }
+
+                @Override
+                public String getDescription() {
+                  return "the packages of the SDK";
+                }
+              })
+          .should()
+          .beFreeOfCycles();
 
   @ArchTest static final ArchRule simulationKnowsNobody = knowsOnly("org.urbi.sim..", "urbi");
 
@@ -123,10 +172,10 @@ class ArchitectureTest {
   static final ArchRule onlyTheTimeRoomReadsTheClock =
       noClasses()
           .that()
-          .resideInAPackage("org.urbi..")
+          .resideInAnyPackage("org.urbi..", "urbi..")
           .and()
           .resideOutsideOfPackages(
-              "org.urbi.kernel.time..", "org.urbi.sim.time..", "org.urbi.bench..")
+              "org.urbi.kernel.time..", "org.urbi.sim.time..", "org.urbi.bench..", "urbi.time")
           .should()
           .callCodeUnitWhere(are(callsOf("a clock", CLOCKS)));
 
@@ -134,13 +183,15 @@ class ArchitectureTest {
   static final ArchRule onlyTheRandomRoomDrawsNumbers =
       noClasses()
           .that()
-          .resideInAPackage("org.urbi..")
+          .resideInAnyPackage("org.urbi..", "urbi..")
           .and()
           .resideOutsideOfPackages("org.urbi.kernel.random..", "org.urbi.bench..")
           .and()
-          // Its secret is for the one who is to send datagrams, and must not be guessed from a
-          // seed.
+          // Their secrets are for the one at the other end of the datagrams, and must not be
+          // guessed from a seed.
           .doNotHaveFullyQualifiedName("org.urbi.server.net.FrameDatagrams")
+          .and()
+          .haveNameNotMatching("urbi\\.remote\\.RemoteDatagrams(\\$.*)?")
           .should()
           .callCodeUnitWhere(are(callsOf("a source of random numbers", DICE)));
 
@@ -208,7 +259,7 @@ class ArchitectureTest {
   static final ArchRule theMachinesCharacterSetDoesNotMatter =
       noClasses()
           .that()
-          .resideInAPackage("org.urbi..")
+          .resideInAnyPackage("org.urbi..", "urbi..")
           .should()
           .callCodeUnitWhere(
               new DescribedPredicate<JavaCall<?>>("uses the default character set") {

@@ -2,10 +2,10 @@ package org.urbi.bridge;
 
 import java.nio.file.Path;
 import urbi.UModule;
-import urbi.UModuleLoader;
+import urbi.spi.ModuleLoader;
 
 /** Has shared libraries loaded as modules wherever jars are. */
-public final class NativeModuleLoader implements UModuleLoader {
+public final class NativeModuleLoader implements ModuleLoader {
   private static final String SUFFIX =
       System.getProperty("os.name").startsWith("Windows") ? ".dll" : ".so";
 

@@ -26,14 +26,14 @@ import urbi.UModule;
 import urbi.UObject;
 import urbi.UProperty;
 import urbi.UValue;
-import urbi.remote.Frame;
-import urbi.remote.WireException;
-import urbi.remote.WireInput;
-import urbi.remote.WireOutput;
 import urbi.rtp.RtpMode;
 import urbi.rtp.RtpOptions;
 import urbi.rtp.RtpSession;
 import urbi.rtp.RtpTerms;
+import urbi.wire.Frame;
+import urbi.wire.WireException;
+import urbi.wire.WireInput;
+import urbi.wire.WireOutput;
 
 /**
  * One remote process: its classes, objects and variables.

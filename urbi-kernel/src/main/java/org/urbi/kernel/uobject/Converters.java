@@ -19,7 +19,7 @@ import urbi.UCastException;
 import urbi.UObject;
 import urbi.UValue;
 import urbi.UVar;
-import urbi.remote.ArgumentTypes;
+import urbi.spi.ArgumentTypes;
 
 /**
  * Calls Java functions with values of urbiscript: each parameter gets a converter of its own once,

@@ -16,6 +16,7 @@ import urbi.UClass;
 import urbi.UHubClass;
 import urbi.UModule;
 import urbi.UModuleException;
+import urbi.spi.ModuleFiles;
 
 /**
  * The modules that are loaded: jars and libraries with UObjects (manual, "System", loadModule). A
@@ -74,7 +75,7 @@ public final class Modules {
   /** What may be missing at the end of a name. */
   private static List<String> suffixes(String name) {
     List<String> suffixes = new ArrayList<>(List.of(""));
-    List<String> known = UModule.suffixes();
+    List<String> known = ModuleFiles.suffixes();
     if (known.stream().noneMatch(name::endsWith)) {
       suffixes.addAll(known);
     }
@@ -117,7 +118,7 @@ public final class Modules {
   private UModule read(Frame frame, Path file, boolean library) {
     Object outer = context.leave(frame);
     try {
-      return library ? UModule.loadLibrary(file, libraries) : UModule.load(file, libraries);
+      return library ? ModuleFiles.loadLibrary(file, libraries) : ModuleFiles.load(file, libraries);
     } finally {
       context.back(frame, outer);
     }

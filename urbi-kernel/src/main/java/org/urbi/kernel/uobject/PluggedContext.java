@@ -34,8 +34,8 @@ import urbi.UObject;
 import urbi.UObjectHub;
 import urbi.UObjectMode;
 import urbi.USlot;
-import urbi.UThreadPool;
 import urbi.UValue;
+import urbi.spi.ThreadPool;
 
 /**
  * The UObjects that live in the process of a kernel.
@@ -61,7 +61,7 @@ public final class PluggedContext implements UContext {
   private final Periods periods;
   private final Modules modules;
   private final SystemLobby systemLobby;
-  private final UThreadPool threads = new UThreadPool("urbi-uobject-");
+  private final ThreadPool threads = new ThreadPool("urbi-uobject-");
   private final Map<String, UObjectHub> hubs = new LinkedHashMap<>();
   private volatile boolean over;
 

@@ -12,10 +12,11 @@ import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
 import org.urbi.server.tools.Target;
-import urbi.UMain;
 import urbi.UModule;
 import urbi.UModuleException;
+import urbi.remote.RemoteProgram;
 import urbi.rtp.RtpOptions;
+import urbi.spi.ModuleFiles;
 
 /**
  * Runs UObjects in a process of their own that is connected to a server, or plugged into one
@@ -163,7 +164,7 @@ final class ModuleLauncher {
     for (String word : arguments.rest()) {
       Path file = path.find(word);
       try {
-        UModule module = UModule.load(file);
+        UModule module = ModuleFiles.load(file);
         out.println(file);
         module.hubs().forEach(hub -> out.println("  hub " + hub.name()));
         module.classes().forEach(type -> out.println("  class " + type.name()));
@@ -220,6 +221,6 @@ final class ModuleLauncher {
       words.add(module.equals(RtpOptions.MODULE) ? module : path.find(module).toString());
     }
     words.addAll(moduleOptions);
-    return UMain.run(words.toArray(String[]::new), out, err);
+    return new RemoteProgram().run(words.toArray(String[]::new), null, out, err);
   }
 }

@@ -9,13 +9,14 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.urbi.server.cli.SearchPath;
 import org.urbi.server.options.Failure;
-import urbi.UModule;
+import urbi.spi.ModuleFiles;
 
 /** Where modules are looked for: {@code URBI_UOBJECT_PATH} (manual, section 21.1). */
 record ModulePath(SearchPath path) {
   private static final String VARIABLE = "URBI_UOBJECT_PATH";
   private static final List<String> SUFFIXES =
-      Stream.concat(Stream.concat(Stream.of(""), UModule.suffixes().stream()), Stream.of(".zip"))
+      Stream.concat(
+              Stream.concat(Stream.of(""), ModuleFiles.suffixes().stream()), Stream.of(".zip"))
           .toList();
 
   /**

@@ -20,7 +20,7 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
 import java.util.zip.ZipOutputStream;
 import org.urbi.server.options.Failure;
-import urbi.UModuleIndex;
+import urbi.spi.ModuleIndex;
 
 /**
  * The jar that is made: the same classes give the same bytes, whenever it is made. What was added
@@ -80,7 +80,7 @@ final class ModuleJar {
   List<String> uobjects() {
     List<String> names = new ArrayList<>();
     entries.forEach((name, bytes) -> {
-      if (name.endsWith(CLASS) && !name.startsWith("urbi/") && UModuleIndex.declares(bytes)) {
+      if (name.endsWith(CLASS) && !name.startsWith("urbi/") && ModuleIndex.declares(bytes)) {
         names.add(name.substring(0, name.length() - CLASS.length()).replace('/', '.'));
       }
     });
@@ -130,7 +130,7 @@ final class ModuleJar {
     Attributes attributes = manifest.getMainAttributes();
     attributes.put(Attributes.Name.MANIFEST_VERSION, "1.0");
     attributes.putValue("Created-By", "umake-java");
-    attributes.putValue(UModuleIndex.ATTRIBUTE, String.join(" ", uobjects()));
+    attributes.putValue(ModuleIndex.ATTRIBUTE, String.join(" ", uobjects()));
     return manifest;
   }
 }

@@ -10,10 +10,10 @@ import java.security.SecureRandom;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import urbi.remote.Frame;
-import urbi.remote.WireOutput;
 import urbi.rtp.RtpSession;
 import urbi.rtp.RtpTerms;
+import urbi.wire.Frame;
+import urbi.wire.WireOutput;
 
 /**
  * The datagrams of one connection. They are sent to where the last one that is its own came from.

@@ -16,12 +16,12 @@ import org.urbi.kernel.outside.SocketWatch;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.remote.RemoteWire;
 import org.urbi.server.Trace;
-import urbi.remote.Frame;
-import urbi.remote.Protocol;
-import urbi.remote.WireException;
-import urbi.remote.WireInput;
 import urbi.rtp.RtpSession;
 import urbi.rtp.RtpTerms;
+import urbi.wire.Frame;
+import urbi.wire.Protocol;
+import urbi.wire.WireException;
+import urbi.wire.WireInput;
 
 /**
  * A process with UObjects: cuts what it sends into frames for the kernel, and sends those of the

@@ -8,7 +8,7 @@ import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
 import java.nio.charset.StandardCharsets;
 import java.util.function.Supplier;
-import urbi.remote.Protocol;
+import urbi.wire.Protocol;
 
 /**
  * Looks at the first bytes of a client: whether it is a process with UObjects, which asks for their

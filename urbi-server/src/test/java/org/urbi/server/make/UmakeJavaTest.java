@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.server.tools.Captured;
 import urbi.UClass;
-import urbi.UModule;
+import urbi.spi.ModuleFiles;
 
 class UmakeJavaTest {
   private static final String UOBJECT =
@@ -78,7 +78,7 @@ class UmakeJavaTest {
             "parts/Machine.class"),
         entries(jar));
     assertEquals(
-        List.of("UMachine"), UModule.load(jar).classes().stream().map(UClass::name).toList());
+        List.of("UMachine"), ModuleFiles.load(jar).classes().stream().map(UClass::name).toList());
   }
 
   @Test

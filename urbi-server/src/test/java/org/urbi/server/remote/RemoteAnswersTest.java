@@ -31,9 +31,9 @@ import urbi.UObject;
 import urbi.USyncClient;
 import urbi.UValue;
 import urbi.UVar;
-import urbi.remote.Frame;
-import urbi.remote.Protocol;
 import urbi.remote.RemoteContext;
+import urbi.wire.Frame;
+import urbi.wire.Protocol;
 
 /** Calls one after the other, whose answers the kernel thread itself reads before long. */
 @Timeout(60)

@@ -13,9 +13,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import urbi.USlot;
 import urbi.UValue;
-import urbi.remote.Frame;
 import urbi.remote.RemoteContext;
-import urbi.remote.WireOutput;
+import urbi.wire.Frame;
+import urbi.wire.WireOutput;
 
 /** What a process makes of frames that come at once. */
 @Timeout(60)

@@ -20,8 +20,8 @@ import org.urbi.kernel.Kernel;
 import org.urbi.server.Trace;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
-import urbi.remote.Protocol;
 import urbi.remote.RemoteContext;
+import urbi.wire.Protocol;
 
 /**
  * A connection that is open, and says nothing any more: a machine that is off, a cable that is cut.

@@ -41,8 +41,8 @@ import urbi.UObject;
 import urbi.USyncClient;
 import urbi.UValue;
 import urbi.UVar;
-import urbi.remote.Protocol;
 import urbi.remote.RemoteContext;
+import urbi.wire.Protocol;
 
 /** UObjects that are connected to a kernel, and not plugged into it. */
 @Timeout(60)

@@ -1,0 +1,6 @@
+/**
+ * Images and sounds as bytes: what their formats are, and how one becomes another (manual, "Binary
+ * conversion"). It knows nothing of values and components; {@link urbi.UConversion} shows it to
+ * them.
+ */
+package urbi.media;

@@ -1,0 +1,71 @@
+package urbi.spi;
+
+import java.util.ArrayDeque;
+import java.util.concurrent.Executor;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
+
+/** The threads of one context. They are the machine's own: what runs there may block them. */
+public final class ThreadPool implements Executor, AutoCloseable {
+  private final ExecutorService threads;
+  private final ArrayDeque<Runnable> waiting = new ArrayDeque<>();
+  private int limit;
+  private int running;
+
+  /**
+   * @param name what the threads are called
+   */
+  public ThreadPool(String name) {
+    threads = Executors.newCachedThreadPool(Thread.ofPlatform().daemon().name(name, 0).factory());
+  }
+
+  /** Limits the number of threads that run at a time; 0 for any number. */
+  public void setLimit(int most) {
+    if (most < 0) {
+      throw new IllegalArgumentException("negative number of threads: " + most);
+    }
+    synchronized (waiting) {
+      limit = most;
+      startWaiting();
+    }
+  }
+
+  @Override
+  public void execute(Runnable task) {
+    synchronized (waiting) {
+      waiting.add(task);
+      startWaiting();
+    }
+  }
+
+  private void startWaiting() {
+    while (!waiting.isEmpty() && (limit == 0 || running < limit)) {
+      Runnable task = waiting.poll();
+      running++;
+      try {
+        threads.execute(() -> run(task));
+      } catch (RejectedExecutionException e) {
+        // The context has ended.
+        running--;
+      }
+    }
+  }
+
+  private void run(Runnable task) {
+    try {
+      task.run();
+    } finally {
+      synchronized (waiting) {
+        running--;
+        startWaiting();
+      }
+    }
+  }
+
+  /** Starts nothing more; interrupts what runs. */
+  @Override
+  public void close() {
+    threads.shutdownNow();
+  }
+}

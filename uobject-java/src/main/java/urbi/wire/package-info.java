@@ -1,0 +1,5 @@
+/**
+ * Values as bytes, and the frames in which a process with UObjects and a kernel talk to each other
+ * (docs/protocol.md).
+ */
+package urbi.wire;
