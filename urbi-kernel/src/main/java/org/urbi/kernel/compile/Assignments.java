@@ -30,7 +30,7 @@ final class Assignments {
   }
 
   private Node operand(Ast ast, Block block) {
-    return compilation.statements.compile(ast, block, Seen.NOTHING);
+    return compilation.operand(ast, block);
   }
 
   private Node target(Ast target, Span span, Block block) {
@@ -65,7 +65,7 @@ final class Assignments {
           span,
           Slots.lookup(interpreter(), message.name() + "="),
           message.target() == null ? null : operand(message.target(), block),
-          compilation.expressions.all(arguments, block));
+          compilation.all(arguments, block));
     }
     if (message.target() == null) {
       Variable variable = block.find(message.name());
@@ -121,7 +121,7 @@ final class Assignments {
           case Ast.Message message when message.arguments() != null ->
               new InPlace.Element(
                   target(message.target(), span, block),
-                  compilation.expressions.all(message.arguments(), block),
+                  compilation.all(message.arguments(), block),
                   interpreter().world().symbol(message.name()),
                   interpreter().world().symbol(message.name() + "="));
           case Ast.Message message -> {

@@ -15,6 +15,7 @@ final class Block {
   private final boolean scope;
   private final boolean parameters;
   private boolean redefines;
+  private boolean tagged;
   private final Map<String, Variable> variables = new LinkedHashMap<>();
   private Map<Object, Variable> begun;
   private List<Import> imports;
@@ -76,7 +77,7 @@ final class Block {
     return slots;
   }
 
-  /** The scope around, whose end a scope tag waits for; null at the top level. */
+  /** The scope around; null at the top level. */
   Block nearestScope() {
     Block block = this;
     while (block != null && !block.scope) {
@@ -94,13 +95,22 @@ final class Block {
     return block;
   }
 
-  /** Code of this scope asks for {@code redefinitionMode} or {@code nonInterruptible}. */
+  /** Code of this scope may ask for {@code redefinitionMode} or {@code nonInterruptible}. */
   void setRedefines() {
     redefines = true;
   }
 
   boolean redefines() {
     return redefines;
+  }
+
+  /** Code of this scope may ask for a tag that is stopped when the scope is left. */
+  void setTagged() {
+    tagged = true;
+  }
+
+  boolean isTagged() {
+    return tagged;
   }
 
   void add(String name, Variable variable) {

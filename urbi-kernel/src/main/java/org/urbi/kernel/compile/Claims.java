@@ -20,10 +20,9 @@ final class Claims {
   /** A claim, taken apart as far as the message of its failure shows it in parts. */
   Assertion.Claim claim(Ast ast, Block block) {
     if (!(ast instanceof Ast.Message message)
-        || (message.target() == null && block.find(message.name()) != null)
-        || compilation.expressions.isScopeTag(message)) {
+        || (message.target() == null && block.find(message.name()) != null)) {
       return new Assertion.Claim(
-          text(ast), compilation.expressions.operand(ast, block), null, null, null, List.of());
+          text(ast), compilation.operand(ast, block), null, null, null, List.of());
     }
     return new Assertion.Claim(
         text(ast),
@@ -31,11 +30,11 @@ final class Claims {
         operator(message),
         message.target() == null
             ? compilation.receivers.implicit(message.name(), message.span(), block)
-            : compilation.expressions.operand(message.target(), block),
+            : compilation.operand(message.target(), block),
         compilation.interpreter().world().symbol(message.name()),
         message.arguments() == null
             ? List.of()
-            : List.of(compilation.expressions.all(message.arguments(), block)));
+            : List.of(compilation.all(message.arguments(), block)));
   }
 
   /** The operator as it was written, if the claim compares or looks into a container; or null. */

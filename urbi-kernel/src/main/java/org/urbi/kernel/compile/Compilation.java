@@ -2,6 +2,7 @@ package org.urbi.kernel.compile;
 
 import java.util.Collections;
 import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Set;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Imports;
@@ -30,6 +31,8 @@ public final class Compilation {
   final Receivers receivers;
   final Functions functions;
   final Handlers handlers;
+  final Definitions definitions;
+  final Assignments assignments;
 
   private Compilation(Interpreter interpreter, Imports imports) {
     this.interpreter = interpreter;
@@ -40,6 +43,8 @@ public final class Compilation {
     this.receivers = new Receivers(this);
     this.functions = new Functions(this);
     this.handlers = new Handlers(this);
+    this.definitions = new Definitions(this);
+    this.assignments = new Assignments(this);
   }
 
   /** Compiled code of the top level. */
@@ -61,11 +66,30 @@ public final class Compilation {
       compilation.learned = false;
       compilation.regions = 0;
       Unit unit = new Unit(null);
-      Node code = compilation.statements.compile(statement, Block.top(unit), Seen.ALL);
+      Node code = compilation.compile(statement, Block.top(unit), Seen.ALL);
       if (!compilation.learned) {
         return new Compiled(code, unit.layout());
       }
     }
+  }
+
+  /**
+   * Compiles a tree.
+   *
+   * @param seen whether the statements around look at how this one ended, so that {@code return}
+   *     and {@code break} need not be thrown
+   */
+  Node compile(Ast ast, Block block, Seen seen) {
+    return ast.accept(new Translation(this, block, seen));
+  }
+
+  /** Compiles what is asked for its value. */
+  Node operand(Ast ast, Block block) {
+    return compile(ast, block, Seen.NOTHING);
+  }
+
+  Node[] all(List<Ast> asts, Block block) {
+    return asts.stream().map(ast -> operand(ast, block)).toArray(Node[]::new);
   }
 
   /** What is imported at the top level. */

@@ -30,7 +30,7 @@ final class Definitions {
   }
 
   private Node operand(Ast ast, Block block) {
-    return ast == null ? null : compilation.statements.compile(ast, block, Seen.NOTHING);
+    return ast == null ? null : compilation.operand(ast, block);
   }
 
   private Node target(Ast target, Span span, Block block) {
@@ -100,7 +100,7 @@ final class Definitions {
   }
 
   Node classDefinition(Ast.ClassDefinition definition, Block block) {
-    Node[] protos = compilation.expressions.all(definition.protos(), block);
+    Node[] protos = compilation.all(definition.protos(), block);
     Node object =
         new ClassNodes.New(definition.span(), protos, interpreter(), definition.name().name());
     return withBody(definition.name(), definition, definition.body(), block, object);

@@ -80,7 +80,7 @@ final class Functions {
   }
 
   private Node optional(Ast ast, Block block) {
-    return ast == null ? null : compilation.statements.compile(ast, block, Seen.NOTHING);
+    return ast == null ? null : compilation.operand(ast, block);
   }
 
   private static boolean allPlain(int[] cells) {

@@ -27,11 +27,11 @@ final class Handlers {
   }
 
   private Node compile(Ast ast, Block block) {
-    return ast == null ? null : compilation.statements.compile(ast, block, Seen.NOTHING);
+    return ast == null ? null : compilation.operand(ast, block);
   }
 
   private Node handler(Ast ast, Block block) {
-    return ast == null ? null : compilation.statements.compile(ast, block, Seen.ALL);
+    return ast == null ? null : compilation.compile(ast, block, Seen.ALL);
   }
 
   // ------------------------------------------------------------------ tags
@@ -40,16 +40,14 @@ final class Handlers {
     // Variables of tagged code are its own, but for those which are slots anyway.
     Block inner = block.declaresSlots() ? block : block.construct();
     return new Tagged(
-        tagged.span(),
-        tag(tagged.tag(), block),
-        compilation.statements.compile(tagged.body(), inner, seen));
+        tagged.span(), tag(tagged.tag(), block), compilation.compile(tagged.body(), inner, seen));
   }
 
   /** A tag that does not exist yet is made when it is first used. */
   private Node tag(Ast tag, Block block) {
     if (tag instanceof Ast.Message message && message.arguments() == null) {
       boolean local = message.target() == null && block.find(message.name()) != null;
-      if (!local && !compilation.expressions.isScopeTag(message)) {
+      if (!local) {
         Node target = compile(message.target(), block);
         return new ImplicitTag(
             tag.span(), compilation.interpreter(), target, message.name(), compile(tag, block));
@@ -62,7 +60,7 @@ final class Handlers {
     return new Conditional.Timeout(
         timeout.span(),
         compile(timeout.duration(), block),
-        compilation.statements.compile(timeout.body(), block, seen));
+        compilation.compile(timeout.body(), block, seen));
   }
 
   Node stopIf(Ast.StopIf watched, Block block, Seen seen) {
@@ -104,7 +102,7 @@ final class Handlers {
             () -> leave == null ? null : new Conditional.Control(ast.span(), tag, leave),
             true);
     return new Conditional.Watched(
-        ast.span(), place, watchdog, compilation.statements.compile(body, inner, seen));
+        ast.span(), place, watchdog, compilation.compile(body, inner, seen));
   }
 
   // ------------------------------------------------------------------ conditions
@@ -207,7 +205,7 @@ final class Handlers {
         every.flavor(),
         compile(every.period(), block),
         sequential
-            ? compilation.statements.compile(every.body(), block, seen.inLoop())
+            ? compilation.compile(every.body(), block, seen.inLoop())
             : compilation.statements.job(every.body(), block));
   }
 }

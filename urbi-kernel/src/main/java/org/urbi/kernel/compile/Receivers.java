@@ -24,7 +24,7 @@ final class Receivers {
   /** The target of a message, or of an access to a slot. */
   Node target(Ast target, String name, Span span, Block block) {
     if (target != null) {
-      return compilation.expressions.operand(target, block);
+      return compilation.operand(target, block);
     }
     Node receiver = implicit(name, span, block);
     return receiver == null ? new Literals.This(span) : receiver;

@@ -6,125 +6,29 @@ import java.util.function.UnaryOperator;
 import org.urbi.kernel.node.Assertion;
 import org.urbi.kernel.node.Conditionals;
 import org.urbi.kernel.node.ForEach;
-import org.urbi.kernel.node.Jumps;
 import org.urbi.kernel.node.Loops;
 import org.urbi.kernel.node.Matching;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Redefinition;
+import org.urbi.kernel.node.ScopeEnd;
 import org.urbi.kernel.node.Sequences;
 import org.urbi.kernel.node.Try;
 import org.urbi.kernel.node.Variables;
-import org.urbi.kernel.tag.ScopeTag;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.ast.Ast.Flavor;
 import org.urbi.lang.ast.LocalNames;
 import org.urbi.lang.source.Span;
 
-/** Compiles statements; whatever is no statement goes to {@link Expressions}. */
+/** Compiles statements. */
 final class Statements {
-  /** The variable under which a scope keeps its tag: no identifier, so nobody else has it. */
-  static final String SCOPE_TAG = "<scopeTag>";
-
   private final Compilation compilation;
 
   Statements(Compilation compilation) {
     this.compilation = compilation;
   }
 
-  /**
-   * @param seen whether the statements around look at how this one ended, so that {@code return}
-   *     and {@code break} need not be thrown
-   */
-  Node compile(Ast ast, Block block, Seen seen) {
-    // A chain of tests: the JDK builds a switch over types when it is first run, which costs
-    // more than all the rest of starting a kernel.
-    if (ast instanceof Ast.Sequence sequence) {
-      return sequence(sequence, block, seen);
-    }
-    if (ast instanceof Ast.Scope scope) {
-      return scope(scope, block, seen);
-    }
-    if (ast instanceof Ast.Noop noop) {
-      return new Sequences.Noop(noop.span());
-    }
-    if (ast instanceof Ast.If statement) {
-      return ifElse(statement, block, seen);
-    }
-    if (ast instanceof Ast.While loop) {
-      return loop(
-          loop.span(), loop.flavor(), null, loop.condition(), null, loop.body(), block, seen);
-    }
-    if (ast instanceof Ast.For loop) {
-      return loop(
-          loop.span(),
-          loop.flavor(),
-          loop.init(),
-          loop.condition(),
-          loop.step(),
-          loop.body(),
-          block,
-          seen);
-    }
-    if (ast instanceof Ast.Loop loop) {
-      return loop(loop.span(), loop.flavor(), null, null, null, loop.body(), block, seen);
-    }
-    if (ast instanceof Ast.ForEach loop) {
-      return forEach(loop, block, seen);
-    }
-    if (ast instanceof Ast.Switch statement) {
-      return switchCase(statement, block, seen);
-    }
-    if (ast instanceof Ast.Return jump) {
-      return new Jumps.Return(
-          jump.span(),
-          jump.value() == null ? null : compile(jump.value(), block, Seen.NOTHING),
-          seen == Seen.ALL);
-    }
-    if (ast instanceof Ast.Break jump) {
-      return new Jumps.OfLoop(jump.span(), true, seen != Seen.NOTHING);
-    }
-    if (ast instanceof Ast.Continue jump) {
-      return new Jumps.OfLoop(jump.span(), false, seen != Seen.NOTHING);
-    }
-    if (ast instanceof Ast.Throw jump) {
-      return new Jumps.Throw(
-          jump.span(), jump.value() == null ? null : compile(jump.value(), block, Seen.NOTHING));
-    }
-    if (ast instanceof Ast.Try statement) {
-      return tryCatch(statement, block, seen);
-    }
-    if (ast instanceof Ast.Assert statement) {
-      return assertion(statement, block);
-    }
-    if (ast instanceof Ast.Tagged tagged) {
-      return compilation.handlers.tagged(tagged, block, seen);
-    }
-    if (ast instanceof Ast.At at) {
-      return compilation.handlers.at(at, block);
-    }
-    if (ast instanceof Ast.Whenever whenever) {
-      return compilation.handlers.whenever(whenever, block);
-    }
-    if (ast instanceof Ast.WaitUntil wait) {
-      return compilation.handlers.waitUntil(wait, block);
-    }
-    if (ast instanceof Ast.Every every) {
-      return compilation.handlers.every(every, block, seen);
-    }
-    if (ast instanceof Ast.Timeout timeout) {
-      return compilation.handlers.timeout(timeout, block, seen);
-    }
-    if (ast instanceof Ast.StopIf watched) {
-      return compilation.handlers.stopIf(watched, block, seen);
-    }
-    if (ast instanceof Ast.FreezeIf watched) {
-      return compilation.handlers.freezeIf(watched, block, seen);
-    }
-    return compilation.expressions.compile(ast, block);
-  }
-
-  Node[] compileAll(List<Ast> all, Block block) {
-    return all.stream().map(ast -> compile(ast, block, Seen.NOTHING)).toArray(Node[]::new);
+  private Node compile(Ast ast, Block block, Seen seen) {
+    return compilation.compile(ast, block, seen);
   }
 
   /** Code for another job, with variables of its own. */
@@ -134,7 +38,7 @@ final class Statements {
 
   // ------------------------------------------------------------------ composition
 
-  private Node sequence(Ast.Sequence sequence, Block block, Seen seen) {
+  Node sequence(Ast.Sequence sequence, Block block, Seen seen) {
     return sequence(sequence, block, seen, UnaryOperator.identity());
   }
 
@@ -209,24 +113,24 @@ final class Statements {
     return new Sequences.Chain(sequence.span(), statements.toArray(Node[]::new), after);
   }
 
-  private Node scope(Ast.Scope scope, Block block, Seen seen) {
+  Node scope(Ast.Scope scope, Block block, Seen seen) {
     return scopeIn(scope, block.scope(), seen);
   }
 
   /** The statements of a scope, in a block made for them. */
   Node scopeIn(Ast.Scope scope, Block inner, Seen seen) {
-    Node code = sequence(scope.body(), inner, seen, body -> withTag(scope, inner, body));
+    Node code =
+        sequence(
+            scope.body(),
+            inner,
+            seen,
+            body -> inner.isTagged() ? new ScopeEnd.Marked(scope.span(), body) : body);
     return inner.redefines() ? new Redefinition(scope.span(), code) : code;
-  }
-
-  private Node withTag(Ast.Scope scope, Block inner, Node body) {
-    Variable tag = inner.local(SCOPE_TAG);
-    return tag == null ? body : new ScopeTag(scope.span(), compilation.place(tag, inner), body);
   }
 
   // ------------------------------------------------------------------ control flow
 
-  private Node ifElse(Ast.If statement, Block block, Seen seen) {
+  Node ifElse(Ast.If statement, Block block, Seen seen) {
     Block inner = block.construct();
     return new Conditionals.If(
         statement.span(),
@@ -235,7 +139,7 @@ final class Statements {
         statement.elseClause() == null ? null : compile(statement.elseClause(), inner, seen));
   }
 
-  private Node loop(
+  Node loop(
       Span span,
       Flavor flavor,
       Ast init,
@@ -255,7 +159,7 @@ final class Statements {
     return new Loops.Sequential(span, flavor, first, test, next, code);
   }
 
-  private Node forEach(Ast.ForEach loop, Block block, Seen seen) {
+  Node forEach(Ast.ForEach loop, Block block, Seen seen) {
     Node range = compile(loop.range(), block, Seen.NOTHING);
     boolean concurrent = loop.flavor() == Flavor.AND || loop.flavor() == Flavor.COMMA;
     Block inner = concurrent ? block.job(compilation.newRegion()) : block.construct();
@@ -271,7 +175,7 @@ final class Statements {
         body);
   }
 
-  private Node switchCase(Ast.Switch statement, Block block, Seen seen) {
+  Node switchCase(Ast.Switch statement, Block block, Seen seen) {
     Node value = compile(statement.value(), block, Seen.NOTHING);
     Matching.Case[] cases =
         statement.cases().stream()
@@ -290,7 +194,7 @@ final class Statements {
     return new Matching.Switch(statement.span(), value, cases, otherwise);
   }
 
-  private Node tryCatch(Ast.Try statement, Block block, Seen seen) {
+  Node tryCatch(Ast.Try statement, Block block, Seen seen) {
     Node body = scope(statement.body(), block, seen);
     Try.Clause[] clauses =
         statement.catches().stream()
@@ -312,7 +216,7 @@ final class Statements {
         statement.finallyClause() == null ? null : scope(statement.finallyClause(), block, seen));
   }
 
-  private Node assertion(Ast.Assert statement, Block block) {
+  Node assertion(Ast.Assert statement, Block block) {
     List<Node> claims = new ArrayList<>();
     List<Boolean> yields = new ArrayList<>();
     Block inner = block.construct();

@@ -7,10 +7,12 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.CycleStatistics;
+import org.urbi.kernel.job.Job;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Profiler;
+import org.urbi.kernel.node.ScopeEnd;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Location;
@@ -77,9 +79,29 @@ final class SystemJobs {
     frame.job().scheduler().statistics().reset(frame.job().scheduler().cycle());
   }
 
+  @Builtin(doc = "A new tag that is stopped when the scope around the call is left.")
+  static UrbiObject scopeTag(Frame frame, UrbiObject self) {
+    return TagType.ofScope(frame);
+  }
+
   @Builtin(doc = "Lets slots be defined again until the end of the scope.")
-  static void redefinitionMode(Frame frame, UrbiObject self) {
-    frame.job().redefinitions++;
+  static void redefinitionMode(Frame frame, CallSite site, UrbiObject self) {
+    Job job = frame.job();
+    int before = job.redefinitions;
+    endWithFunction(
+        frame,
+        site,
+        "redefinitionMode",
+        () -> job.redefinitions = Math.min(job.redefinitions, before));
+    job.redefinitions++;
+  }
+
+  /** A scope ends what is asked for by its name; what has another name ends with the function. */
+  private static void endWithFunction(Frame frame, CallSite site, String name, Runnable undo) {
+    ScopeEnd end = name.equals(site.calledName()) ? null : frame.scopeEnd();
+    if (end != null) {
+      end.add(undo);
+    }
   }
 
   @Builtin(value = "__HERE__", doc = "The position in the source at which it is written.")
@@ -92,8 +114,15 @@ final class SystemJobs {
   }
 
   @Builtin(doc = "Lets no other job run until the end of the scope, which may not wait either.")
-  static void nonInterruptible(Frame frame, UrbiObject self) {
-    frame.job().nonInterruptible++;
+  static void nonInterruptible(Frame frame, CallSite site, UrbiObject self) {
+    Job job = frame.job();
+    int before = job.nonInterruptible;
+    endWithFunction(
+        frame,
+        site,
+        "nonInterruptible",
+        () -> job.nonInterruptible = Math.min(job.nonInterruptible, before));
+    job.nonInterruptible++;
   }
 
   @Builtin(doc = "Calls a function, and measures what it does.")

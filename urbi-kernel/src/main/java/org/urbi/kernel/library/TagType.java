@@ -9,6 +9,7 @@ import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.ScopeEnd;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
@@ -41,6 +42,22 @@ final class TagType {
 
   private static UrbiObject result(Frame frame, UrbiObject result) {
     return result == null ? frame.interpreter().values().voidObject : result;
+  }
+
+  @Builtin(doc = "A new tag that is stopped when the scope around the call is left.")
+  static UrbiObject scope(Frame frame, UrbiObject self) {
+    return ofScope(frame);
+  }
+
+  /** A new tag, stopped when the scope being executed is left; at the top, the connection's. */
+  static UrbiObject ofScope(Frame frame) {
+    ScopeEnd end = frame.scopeEnd();
+    if (end == null) {
+      return ((UrbiLobby) frame.job().lobby()).connectionTag();
+    }
+    UrbiTag tag = (UrbiTag) frame.interpreter().prototypes().tag.cloned();
+    end.add(() -> tag.state().stop(frame.interpreter().values().voidObject));
+    return tag;
   }
 
   @Builtin(doc = "Ends the code under the tag, which returns that value.")

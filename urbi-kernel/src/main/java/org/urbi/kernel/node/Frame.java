@@ -54,6 +54,9 @@ public final class Frame {
   /** The loop being executed, for the jobs that its code detaches; or null. */
   LoopJobs loopJobs;
 
+  /** What is to be done when the innermost marked scope being executed is left, or null. */
+  ScopeEnd scopeEnd;
+
   private Frame(
       Interpreter interpreter,
       Job job,
@@ -115,8 +118,15 @@ public final class Frame {
 
   /** The same activation with another {@code this}: the body of {@code do}. */
   Frame withSelf(UrbiObject target) {
-    return new Frame(
-        interpreter, job, depth, caller, site, target, function, locals, cells, activation);
+    return inScopeOf(
+        this,
+        new Frame(
+            interpreter, job, depth, caller, site, target, function, locals, cells, activation));
+  }
+
+  private static Frame inScopeOf(Frame original, Frame copy) {
+    copy.scopeEnd = original.scopeEnd;
+    return copy;
   }
 
   /**
@@ -136,8 +146,10 @@ public final class Frame {
   }
 
   private Frame calledAt(CallSite from, Frame by) {
-    return new Frame(
-        interpreter, job, by.depth + 1, by, from, self, function, locals, cells, activation);
+    return inScopeOf(
+        this,
+        new Frame(
+            interpreter, job, by.depth + 1, by, from, self, function, locals, cells, activation));
   }
 
   /**
@@ -156,17 +168,19 @@ public final class Frame {
    */
   private Frame copy(Job other, boolean waited, CallSite how) {
     boolean kept = keepsCaller(waited);
-    return new Frame(
-        interpreter,
-        other,
-        depth,
-        kept ? caller : null,
-        kept ? site : how,
-        self,
-        function,
-        locals.clone(),
-        cells.clone(),
-        activation);
+    return inScopeOf(
+        this,
+        new Frame(
+            interpreter,
+            other,
+            depth,
+            kept ? caller : null,
+            kept ? site : how,
+            self,
+            function,
+            locals.clone(),
+            cells.clone(),
+            activation));
   }
 
   /** A job that outlives its caller must not keep it alive, unless it can ask for it. */
@@ -178,8 +192,19 @@ public final class Frame {
   public Frame in(Job evaluator) {
     return evaluator == job
         ? this
-        : new Frame(
-            interpreter, evaluator, depth, caller, site, self, function, locals, cells, activation);
+        : inScopeOf(
+            this,
+            new Frame(
+                interpreter,
+                evaluator,
+                depth,
+                caller,
+                site,
+                self,
+                function,
+                locals,
+                cells,
+                activation));
   }
 
   // ------------------------------------------------------------------ for the library
@@ -215,6 +240,22 @@ public final class Frame {
   /** The same for all the frames of one activation, and for no others. */
   public Object activation() {
     return activation;
+  }
+
+  /**
+   * The end of the scope being executed: of the innermost one that is marked, or else of the
+   * function; null at the top level.
+   */
+  public ScopeEnd scopeEnd() {
+    return scopeEnd == null && function != null ? ((Frame) activation).functionEnd() : scopeEnd;
+  }
+
+  /** The end of the function, in the frame that its call has made. */
+  private ScopeEnd functionEnd() {
+    if (scopeEnd == null) {
+      scopeEnd = new ScopeEnd();
+    }
+    return scopeEnd;
   }
 
   /** The name by which the innermost function was called; null at the top level. */

@@ -151,6 +151,10 @@ public final class Function extends Code {
         throw leave;
       }
       return leave.value();
+    } finally {
+      if (frame.scopeEnd != null) {
+        frame.scopeEnd.run();
+      }
     }
   }
 

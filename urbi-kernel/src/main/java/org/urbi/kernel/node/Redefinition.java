@@ -4,8 +4,8 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
 /**
- * A scope whose code asks for {@code redefinitionMode} or {@code nonInterruptible}, which end with
- * the scope (manual, "System").
+ * A scope whose code may ask for {@code redefinitionMode} or {@code nonInterruptible}, which end
+ * with the scope (manual, "System").
  */
 public final class Redefinition extends Node {
   private final Node body;

@@ -15,6 +15,9 @@ public sealed interface Ast {
   /** Where the node was written. */
   Span span();
 
+  /** Calls the method of the visitor that is for this kind of node. */
+  <R> R accept(AstVisitor<R> visitor);
+
   /** The four statement separators, and the flavors of the loops. */
   enum Flavor {
     SEMICOLON(";"),
@@ -37,25 +40,60 @@ public sealed interface Ast {
   // --------------------------------------------------------------- literals and names
 
   /** A number; angles and durations are already radians and seconds. */
-  record FloatLiteral(Span span, double value) implements Ast {}
+  record FloatLiteral(Span span, double value) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** A string: every {@code char} is one byte (0 to 255); adjacent literals are glued already. */
-  record StringLiteral(Span span, String value) implements Ast {}
+  record StringLiteral(Span span, String value) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
-  record ListLiteral(Span span, List<Ast> elements) implements Ast {}
+  record ListLiteral(Span span, List<Ast> elements) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
-  record TupleLiteral(Span span, List<Ast> elements) implements Ast {}
+  record TupleLiteral(Span span, List<Ast> elements) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
-  record DictionaryLiteral(Span span, List<Entry> entries) implements Ast {}
+  record DictionaryLiteral(Span span, List<Entry> entries) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code key => value}. */
   record Entry(Ast key, Ast value) {}
 
   /** {@code this}. */
-  record This(Span span) implements Ast {}
+  record This(Span span) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code call}, the call message of the running function. */
-  record CallMessage(Span span) implements Ast {}
+  record CallMessage(Span span) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /**
    * A message: {@code target.name(arguments)}. Also identifiers ({@code x} has neither target nor
@@ -68,19 +106,44 @@ public sealed interface Ast {
    * @param nameSpan where the name alone is written
    */
   record Message(Span span, Ast target, String name, List<Ast> arguments, Span nameSpan)
-      implements Ast {}
+      implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code a && b}. */
-  record And(Span span, Ast left, Ast right) implements Ast {}
+  record And(Span span, Ast left, Ast right) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code a || b}. */
-  record Or(Span span, Ast left, Ast right) implements Ast {}
+  record Or(Span span, Ast left, Ast right) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code target.&name} (or {@code &name}, target null): the slot's value, not evaluated. */
-  record SlotAccess(Span span, Ast target, String name) implements Ast {}
+  record SlotAccess(Span span, Ast target, String name) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code target.slot->property} ({@code slot->property}, target null). */
-  record Property(Span span, Ast target, String slot, String name) implements Ast {}
+  record Property(Span span, Ast target, String slot, String name) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   // --------------------------------------------------------------- declarations, assignments
 
@@ -94,22 +157,47 @@ public sealed interface Ast {
    */
   record Declaration(
       Span span, Ast target, String name, Ast value, boolean constant, Ast type, Span nameSpan)
-      implements Ast {}
+      implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /**
    * {@code target = value}. The target is a {@link Message} (identifier, slot, or subscript), a
    * {@link Property}, or a pattern: a literal list, tuple or dictionary.
    */
-  record Assignment(Span span, Ast target, Ast value) implements Ast {}
+  record Assignment(Span span, Ast target, Ast value) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code target += value}; {@code operator} is "+=", "-=", "*=", "/=", "%=" or "^=". */
-  record OperatorAssignment(Span span, Ast target, String operator, Ast value) implements Ast {}
+  record OperatorAssignment(Span span, Ast target, String operator, Ast value) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code target++} and {@code target--}; {@code operator} is "++" or "--". */
-  record Postfix(Span span, Ast target, String operator) implements Ast {}
+  record Postfix(Span span, Ast target, String operator) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code target = value time: 5s ampli: 20}; value is null in {@code x = sin: 1s ampli: 2}. */
-  record Trajectory(Span span, Ast target, Ast value, List<Modifier> modifiers) implements Ast {}
+  record Trajectory(Span span, Ast target, Ast value, List<Modifier> modifiers) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code name: value} of a trajectory. */
   record Modifier(String name, Ast value) {}
@@ -121,19 +209,34 @@ public sealed interface Ast {
    *
    * @param formals null for a lazy function (no parentheses)
    */
-  record Function(Span span, boolean closure, List<Formal> formals, Scope body) implements Ast {}
+  record Function(Span span, boolean closure, List<Formal> formals, Scope body) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /**
    * {@code function target.name (…) {…}}.
    *
    * @param name a {@link Message} without arguments
    */
-  record FunctionDefinition(Span span, Message name, Function function) implements Ast {}
+  record FunctionDefinition(Span span, Message name, Function function) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /**
    * {@code get name() {…}} and {@code set name(var v) {…}}; the function's name is {@code name}.
    */
-  record Accessor(Span span, boolean setter, Message name, Function function) implements Ast {}
+  record Accessor(Span span, boolean setter, Message name, Function function) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /**
    * A formal argument.
@@ -150,16 +253,36 @@ public sealed interface Ast {
    * @param name a {@link Message} without arguments
    * @param body null in {@code class Foo;}
    */
-  record ClassDefinition(Span span, Message name, List<Ast> protos, Scope body) implements Ast {}
+  record ClassDefinition(Span span, Message name, List<Ast> protos, Scope body) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code package lvalue {…}}. */
-  record PackageDefinition(Span span, Message name, Scope body) implements Ast {}
+  record PackageDefinition(Span span, Message name, Scope body) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code import a.b.c} ({@code import a.b.*} when {@code all}). */
-  record Import(Span span, List<String> path, boolean all) implements Ast {}
+  record Import(Span span, List<String> path, boolean all) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code enum lvalue { a, b, c }}. */
-  record EnumDefinition(Span span, Message name, List<String> values) implements Ast {}
+  record EnumDefinition(Span span, Message name, List<String> values) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   // --------------------------------------------------------------- composition
 
@@ -170,63 +293,147 @@ public sealed interface Ast {
    * weakest and mixed in one sequence, then {@code |}, then {@code &}, the strongest (tutorial,
    * "Parallelism operators").
    */
-  record Sequence(Span span, List<Ast> statements, List<Flavor> separators) implements Ast {}
+  record Sequence(Span span, List<Ast> statements, List<Flavor> separators) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code {…}}; the body may be an empty sequence. */
-  record Scope(Span span, Sequence body) implements Ast {}
+  record Scope(Span span, Sequence body) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code do (target) {…}}; target is null for {@code do {…}}. */
-  record Do(Span span, Ast target, Scope body) implements Ast {}
+  record Do(Span span, Ast target, Scope body) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** An empty statement, as in {@code ;;}. */
-  record Noop(Span span) implements Ast {}
+  record Noop(Span span) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   // --------------------------------------------------------------- control flow
 
   /** {@code if (condition) thenClause else elseClause}; elseClause may be null. */
-  record If(Span span, Ast condition, Ast thenClause, Ast elseClause) implements Ast {}
+  record If(Span span, Ast condition, Ast thenClause, Ast elseClause) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
-  record While(Span span, Flavor flavor, Ast condition, Ast body) implements Ast {}
+  record While(Span span, Flavor flavor, Ast condition, Ast body) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** C-like {@code for}; each of the three clauses may be null. */
-  record For(Span span, Flavor flavor, Ast init, Ast condition, Ast step, Ast body)
-      implements Ast {}
+  record For(Span span, Flavor flavor, Ast init, Ast condition, Ast step, Ast body) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code for (var name : range) body}; name is null in {@code for (n) body}. */
-  record ForEach(Span span, Flavor flavor, String name, Ast range, Ast body) implements Ast {}
+  record ForEach(Span span, Flavor flavor, String name, Ast range, Ast body) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
-  record Loop(Span span, Flavor flavor, Ast body) implements Ast {}
+  record Loop(Span span, Flavor flavor, Ast body) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code defaultClause} may be null. */
-  record Switch(Span span, Ast value, List<Case> cases, Sequence defaultClause) implements Ast {}
+  record Switch(Span span, Ast value, List<Case> cases, Sequence defaultClause) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code case pattern if guard: body}; guard may be null. */
   record Case(Span span, Ast pattern, Ast guard, Sequence body) {}
 
   /** {@code value} may be null. */
-  record Return(Span span, Ast value) implements Ast {}
+  record Return(Span span, Ast value) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
-  record Break(Span span) implements Ast {}
+  record Break(Span span) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
-  record Continue(Span span) implements Ast {}
+  record Continue(Span span) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code value} is null in a rethrow. */
-  record Throw(Span span, Ast value) implements Ast {}
+  record Throw(Span span, Ast value) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code elseClause} and {@code finallyClause} may be null. */
   record Try(Span span, Scope body, List<Catch> catches, Scope elseClause, Scope finallyClause)
-      implements Ast {}
+      implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code catch (pattern if guard) {…}}; pattern and guard may be null. */
   record Catch(Span span, Ast pattern, Ast guard, Scope body) {}
 
   /** {@code assert (claim)} (one claim) or {@code assert {claim; …}} (any number). */
-  record Assert(Span span, boolean block, List<Ast> claims) implements Ast {}
+  record Assert(Span span, boolean block, List<Ast> claims) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   // --------------------------------------------------------------- parallel and events
 
   /** {@code tag: body}. */
-  record Tagged(Span span, Ast tag, Ast body) implements Ast {}
+  record Tagged(Span span, Ast tag, Ast body) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** What {@code at}, {@code whenever} and {@code waituntil} wait for. */
   sealed interface Condition {
@@ -247,14 +454,34 @@ public sealed interface Ast {
       implements Condition {}
 
   /** {@code at sync? (condition) body onleave onLeave}; onLeave may be null. */
-  record At(Span span, boolean sync, Condition condition, Ast body, Ast onLeave) implements Ast {}
+  record At(Span span, boolean sync, Condition condition, Ast body, Ast onLeave) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code whenever (condition) body else elseClause}; elseClause may be null. */
-  record Whenever(Span span, Condition condition, Ast body, Ast elseClause) implements Ast {}
+  record Whenever(Span span, Condition condition, Ast body, Ast elseClause) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
-  record WaitUntil(Span span, Condition condition) implements Ast {}
+  record WaitUntil(Span span, Condition condition) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
-  record Watch(Span span, Ast expression) implements Ast {}
+  record Watch(Span span, Ast expression) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /**
    * {@code event!(arguments) ~ duration}.
@@ -262,16 +489,41 @@ public sealed interface Ast {
    * @param arguments null when there are no parentheses
    * @param duration may be null
    */
-  record Emit(Span span, Ast event, List<Ast> arguments, Ast duration) implements Ast {}
+  record Emit(Span span, Ast event, List<Ast> arguments, Ast duration) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
-  record Every(Span span, Flavor flavor, Ast period, Ast body) implements Ast {}
+  record Every(Span span, Flavor flavor, Ast period, Ast body) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code timeout (duration) body}. */
-  record Timeout(Span span, Ast duration, Ast body) implements Ast {}
+  record Timeout(Span span, Ast duration, Ast body) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code stopif (condition) body}. */
-  record StopIf(Span span, Condition condition, Ast body) implements Ast {}
+  record StopIf(Span span, Condition condition, Ast body) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** {@code freezeif (condition) body}. */
-  record FreezeIf(Span span, Condition condition, Ast body) implements Ast {}
+  record FreezeIf(Span span, Condition condition, Ast body) implements Ast {
+    @Override
+    public <R> R accept(AstVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 }
