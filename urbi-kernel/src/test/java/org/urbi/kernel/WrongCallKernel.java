@@ -17,7 +17,7 @@ import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagStop;
 import org.urbi.kernel.job.Timers;
 import org.urbi.kernel.job.Unwinding;
-import org.urbi.kernel.library.LogLevel;
+import org.urbi.kernel.library.lobby.LogLevel;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CallSite;

@@ -13,7 +13,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Scheduler;
-import org.urbi.kernel.library.Evaluation;
+import org.urbi.kernel.library.code.Evaluation;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.Frame;

@@ -8,7 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
-import org.urbi.kernel.library.KernelControl;
+import org.urbi.kernel.library.system.KernelControl;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.outside.ConfinedException;
 import org.urbi.kernel.outside.Disk;

@@ -1,6 +1,6 @@
 package org.urbi.kernel.uobject;
 
-import org.urbi.kernel.library.KernelControl;
+import org.urbi.kernel.library.system.KernelControl;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;

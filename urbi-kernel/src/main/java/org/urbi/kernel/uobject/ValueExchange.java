@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.urbi.kernel.error.UrbiException;
-import org.urbi.kernel.library.UrbiBinary;
+import org.urbi.kernel.library.text.UrbiBinary;
 import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiDictionary;

@@ -1,9 +1,0 @@
-package org.urbi.kernel.library;
-
-import org.urbi.builtins.UrbiType;
-
-/** The root of the packages: {@code package a.b {…}} makes {@code 'package'.a.b}. */
-@UrbiType(value = "package", doc = "The root of the packages.")
-final class PackageType {
-  private PackageType() {}
-}

@@ -1,9 +1,0 @@
-package org.urbi.kernel.library;
-
-import org.urbi.builtins.UrbiType;
-
-/** What variables of UObjects hold (manual, "UValue"). */
-@UrbiType(value = "UValue", doc = "The value of a variable of a UObject.")
-final class UValueType {
-  private UValueType() {}
-}

@@ -1,0 +1,123 @@
+package org.urbi.kernel.library.code;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Code;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiList;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Span;
+
+/** How a function was called (manual, "CallMessage"). */
+@UrbiType(value = "CallMessage", doc = "A call: its target, its name, its arguments.")
+public final class CallMessageType {
+  private CallMessageType() {}
+
+  private static UrbiObject slot(Frame frame, UrbiObject self, String name) {
+    return frame.interpreter().get(frame, self, self.world().symbol(name));
+  }
+
+  private static List<UrbiObject> arguments(Frame frame, UrbiObject self) {
+    return slot(frame, self, "args") instanceof UrbiList list ? list.elements() : List.of();
+  }
+
+  @Builtin(doc = "The number of arguments.")
+  static double argsCount(Frame frame, UrbiObject self) {
+    return arguments(frame, self).size();
+  }
+
+  @Builtin(
+      value = {"evalArgAt", "argAt"},
+      doc = "Evaluates the argument at that index; each time anew.")
+  static UrbiObject evalArgAt(Frame frame, CallSite site, UrbiObject self, double index) {
+    List<UrbiObject> arguments = arguments(frame, self);
+    if (index < 0 || index >= arguments.size() || index != Math.rint(index)) {
+      String text = frame.interpreter().asString(frame, self.world().values().number(index));
+      throw frame.interpreter().errors().primitive(site.calledName(), "invalid index: " + text);
+    }
+    return frame.interpreter().send(frame, arguments.get((int) index), "eval");
+  }
+
+  @Builtin(doc = "The text of the argument at that index.")
+  static String argString(Frame frame, CallSite site, UrbiObject self, int index) {
+    List<UrbiObject> arguments = arguments(frame, self);
+    if (index < 0 || index >= arguments.size()) {
+      throw frame.interpreter().errors().primitive(site.calledName(), "invalid index: " + index);
+    }
+    return frame.interpreter().asString(frame, arguments.get(index));
+  }
+
+  @Builtin(doc = "Evaluates all arguments, and returns the list of their values.")
+  static List<UrbiObject> evalArgs(Frame frame, UrbiObject self) {
+    List<UrbiObject> values = new ArrayList<>();
+    for (UrbiObject argument : arguments(frame, self)) {
+      values.add(frame.interpreter().send(frame, argument, "eval"));
+    }
+    return values;
+  }
+
+  @Builtin(doc = "Makes the call, and returns its value.")
+  static UrbiObject eval(Frame frame, UrbiObject self) {
+    return send(frame, self, slot(frame, self, "target"));
+  }
+
+  /** Makes a call on a target; functions that want their arguments unevaluated get them so. */
+  public static UrbiObject send(Frame frame, UrbiObject self, UrbiObject target) {
+    String name = frame.interpreter().asString(frame, slot(frame, self, "message"));
+    CallSite site = new MessageSite(name, frame, arguments(frame, self));
+    Symbol message = self.world().symbol(name);
+    if (target.locate(message) == null) {
+      return frame.interpreter().fallback(frame, site, target, message);
+    }
+    UrbiObject called = slot(frame, target, name);
+    if (called instanceof Code code) {
+      UrbiObject[] arguments =
+          code.isLazy()
+              ? new UrbiObject[arguments(frame, self).size()]
+              : evalArgs(frame, self).toArray(UrbiObject[]::new);
+      return code.call(frame, site, target, arguments);
+    }
+    return called;
+  }
+
+  /** A call made by a call message. */
+  private static final class MessageSite implements CallSite {
+    private final String name;
+    private final Node[] arguments;
+
+    MessageSite(String name, Frame frame, List<UrbiObject> lazies) {
+      this.name = name;
+      this.arguments = new Node[lazies.size()];
+      for (int i = 0; i < arguments.length; i++) {
+        UrbiObject lazy = lazies.get(i);
+        arguments[i] =
+            new Node(null) {
+              @Override
+              public UrbiObject execute(Frame evaluator) {
+                return frame.interpreter().send(evaluator, lazy, "eval");
+              }
+            };
+      }
+    }
+
+    @Override
+    public String calledName() {
+      return name;
+    }
+
+    @Override
+    public Span calledSpan() {
+      return null;
+    }
+
+    @Override
+    public Node[] argumentNodes() {
+      return arguments;
+    }
+  }
+}

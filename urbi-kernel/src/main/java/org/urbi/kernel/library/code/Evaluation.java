@@ -1,0 +1,86 @@
+package org.urbi.kernel.library.code;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.urbi.kernel.compile.Compilation;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.library.concurrent.ControlType;
+import org.urbi.kernel.library.lobby.Warnings;
+import org.urbi.kernel.library.value.OwnSlots;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Imports;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.ast.Ast;
+import org.urbi.lang.parse.Parsed;
+import org.urbi.lang.parse.SyntaxError;
+import org.urbi.lang.parse.SyntaxWarning;
+import org.urbi.lang.parse.UrbiParser;
+
+/** Evaluates source text while code runs ({@code eval}, {@code load}). */
+public final class Evaluation {
+  private Evaluation() {}
+
+  /**
+   * Evaluates a whole text on a target.
+   *
+   * @param site where it is called; null when Java code does
+   * @param site the call that wants it evaluated; null when Java does
+   * @param file the name by which errors call it, or null
+   * @return the value of its last statement
+   */
+  public static UrbiObject eval(
+      Frame frame, CallSite site, UrbiObject target, String text, String file) {
+    Parsed parsed = UrbiParser.parse(text, file);
+    for (SyntaxWarning warning : parsed.warnings()) {
+      Warnings.at(frame, site, warning.span(), warning.message());
+    }
+    if (!parsed.errors().isEmpty()) {
+      throw syntax(frame, site, parsed.errors().getFirst(), text);
+    }
+    return execute(frame, site, target, parsed.sequence());
+  }
+
+  /** The message tells the place in the text, the calls tell who wanted it evaluated. */
+  private static UrbiException syntax(Frame frame, CallSite site, SyntaxError error, String text) {
+    UrbiException exception = frame.interpreter().errors().syntax(error, text);
+    if (site == null) {
+      return exception;
+    }
+    List<UrbiException.Call> calls = new ArrayList<>();
+    calls.add(new UrbiException.Call(site.calledName(), site.calledSpan()));
+    calls.addAll(frame.backtrace());
+    exception.locate(null, calls);
+    if (site.calledSpan() != null) {
+      OwnSlots.put(
+          exception.value(),
+          "location",
+          LocationType.make(frame.interpreter().world(), site.calledSpan()));
+    }
+    return exception;
+  }
+
+  /** Executes statements one after the other, as the top level does. */
+  private static UrbiObject execute(
+      Frame frame, CallSite site, UrbiObject target, Ast.Sequence program) {
+    UrbiObject value = frame.interpreter().values().voidObject;
+    Imports imports = new Imports();
+    for (int i = 0; i < program.statements().size(); i++) {
+      Compilation.Compiled compiled =
+          Compilation.compile(frame.interpreter(), program.statements().get(i), imports);
+      Frame inner = frame.nested(site, target, compiled.layout());
+      boolean background =
+          i < program.separators().size() && program.separators().get(i) == Ast.Flavor.COMMA;
+      if (background) {
+        ControlType.start(inner, frame.job().scope(), compiled.code()::execute);
+        frame.job().yield();
+      } else {
+        if (i > 0) {
+          frame.job().yield();
+        }
+        value = compiled.code().execute(inner);
+      }
+    }
+    return value;
+  }
+}

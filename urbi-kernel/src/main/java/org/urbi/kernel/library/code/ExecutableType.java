@@ -1,0 +1,16 @@
+package org.urbi.kernel.library.code;
+
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.object.UrbiObject;
+
+/** What can be called (manual, "Executable"). */
+@UrbiType(value = "Executable", doc = "What can be called: functions and primitives.")
+final class ExecutableType {
+  private ExecutableType() {}
+
+  @Builtin(doc = "The target.")
+  static UrbiObject asExecutable(UrbiObject self) {
+    return self;
+  }
+}

@@ -1,0 +1,89 @@
+package org.urbi.kernel.library.code;
+
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.library.value.OwnSlots;
+import org.urbi.kernel.node.CallMessages.Lazy;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Truth;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
+
+/** Expressions that have not been evaluated yet (manual, "Lazy"). */
+@UrbiType(
+    value = "Lazy",
+    protos = {"Comparable"},
+    doc = "An expression that is evaluated when asked for.")
+final class LazyType {
+  private LazyType() {}
+
+  private static Symbol code(UrbiObject self) {
+    return self.world().symbol("code");
+  }
+
+  private static Symbol cache(UrbiObject self) {
+    return self.world().symbol("valueCache");
+  }
+
+  @Builtin(doc = "Evaluates that function without arguments when asked for.")
+  static void init(UrbiObject self, UrbiObject function) {
+    OwnSlots.put(self, "code", function);
+  }
+
+  @Builtin(doc = "Evaluates the expression, each time anew.")
+  static UrbiObject eval(Frame frame, UrbiObject self) {
+    if (self instanceof Lazy lazy && lazy.code() != null) {
+      return lazy.evaluate(frame);
+    }
+    UrbiObject result =
+        frame
+            .interpreter()
+            .call(frame, frame.interpreter().get(frame, self, code(self)), frame.self());
+    OwnSlots.put(self, "valueCache", result);
+    return result;
+  }
+
+  @Builtin(doc = "Evaluates the expression the first time, and remembers its value.")
+  static UrbiObject value(Frame frame, UrbiObject self) {
+    UrbiObject known = self.localSlot(cache(self));
+    if (known == null) {
+      known = eval(frame, self);
+      OwnSlots.put(self, "valueCache", known);
+    }
+    return known;
+  }
+
+  @Builtin(
+      value = {"=="},
+      doc = "Whether both are the same code, and the same values if they have been evaluated.")
+  static boolean equal(Frame frame, UrbiObject self, UrbiObject other) {
+    if (self == other) {
+      return true;
+    }
+    if (!other.isA(frame.interpreter().prototypes().lazy)
+        || !asString(frame, self).equals(asString(frame, other))) {
+      return false;
+    }
+    UrbiObject mine = self.localSlot(cache(self));
+    UrbiObject its = other.localSlot(cache(other));
+    return mine == null || its == null
+        ? mine == its
+        : Truth.of(frame, frame.interpreter().send(frame, mine, "==", its));
+  }
+
+  @Builtin(doc = "The text of the code.")
+  static String asString(Frame frame, UrbiObject self) {
+    if (self instanceof Lazy lazy && lazy.code() != null) {
+      return lazy.code().span() == null ? "Lazy" : CodeText.of(lazy.code().span());
+    }
+    UrbiObject code = self.lookup(code(self));
+    return code == null
+        ? "Lazy"
+        : frame.interpreter().asString(frame, frame.interpreter().send(frame, code, "bodyString"));
+  }
+
+  static UrbiObject newPrototype(World world) {
+    return new Lazy(world.values().object.cloneShape(), null, null);
+  }
+}

@@ -1,0 +1,77 @@
+package org.urbi.kernel.library.code;
+
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Optional;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.library.value.OwnSlots;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
+import org.urbi.lang.source.Location;
+import org.urbi.lang.source.Span;
+
+/** Pieces of files, from a position to another one (manual, "Location"). */
+@UrbiType(value = "Location", doc = "A piece of a file, from a position up to another one.")
+public final class LocationType {
+  private LocationType() {}
+
+  /** The location of a piece of source text. */
+  public static UrbiObject make(World world, Span span) {
+    Location place = span.location();
+    UrbiObject made = world.prototype("Location").cloned();
+    OwnSlots.put(
+        made, "begin", PositionType.make(world, place.file(), place.line(), place.column()));
+    OwnSlots.put(
+        made, "end", PositionType.make(world, place.file(), place.endLine(), place.endColumn()));
+    return made;
+  }
+
+  private static UrbiObject copy(Frame frame, CallSite site, int place, UrbiObject position) {
+    if (!position.isA(position.world().prototype("Position"))) {
+      throw Arguments.type(frame, site, place, position, "Position");
+    }
+    return frame.interpreter().send(frame, position.world().prototype("Position"), "new", position);
+  }
+
+  @Builtin(doc = "From a position to another one; without any, the very beginning.")
+  static void init(
+      Frame frame,
+      CallSite site,
+      UrbiObject self,
+      @Optional UrbiObject begin,
+      @Optional UrbiObject end) {
+    UrbiObject from = begin == null ? PositionType.make(self.world(), null, 1, 1) : begin;
+    OwnSlots.put(self, "begin", copy(frame, site, 1, from));
+    OwnSlots.put(self, "end", copy(frame, site, end == null ? 1 : 2, end == null ? from : end));
+  }
+
+  private static UrbiObject at(Frame frame, UrbiObject self, String which) {
+    UrbiObject position = self.lookup(self.world().symbol(which));
+    return position == null ? self.world().prototype("Position") : position;
+  }
+
+  @Builtin(
+      value = {"=="},
+      doc = "Whether both begin and end at the same positions.")
+  static boolean equal(Frame frame, UrbiObject self, UrbiObject other) {
+    return self == other
+        || other.isA(self.world().prototype("Location"))
+            && PositionType.compare(frame, at(frame, self, "begin"), at(frame, other, "begin")) == 0
+            && PositionType.compare(frame, at(frame, self, "end"), at(frame, other, "end")) == 0;
+  }
+
+  @Builtin(doc = "The location as errors show it: file:1.5, file:1.5-7, file:1.5-2.3.")
+  static String asString(Frame frame, UrbiObject self) {
+    UrbiObject begin = at(frame, self, "begin");
+    UrbiObject end = at(frame, self, "end");
+    return new Location(
+            PositionType.file(frame, begin),
+            PositionType.number(frame, begin, "line"),
+            PositionType.number(frame, begin, "column"),
+            PositionType.number(frame, end, "line"),
+            PositionType.number(frame, end, "column"))
+        .toString();
+  }
+}

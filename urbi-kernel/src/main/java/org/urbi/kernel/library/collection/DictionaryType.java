@@ -1,0 +1,254 @@
+package org.urbi.kernel.library.collection;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.library.value.Comparison;
+import org.urbi.kernel.library.value.Hashing;
+import org.urbi.kernel.library.value.Printing;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Code;
+import org.urbi.kernel.node.DictionaryKey;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiDictionary;
+import org.urbi.kernel.object.UrbiHash;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Values;
+import org.urbi.kernel.object.World;
+
+/** Dictionaries (manual, "Dictionary"). */
+@UrbiType(
+    value = "Dictionary",
+    protos = {"Comparable", "Container", "Object", "RangeIterable"},
+    doc = "An associative array: values by keys, which may be any objects.")
+final class DictionaryType {
+  private static final String ADDED = "elementAdded";
+  private static final String CHANGED = "elementChanged";
+  private static final String REMOVED = "elementRemoved";
+
+  private DictionaryType() {}
+
+  private static Values values(Frame caller) {
+    return caller.interpreter().world().values();
+  }
+
+  // ------------------------------------------------------------------ what it is
+
+  @Builtin(doc = "Adds the arguments, keys and values in turns.")
+  static UrbiObject init(
+      Frame caller, CallSite site, UrbiDictionary self, UrbiObject... keysAndValues) {
+    if (keysAndValues.length % 2 != 0) {
+      throw caller.interpreter().errors().primitive(site.calledName(), "odd number of arguments");
+    }
+    for (int i = 0; i < keysAndValues.length; i += 2) {
+      set(caller, self, keysAndValues[i], keysAndValues[i + 1]);
+    }
+    return self;
+  }
+
+  @Builtin(doc = "Whether it is not empty.")
+  static boolean asBool(UrbiDictionary self) {
+    return !self.entries().isEmpty();
+  }
+
+  @Builtin(doc = "Whether it has no entries.")
+  static boolean empty(UrbiDictionary self) {
+    return self.entries().isEmpty();
+  }
+
+  @Builtin(doc = "The number of entries.")
+  static int size(UrbiDictionary self) {
+    return self.entries().size();
+  }
+
+  @Builtin(doc = "The entries, as asPrintable shows them.")
+  static String asString(Frame caller, UrbiDictionary self) {
+    return Printing.container(caller, self);
+  }
+
+  @Builtin(doc = "The list of the entries, as Pairs of a key and a value.")
+  static List<UrbiObject> asList(Frame caller, UrbiDictionary self) {
+    Shape pair = caller.interpreter().world().prototype("Pair").cloneShape();
+    List<UrbiObject> pairs = new ArrayList<>();
+    Symbol first = pair.world().symbol("first");
+    Symbol second = pair.world().symbol("second");
+    for (Map.Entry<UrbiDictionary.Key, UrbiObject> entry : self.sorted()) {
+      UrbiObject both = new UrbiObject(pair);
+      both.addSlot(first, entry.getKey().value());
+      both.addSlot(second, entry.getValue());
+      pairs.add(both);
+    }
+    return pairs;
+  }
+
+  @Builtin(doc = "The list of the keys.")
+  static List<UrbiObject> keys(UrbiDictionary self) {
+    return self.sorted().stream().map(entry -> entry.getKey().value()).toList();
+  }
+
+  @Builtin(doc = "A Hash, equal for equal dictionaries.")
+  static UrbiHash hash(Frame caller, UrbiDictionary self) {
+    long code = 5;
+    for (var entry : new LinkedHashMap<>(self.entries()).entrySet()) {
+      // The order of the entries makes no difference.
+      code +=
+          UrbiHash.mix(
+              Hashing.code(caller, entry.getKey().value()), Hashing.code(caller, entry.getValue()));
+    }
+    return Hashing.hash(caller, code);
+  }
+
+  @Builtin(value = "==", doc = "Whether that is a dictionary with equal entries.")
+  static boolean equals(Frame caller, UrbiDictionary self, UrbiObject that) {
+    if (self == that) {
+      return true;
+    }
+    if (!(that instanceof UrbiDictionary other)
+        || self.entries().size() != other.entries().size()) {
+      return false;
+    }
+    for (var entry : new LinkedHashMap<>(self.entries()).entrySet()) {
+      UrbiObject value = other.entries().get(entry.getKey());
+      if (value == null || !Comparison.equal(caller, entry.getValue(), value)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // ------------------------------------------------------------------ entries
+
+  @Builtin(
+      value = {"get", "[]"},
+      doc = "The value of a key, which must be there.")
+  static UrbiObject get(Frame caller, UrbiDictionary self, UrbiObject key) {
+    UrbiObject value = self.entries().get(DictionaryKey.of(caller, key));
+    if (value == null) {
+      throw missing(caller, key);
+    }
+    return value;
+  }
+
+  private static UrbiException missing(Frame caller, UrbiObject key) {
+    World world = caller.interpreter().world();
+    UrbiObject error = world.prototype("Dictionary.KeyError").cloned();
+    String message = "missing key: " + caller.interpreter().asString(caller, key);
+    error.addSlot(world.symbol("message"), world.values().string(message));
+    error.addSlot(world.symbol("key"), key);
+    return new UrbiException(error);
+  }
+
+  @Builtin(doc = "The value of a key; the default value if it is not there.")
+  static UrbiObject getWithDefault(
+      Frame caller, UrbiDictionary self, UrbiObject key, UrbiObject defaultValue) {
+    UrbiObject value = self.entries().get(DictionaryKey.of(caller, key));
+    return value == null ? defaultValue : value;
+  }
+
+  @Builtin(doc = "Whether there is a value for a key.")
+  static boolean has(Frame caller, UrbiDictionary self, UrbiObject key) {
+    return self.entries().containsKey(DictionaryKey.of(caller, key));
+  }
+
+  @Builtin(doc = "Sets the value of a key; returns the target.")
+  static UrbiObject set(Frame caller, UrbiDictionary self, UrbiObject key, UrbiObject value) {
+    UrbiDictionary.Key found = DictionaryKey.of(caller, key);
+    UrbiObject before = self.modify().put(found, value);
+    self.noteContentChange();
+    emit(caller, self, before == null ? ADDED : CHANGED);
+    return self;
+  }
+
+  @Builtin(value = "[]=", doc = "Sets the value of a key; returns the value.")
+  static UrbiObject setAt(Frame caller, UrbiDictionary self, UrbiObject key, UrbiObject value) {
+    set(caller, self, key, value);
+    return value;
+  }
+
+  @Builtin(doc = "Adds the entries of another dictionary; returns the target.")
+  static UrbiObject extend(Frame caller, UrbiDictionary self, UrbiDictionary other) {
+    for (var entry : new LinkedHashMap<>(other.entries()).entrySet()) {
+      set(caller, self, entry.getKey().value(), entry.getValue());
+    }
+    return self;
+  }
+
+  @Builtin(doc = "Removes the entry of a key, which must be there; returns the target.")
+  static UrbiObject erase(Frame caller, UrbiDictionary self, UrbiObject key) {
+    if (self.modify().remove(DictionaryKey.of(caller, key)) == null) {
+      throw missing(caller, key);
+    }
+    self.noteContentChange();
+    emit(caller, self, REMOVED);
+    return self;
+  }
+
+  @Builtin(doc = "Removes all entries; returns the target.")
+  static UrbiObject clear(Frame caller, UrbiDictionary self) {
+    if (!self.modify().isEmpty()) {
+      self.modify().clear();
+      self.noteContentChange();
+      emit(caller, self, REMOVED);
+    }
+    return self;
+  }
+
+  @Builtin(doc = "Whether the entries of a pattern are there and match, by the match of handler.")
+  static boolean matchAgainst(
+      Frame caller, UrbiDictionary self, UrbiObject handler, UrbiObject pattern) {
+    if (!(pattern instanceof UrbiDictionary other)) {
+      return false;
+    }
+    for (Map.Entry<UrbiDictionary.Key, UrbiObject> entry :
+        new LinkedHashMap<>(other.entries()).entrySet()) {
+      UrbiObject value = self.entries().get(entry.getKey());
+      if (value == null || !ListSearch.matches(caller, handler, entry.getValue(), value)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // ------------------------------------------------------------------ events
+
+  @Builtin(value = ADDED, doc = "An event emitted each time an entry is added.")
+  static UrbiObject elementAdded(Frame caller, UrbiDictionary self) {
+    return event(caller, self, ADDED);
+  }
+
+  @Builtin(value = CHANGED, doc = "An event emitted each time the value of a key is changed.")
+  static UrbiObject elementChanged(Frame caller, UrbiDictionary self) {
+    return event(caller, self, CHANGED);
+  }
+
+  @Builtin(value = REMOVED, doc = "An event emitted each time entries are removed.")
+  static UrbiObject elementRemoved(Frame caller, UrbiDictionary self) {
+    return event(caller, self, REMOVED);
+  }
+
+  /** Makes the event, which takes the place of the function that makes it. */
+  private static UrbiObject event(Frame caller, UrbiDictionary self, String slot) {
+    World world = caller.interpreter().world();
+    UrbiObject event = caller.interpreter().send(caller, world.prototype("Event"), "new");
+    self.addSlot(world.symbol(slot), event);
+    return event;
+  }
+
+  private static void emit(Frame caller, UrbiDictionary self, String slot) {
+    if (self.shape() == values(caller).dictionaryProto.cloneShape()) {
+      // Without slots of its own it has no events.
+      return;
+    }
+    Symbol name = caller.interpreter().world().symbol(slot);
+    UrbiObject event = self.lookup(name);
+    if (event != null && !(event instanceof Code)) {
+      caller.interpreter().send(caller, event, "emit");
+    }
+  }
+}

@@ -1,0 +1,295 @@
+package org.urbi.kernel.library.collection;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Optional;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.library.lobby.Warnings;
+import org.urbi.kernel.library.text.StringType;
+import org.urbi.kernel.library.value.Comparison;
+import org.urbi.kernel.library.value.Counting;
+import org.urbi.kernel.library.value.Hashing;
+import org.urbi.kernel.library.value.Printing;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiFloat;
+import org.urbi.kernel.object.UrbiHash;
+import org.urbi.kernel.object.UrbiList;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Values;
+
+/** Lists (manual, "List"): their elements, and what changes them. */
+@UrbiType(
+    value = "List",
+    protos = {"Container", "RangeIterable", "Orderable"},
+    doc = "An ordered sequence of any objects.")
+final class ListType {
+  private ListType() {}
+
+  private static Values values(Frame caller) {
+    return caller.interpreter().world().values();
+  }
+
+  // ------------------------------------------------------------------ what it is
+
+  @Builtin(doc = "Whether it is not empty.")
+  static boolean asBool(UrbiList self) {
+    return !self.elements().isEmpty();
+  }
+
+  @Builtin(doc = "The target.")
+  static UrbiObject asList(UrbiList self) {
+    return self;
+  }
+
+  @Builtin(doc = "The elements, as asPrintable shows them.")
+  static String asString(Frame caller, UrbiList self) {
+    return Printing.container(caller, self);
+  }
+
+  @Builtin(doc = "Whether it has no elements.")
+  static boolean empty(UrbiList self) {
+    return self.elements().isEmpty();
+  }
+
+  @Builtin(doc = "The number of elements.")
+  static int size(UrbiList self) {
+    return self.elements().size();
+  }
+
+  @Builtin(doc = "A Hash, equal for equal lists.")
+  static UrbiHash hash(Frame caller, UrbiList self) {
+    return Hashing.hash(caller, Hashing.code(caller, self.elements()));
+  }
+
+  @Builtin(doc = "The list of valid indexes.")
+  static List<UrbiObject> keys(Frame caller, UrbiList self) {
+    List<UrbiObject> keys = new ArrayList<>();
+    for (int i = 0; i < self.elements().size(); i++) {
+      keys.add(values(caller).number(i));
+    }
+    return keys;
+  }
+
+  // ------------------------------------------------------------------ elements
+
+  @Builtin(value = "[]", doc = "The element at an index; negative ones count from the end.")
+  static UrbiObject get(Frame caller, CallSite site, UrbiList self, int index) {
+    List<UrbiObject> elements = self.elements();
+    return elements.get(Counting.index(caller, site, index, elements.size()));
+  }
+
+  @Builtin(value = "[]=", doc = "Replaces the element at an index; returns the value.")
+  static UrbiObject set(Frame caller, CallSite site, UrbiList self, int index, UrbiObject value) {
+    ArrayList<UrbiObject> elements = self.modify();
+    elements.set(Counting.index(caller, site, index, elements.size()), value);
+    self.noteContentChange();
+    return value;
+  }
+
+  @Builtin(
+      value = {"front", "head"},
+      doc = "The first element.")
+  static UrbiObject front(Frame caller, CallSite site, UrbiList self) {
+    return notEmpty(caller, site, self).getFirst();
+  }
+
+  @Builtin(doc = "The last element.")
+  static UrbiObject back(Frame caller, CallSite site, UrbiList self) {
+    return notEmpty(caller, site, self).getLast();
+  }
+
+  @Builtin(doc = "All elements but the first one.")
+  static List<UrbiObject> tail(Frame caller, CallSite site, UrbiList self) {
+    List<UrbiObject> elements = notEmpty(caller, site, self);
+    return elements.subList(1, elements.size());
+  }
+
+  private static List<UrbiObject> notEmpty(Frame caller, CallSite site, UrbiList self) {
+    List<UrbiObject> elements = self.elements();
+    if (elements.isEmpty()) {
+      throw error(caller, site, "cannot be applied onto empty list");
+    }
+    return elements;
+  }
+
+  static UrbiException error(Frame caller, CallSite site, String message) {
+    return caller.interpreter().errors().primitive(site.calledName(), message);
+  }
+
+  @Builtin(
+      doc = "The elements from begin to end, which is excluded; negatives number from the end.")
+  static List<UrbiObject> range(
+      Frame caller, CallSite site, UrbiList self, int begin, @Optional UrbiObject end) {
+    int from = begin;
+    int to;
+    if (end == null || end == values(caller).nil) {
+      from = 0;
+      to = begin;
+    } else {
+      to = Arguments.integer(caller, site, 2, end);
+    }
+    List<UrbiObject> elements = self.elements();
+    int size = elements.size();
+    for (int bound : new int[] {from, to}) {
+      if (bound > size || bound < -size) {
+        throw Counting.invalidIndex(caller, site, bound);
+      }
+    }
+    List<UrbiObject> range = new ArrayList<>();
+    for (int i = from; i < to; i++) {
+      range.add(elements.get(i < 0 ? i + size : i));
+    }
+    return range;
+  }
+
+  // ------------------------------------------------------------------ changes
+
+  @Builtin(doc = "Removes all elements.")
+  static UrbiObject clear(UrbiList self) {
+    self.modify().clear();
+    return changed(self);
+  }
+
+  private static UrbiObject changed(UrbiList self) {
+    self.noteContentChange();
+    return self;
+  }
+
+  @Builtin(doc = "Inserts an element before the one at an index; returns the target.")
+  static UrbiObject insert(Frame caller, CallSite site, UrbiList self, int where, UrbiObject what) {
+    ArrayList<UrbiObject> elements = self.modify();
+    if (where < 0 || where >= elements.size()) {
+      throw Counting.invalidIndex(caller, site, where);
+    }
+    elements.add(where, what);
+    return changed(self);
+  }
+
+  @Builtin(
+      value = {"insertBack", "<<"},
+      doc = "Adds an element at the end; returns the target.")
+  static UrbiObject insertBack(UrbiList self, UrbiObject that) {
+    self.modify().add(that);
+    return changed(self);
+  }
+
+  @Builtin(doc = "Adds an element at the beginning; returns the target.")
+  static UrbiObject insertFront(UrbiList self, UrbiObject that) {
+    self.modify().add(0, that);
+    return changed(self);
+  }
+
+  @Builtin(doc = "Adds an element at the end, unless the list has it; returns the target.")
+  static UrbiObject insertUnique(Frame caller, UrbiList self, UrbiObject that) {
+    return ListSearch.has(caller, self, that) ? self : insertBack(self, that);
+  }
+
+  @Builtin(value = "+=", doc = "Adds the elements of a list at the end; returns the target.")
+  static UrbiObject addAll(UrbiList self, UrbiList that) {
+    self.modify().addAll(List.copyOf(that.elements()));
+    return changed(self);
+  }
+
+  @Builtin(doc = "Deprecated: use '+='.")
+  static UrbiObject append(Frame caller, CallSite site, UrbiList self, UrbiList that) {
+    Warnings.deprecated(caller, site, "list.append(that)", "list += that");
+    return addAll(self, that);
+  }
+
+  @Builtin(doc = "Removes all elements equal to a value; returns the target.")
+  static UrbiObject remove(Frame caller, UrbiList self, UrbiObject val) {
+    for (UrbiObject element : List.copyOf(self.elements())) {
+      if (Comparison.equal(caller, element, val)) {
+        removeSame(self, element);
+      }
+    }
+    return self;
+  }
+
+  private static void removeSame(UrbiList self, UrbiObject element) {
+    if (self.modify().removeIf(e -> e == element)) {
+      self.noteContentChange();
+    }
+  }
+
+  @Builtin(doc = "Removes all elements that are the very object; returns the target.")
+  static UrbiObject removeById(UrbiList self, UrbiObject that) {
+    removeSame(self, that);
+    return self;
+  }
+
+  @Builtin(doc = "Removes and returns the last element.")
+  static UrbiObject removeBack(Frame caller, CallSite site, UrbiList self) {
+    notEmpty(caller, site, self);
+    UrbiObject removed = self.modify().removeLast();
+    self.noteContentChange();
+    return removed;
+  }
+
+  @Builtin(doc = "Removes and returns the first element.")
+  static UrbiObject removeFront(Frame caller, CallSite site, UrbiList self) {
+    notEmpty(caller, site, self);
+    UrbiObject removed = self.modify().removeFirst();
+    self.noteContentChange();
+    return removed;
+  }
+
+  // ------------------------------------------------------------------ new lists
+
+  @Builtin(value = "+", doc = "The elements of the target, then those of another list.")
+  static List<UrbiObject> plus(UrbiList self, UrbiList other) {
+    List<UrbiObject> sum = new ArrayList<>(self.elements());
+    sum.addAll(other.elements());
+    return sum;
+  }
+
+  @Builtin(value = "-", doc = "The elements that are equal to none of another list.")
+  static List<UrbiObject> minus(Frame caller, UrbiList self, UrbiList other) {
+    List<UrbiObject> rest = new ArrayList<>();
+    for (UrbiObject element : List.copyOf(self.elements())) {
+      if (!ListSearch.has(caller, other, element)) {
+        rest.add(element);
+      }
+    }
+    return rest;
+  }
+
+  @Builtin(value = "*", doc = "The elements, so many times.")
+  static List<UrbiObject> multiply(Frame caller, CallSite site, UrbiList self, UrbiFloat n) {
+    List<UrbiObject> elements = self.elements();
+    int count = Counting.ofLists(caller, site, 1, n, elements.size());
+    List<UrbiObject> product = new ArrayList<>(count * elements.size());
+    for (int i = 0; i < count && !elements.isEmpty(); i++) {
+      product.addAll(elements);
+    }
+    return product;
+  }
+
+  @Builtin(doc = "The elements, last one first.")
+  static List<UrbiObject> reverse(UrbiList self) {
+    List<UrbiObject> reversed = new ArrayList<>(self.elements());
+    Collections.reverse(reversed);
+    return reversed;
+  }
+
+  @Builtin(
+      doc = "Their asString one after the other, with sep between them, within prefix, suffix.")
+  static String join(
+      Frame caller,
+      UrbiList self,
+      @Optional String sep,
+      @Optional String prefix,
+      @Optional String suffix) {
+    return StringType.join(
+        caller,
+        sep == null ? "" : sep,
+        self.elements(),
+        prefix == null ? "" : prefix,
+        suffix == null ? "" : suffix);
+  }
+}

@@ -1,0 +1,2 @@
+/** Lists, tuples and dictionaries (manual, "Container", "List", "Tuple", "Dictionary"). */
+package org.urbi.kernel.library.collection;

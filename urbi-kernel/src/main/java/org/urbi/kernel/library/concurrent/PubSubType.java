@@ -1,0 +1,54 @@
+package org.urbi.kernel.library.concurrent;
+
+import java.util.List;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.library.value.OwnSlots;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiList;
+import org.urbi.kernel.object.UrbiObject;
+
+/** Values published to subscribers (manual, "PubSub"). */
+@UrbiType(value = "PubSub", doc = "Values that are published, and queued for each subscriber.")
+final class PubSubType {
+  private PubSubType() {}
+
+  @Builtin(doc = "Without any subscriber.")
+  static void init(UrbiObject self) {
+    OwnSlots.put(self, "subscribers", self.world().values().list(List.of()));
+  }
+
+  private static UrbiList subscribers(Frame frame, UrbiObject self) {
+    UrbiObject all = OwnSlots.get(frame, self, "subscribers");
+    if (all instanceof UrbiList list) {
+      return list;
+    }
+    throw frame.interpreter().errors().type(all, self.world().prototype("List"));
+  }
+
+  @Builtin(doc = "Queues a value for each subscriber, and returns it.")
+  static UrbiObject publish(Frame frame, UrbiObject self, UrbiObject ev) {
+    for (UrbiObject each : List.copyOf(subscribers(frame, self).elements())) {
+      if (each instanceof UrbiSubscriber subscriber) {
+        subscriber.enqueue(ev);
+      }
+    }
+    return ev;
+  }
+
+  @Builtin(doc = "A new subscriber, for whom values are queued from now on.")
+  static UrbiObject subscribe(Frame frame, UrbiObject self) {
+    UrbiObject subscriber = self.world().prototype("PubSub.Subscriber").cloned();
+    UrbiList all = subscribers(frame, self);
+    all.modify().add(subscriber);
+    all.noteContentChange();
+    return subscriber;
+  }
+
+  @Builtin(doc = "Queues nothing more for that subscriber.")
+  static void unsubscribe(Frame frame, UrbiObject self, UrbiObject sub) {
+    UrbiList all = subscribers(frame, self);
+    all.modify().removeIf(each -> each == sub);
+    all.noteContentChange();
+  }
+}

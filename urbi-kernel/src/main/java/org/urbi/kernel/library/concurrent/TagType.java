@@ -1,0 +1,157 @@
+package org.urbi.kernel.library.concurrent;
+
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Optional;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.event.Emission;
+import org.urbi.kernel.event.Subscription;
+import org.urbi.kernel.event.UrbiEvent;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.library.object.ObjectType;
+import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.ScopeEnd;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
+import org.urbi.kernel.tag.UrbiTag;
+
+/** Labels of code, to control it (manual, "Tag"). */
+@UrbiType(value = "Tag", doc = "A label of code, to stop, block or freeze it.")
+public final class TagType {
+  private TagType() {}
+
+  @Builtin(doc = "Gives the tag a name; without one it gets a number.")
+  static void init(Frame frame, UrbiTag self, @Optional String name) {
+    Symbol slot = self.world().symbol("name");
+    String chosen = name == null ? "tag_" + frame.job().scheduler().nextNumber() : name;
+    if (self.localSlot(slot) == null) {
+      self.addSlot(slot, frame.interpreter().values().string(chosen));
+    }
+  }
+
+  @Builtin(doc = "The tag as text: Tag<name>.")
+  static String asString(Frame frame, UrbiTag self) {
+    if (self == frame.interpreter().prototypes().tag) {
+      return "Tag";
+    }
+    UrbiObject name = self.lookup(self.world().symbol("name"));
+    return name instanceof UrbiString text
+        ? "Tag<" + text.value() + ">"
+        : ObjectType.asString(frame, self);
+  }
+
+  private static UrbiObject result(Frame frame, UrbiObject result) {
+    return result == null ? frame.interpreter().values().voidObject : result;
+  }
+
+  @Builtin(doc = "A new tag that is stopped when the scope around the call is left.")
+  static UrbiObject scope(Frame frame, UrbiObject self) {
+    return ofScope(frame);
+  }
+
+  /** A new tag, stopped when the scope being executed is left; at the top, the connection's. */
+  public static UrbiObject ofScope(Frame frame) {
+    ScopeEnd end = frame.scopeEnd();
+    if (end == null) {
+      return ((UrbiLobby) frame.job().lobby()).connectionTag();
+    }
+    UrbiTag tag = (UrbiTag) frame.interpreter().prototypes().tag.cloned();
+    end.add(() -> tag.state().stop(frame.interpreter().values().voidObject));
+    return tag;
+  }
+
+  @Builtin(doc = "Ends the code under the tag, which returns that value.")
+  static void stop(Frame frame, UrbiTag self, @Optional UrbiObject result) {
+    self.state().stop(result(frame, result));
+    frame.job().checkInjected();
+  }
+
+  @Builtin(doc = "Ends the code under the tag, and lets none begin; it returns that value.")
+  static void block(Frame frame, UrbiTag self, @Optional UrbiObject result) {
+    self.state().block(result(frame, result));
+    frame.job().checkInjected();
+  }
+
+  @Builtin(doc = "Lets code under the tag begin again.")
+  static void unblock(UrbiTag self) {
+    self.state().unblock();
+  }
+
+  @Builtin(doc = "Whether no code can begin under the tag.")
+  static boolean blocked(UrbiTag self) {
+    return self.state().isBlocked();
+  }
+
+  @Builtin(doc = "Suspends the code under the tag, and the code that enters it.")
+  static void freeze(Frame frame, UrbiTag self) {
+    self.state().freeze();
+    frame.job().holdIfFrozen();
+  }
+
+  @Builtin(doc = "Lets the code under the tag go on.")
+  static void unfreeze(UrbiTag self) {
+    self.state().unfreeze();
+  }
+
+  @Builtin(doc = "Whether the code under the tag is suspended.")
+  static boolean frozen(UrbiTag self) {
+    return self.state().isFrozen();
+  }
+
+  @Builtin(doc = "The priority of the code under the tag: 0 unless it was set.")
+  static double priority(UrbiTag self) {
+    return self.priority();
+  }
+
+  @Builtin(
+      doc = "Has code that enters the tag from now on run before all code of a lower priority.")
+  static void setPriority(UrbiTag self, double priority) {
+    self.setPriority(Math.max(0, priority));
+  }
+
+  @Builtin(doc = "An event emitted each time code enters the tag.")
+  static UrbiEvent enter(Frame frame, UrbiTag self) {
+    if (self.enterEvent() == null) {
+      self.setEnterEvent((UrbiEvent) frame.interpreter().prototypes().event.cloned());
+    }
+    return self.enterEvent();
+  }
+
+  @Builtin(doc = "An event emitted each time code leaves the tag.")
+  static UrbiEvent leave(Frame frame, UrbiTag self) {
+    if (self.leaveEvent() == null) {
+      self.setLeaveEvent((UrbiEvent) frame.interpreter().prototypes().event.cloned());
+    }
+    return self.leaveEvent();
+  }
+
+  @Builtin(doc = "A tag under this one which tells when code enters it.")
+  static UrbiObject begin(Frame frame, UrbiTag self) {
+    UrbiTag told = (UrbiTag) self.cloned();
+    enter(frame, told).subscribe(new Teller(self, ": begin"), frame.job());
+    return told;
+  }
+
+  @Builtin(doc = "A tag under this one which tells when code leaves it.")
+  static UrbiObject end(Frame frame, UrbiTag self) {
+    UrbiTag told = (UrbiTag) self.cloned();
+    leave(frame, told).subscribe(new Teller(self, ": end"), frame.job());
+    return told;
+  }
+
+  /** Tells of each emission of an event. */
+  private record Teller(UrbiTag tag, String what) implements Subscription {
+    @Override
+    public void begin(Emission emission, Job emitter) {
+      UrbiObject name = tag.lookup(tag.world().symbol("name"));
+      String text = name instanceof UrbiString known ? known.value() : "tag";
+      ((UrbiLobby) emitter.lobby()).output().send("", "*** " + text + what);
+    }
+
+    @Override
+    public void end(Emission emission, Job emitter) {
+      // Entering and leaving last no time.
+    }
+  }
+}

@@ -1,0 +1,20 @@
+package org.urbi.kernel.library.concurrent;
+
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiObject;
+
+/** A job as urbiscript sees it (manual, "Job"). */
+final class UrbiJob extends UrbiObject {
+  private final Job job;
+
+  UrbiJob(Shape shape, Job job) {
+    super(shape);
+    this.job = job;
+  }
+
+  /** The job; null in the prototype. */
+  Job job() {
+    return job;
+  }
+}

@@ -1,0 +1,72 @@
+package org.urbi.kernel.library.concurrent;
+
+import java.util.LinkedHashSet;
+import java.util.Set;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiObject;
+
+/** A limit for the number of jobs that use something (manual, "Semaphore"). */
+final class UrbiSemaphore extends UrbiObject {
+  private final Set<Ticket> queue = new LinkedHashSet<>();
+  private int free;
+
+  /** A job that waits for its turn. */
+  private static final class Ticket {
+    private final Job job;
+    private boolean granted;
+
+    Ticket(Job job) {
+      this.job = job;
+    }
+  }
+
+  UrbiSemaphore(Shape shape, int free) {
+    super(shape);
+    this.free = free;
+  }
+
+  void setFree(int places) {
+    free = places;
+  }
+
+  @Override
+  public UrbiObject cloned() {
+    return new UrbiSemaphore(cloneShape(), free);
+  }
+
+  /** Waits for a place, and takes it. Those who came first are served first. */
+  void acquire(Job job) {
+    if (free > 0) {
+      free--;
+      return;
+    }
+    Ticket ticket = new Ticket(job);
+    queue.add(ticket);
+    boolean entered = false;
+    try {
+      while (!ticket.granted) {
+        job.waitForWake();
+      }
+      entered = true;
+    } finally {
+      queue.remove(ticket);
+      if (!entered && ticket.granted) {
+        // Stopped when its turn had come: somebody else's, then.
+        release();
+      }
+    }
+  }
+
+  /** Gives a place back. */
+  void release() {
+    if (queue.isEmpty()) {
+      free++;
+      return;
+    }
+    Ticket next = queue.iterator().next();
+    queue.remove(next);
+    next.granted = true;
+    next.job.wake();
+  }
+}

@@ -1,0 +1,5 @@
+/**
+ * Jobs, tags, events and what jobs wait for (manual, "Job", "Tag", "Event", "Mutex", "Semaphore",
+ * "Barrier", "Timeout", "PubSub").
+ */
+package org.urbi.kernel.library.concurrent;

@@ -1,0 +1,2 @@
+/** Points in time and the spans between them (manual, "Date", "Duration"). */
+package org.urbi.kernel.library.date;

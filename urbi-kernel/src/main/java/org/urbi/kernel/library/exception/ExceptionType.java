@@ -1,0 +1,51 @@
+package org.urbi.kernel.library.exception;
+
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Optional;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
+
+/** Errors, and what they have in common (manual, "Exception"). */
+@UrbiType(
+    value = "Exception",
+    protos = {"Object", "Traceable"},
+    doc = "An error, with a message.")
+public final class ExceptionType {
+  private ExceptionType() {}
+
+  /** Sets a slot of a fresh exception. */
+  static void set(UrbiObject self, String name, UrbiObject value) {
+    Symbol symbol = self.world().symbol(name);
+    self.removeSlot(symbol);
+    self.addSlot(symbol, value);
+  }
+
+  /** The text of a slot of an exception, as asString shows it. */
+  public static String text(Frame frame, UrbiObject self, String name) {
+    UrbiObject value = self.lookup(self.world().symbol(name));
+    return value == null || value == self.world().values().voidObject
+        ? ""
+        : frame.interpreter().asString(frame, value);
+  }
+
+  @Builtin(doc = "Makes an exception with that message.")
+  static void init(UrbiObject self, @Optional UrbiObject message) {
+    if (message != null) {
+      set(self, "message", message);
+    }
+  }
+
+  @Builtin(doc = "The message.")
+  static String asString(Frame frame, UrbiObject self) {
+    UrbiObject message = self.lookup(self.world().symbol("message"));
+    return message instanceof UrbiString text ? text.value() : text(frame, self, "message");
+  }
+
+  @Builtin(doc = "The type and the message, as the console shows it.")
+  static String asPrintable(Frame frame, UrbiObject self) {
+    return text(frame, self, "fullType") + " `" + frame.interpreter().asString(frame, self) + "'";
+  }
+}

@@ -1,0 +1,2 @@
+/** The exceptions that the language throws (manual, "Exception"). */
+package org.urbi.kernel.library.exception;

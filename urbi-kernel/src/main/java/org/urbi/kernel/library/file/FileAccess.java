@@ -1,0 +1,193 @@
+package org.urbi.kernel.library.file;
+
+import java.io.FileNotFoundException;
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.DirectoryNotEmptyException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.FileSystemLoopException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.NotDirectoryException;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.library.system.KernelControl;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
+import org.urbi.kernel.outside.Disk;
+import org.urbi.lang.print.StringEscape;
+
+/** What File, Directory and the streams have in common: names, errors, waiting for the disk. */
+public final class FileAccess {
+  private FileAccess() {}
+
+  /** The path that an argument names: a String, a Path, a File or a Directory. */
+  public static UrbiPath path(Frame frame, CallSite site, int place, UrbiObject given) {
+    return switch (given) {
+      case UrbiPath path when path != anyPath(frame) -> path;
+      case UrbiEntry entry when entry.path() != null -> entry.path();
+      case UrbiString text -> {
+        checkName(frame, site, text.value());
+        yield anyPath(frame).sibling(text.value());
+      }
+      case UrbiPath prototype ->
+          throw frame.interpreter().errors().primitive(site.calledName(), "not a path");
+      default -> Arguments.unexpected(frame, site, place, given, "Path");
+    };
+  }
+
+  /** {@code routine: invalid path: …} unless it may be the name of something. */
+  static void checkName(Frame frame, CallSite site, String name) {
+    if (name.isEmpty() || name.indexOf('\0') >= 0) {
+      throw frame.interpreter().errors().primitive(site.calledName(), "invalid path: " + name);
+    }
+  }
+
+  /** The prototype of paths, from which others can be made. */
+  public static UrbiPath anyPath(Frame frame) {
+    return (UrbiPath) frame.interpreter().world().prototype("Path");
+  }
+
+  /** What was made by {@code new} can be made something of the machine; what all share cannot. */
+  public static void checkNotPrototype(Frame frame, CallSite site, UrbiObject self, String type) {
+    if (self == frame.interpreter().world().prototype(type)) {
+      throw frame
+          .interpreter()
+          .errors()
+          .primitive(site.calledName(), type + " is a prototype: use " + type + ".new");
+    }
+  }
+
+  /** The path of a name in a directory. */
+  static UrbiPath inside(UrbiPath directory, String name) {
+    String text = directory.text();
+    return directory.sibling(text.equals(".") ? name : text + "/" + name);
+  }
+
+  /** The last name of a path. */
+  static String basename(UrbiPath path) {
+    return path.text().substring(path.text().lastIndexOf('/') + 1);
+  }
+
+  /** The files that this kernel may use. */
+  public static Disk disk(Frame frame) {
+    return KernelControl.of(frame).outside().disk();
+  }
+
+  /** Whether there is something of that name; a link to nowhere is nothing. */
+  static boolean exists(Frame frame, CallSite site, UrbiPath path) {
+    return quickly(frame, site, path, () -> disk(frame).exists(path.file()));
+  }
+
+  /** Whether there is something of that name, be it a link to nowhere. */
+  static boolean hasEntry(Frame frame, CallSite site, UrbiPath path) {
+    return quickly(frame, site, path, () -> disk(frame).hasEntry(path.file()));
+  }
+
+  /** Whether there is a directory of that name. */
+  static boolean isDirectory(Frame frame, CallSite site, UrbiPath path) {
+    return quickly(frame, site, path, () -> disk(frame).isDirectory(path.file()));
+  }
+
+  /** Whether there is a regular file of that name. */
+  static boolean isRegularFile(Frame frame, CallSite site, UrbiPath path) {
+    return quickly(frame, site, path, () -> disk(frame).isRegularFile(path.file()));
+  }
+
+  /** {@code routine: message: "path"}. */
+  static UrbiException error(Frame frame, CallSite site, String message, UrbiPath path) {
+    return frame
+        .interpreter()
+        .errors()
+        .primitive(site.calledName(), message + ": " + StringEscape.quote(path.text()));
+  }
+
+  /** Something that can be done to files. */
+  public interface Action<T> {
+    T run() throws IOException;
+  }
+
+  /** Does something quick to a file; its failure becomes an exception of urbiscript. */
+  public static <T> T quickly(Frame frame, CallSite site, UrbiPath path, Action<T> action) {
+    try {
+      return action.run();
+    } catch (IOException e) {
+      throw failed(frame, site, path, e);
+    }
+  }
+
+  /** Does something to files that may take long, while the job waits. */
+  static <T> T slowly(Frame frame, CallSite site, UrbiPath path, Callable<T> action) {
+    try {
+      return KernelControl.of(frame).outside().awaitBriefly(frame.job(), action);
+    } catch (IOException e) {
+      throw failed(frame, site, path, e);
+    }
+  }
+
+  /** Something is to be moved or copied there: there must be a directory for it. */
+  static void checkPlace(Frame frame, CallSite site, UrbiPath to) {
+    if (!isDirectory(frame, site, PathType.dirname(to))) {
+      throw error(frame, site, "no such file or directory", to);
+    }
+  }
+
+  /** Something that changes files. */
+  interface Change {
+    void run() throws IOException;
+  }
+
+  /** Makes a change that is quick. */
+  static void change(Frame frame, CallSite site, UrbiPath path, Change change) {
+    quickly(frame, site, path, () -> done(change));
+  }
+
+  /** Makes a change that may take long, while the job waits. */
+  static void changeSlowly(Frame frame, CallSite site, UrbiPath path, Change change) {
+    slowly(frame, site, path, () -> done(change));
+  }
+
+  private static Void done(Change change) throws IOException {
+    change.run();
+    return null;
+  }
+
+  private static UrbiException failed(
+      Frame frame, CallSite site, UrbiPath path, IOException failure) {
+    return error(frame, site, reason(failure), path);
+  }
+
+  /** What went wrong, in the words of the manual. */
+  public static String reason(IOException failure) {
+    return switch (failure) {
+      case NoSuchFileException e -> "no such file or directory";
+      case FileAlreadyExistsException e -> "file exists";
+      case DirectoryNotEmptyException e -> "directory not empty";
+      case AccessDeniedException e -> "permission denied";
+      case NotDirectoryException e -> "not a directory";
+      case FileSystemLoopException e -> "too many levels of links";
+      case FileNotFoundException e -> lowered(inParentheses(e));
+      case FileSystemException e when e.getReason() != null -> lowered(e.getReason());
+      default -> failure.getMessage() == null ? "input/output error" : failure.getMessage();
+    };
+  }
+
+  /** The message of the machine, with which the JDK ends its own. */
+  public static String inParentheses(IOException failure) {
+    String message = String.valueOf(failure.getMessage());
+    int from = message.lastIndexOf('(');
+    int to = message.lastIndexOf(')');
+    return from < 0 || to < from ? message : message.substring(from + 1, to);
+  }
+
+  /** A message of the machine as part of one of ours. */
+  public static String lowered(String text) {
+    return text.isEmpty()
+        ? text
+        : text.substring(0, 1).toLowerCase(Locale.ROOT) + text.substring(1);
+  }
+}

@@ -1,0 +1,237 @@
+package org.urbi.kernel.library.file;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.library.date.UrbiDate;
+import org.urbi.kernel.library.text.BinaryType;
+import org.urbi.kernel.library.text.NativeText;
+import org.urbi.kernel.library.text.UrbiBinary;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
+import org.urbi.kernel.object.World;
+import org.urbi.kernel.outside.Disk;
+import org.urbi.lang.print.StringEscape;
+
+/** Files (manual, "File"). */
+@UrbiType(value = "File", doc = "A file of the file system.")
+final class FileType {
+  /** What is larger is read on a thread of its own, and what is no regular file always. */
+  private static final long LARGE = 1 << 18;
+
+  private FileType() {}
+
+  static UrbiObject newPrototype(World world) {
+    return new UrbiFile(world.values().object.cloneShape(), null);
+  }
+
+  static UrbiFile file(Frame frame, UrbiPath path) {
+    UrbiObject prototype = frame.interpreter().world().prototype("File");
+    return new UrbiFile(prototype.cloneShape(), path);
+  }
+
+  /** The target, which must not be the prototype itself. */
+  static UrbiPath path(Frame frame, CallSite site, UrbiFile self) {
+    if (self.path() == null) {
+      throw frame.interpreter().errors().primitive(site.calledName(), "not a file");
+    }
+    return self.path();
+  }
+
+  // ------------------------------------------------------------------ construction
+
+  @Builtin(doc = "Makes it the file of that name, which must exist.")
+  static UrbiObject init(Frame frame, CallSite site, UrbiFile self, UrbiObject name) {
+    FileAccess.checkNotPrototype(frame, site, self, "File");
+    UrbiPath path = FileAccess.path(frame, site, 1, name);
+    if (FileAccess.isDirectory(frame, site, path)) {
+      throw FileAccess.error(frame, site, "not a file", path);
+    }
+    if (!FileAccess.exists(frame, site, path)) {
+      throw FileAccess.error(frame, site, "file does not exist", path);
+    }
+    self.setPath(path);
+    return self;
+  }
+
+  @Builtin(doc = "The file of that name, made if it does not exist, and emptied if it does.")
+  static UrbiObject create(Frame frame, CallSite site, UrbiObject self, UrbiObject name) {
+    UrbiPath path = FileAccess.path(frame, site, 1, name);
+    write(frame, site, path, new byte[0]);
+    return file(frame, path);
+  }
+
+  @Builtin(doc = "Creates the file of that name, with that content.")
+  static void save(
+      Frame frame, CallSite site, UrbiObject self, UrbiObject name, UrbiObject content) {
+    String bytes =
+        content instanceof UrbiBinary binary
+            ? binary.data()
+            : Arguments.text(frame, site, 2, content);
+    write(frame, site, FileAccess.path(frame, site, 1, name), NativeText.bytes(bytes));
+  }
+
+  private static void write(Frame frame, CallSite site, UrbiPath path, byte[] bytes) {
+    boolean quick =
+        bytes.length <= LARGE
+            && (FileAccess.isRegularFile(frame, site, path)
+                || !FileAccess.exists(frame, site, path));
+    FileAccess.Change change = () -> FileAccess.disk(frame).write(path.file(), bytes);
+    if (quick) {
+      FileAccess.change(frame, site, path, change);
+    } else {
+      FileAccess.changeSlowly(frame, site, path, change);
+    }
+  }
+
+  // ------------------------------------------------------------------ the name
+
+  @Builtin(doc = "The path of the file.")
+  static UrbiObject asPath(Frame frame, CallSite site, UrbiFile self) {
+    return path(frame, site, self);
+  }
+
+  @Builtin(doc = "The file, to be shown.")
+  static String asPrintable(UrbiFile self) {
+    return self.path() == null ? "File" : "File(" + StringEscape.quote(self.text()) + ")";
+  }
+
+  @Builtin(doc = "The name of the file.")
+  static String asString(UrbiFile self) {
+    return self.path() == null ? "File" : self.text();
+  }
+
+  @Builtin(doc = "The name of the file without its directory.")
+  static String basename(Frame frame, CallSite site, UrbiFile self) {
+    return FileAccess.basename(path(frame, site, self));
+  }
+
+  // ------------------------------------------------------------------ the content
+
+  private static byte[] bytes(Frame frame, CallSite site, UrbiFile self) {
+    UrbiPath path = path(frame, site, self);
+    Path file = path.file();
+    Disk disk = FileAccess.disk(frame);
+    try {
+      if (disk.isRegularFile(file) && disk.size(file) <= LARGE) {
+        return disk.read(file);
+      }
+    } catch (IOException e) {
+      // The other way says what is wrong.
+    }
+    return FileAccess.slowly(
+        frame,
+        site,
+        path,
+        () -> {
+          if (disk.isRegularFile(file) && disk.size(file) > Integer.MAX_VALUE - 8) {
+            throw new IOException("file too large");
+          }
+          return disk.read(file);
+        });
+  }
+
+  @Builtin(doc = "The lines of the file.")
+  static List<UrbiString> asList(Frame frame, CallSite site, UrbiFile self) {
+    String text = NativeText.text(bytes(frame, site, self));
+    List<UrbiString> lines = new ArrayList<>();
+    int from = 0;
+    while (from < text.length()) {
+      int newline = text.indexOf('\n', from);
+      int to = newline < 0 ? text.length() : newline;
+      int end = to > from && text.charAt(to - 1) == '\r' ? to - 1 : to;
+      lines.add(frame.interpreter().values().string(text.substring(from, end)));
+      from = to + 1;
+    }
+    return lines;
+  }
+
+  @Builtin(doc = "The content of the file, as a Binary.")
+  static UrbiObject content(Frame frame, CallSite site, UrbiFile self) {
+    return BinaryType.binary(frame, "", NativeText.text(bytes(frame, site, self)));
+  }
+
+  @Builtin(doc = "The size of the file, in bytes.")
+  static double size(Frame frame, CallSite site, UrbiFile self) {
+    UrbiPath path = path(frame, site, self);
+    return FileAccess.quickly(
+        frame, site, path, () -> (double) FileAccess.disk(frame).size(path.file()));
+  }
+
+  @Builtin(doc = "The date at which the file was last modified.")
+  static UrbiObject lastModifiedDate(Frame frame, CallSite site, UrbiFile self) {
+    return lastModified(frame, site, path(frame, site, self));
+  }
+
+  /** The date at which something was last modified. */
+  static UrbiObject lastModified(Frame frame, CallSite site, UrbiPath path) {
+    long microseconds =
+        FileAccess.quickly(
+            frame, site, path, () -> FileAccess.disk(frame).lastModified(path.file()));
+    UrbiObject prototype = frame.interpreter().world().prototype("Date");
+    return new UrbiDate(prototype.cloneShape(), microseconds);
+  }
+
+  // ------------------------------------------------------------------ changes
+
+  @Builtin(doc = "Copies the file to a new one of that name, and returns that.")
+  static UrbiObject copy(Frame frame, CallSite site, UrbiFile self, UrbiObject filename) {
+    return copied(frame, site, self, FileAccess.path(frame, site, 1, filename));
+  }
+
+  @Builtin(doc = "Copies the file into a directory, and returns the copy.")
+  static UrbiObject copyInto(Frame frame, CallSite site, UrbiFile self, UrbiObject dirname) {
+    UrbiPath directory = DirectoryType.existing(frame, site, 1, dirname);
+    String name = FileAccess.basename(path(frame, site, self));
+    return copied(frame, site, self, FileAccess.inside(directory, name));
+  }
+
+  private static UrbiObject copied(Frame frame, CallSite site, UrbiFile self, UrbiPath to) {
+    UrbiPath from = path(frame, site, self);
+    if (!FileAccess.hasEntry(frame, site, from)) {
+      throw FileAccess.error(frame, site, "no such file or directory", from);
+    }
+    FileAccess.changeSlowly(
+        frame, site, to, () -> FileAccess.disk(frame).copy(from.file(), to.file()));
+    return file(frame, to);
+  }
+
+  @Builtin(doc = "Moves the file into a directory.")
+  static UrbiObject moveInto(Frame frame, CallSite site, UrbiFile self, UrbiObject dirname) {
+    UrbiPath directory = DirectoryType.existing(frame, site, 1, dirname);
+    String name = FileAccess.basename(path(frame, site, self));
+    return moved(frame, site, self, FileAccess.inside(directory, name));
+  }
+
+  @Builtin(doc = "Gives the file another name; a file which has that name is replaced.")
+  static UrbiObject rename(Frame frame, CallSite site, UrbiFile self, UrbiObject name) {
+    return moved(frame, site, self, FileAccess.path(frame, site, 1, name));
+  }
+
+  private static UrbiObject moved(Frame frame, CallSite site, UrbiFile self, UrbiPath to) {
+    UrbiPath from = path(frame, site, self);
+    if (FileAccess.isDirectory(frame, site, to)) {
+      throw FileAccess.error(frame, site, "is a directory", to);
+    }
+    FileAccess.checkPlace(frame, site, to);
+    FileAccess.changeSlowly(
+        frame, site, from, () -> FileAccess.disk(frame).replace(from.file(), to.file()));
+    self.setPath(to);
+    return self;
+  }
+
+  @Builtin(doc = "Removes the file.")
+  static void remove(Frame frame, CallSite site, UrbiFile self) {
+    UrbiPath path = path(frame, site, self);
+    if (FileAccess.isDirectory(frame, site, path)) {
+      throw FileAccess.error(frame, site, "is a directory", path);
+    }
+    FileAccess.change(frame, site, path, () -> FileAccess.disk(frame).delete(path.file()));
+  }
+}

@@ -1,0 +1,161 @@
+package org.urbi.kernel.library.file;
+
+import java.util.List;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.library.text.StringType;
+import org.urbi.kernel.library.value.Hashing;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiHash;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
+import org.urbi.kernel.object.World;
+import org.urbi.lang.print.StringEscape;
+
+/** Names of files and directories (manual, "Path"). */
+@UrbiType(
+    value = "Path",
+    protos = {"Comparable", "Orderable"},
+    doc = "The name of a file or directory.")
+final class PathType {
+  private PathType() {}
+
+  static UrbiObject newPrototype(World world) {
+    return new UrbiPath(world.values().object.cloneShape(), "/", new UrbiPath.WorkingDirectory());
+  }
+
+  private static UrbiException error(Frame caller, CallSite site, String message) {
+    return caller.interpreter().errors().primitive(site.calledName(), message);
+  }
+
+  @Builtin(doc = "Makes it the path of that text.")
+  static UrbiObject init(Frame caller, CallSite site, UrbiPath self, String path) {
+    FileAccess.checkNotPrototype(caller, site, self, "Path");
+    if (path.isEmpty() || path.indexOf('\0') >= 0) {
+      throw error(caller, site, "invalid path: " + path);
+    }
+    self.setText(path);
+    return self;
+  }
+
+  // ------------------------------------------------------------------ the name
+
+  @Builtin(doc = "Whether it starts from the root.")
+  static boolean absolute(UrbiPath self) {
+    return self.isAbsolute();
+  }
+
+  @Builtin(doc = "The names in it, the outermost directory first.")
+  static List<UrbiString> asList(Frame caller, UrbiPath self) {
+    return self.names().stream().map(name -> StringType.string(caller, name)).toList();
+  }
+
+  @Builtin(doc = "The path, to be shown.")
+  static String asPrintable(UrbiPath self) {
+    return "Path(" + StringEscape.quote(self.text()) + ")";
+  }
+
+  @Builtin(doc = "The text of the path.")
+  static String asString(UrbiPath self) {
+    return self.text();
+  }
+
+  @Builtin(doc = "The last name.")
+  static String basename(UrbiPath self) {
+    return self.text().substring(self.text().lastIndexOf('/') + 1);
+  }
+
+  @Builtin(doc = "The path of the directory it is in.")
+  static UrbiPath dirname(UrbiPath self) {
+    int slash = self.text().lastIndexOf('/');
+    return self.sibling(slash < 0 ? "." : slash == 0 ? "/" : self.text().substring(0, slash));
+  }
+
+  @Builtin(value = "/", doc = "The path of rhs, a relative Path or String, in this directory.")
+  static UrbiObject divide(Frame caller, CallSite site, UrbiPath self, UrbiObject rhs) {
+    String right =
+        rhs instanceof UrbiPath path ? path.text() : Arguments.text(caller, site, 1, rhs);
+    if (right.startsWith("/")) {
+      throw error(caller, site, "Rhs of concatenation is absolute: " + right);
+    }
+    return self.sibling(self.text() + "/" + right);
+  }
+
+  @Builtin(value = "==", doc = "Whether that is a path with the same text.")
+  static boolean equals(UrbiPath self, UrbiObject that) {
+    return that instanceof UrbiPath other && self.text().equals(other.text());
+  }
+
+  @Builtin(value = "<", doc = "Whether its text comes before that of that.")
+  static boolean less(UrbiPath self, UrbiPath that) {
+    return self.text().compareTo(that.text()) < 0;
+  }
+
+  @Builtin(doc = "A Hash, equal for equal paths.")
+  static UrbiHash hash(Frame caller, UrbiPath self) {
+    return Hashing.hash(caller, UrbiHash.mix(7, Hashing.code(self.text())));
+  }
+
+  // ------------------------------------------------------------------ the file
+
+  @Builtin(doc = "Makes it the working directory, and returns that.")
+  static UrbiObject cd(Frame caller, CallSite site, UrbiPath self) {
+    if (!FileAccess.isDirectory(caller, site, self)) {
+      throw error(caller, site, "no such directory: " + self.text());
+    }
+    self.working().path = self.file();
+    return cwd(self);
+  }
+
+  @Builtin(doc = "The working directory.")
+  static UrbiObject cwd(UrbiPath self) {
+    return self.sibling(UrbiPath.encoded(self.working().path));
+  }
+
+  @Builtin(doc = "Whether there is something of that name.")
+  static boolean exists(Frame caller, CallSite site, UrbiPath self) {
+    return FileAccess.exists(caller, site, self);
+  }
+
+  @Builtin(doc = "Whether it is a directory.")
+  static boolean isDir(Frame caller, CallSite site, UrbiPath self) {
+    return FileAccess.isDirectory(caller, site, self);
+  }
+
+  @Builtin(doc = "Whether it is a regular file.")
+  static boolean isReg(Frame caller, CallSite site, UrbiPath self) {
+    return FileAccess.isRegularFile(caller, site, self);
+  }
+
+  @Builtin(doc = "The File or the Directory of that name.")
+  static UrbiObject open(Frame caller, CallSite site, UrbiPath self) {
+    checkExists(caller, site, self);
+    String type = FileAccess.isDirectory(caller, site, self) ? "Directory" : "File";
+    return caller
+        .interpreter()
+        .send(caller, caller.interpreter().world().prototype(type), "new", self);
+  }
+
+  @Builtin(doc = "Whether it can be read.")
+  static boolean readable(Frame caller, CallSite site, UrbiPath self) {
+    checkExists(caller, site, self);
+    return FileAccess.quickly(
+        caller, site, self, () -> FileAccess.disk(caller).isReadable(self.file()));
+  }
+
+  @Builtin(doc = "Whether it can be written.")
+  static boolean writable(Frame caller, CallSite site, UrbiPath self) {
+    checkExists(caller, site, self);
+    return FileAccess.quickly(
+        caller, site, self, () -> FileAccess.disk(caller).isWritable(self.file()));
+  }
+
+  private static void checkExists(Frame caller, CallSite site, UrbiPath self) {
+    if (!FileAccess.exists(caller, site, self)) {
+      throw error(caller, site, "does not exist: " + self.text());
+    }
+  }
+}

@@ -1,0 +1,16 @@
+package org.urbi.kernel.library.file;
+
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiObject;
+
+/** A directory (manual, "Directory"). */
+final class UrbiDirectory extends UrbiEntry {
+  UrbiDirectory(Shape shape, UrbiPath path) {
+    super(shape, path);
+  }
+
+  @Override
+  public UrbiObject cloned() {
+    return new UrbiDirectory(cloneShape(), path());
+  }
+}

@@ -1,0 +1,16 @@
+package org.urbi.kernel.library.file;
+
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiObject;
+
+/** A file (manual, "File"). */
+final class UrbiFile extends UrbiEntry {
+  UrbiFile(Shape shape, UrbiPath path) {
+    super(shape, path);
+  }
+
+  @Override
+  public UrbiObject cloned() {
+    return new UrbiFile(cloneShape(), path());
+  }
+}

@@ -1,0 +1,87 @@
+package org.urbi.kernel.library.file;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiObject;
+
+/** The name of a file or directory (manual, "Path"). */
+public final class UrbiPath extends UrbiObject {
+  /** Where relative paths start from: one for each kernel, shared by all its paths. */
+  public static final class WorkingDirectory {
+    public Path path;
+  }
+
+  private final WorkingDirectory working;
+  private String text;
+
+  UrbiPath(Shape shape, String text, WorkingDirectory working) {
+    super(shape);
+    this.working = working;
+    this.text = text;
+  }
+
+  /** The path as urbiscript shows it. */
+  public String text() {
+    return text;
+  }
+
+  void setText(String other) {
+    text = simplified(other);
+  }
+
+  public WorkingDirectory working() {
+    return working;
+  }
+
+  public boolean isAbsolute() {
+    return text.startsWith("/");
+  }
+
+  /** The names of which the path consists. */
+  public List<String> names() {
+    List<String> names = new ArrayList<>(List.of(text.split("/")));
+    names.removeIf(String::isEmpty);
+    return names;
+  }
+
+  /** The file in the file system; relative paths start from the working directory. */
+  public Path file() {
+    return working.path.resolve(decoded(text)).normalize();
+  }
+
+  /** Another path of the same kernel. */
+  public UrbiPath sibling(String other) {
+    return new UrbiPath(shape().world().prototype("Path").cloneShape(), simplified(other), working);
+  }
+
+  /** The path without what makes no difference: {@code .}, and slashes in a row. */
+  static String simplified(String path) {
+    List<String> names = new ArrayList<>();
+    for (String name : path.split("/")) {
+      if (!name.isEmpty() && !name.equals(".")) {
+        names.add(name);
+      }
+    }
+    String joined = String.join("/", names);
+    return path.startsWith("/") ? "/" + joined : joined.isEmpty() ? "." : joined;
+  }
+
+  /** Strings of urbiscript are bytes, names of files are UTF-8. */
+  private static String decoded(String bytes) {
+    return new String(bytes.getBytes(StandardCharsets.ISO_8859_1), StandardCharsets.UTF_8);
+  }
+
+  /** A name of the file system as a string of urbiscript. */
+  public static String encoded(Path path) {
+    return new String(
+        path.toString().getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1);
+  }
+
+  @Override
+  public UrbiObject cloned() {
+    return new UrbiPath(cloneShape(), text, working);
+  }
+}

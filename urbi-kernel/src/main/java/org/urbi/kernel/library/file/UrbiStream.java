@@ -1,0 +1,55 @@
+package org.urbi.kernel.library.file;
+
+import java.io.Closeable;
+import java.io.IOException;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.library.system.KernelControl;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiObject;
+
+/** What InputStream and OutputStream have in common (manual, "Stream"). */
+abstract class UrbiStream<T extends Closeable> extends UrbiObject {
+  private T channel;
+
+  UrbiStream(Shape shape, T channel) {
+    super(shape);
+    this.channel = channel;
+  }
+
+  void open(T opened) {
+    channel = opened;
+  }
+
+  boolean isOpen() {
+    return channel != null;
+  }
+
+  /** What is read or written; refuses a stream that is closed. */
+  T channel(Frame frame, CallSite site) {
+    if (channel == null) {
+      throw frame.interpreter().errors().primitive(site.calledName(), "stream is closed");
+    }
+    return channel;
+  }
+
+  void close(Frame frame, CallSite site) {
+    T open = channel(frame, site);
+    channel = null;
+    KernelControl.of(frame).outside().closed(open);
+    try {
+      open.close();
+    } catch (IOException e) {
+      throw failed(frame, site, e);
+    }
+  }
+
+  /** Something is wrong with the file or the pipe. */
+  static UrbiException failed(Frame frame, CallSite site, IOException failure) {
+    return frame
+        .interpreter()
+        .errors()
+        .primitive(site.calledName(), FileAccess.lowered(FileAccess.reason(failure)));
+  }
+}

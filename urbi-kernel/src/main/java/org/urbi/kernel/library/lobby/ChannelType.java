@@ -1,0 +1,58 @@
+package org.urbi.kernel.library.lobby;
+
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.lobby.Output;
+import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Truth;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
+
+/** Labelled output (manual, "Channel"). */
+@UrbiType(value = "Channel", doc = "A label under which values are sent to the client.")
+final class ChannelType {
+  private ChannelType() {}
+
+  @Builtin(doc = "Labels the output with that name.")
+  static void init(Frame frame, UrbiObject self, String name) {
+    self.addSlot(self.world().symbol("name"), frame.interpreter().values().string(name));
+  }
+
+  @Builtin(
+      value = {"<<"},
+      doc = "Sends a value to the client.")
+  static void send(Frame frame, UrbiObject self, UrbiObject value) {
+    if (isOn(frame, self, "enabled")) {
+      String text =
+          value instanceof UrbiString string && !isOn(frame, self, "quote")
+              ? string.value()
+              : frame
+                  .interpreter()
+                  .asString(frame, frame.interpreter().send(frame, value, "asToplevelPrintable"));
+      output(frame, self).send(name(frame, self), text);
+    }
+  }
+
+  @Builtin(doc = "Sends a value as a message.")
+  static void echo(Frame frame, UrbiObject self, UrbiObject value) {
+    if (isOn(frame, self, "enabled")) {
+      output(frame, self)
+          .send(name(frame, self), "*** " + frame.interpreter().asString(frame, value));
+    }
+  }
+
+  private static Output output(Frame frame, UrbiObject self) {
+    return self instanceof UrbiLobby lobby && lobby.output() != null
+        ? lobby.output()
+        : LobbyType.of(frame).output();
+  }
+
+  private static String name(Frame frame, UrbiObject self) {
+    return frame.interpreter().asString(frame, frame.interpreter().send(frame, self, "name"));
+  }
+
+  private static boolean isOn(Frame frame, UrbiObject self, String slot) {
+    return Truth.of(frame, frame.interpreter().send(frame, self, slot));
+  }
+}

@@ -1,0 +1,98 @@
+package org.urbi.kernel.library.lobby;
+
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Optional;
+import org.urbi.builtins.UrbiTypePart;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Truth;
+import org.urbi.kernel.object.UrbiObject;
+
+/** What a lobby tells of this software (manual, "Lobby": {@code banner}, {@code authors}…). */
+@UrbiTypePart("Lobby")
+final class LobbyCredits {
+  private static final String STARS = "********************************************************";
+
+  private LobbyCredits() {}
+
+  private static void say(Frame frame, UrbiObject self, String... lines) {
+    for (String line : lines) {
+      LobbyType.own(frame, self).output().send("", line.isEmpty() ? "***" : "*** " + line);
+    }
+  }
+
+  private static String version(Frame frame) {
+    UrbiObject system = frame.interpreter().world().prototype("System");
+    UrbiObject known = system.lookup(system.world().symbol("version"));
+    return known == null
+        ? "2.7"
+        : frame.interpreter().asString(frame, frame.interpreter().send(frame, system, "version"));
+  }
+
+  @Builtin(doc = "Tells who made Urbi.")
+  static void authors(Frame frame, UrbiObject self) {
+    say(
+        frame,
+        self,
+        "Authors of Urbi:",
+        " - Jean-Christophe Baillie (original designer)",
+        "",
+        "Urbi 2 and subsequent versions:",
+        " - Akim Demaille",
+        " - Matthieu Nottale",
+        " - Quentin Hocquet",
+        "",
+        "See also `thanks;'.");
+  }
+
+  @Builtin(doc = "Tells to whom this implementation is indebted.")
+  static void thanks(Frame frame, UrbiObject self) {
+    say(
+        frame,
+        self,
+        "This is Urbi on the JVM, which owes what it is to Urbi SDK,",
+        "to all those who contributed to it and wrote its manual.",
+        "",
+        "See also `authors;'.");
+  }
+
+  @Builtin(doc = "Tells the version and who holds the rights, of the parts as well if deep.")
+  static void copyright(Frame frame, UrbiObject self, @Optional UrbiObject deep) {
+    String version = version(frame);
+    say(
+        frame,
+        self,
+        "Urbi version " + version + " (Urbi on the JVM)",
+        "Copyright (C) 2026 the Urbi on the JVM authors.");
+    if (deep == null || Truth.of(frame, deep)) {
+      say(
+          frame,
+          self,
+          "",
+          "Java version " + System.getProperty("java.version"),
+          "Provided by " + System.getProperty("java.vendor") + ".");
+    }
+  }
+
+  @Builtin(doc = "Tells under which conditions this software may be used.")
+  static void license(Frame frame, UrbiObject self) {
+    say(
+        frame,
+        self,
+        "Urbi on the JVM may be used, modified and distributed under the",
+        "conditions of the BSD 3-Clause License: see the file LICENSE that comes",
+        "with it.  It is provided as is, without warranty of any kind.");
+  }
+
+  @Builtin(doc = "Greets.")
+  static void banner(Frame frame, UrbiObject self) {
+    say(frame, self, STARS);
+    copyright(frame, self, self.world().values().falseObject);
+    say(
+        frame,
+        self,
+        "",
+        "This program comes with ABSOLUTELY NO WARRANTY.  Type",
+        "`license;', `authors;', or `copyright;' for more information.",
+        STARS);
+  }
+}

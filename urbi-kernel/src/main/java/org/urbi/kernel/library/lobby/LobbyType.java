@@ -1,0 +1,166 @@
+package org.urbi.kernel.library.lobby;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Optional;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.library.system.KernelControl;
+import org.urbi.kernel.lobby.Output;
+import org.urbi.kernel.lobby.Shell;
+import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiList;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
+import org.urbi.kernel.uobject.PluggedContext;
+
+/** The environment of a connection (manual, "Lobby"). */
+@UrbiType(
+    value = "Lobby",
+    protos = {"Channel.topLevel"},
+    doc = "The environment of a connection.")
+public final class LobbyType {
+  private LobbyType() {}
+
+  /** The lobby for which code runs. */
+  public static UrbiLobby of(Frame frame) {
+    return (UrbiLobby) frame.job().lobby();
+  }
+
+  private static Output output(Frame frame, UrbiObject self) {
+    return self instanceof UrbiLobby lobby && lobby.output() != null
+        ? lobby.output()
+        : of(frame).output();
+  }
+
+  @Builtin(doc = "Sends a value as text, on a channel if one is given.")
+  public static void echo(
+      Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
+    String text = frame.interpreter().asString(frame, value);
+    output(frame, self).send(channel == null ? "" : channel, "*** " + text);
+  }
+
+  @Builtin(doc = "Sends each member of a list as text, on a channel if one is given.")
+  static void echoEach(Frame frame, UrbiObject self, UrbiList list, @Optional String channel) {
+    for (UrbiObject value : list.elements()) {
+      echo(frame, self, value, channel);
+    }
+  }
+
+  @Builtin(doc = "Sends text with a time stamp, on a channel if one is given.")
+  static void send(Frame frame, UrbiObject self, String text, @Optional String channel) {
+    output(frame, self).send(channel == null ? "" : channel, text);
+  }
+
+  @Builtin(doc = "Sends bytes as they are.")
+  static void write(Frame frame, UrbiObject self, String bytes) {
+    output(frame, self).write(bytes);
+  }
+
+  @Builtin(doc = "The lobby for which this code runs.")
+  static UrbiObject lobby(Frame frame, UrbiObject self) {
+    return of(frame);
+  }
+
+  @Builtin(doc = "The lobby of code that belongs to no connection, such as what UObjects send.")
+  static UrbiObject systemLobby(Frame frame, UrbiObject self) {
+    return PluggedContext.of(frame).lobby();
+  }
+
+  @Builtin(doc = "Whether somebody is at the other end.")
+  static boolean connected(Frame frame, UrbiObject self) {
+    return output(frame, self).isOpen();
+  }
+
+  @Builtin(doc = "The tag of all the code that runs for this lobby.")
+  static UrbiObject connectionTag(Frame frame, UrbiObject self) {
+    return own(frame, self).connectionTag();
+  }
+
+  @Builtin(doc = "How many bytes have been sent to the client.")
+  static double bytesSent(Frame frame, UrbiObject self) {
+    return output(frame, self).bytesSent();
+  }
+
+  @Builtin(doc = "Closes the connection.")
+  static void quit(Frame frame, UrbiObject self) {
+    UrbiLobby lobby = self instanceof UrbiLobby own && own.shell() != null ? own : of(frame);
+    if (lobby.shell() == null) {
+      lobby.connectionTag().state().stop(frame.interpreter().values().voidObject);
+    } else {
+      lobby.shell().close();
+    }
+    frame.job().checkInjected();
+  }
+
+  @Builtin(
+      value = {"clone", "new"},
+      doc = "Not possible: lobbies are created.")
+  static UrbiObject clone(Frame frame, CallSite site, UrbiObject self) {
+    throw frame
+        .interpreter()
+        .errors()
+        .primitive(site.calledName(), "`Lobby' objects cannot be cloned");
+  }
+
+  @Builtin(doc = "A fresh lobby, whose output goes to this connection.")
+  static UrbiObject create(Frame frame, UrbiObject self) {
+    return KernelControl.of(frame).createLobby(of(frame));
+  }
+
+  @Builtin(doc = "The lobbies that are alive, the prototype of lobbies included.")
+  public static List<UrbiObject> instances(Frame frame, UrbiObject self) {
+    List<UrbiObject> all = new ArrayList<>();
+    all.add(self.world().prototype("Lobby"));
+    all.addAll(KernelControl.of(frame).lobbies());
+    return all;
+  }
+
+  @Builtin(doc = "How many bytes have come from the client.")
+  static double bytesReceived(Frame frame, UrbiObject self) {
+    Shell shell = own(frame, self).shell();
+    return shell == null ? 0 : shell.bytesReceived();
+  }
+
+  @Builtin(doc = "Executes text as if the client had sent it.")
+  static void receive(Frame frame, UrbiObject self, String value) {
+    Shell shell = own(frame, self).shell();
+    if (shell != null) {
+      shell.receive(value);
+    }
+  }
+
+  @Builtin(
+      doc = "Has the lobby begin as those of new connections do: with local.u, if there is one.")
+  static void initialize(Frame frame, UrbiObject self, @Optional UrbiObject remote) {
+    receive(frame, self, "maybeLoad(\"local.u\");");
+  }
+
+  @Builtin(doc = "Sends a value as text to all lobbies, on a channel if one is given.")
+  public static void wall(
+      Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
+    for (UrbiLobby lobby : KernelControl.of(frame).lobbies()) {
+      // What a lobby made by a program is sent goes to its creator, who is told anyway.
+      if (!lobby.output().isBranch()) {
+        echo(frame, lobby, value, channel);
+      }
+    }
+  }
+
+  @Builtin(doc = "The Internet address of the client; empty when there is none.")
+  static String remoteIP(Frame frame, UrbiObject self) {
+    return own(frame, self).remoteAddress();
+  }
+
+  /** The target; for the prototype, the lobby for which code runs. */
+  static UrbiLobby own(Frame frame, UrbiObject self) {
+    return self instanceof UrbiLobby lobby && lobby.isInstance() ? lobby : of(frame);
+  }
+
+  /** The prototype, which is no connection itself. */
+  static UrbiObject newPrototype(World world) {
+    return new UrbiLobby(world.values().object.cloneShape(), null);
+  }
+}

@@ -1,0 +1,145 @@
+package org.urbi.kernel.library.lobby;
+
+import java.util.Arrays;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Optional;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.library.system.KernelControl;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
+
+/** Messages for the user and the administrator (manual, "Logger"). */
+@UrbiType(
+    value = "Logger",
+    protos = {"Tag"},
+    doc = "A category of messages for the administrator of the server.")
+final class LoggerType {
+  private LoggerType() {}
+
+  static UrbiObject newPrototype(World world) {
+    return new UrbiLogger(
+        world.values().object.cloneShape(), new UrbiLogger.Depth(), "Logger", null);
+  }
+
+  @Builtin(doc = "Of that category; the level is that of what is sent with <<.")
+  static void init(
+      Frame frame,
+      CallSite site,
+      UrbiLogger self,
+      @Optional String category,
+      @Optional UrbiObject level) {
+    if (category != null) {
+      self.setCategory(category);
+    }
+    if (level != null) {
+      self.setLevel(level(frame, site, level));
+    }
+  }
+
+  private static LogLevel level(Frame frame, CallSite site, UrbiObject value) {
+    String name = frame.interpreter().asString(frame, value);
+    return Arrays.stream(LogLevel.values())
+        .filter(level -> level.label().equals(name))
+        .findFirst()
+        .orElseThrow(() -> Arguments.type(frame, site, 2, value, "Logger.Levels"));
+  }
+
+  @Builtin(doc = "The levels of messages.")
+  static UrbiObject Levels(Frame frame, UrbiObject self) {
+    UrbiObject prototype = self.world().prototype("Logger");
+    UrbiObject known = prototype.localSlot(self.world().symbol("levels"));
+    if (known == null) {
+      var values = self.world().values();
+      known =
+          frame
+              .interpreter()
+              .send(
+                  frame,
+                  frame.interpreter().prototypes().enumeration,
+                  "new",
+                  values.string("Levels"),
+                  values.list(
+                      Arrays.stream(LogLevel.values())
+                          .map(level -> values.string(level.label()))
+                          .toList()));
+      prototype.addSlot(self.world().symbol("levels"), known);
+    }
+    return known;
+  }
+
+  private static UrbiObject report(
+      Frame frame, UrbiLogger self, LogLevel level, UrbiObject message, String category) {
+    String name = category == null ? self.category() : category;
+    if (message == null) {
+      return self.at(level, name);
+    }
+    KernelControl kernel = KernelControl.of(frame);
+    if (level != LogLevel.NONE && level.compareTo(kernel.logLevel()) <= 0) {
+      String text = frame.interpreter().asString(frame, message);
+      kernel.log(self.line(name, text));
+    }
+    return self;
+  }
+
+  @Builtin(
+      value = {"err", "warn", "log"},
+      doc = "Reports a message that everybody is to see; returns the target.")
+  static UrbiObject log(
+      Frame frame, UrbiLogger self, @Optional UrbiObject message, @Optional String category) {
+    return report(frame, self, LogLevel.LOG, message, category);
+  }
+
+  @Builtin(doc = "Reports a message for those who follow what happens; returns the target.")
+  static UrbiObject trace(
+      Frame frame, UrbiLogger self, @Optional UrbiObject message, @Optional String category) {
+    return report(frame, self, LogLevel.TRACE, message, category);
+  }
+
+  @Builtin(doc = "Reports a message for those who look for a mistake; returns the target.")
+  static UrbiObject debug(
+      Frame frame, UrbiLogger self, @Optional UrbiObject message, @Optional String category) {
+    return report(frame, self, LogLevel.DEBUG, message, category);
+  }
+
+  @Builtin(doc = "Reports a message for those who want every detail; returns the target.")
+  static UrbiObject dump(
+      Frame frame, UrbiLogger self, @Optional UrbiObject message, @Optional String category) {
+    return report(frame, self, LogLevel.DUMP, message, category);
+  }
+
+  @Builtin(
+      value = {"<<"},
+      doc = "Reports a message of the category and the level of the target; returns it.")
+  static UrbiObject send(Frame frame, CallSite site, UrbiLogger self, UrbiObject message) {
+    if (self.level() == null) {
+      throw frame
+          .interpreter()
+          .errors()
+          .primitive(site.calledName(), "category or level undefined");
+    }
+    return report(frame, self, self.level(), message, null);
+  }
+
+  @Builtin(doc = "The category.")
+  static String category(UrbiLogger self) {
+    return self.category();
+  }
+
+  @Builtin(doc = "Called when code under the logger begins: indents what is reported.")
+  static void onEnter(UrbiLogger self) {
+    self.indent();
+  }
+
+  @Builtin(doc = "Called when code under the logger ends.")
+  static void onLeave(UrbiLogger self) {
+    self.unindent();
+  }
+
+  @Builtin(doc = "The logger as text: Logger<category>.")
+  static String asString(UrbiLogger self) {
+    return "Logger<" + self.category() + ">";
+  }
+}

@@ -1,0 +1,85 @@
+package org.urbi.kernel.library.lobby;
+
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.tag.UrbiTag;
+
+/** A category of messages for the administrator; a tag, to indent them (manual, "Logger"). */
+final class UrbiLogger extends UrbiTag {
+  private static final int WIDTH = 23;
+
+  /** The indentation, shared by all the loggers of a kernel. */
+  static final class Depth {
+    private int value;
+  }
+
+  private final Depth depth;
+  private String category;
+  private LogLevel level;
+
+  UrbiLogger(Shape shape, Depth depth, String category, LogLevel level) {
+    super(shape);
+    this.depth = depth;
+    this.category = category;
+    this.level = level;
+  }
+
+  @Override
+  public UrbiObject cloned() {
+    return new UrbiLogger(cloneShape(), depth, category, level);
+  }
+
+  String category() {
+    return category;
+  }
+
+  void setCategory(String name) {
+    category = name;
+  }
+
+  /** The level of what is sent with {@code <<}; null when there is none. */
+  LogLevel level() {
+    return level;
+  }
+
+  void setLevel(LogLevel other) {
+    level = other;
+  }
+
+  /** A logger of that category for messages of that level. */
+  UrbiLogger at(LogLevel other, String name) {
+    return new UrbiLogger(world().prototype("Logger").cloneShape(), depth, name, other);
+  }
+
+  /** A line of the log: the category in the middle of brackets, the message. */
+  String line(String name, String message) {
+    int room = Math.max(0, WIDTH - name.length());
+    int before = room / 2;
+    return "["
+        + " ".repeat(before)
+        + name
+        + " ".repeat(room - before)
+        + "] "
+        + "  ".repeat(depth.value)
+        + message;
+  }
+
+  void indent() {
+    depth.value++;
+  }
+
+  void unindent() {
+    depth.value--;
+  }
+
+  @Override
+  protected void entering(Frame frame) {
+    frame.interpreter().send(frame, this, "onEnter");
+  }
+
+  @Override
+  protected void left(Frame frame) {
+    frame.interpreter().send(frame, this, "onLeave");
+  }
+}

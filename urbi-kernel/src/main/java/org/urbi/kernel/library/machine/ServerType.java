@@ -1,0 +1,114 @@
+package org.urbi.kernel.library.machine;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.util.List;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.event.UrbiEvent;
+import org.urbi.kernel.library.file.FileAccess;
+import org.urbi.kernel.library.system.KernelControl;
+import org.urbi.kernel.library.text.NativeText;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
+import org.urbi.kernel.outside.Network;
+
+/** Places where connections come in (manual, "Server"). */
+@UrbiType(value = "Server", doc = "A place where connections over the network come in.")
+final class ServerType {
+  private ServerType() {}
+
+  static UrbiObject newPrototype(World world) {
+    return new UrbiServer(world.values().object.cloneShape());
+  }
+
+  /** A server of a service, not listening. */
+  static UrbiServer server(Frame frame, UrbiIoService service) {
+    UrbiObject prototype = frame.interpreter().world().prototype("Server");
+    UrbiServer server = new UrbiServer(prototype.cloneShape());
+    server.setUp(frame, service);
+    return server;
+  }
+
+  @Builtin(doc = "Gives it its event; it does not listen.")
+  static UrbiObject init(Frame frame, UrbiServer self) {
+    self.setUp(frame, IoServiceType.standard(frame));
+    return self;
+  }
+
+  @Builtin(doc = "Listens on a port of a host of this machine; 0 is any port that is free.")
+  static void listen(Frame frame, CallSite site, UrbiServer self, String host, UrbiObject port) {
+    if (self.service() == null) {
+      throw SocketType.error(frame, site, "not a server");
+    }
+    if (self.address() != null) {
+      throw SocketType.error(frame, site, "server is already listening");
+    }
+    // Connections may come from now on, until the kernel ends.
+    Mailbox mailbox =
+        new Mailbox(
+            frame,
+            self.service(),
+            () -> {
+              UrbiEvent event = self.connection();
+              return event == null || event.hasSubscribers();
+            });
+    try {
+      Network.Listening place =
+          Network.listen(
+              KernelControl.of(frame).outside(),
+              frame.job(),
+              NativeText.toJava(host),
+              SocketType.port(frame, site, port),
+              made -> accept(frame, self, mailbox, made));
+      self.setAddress(place.local());
+      mailbox.open();
+    } catch (IOException e) {
+      throw SocketType.error(
+          frame, site, FileAccess.lowered(NativeText.toUrbi(FileAccess.reason(e))));
+    }
+  }
+
+  private static void accept(
+      Frame frame, UrbiServer self, Mailbox mailbox, Network.Connected made) {
+    UrbiSocket socket = SocketType.socket(frame, self.service());
+    Mailbox own = socket.connect(frame, made.link(), made.local(), made.remote());
+    mailbox.add(told -> {
+      self.sockets().add(socket);
+      UrbiEvent event = self.connection();
+      if (event != null) {
+        event.emit(told, socket);
+      }
+      own.open();
+    });
+  }
+
+  @Builtin(doc = "The service that looks after it.")
+  static UrbiObject getIoService(Frame frame, UrbiServer self) {
+    return self.service() == null ? IoServiceType.standard(frame) : self.service();
+  }
+
+  private static InetSocketAddress listening(Frame frame, CallSite site, UrbiServer self) {
+    if (self.address() == null) {
+      throw SocketType.error(frame, site, "server not listening");
+    }
+    return self.address();
+  }
+
+  @Builtin(doc = "The host on which it listens.")
+  static String host(Frame frame, CallSite site, UrbiServer self) {
+    return listening(frame, site, self).getAddress().getHostAddress();
+  }
+
+  @Builtin(doc = "The port on which it listens.")
+  static double port(Frame frame, CallSite site, UrbiServer self) {
+    return listening(frame, site, self).getPort();
+  }
+
+  @Builtin(doc = "The sockets of the connections that have come in.")
+  static List<UrbiObject> sockets(UrbiServer self) {
+    return self.sockets();
+  }
+}

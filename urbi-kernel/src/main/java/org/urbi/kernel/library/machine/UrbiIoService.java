@@ -1,0 +1,104 @@
+package org.urbi.kernel.library.machine;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiObject;
+
+/**
+ * Looks after sockets and servers (manual, "IoService"): what happens to them waits in a mailbox
+ * each until somebody polls. The default service does so by itself.
+ */
+final class UrbiIoService extends UrbiObject {
+  private final Set<Mailbox> filled = new LinkedHashSet<>();
+  private final Set<Job> polling = new LinkedHashSet<>();
+  private final boolean automatic;
+  private boolean paused;
+
+  /**
+   * @param automatic whether it is the default one
+   */
+  UrbiIoService(Shape shape, boolean automatic) {
+    super(shape);
+    this.automatic = automatic;
+  }
+
+  @Override
+  public UrbiObject cloned() {
+    return new UrbiIoService(cloneShape(), false);
+  }
+
+  /** Whether nobody has to poll. */
+  boolean isAutomatic() {
+    return automatic && !paused;
+  }
+
+  /** Lets the default service wait for somebody to poll, or not any more. */
+  void setPaused(boolean value) {
+    paused = value;
+    if (isAutomatic()) {
+      List.copyOf(filled).forEach(Mailbox::deliverSoon);
+    }
+  }
+
+  /** Something waits in a mailbox. */
+  void filled(Mailbox mailbox) {
+    filled.add(mailbox);
+    if (isAutomatic()) {
+      mailbox.deliverSoon();
+    }
+    List.copyOf(polling).forEach(Job::wake);
+  }
+
+  /** Nothing waits there any more. */
+  void emptied(Mailbox mailbox) {
+    filled.remove(mailbox);
+  }
+
+  /** Delivers what has come so far. */
+  void poll(Job job) {
+    for (Mailbox mailbox : new ArrayList<>(filled)) {
+      mailbox.deliver(job, Integer.MAX_VALUE);
+    }
+  }
+
+  /**
+   * Delivers what comes until then.
+   *
+   * @param once whether to return behind the first delivery
+   */
+  void pollUntil(Job job, long deadline, boolean once) {
+    boolean[] over = {job.scheduler().now() >= deadline};
+    var timer =
+        job.scheduler()
+            .timers()
+            .add(
+                deadline,
+                () -> {
+                  over[0] = true;
+                  job.wake();
+                });
+    polling.add(job);
+    try {
+      while (true) {
+        boolean delivered = false;
+        for (Mailbox mailbox : new ArrayList<>(filled)) {
+          delivered |= mailbox.deliver(job, once ? 1 : Integer.MAX_VALUE);
+          if (delivered && once) {
+            return;
+          }
+        }
+        if (over[0]) {
+          return;
+        }
+        job.waitForWake();
+      }
+    } finally {
+      polling.remove(job);
+      timer.cancel();
+    }
+  }
+}

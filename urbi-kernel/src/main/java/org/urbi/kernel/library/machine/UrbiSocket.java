@@ -1,0 +1,124 @@
+package org.urbi.kernel.library.machine;
+
+import java.net.InetSocketAddress;
+import org.urbi.kernel.event.UrbiEvent;
+import org.urbi.kernel.library.text.NativeText;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
+import org.urbi.kernel.outside.Link;
+
+/** One end of a connection (manual, "Socket"). */
+final class UrbiSocket extends UrbiObject {
+  private UrbiIoService service;
+  private Link link;
+  private InetSocketAddress local;
+  private InetSocketAddress remote;
+
+  UrbiSocket(Shape shape) {
+    super(shape);
+  }
+
+  @Override
+  public UrbiObject cloned() {
+    return new UrbiSocket(cloneShape());
+  }
+
+  UrbiIoService service() {
+    return service;
+  }
+
+  /** Makes it a socket of that service, with events of its own. */
+  void setUp(Frame frame, UrbiIoService own) {
+    service = own;
+    for (String event : new String[] {"connected", "disconnected", "error", "received"}) {
+      Symbol name = world().symbol(event);
+      removeSlot(name);
+      addSlot(name, frame.interpreter().prototypes().event.cloned());
+    }
+  }
+
+  /** The event of that name, or null when it is none any more. */
+  UrbiEvent event(String name) {
+    UrbiObject value = lookup(world().symbol(name));
+    return value instanceof UrbiEvent event ? event : null;
+  }
+
+  /** Emits one of its events. */
+  void emit(Frame frame, String name, UrbiObject... payload) {
+    UrbiEvent event = event(name);
+    if (event != null) {
+      event.emit(frame, payload);
+    }
+  }
+
+  /** The connection, or null. */
+  Link link() {
+    return link;
+  }
+
+  InetSocketAddress local() {
+    return local;
+  }
+
+  InetSocketAddress remote() {
+    return remote;
+  }
+
+  /**
+   * Has it speak over a connection, and listen.
+   *
+   * @param here its address, or null
+   * @param there that of the other end, or null
+   */
+  Mailbox connect(Frame frame, Link over, InetSocketAddress here, InetSocketAddress there) {
+    link = over;
+    local = here;
+    remote = there;
+    Mailbox own = new Mailbox(frame, service, this::isWanted);
+    over.open(
+        new Link.Listener() {
+          @Override
+          public void received(byte[] bytes) {
+            UrbiObject data = world().values().string(NativeText.text(bytes));
+            own.add(told -> {
+              over.consumed(bytes.length);
+              if (link == over) {
+                told.interpreter().send(told, UrbiSocket.this, "receive", data);
+              }
+            });
+          }
+
+          @Override
+          public void ended(String error) {
+            own.add(told -> {
+              if (link == over) {
+                if (error != null) {
+                  emit(told, "error", world().values().string(NativeText.toUrbi(error)));
+                }
+                disconnected(told);
+              }
+            });
+          }
+        });
+    return own;
+  }
+
+  private boolean isWanted() {
+    UrbiEvent received = event("received");
+    World world = world();
+    return received == null
+        || received.hasSubscribers()
+        || locate(world.symbol("receive")) != world.prototype("Socket");
+  }
+
+  /** It has no connection any more. */
+  void disconnected(Frame frame) {
+    Link was = link;
+    link = null;
+    was.close();
+    emit(frame, "disconnected");
+  }
+}

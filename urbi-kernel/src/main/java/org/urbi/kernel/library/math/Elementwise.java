@@ -1,0 +1,59 @@
+package org.urbi.kernel.library.math;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.DoubleBinaryOperator;
+import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiFloat;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.print.FloatFormat;
+
+/** What vectors and matrices have in common: arithmetic element by element. */
+final class Elementwise {
+  private Elementwise() {}
+
+  /** Each element with that number. */
+  static double[] each(double[] left, double right, DoubleBinaryOperator operation) {
+    return Arrays.stream(left).map(x -> operation.applyAsDouble(x, right)).toArray();
+  }
+
+  /** Each element with the one at the same place. */
+  static double[] pairs(double[] left, double[] right, DoubleBinaryOperator operation) {
+    double[] values = new double[left.length];
+    for (int i = 0; i < values.length; i++) {
+      values[i] = operation.applyAsDouble(left[i], right[i]);
+    }
+    return values;
+  }
+
+  /** The numbers of a list of the arguments, or of those from that place on. */
+  static double[] numbers(Frame frame, CallSite site, int place, List<UrbiObject> values) {
+    double[] numbers = new double[values.size()];
+    for (int i = 0; i < numbers.length; i++) {
+      UrbiObject value = values.get(i);
+      if (!(value instanceof UrbiFloat number)) {
+        throw Arguments.type(frame, site, place, value, "Float");
+      }
+      numbers[i] = number.value();
+    }
+    return numbers;
+  }
+
+  /** The numbers with commas between them. */
+  static String text(double[] values, int from, int to) {
+    StringBuilder text = new StringBuilder();
+    for (int i = from; i < to; i++) {
+      text.append(i == from ? "" : ", ").append(FloatFormat.format(values[i]));
+    }
+    return text.toString();
+  }
+
+  /** Both must have the same size. */
+  static void requireSame(Frame frame, CallSite site, boolean same) {
+    if (!same) {
+      throw frame.interpreter().errors().primitive(site.calledName(), "incompatible sizes");
+    }
+  }
+}

@@ -1,0 +1,15 @@
+package org.urbi.kernel.library.motion;
+
+import org.urbi.builtins.UrbiType;
+
+/** Motions one after the other. */
+@UrbiType(
+    value = "TrajectoryGenerator.Sequence",
+    protos = "TrajectoryGenerator",
+    doc = "A motion, and then another one.")
+public final class TrajectorySequence {
+  /** What {@code run} does. */
+  public static final String RUN = "function () { first.run() | second.run() }";
+
+  private TrajectorySequence() {}
+}

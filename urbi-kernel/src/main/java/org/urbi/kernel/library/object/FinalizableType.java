@@ -1,0 +1,30 @@
+package org.urbi.kernel.library.object;
+
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
+
+/** Objects that do something when they are reclaimed (manual, "Finalizable"). */
+@UrbiType(
+    value = "Finalizable",
+    doc = "An object whose method finalize is called when nobody refers to it any more.")
+final class FinalizableType {
+  private FinalizableType() {}
+
+  static UrbiObject newPrototype(World world) {
+    return UrbiFinalizable.prototype(world.values().object.cloneShape());
+  }
+
+  @Builtin(doc = "Called when nobody refers to the object any more; does nothing.")
+  static void finalize(UrbiObject self) {}
+
+  /** Refuses a prototype that would make an object finalizable which was not made so. */
+  static void check(Frame frame, String routine, UrbiObject self, UrbiObject proto) {
+    UrbiObject finalizable = self.world().prototype("Finalizable");
+    if (!(self instanceof UrbiFinalizable) && proto.isA(finalizable)) {
+      throw frame.interpreter().errors().finalizable(routine == null ? "updateSlot" : routine);
+    }
+  }
+}

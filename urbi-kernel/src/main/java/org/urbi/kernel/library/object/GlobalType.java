@@ -1,0 +1,68 @@
+package org.urbi.kernel.library.object;
+
+import java.util.regex.Pattern;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Optional;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.library.lobby.LobbyType;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+
+/** What can be named from everywhere (manual, "Global"). */
+@UrbiType(
+    value = "Global",
+    protos = {"Tag.tags", "Math", "System", "uobjects"},
+    doc = "The namespace of all objects.")
+final class GlobalType {
+  private static final Pattern NAMES = Pattern.compile("[A-Za-z_]\\w*(\\.[A-Za-z_]\\w*)*");
+
+  private GlobalType() {}
+
+  @Builtin(doc = "Sends a value as text to the lobby, on a channel if one is given.")
+  static void echo(Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
+    LobbyType.echo(frame, LobbyType.of(frame), value, channel);
+  }
+
+  @Builtin(doc = "Sends a value as text to all lobbies, on a channel if one is given.")
+  static void wall(Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
+    LobbyType.wall(frame, LobbyType.of(frame), value, channel);
+  }
+
+  @Builtin(doc = "Sends a message to the channel warning.")
+  static void warn(Frame frame, UrbiObject self, UrbiObject message) {
+    LobbyType.of(frame)
+        .output()
+        .send("warning", "!!! " + frame.interpreter().asString(frame, message));
+  }
+
+  @Builtin(doc = "The method of that name as a function whose first argument is the target.")
+  static UrbiObject methodToFunction(UrbiObject self, String name) {
+    return new MethodFunction(self.world(), name);
+  }
+
+  @Builtin(
+      lazy = true,
+      min = 1,
+      max = 1,
+      doc = "Whether a name, or names with dots between them, stands for something.")
+  static boolean isdef(Frame frame, CallSite site, UrbiObject self) {
+    Node argument = site.argumentNodes()[0];
+    String written = argument.span() == null ? "" : argument.span().text();
+    String name =
+        NAMES.matcher(written).matches()
+            ? written
+            : frame.interpreter().asString(frame, argument.execute(frame));
+    UrbiObject at = self;
+    for (String part : name.split("\\.")) {
+      Symbol symbol = self.world().symbol(part);
+      if (at == self.world().values().voidObject || at.locate(symbol) == null) {
+        return false;
+      }
+      at = frame.interpreter().get(frame, at, symbol);
+    }
+    return true;
+  }
+}

@@ -1,0 +1,53 @@
+package org.urbi.kernel.library.object;
+
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiObject;
+
+/** An object that does something when nobody refers to it any more (manual, "Finalizable"). */
+public final class UrbiFinalizable extends UrbiObject {
+  private final Finalization finalization;
+  private final long number;
+
+  /**
+   * @param finalization that of the kernel, told when the object is reclaimed
+   * @param number 0 for the prototype, which never is
+   */
+  private UrbiFinalizable(Shape shape, Finalization finalization, long number) {
+    super(shape);
+    this.finalization = finalization;
+    this.number = number;
+  }
+
+  static UrbiFinalizable prototype(Shape shape) {
+    return new UrbiFinalizable(shape, new Finalization(), 0);
+  }
+
+  /** That of the kernel of this object. */
+  public Finalization finalization() {
+    return finalization;
+  }
+
+  /** Objects are numbered in the order in which they were made. */
+  long number() {
+    return number;
+  }
+
+  @Override
+  public UrbiObject cloned() {
+    var made = new UrbiFinalizable(cloneShape(), finalization, finalization.nextNumber());
+    finalization.add(made);
+    return made;
+  }
+
+  /**
+   * Nothing but the finalizers of Java hands over the object itself once nobody refers to it;
+   * references and cleaners must do without it, and with it go the slots.
+   */
+  @Override
+  @SuppressWarnings({"deprecation", "removal", "Finalize"})
+  protected void finalize() {
+    if (number > 0) {
+      finalization.reclaimed(this);
+    }
+  }
+}

@@ -1,0 +1,90 @@
+package org.urbi.kernel.library.object;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Predicate;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Properties;
+import org.urbi.kernel.node.SlotProxy;
+import org.urbi.kernel.node.SlotUpdate;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+
+/** Several objects to which messages are sent as if they were one (manual, "Group"). */
+public final class UrbiGroup extends UrbiObject implements SlotProxy {
+  private final List<UrbiObject> members = new ArrayList<>();
+
+  UrbiGroup(Shape shape, List<UrbiObject> members) {
+    super(shape);
+    this.members.addAll(members);
+  }
+
+  /** A copy of the members. */
+  public List<UrbiObject> members() {
+    noteContentRead();
+    return List.copyOf(members);
+  }
+
+  void add(UrbiObject member) {
+    members.add(member);
+    noteContentChange();
+  }
+
+  /** Removes what that says of the members. */
+  void removeIf(Predicate<UrbiObject> leaves) {
+    if (members.removeIf(leaves)) {
+      noteContentChange();
+    }
+  }
+
+  /** A group of the same kind, of other members. */
+  public UrbiGroup sibling(List<UrbiObject> others) {
+    return new UrbiGroup(world().prototype("Group").cloneShape(), others);
+  }
+
+  @Override
+  public UrbiObject cloned() {
+    return new UrbiGroup(cloneShape(), members);
+  }
+
+  /** A group of as many values is handed out, any other value goes to each member. */
+  @Override
+  public UrbiObject updateSlot(Frame frame, Symbol slot, UrbiObject value) {
+    List<UrbiObject> values = new ArrayList<>();
+    List<UrbiObject> targets = members();
+    for (int i = 0; i < targets.size(); i++) {
+      UrbiObject own = value;
+      if (value instanceof UrbiGroup group && group.members().size() == targets.size()) {
+        own = group.members().get(i);
+      }
+      if (targets.get(i) instanceof SlotProxy proxy) {
+        values.add(proxy.updateSlot(frame, slot, own));
+      } else {
+        SlotUpdate.assign(frame, targets.get(i), slot, own);
+        values.add(own);
+      }
+    }
+    return sibling(values);
+  }
+
+  @Override
+  public UrbiObject property(Frame frame, Symbol slot, String property) {
+    List<UrbiObject> values = new ArrayList<>();
+    for (UrbiObject member : members()) {
+      UrbiObject value = Properties.find(frame, member, slot, property);
+      if (value == null) {
+        throw frame.interpreter().errors().property(member, slot.name(), property);
+      }
+      values.add(value);
+    }
+    return sibling(values);
+  }
+
+  @Override
+  public void setProperty(Frame frame, Symbol slot, String property, UrbiObject value) {
+    for (UrbiObject member : members()) {
+      Properties.set(frame, member, slot, property, value);
+    }
+  }
+}

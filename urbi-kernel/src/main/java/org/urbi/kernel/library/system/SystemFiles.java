@@ -1,0 +1,186 @@
+package org.urbi.kernel.library.system;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Optional;
+import org.urbi.builtins.UrbiTypePart;
+import org.urbi.kernel.library.code.Evaluation;
+import org.urbi.kernel.library.code.LoadedFiles;
+import org.urbi.kernel.library.file.FileAccess;
+import org.urbi.kernel.library.file.UrbiPath;
+import org.urbi.kernel.library.text.NativeText;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+
+/** Source files and where they are looked for (manual, "System" and "Environment Variables"). */
+@UrbiTypePart("System")
+final class SystemFiles {
+  private SystemFiles() {}
+
+  @Builtin(doc = "Evaluates a source file found in the search path, and returns its last value.")
+  static UrbiObject load(
+      Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
+    String name = frame.interpreter().asString(frame, file);
+    return evaluate(frame, site, self, found(frame, site, name), target);
+  }
+
+  @Builtin(doc = "Evaluates a source file, and returns its last value.")
+  static UrbiObject loadFile(
+      Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
+    String name = frame.interpreter().asString(frame, file);
+    Path path = workingDirectory(frame).resolve(path(frame, name));
+    if (!isFile(frame, site, path)) {
+      throw notFound(frame, name);
+    }
+    return evaluate(frame, site, self, path, target);
+  }
+
+  @Builtin(doc = "Evaluates a source file if it is found, and says so on a channel.")
+  static UrbiObject maybeLoad(
+      Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject channel) {
+    String name = frame.interpreter().asString(frame, file);
+    Path path = search(frame, site, name);
+    if (path == null) {
+      return frame.interpreter().values().voidObject;
+    }
+    if (channel != null) {
+      frame
+          .interpreter()
+          .send(frame, channel, "<<", frame.interpreter().values().string("loading file: " + path));
+    }
+    return evaluate(frame, site, self, path, null);
+  }
+
+  @Builtin(doc = "The path of a source file, looked for in the search path.")
+  static UrbiObject searchFile(Frame frame, CallSite site, UrbiObject self, UrbiObject file) {
+    String name = frame.interpreter().asString(frame, file);
+    return urbiPath(frame, found(frame, site, name));
+  }
+
+  @Builtin(doc = "The folders where source files are looked for.")
+  static List<UrbiObject> searchPath(Frame frame, UrbiObject self) {
+    List<UrbiObject> folders = new ArrayList<>();
+    for (Path folder : KernelControl.of(frame).searchPath()) {
+      folders.add(urbiPath(frame, folder));
+    }
+    return folders;
+  }
+
+  @Builtin(doc = "Evaluates a source file found in the search path, unless that was done before.")
+  static void requireFile(
+      Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
+    Path path = found(frame, site, frame.interpreter().asString(frame, file));
+    if (!KernelControl.of(frame).loadedFiles().contains(frame.job(), key(frame, path))) {
+      evaluate(frame, site, self, path, target);
+    }
+  }
+
+  private static boolean isFile(Frame frame, CallSite site, Path path) {
+    UrbiPath shown = FileAccess.anyPath(frame).sibling(UrbiPath.encoded(path));
+    return FileAccess.quickly(frame, site, shown, () -> FileAccess.disk(frame).isRegularFile(path));
+  }
+
+  private static UrbiObject urbiPath(Frame frame, Path path) {
+    return FileAccess.anyPath(frame).sibling(UrbiPath.encoded(path));
+  }
+
+  private static Path workingDirectory(Frame frame) {
+    return FileAccess.anyPath(frame).working().path;
+  }
+
+  private static Path path(Frame frame, String name) {
+    try {
+      return Path.of(NativeText.toJava(name));
+    } catch (InvalidPathException e) {
+      throw notFound(frame, name);
+    }
+  }
+
+  private static Path found(Frame frame, CallSite site, String name) {
+    Path path = search(frame, site, name);
+    if (path == null) {
+      throw notFound(frame, name);
+    }
+    return path;
+  }
+
+  private static Path search(Frame frame, CallSite site, String name) {
+    Path path = path(frame, name);
+    Path working = workingDirectory(frame);
+    if (path.isAbsolute()) {
+      return isFile(frame, site, path) ? path : null;
+    }
+    for (Path folder : KernelControl.of(frame).searchPath()) {
+      Path candidate = working.resolve(folder).normalize().resolve(path);
+      try {
+        if (FileAccess.disk(frame).isRegularFile(candidate)) {
+          return candidate;
+        }
+      } catch (IOException e) {
+        // That folder is not for this kernel.
+      }
+    }
+    Path here = working.resolve(path);
+    return isFile(frame, site, here) ? here : null;
+  }
+
+  /**
+   * The name of a file in messages: short when it is the library's, or in the working directory.
+   */
+  private static String shown(Frame frame, Path file) {
+    Path library = KernelControl.of(frame).library();
+    if (library != null && file.startsWith(library)) {
+      String name = UrbiPath.encoded(library.relativize(file));
+      KernelControl.of(frame).loadedFiles().noteSystemFile(name);
+      return name;
+    }
+    Path working = workingDirectory(frame);
+    return UrbiPath.encoded(file.startsWith(working) ? working.relativize(file) : file);
+  }
+
+  /** By what a file is known, whatever the links that lead there. */
+  private static Path key(Frame frame, Path file) {
+    try {
+      return FileAccess.disk(frame).real(file);
+    } catch (IOException e) {
+      return file.toAbsolutePath().normalize();
+    }
+  }
+
+  private static RuntimeException notFound(Frame frame, String name) {
+    return frame
+        .interpreter()
+        .errors()
+        .of("FileNotFound", "file not found: " + name)
+        .with("name", name)
+        .build();
+  }
+
+  private static UrbiObject evaluate(
+      Frame frame, CallSite site, UrbiObject self, Path path, UrbiObject target) {
+    LoadedFiles files = KernelControl.of(frame).loadedFiles();
+    Path key = key(frame, path);
+    boolean complete = false;
+    files.begin(frame.job(), key);
+    try {
+      String text =
+          FileAccess.quickly(
+              frame,
+              site,
+              FileAccess.anyPath(frame).sibling(UrbiPath.encoded(path)),
+              () -> new String(FileAccess.disk(frame).read(path), StandardCharsets.ISO_8859_1));
+      UrbiObject value =
+          Evaluation.eval(frame, site, target == null ? self : target, text, shown(frame, path));
+      complete = true;
+      return value;
+    } finally {
+      files.end(frame.job(), key, complete);
+    }
+  }
+}

@@ -1,0 +1,144 @@
+package org.urbi.kernel.library.system;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.UrbiTypePart;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.CycleStatistics;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.library.code.PositionType;
+import org.urbi.kernel.library.code.UrbiProfile;
+import org.urbi.kernel.library.concurrent.JobType;
+import org.urbi.kernel.library.concurrent.TagType;
+import org.urbi.kernel.library.lobby.LobbyType;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.DictionaryKey;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Profiler;
+import org.urbi.kernel.node.ScopeEnd;
+import org.urbi.kernel.object.UrbiDictionary;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Location;
+
+/** What the server does, and what its code is doing (manual, "System"). */
+@UrbiTypePart("System")
+final class SystemJobs {
+  private SystemJobs() {}
+
+  @Builtin(doc = "Shows the calls that are going on, on the channel backtrace.")
+  static void backtrace(Frame frame, UrbiObject self) {
+    for (UrbiException.Call call : frame.backtrace()) {
+      if (call.name() != null) {
+        String place = call.span() == null ? "" : " (" + call.span().location() + ")";
+        LobbyType.of(frame).output().send("backtrace", call.name() + place);
+      }
+    }
+  }
+
+  @Builtin(doc = "The lobbies that are alive, the prototype of lobbies included.")
+  static List<UrbiObject> lobbies(Frame frame, UrbiObject self) {
+    return LobbyType.instances(frame, self.world().prototype("Lobby"));
+  }
+
+  @Builtin(doc = "The job that runs this code: Job.current.")
+  static UrbiObject currentRunner(Frame frame, UrbiObject self) {
+    return JobType.current(frame, self);
+  }
+
+  @Builtin(doc = "The lobby for which this code runs.")
+  static UrbiObject lobby(Frame frame, UrbiObject self) {
+    return LobbyType.of(frame);
+  }
+
+  @Builtin(
+      doc =
+          "How many cycles there were since resetStats, and how many seconds they took; nil right"
+              + " after it.")
+  static UrbiObject stats(Frame frame, UrbiObject self) {
+    CycleStatistics statistics = frame.job().scheduler().statistics();
+    long cycles = frame.job().scheduler().cycle() - statistics.since();
+    if (cycles == 0) {
+      return frame.interpreter().values().nil;
+    }
+    Map<UrbiDictionary.Key, UrbiObject> entries = new LinkedHashMap<>();
+    put(frame, entries, "cycles", cycles);
+    put(frame, entries, "cyclesMin", statistics.minimum());
+    put(frame, entries, "cyclesMean", statistics.mean());
+    put(frame, entries, "cyclesMax", statistics.maximum());
+    put(frame, entries, "cyclesVariance", statistics.variance());
+    put(frame, entries, "cyclesStdDev", Math.sqrt(statistics.variance()));
+    return frame.interpreter().values().dictionary(entries);
+  }
+
+  private static void put(
+      Frame frame, Map<UrbiDictionary.Key, UrbiObject> entries, String name, double value) {
+    entries.put(
+        DictionaryKey.of(frame, frame.interpreter().values().string(name)),
+        frame.interpreter().values().number(value));
+  }
+
+  @Builtin(doc = "Begins to count the cycles anew.")
+  static void resetStats(Frame frame, UrbiObject self) {
+    frame.job().scheduler().statistics().reset(frame.job().scheduler().cycle());
+  }
+
+  @Builtin(doc = "A new tag that is stopped when the scope around the call is left.")
+  static UrbiObject scopeTag(Frame frame, UrbiObject self) {
+    return TagType.ofScope(frame);
+  }
+
+  @Builtin(doc = "Lets slots be defined again until the end of the scope.")
+  static void redefinitionMode(Frame frame, CallSite site, UrbiObject self) {
+    Job job = frame.job();
+    int before = job.redefinitions;
+    endWithFunction(
+        frame,
+        site,
+        "redefinitionMode",
+        () -> job.redefinitions = Math.min(job.redefinitions, before));
+    job.redefinitions++;
+  }
+
+  /** A scope ends what is asked for by its name; what has another name ends with the function. */
+  private static void endWithFunction(Frame frame, CallSite site, String name, Runnable undo) {
+    ScopeEnd end = name.equals(site.calledName()) ? null : frame.scopeEnd();
+    if (end != null) {
+      end.add(undo);
+    }
+  }
+
+  @Builtin(value = "__HERE__", doc = "The position in the source at which it is written.")
+  static UrbiObject here(CallSite site, UrbiObject self) {
+    if (site.calledSpan() == null) {
+      return self.world().prototype("Position");
+    }
+    Location place = site.calledSpan().location();
+    return PositionType.make(self.world(), place.file(), place.line(), place.column());
+  }
+
+  @Builtin(doc = "Lets no other job run until the end of the scope, which may not wait either.")
+  static void nonInterruptible(Frame frame, CallSite site, UrbiObject self) {
+    Job job = frame.job();
+    int before = job.nonInterruptible;
+    endWithFunction(
+        frame,
+        site,
+        "nonInterruptible",
+        () -> job.nonInterruptible = Math.min(job.nonInterruptible, before));
+    job.nonInterruptible++;
+  }
+
+  @Builtin(doc = "Calls a function, and measures what it does.")
+  static UrbiObject profile(Frame frame, CallSite site, UrbiObject self, UrbiObject function) {
+    Profiler profiler = new Profiler(frame.interpreter());
+    profiler.observe(frame.job());
+    try {
+      frame.interpreter().call(frame, site, function, frame.self());
+    } finally {
+      profiler.finished(frame.job());
+    }
+    return new UrbiProfile(self.world().prototype("Profile").cloneShape(), profiler);
+  }
+}

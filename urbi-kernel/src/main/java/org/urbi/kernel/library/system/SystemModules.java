@@ -1,0 +1,95 @@
+package org.urbi.kernel.library.system;
+
+import java.nio.file.Path;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Optional;
+import org.urbi.builtins.UrbiTypePart;
+import org.urbi.kernel.library.file.FileAccess;
+import org.urbi.kernel.library.text.NativeText;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.outside.ConfinedException;
+import org.urbi.kernel.uobject.Modules;
+import org.urbi.kernel.uobject.PluggedContext;
+import urbi.UModuleException;
+import urbi.rtp.RtpOptions;
+
+/** Modules with UObjects (manual, "System": loadModule, loadLibrary). */
+@UrbiTypePart("System")
+final class SystemModules {
+  private SystemModules() {}
+
+  private static Modules modules(Frame frame) {
+    return PluggedContext.of(frame).modules();
+  }
+
+  private static Path file(Frame frame, UrbiObject module) {
+    String name = frame.interpreter().asString(frame, module);
+    Path working = FileAccess.anyPath(frame).working().path;
+    Path found = modules(frame).find(working, NativeText.toJava(name));
+    if (found == null) {
+      throw frame
+          .interpreter()
+          .errors()
+          .of("FileNotFound", "file not found: " + name)
+          .with("name", name)
+          .build();
+    }
+    return found;
+  }
+
+  @Builtin(
+      doc =
+          "Loads the UObjects of a module. One that is loaded already is replaced if the file has"
+              + " changed; its objects stay.")
+  static void loadModule(
+      Frame frame, CallSite site, UrbiObject self, UrbiObject module, @Optional String options) {
+    load(frame, site, module, false);
+  }
+
+  @Builtin(
+      doc =
+          "Loads a module whose classes can be used by those that are loaded later. It need not"
+              + " have UObjects.")
+  static void loadLibrary(
+      Frame frame, CallSite site, UrbiObject self, UrbiObject library, @Optional String options) {
+    load(frame, site, library, true);
+  }
+
+  /** Whether it is the module that has no file: it has values sent in datagrams. */
+  private static boolean isRtp(Frame frame, UrbiObject module) {
+    return frame.interpreter().asString(frame, module).equals(RtpOptions.MODULE);
+  }
+
+  private static void load(Frame frame, CallSite site, UrbiObject module, boolean library) {
+    try {
+      if (isRtp(frame, module)) {
+        KernelControl.of(frame).outside().confinement().checkConnections();
+        PluggedContext.of(frame).rtp().turn(true);
+      } else {
+        modules(frame).load(frame, file(frame, module), library);
+      }
+    } catch (UModuleException | ConfinedException e) {
+      throw frame
+          .interpreter()
+          .errors()
+          .primitive(site.calledName(), NativeText.toUrbi(e.getMessage()));
+    }
+  }
+
+  @Builtin(doc = "Unloads a module: its objects are no longer UObjects.")
+  static void unloadModule(Frame frame, CallSite site, UrbiObject self, UrbiObject module) {
+    boolean unloaded =
+        isRtp(frame, module)
+            ? PluggedContext.of(frame).rtp().turn(false)
+            : modules(frame).unload(frame, file(frame, module));
+    if (!unloaded) {
+      throw frame
+          .interpreter()
+          .errors()
+          .primitive(
+              site.calledName(), "not loaded: " + frame.interpreter().asString(frame, module));
+    }
+  }
+}

@@ -1,0 +1,189 @@
+package org.urbi.kernel.library.system;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.util.List;
+import java.util.Properties;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.UrbiTypePart;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.library.date.UrbiDate;
+import org.urbi.kernel.library.file.FileAccess;
+import org.urbi.kernel.library.machine.ProcessType;
+import org.urbi.kernel.library.text.NativeText;
+import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.Truth;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
+import org.urbi.kernel.outside.ChildProcess;
+import org.urbi.kernel.outside.Network;
+import org.urbi.lang.parse.Parsed;
+import org.urbi.lang.parse.UrbiParser;
+import org.urbi.lang.print.Printer;
+
+/** The server as a program among others (manual, "System"). */
+@UrbiTypePart("System")
+final class SystemServer {
+  private static final int STATUS_SHIFT = 8;
+
+  private SystemServer() {}
+
+  private static RuntimeException error(Frame frame, CallSite site, String message) {
+    return frame.interpreter().errors().primitive(site.calledName(), message);
+  }
+
+  // ------------------------------------------------------------------ what it is
+
+  @Builtin(doc = "The arguments of the user's script.")
+  static List<UrbiString> arguments(Frame frame, UrbiObject self) {
+    return KernelControl.of(frame).arguments().stream()
+        .map(text -> frame.interpreter().values().string(NativeText.toUrbi(text)))
+        .toList();
+  }
+
+  @Builtin(doc = "The path under which the server was called.")
+  static String programName(Frame frame, UrbiObject self) {
+    return NativeText.toUrbi(KernelControl.of(frame).programName());
+  }
+
+  @Builtin(doc = "The version: numbers separated by periods.")
+  static String version(UrbiObject self) {
+    return Version.NUMBER;
+  }
+
+  /** The version, read when somebody asks for it. */
+  private static final class Version {
+    static final String NUMBER = number();
+
+    private static String number() {
+      Properties properties = new Properties();
+      try (InputStream in = SystemServer.class.getResourceAsStream("version.properties")) {
+        properties.load(in);
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
+      // A build that is not a release yet has a suffix.
+      return properties.getProperty("version").replaceFirst("-.*", "");
+    }
+  }
+
+  @Builtin(doc = "The name of this machine.")
+  static String hostName(Frame frame, UrbiObject self) {
+    try {
+      return NativeText.toUrbi(
+          Network.localHostName(KernelControl.of(frame).outside(), frame.job()));
+    } catch (IOException e) {
+      return "localhost";
+    }
+  }
+
+  @Builtin(doc = "The date at which System.time was 0.")
+  static UrbiObject timeReference(Frame frame, UrbiObject self) {
+    UrbiObject prototype = frame.interpreter().world().prototype("Date");
+    double seconds = frame.job().scheduler().clock().startTime();
+    return new UrbiDate(prototype.cloneShape(), Math.round(seconds * 1e6));
+  }
+
+  // ------------------------------------------------------------------ its end
+
+  @Builtin(doc = "Ends the server at once, with that exit status; nothing is closed.")
+  static void _exit(Frame frame, UrbiObject self, int status) {
+    // What was said before is still heard.
+    for (UrbiLobby lobby : KernelControl.of(frame).lobbies()) {
+      lobby.output().flush();
+    }
+    KernelControl.of(frame).halt(status);
+    frame.job().waitForWake();
+  }
+
+  @Builtin(doc = "Starts the server anew.")
+  static void reboot(Frame frame, CallSite site, UrbiObject self) {
+    if (!KernelControl.of(frame).requestReboot()) {
+      throw error(frame, site, "not possible here");
+    }
+    frame.job().waitForWake();
+  }
+
+  @Builtin(doc = "Ends the code that runs for each connection.")
+  static void stopall(Frame frame, UrbiObject self) {
+    Job here = frame.job();
+    for (UrbiLobby lobby : KernelControl.of(frame).lobbies()) {
+      lobby.connectionTag().state().stop(frame.interpreter().values().voidObject);
+    }
+    here.checkInjected();
+  }
+
+  // ------------------------------------------------------------------ other programs
+
+  @Builtin(doc = "Has the shell of the machine run a command, and returns its exit status.")
+  static double system(Frame frame, CallSite site, UrbiObject self, String command) {
+    if (command.indexOf('\0') >= 0) {
+      throw error(frame, site, "invalid command");
+    }
+    KernelControl kernel = KernelControl.of(frame);
+    try {
+      int status =
+          ChildProcess.run(
+              kernel.outside(),
+              frame.job(),
+              List.of("/bin/sh", "-c", NativeText.toJava(command)),
+              FileAccess.anyPath(frame).working().path,
+              kernel.environment().variables());
+      int signal = ChildProcess.signal(status);
+      return signal != 0 ? signal : status << STATUS_SHIFT;
+    } catch (IOException e) {
+      throw error(frame, site, ProcessType.cannotRun("/bin/sh", e));
+    }
+  }
+
+  // ------------------------------------------------------------------ assertions
+
+  @Builtin(
+      value = "assert",
+      lazy = true,
+      min = 1,
+      max = 1,
+      doc = "Throws an error, which shows the expression, unless the expression is true.")
+  static void assertTrue(Frame frame, CallSite site, UrbiObject self) {
+    if (frame.interpreter().assertionsDisabled()) {
+      return;
+    }
+    Node claim = site.argumentNodes()[0];
+    if (!Truth.of(frame, claim.execute(frame))) {
+      throw failed(frame, shown(claim));
+    }
+  }
+
+  private static RuntimeException failed(Frame frame, String claim) {
+    return frame.interpreter().errors().of("Assertion", "failed assertion: " + claim).build();
+  }
+
+  /** Code as urbiscript shows it. */
+  private static String shown(Node claim) {
+    if (claim.span() == null) {
+      return "?";
+    }
+    String text = claim.span().text();
+    Parsed parsed = UrbiParser.parse(text, null);
+    return parsed.errors().isEmpty() ? Printer.print(parsed.sequence()) : text;
+  }
+
+  @Builtin(doc = "Throws an error unless an operator holds between two values; use assert.")
+  static void assert_op(
+      Frame frame, UrbiObject self, String operator, UrbiObject lhs, UrbiObject rhs) {
+    if (!frame.interpreter().assertionsDisabled()
+        && !Truth.of(frame, frame.interpreter().send(frame, lhs, operator, rhs))) {
+      throw failed(
+          frame,
+          frame.interpreter().asPrintable(frame, lhs)
+              + " "
+              + operator
+              + " "
+              + frame.interpreter().asPrintable(frame, rhs));
+    }
+  }
+}

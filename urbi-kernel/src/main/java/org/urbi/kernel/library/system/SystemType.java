@@ -1,0 +1,128 @@
+package org.urbi.kernel.library.system;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Optional;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.event.Durations;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.library.code.Evaluation;
+import org.urbi.kernel.library.concurrent.Activity;
+import org.urbi.kernel.library.concurrent.ControlType;
+import org.urbi.kernel.library.concurrent.JobType;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.LoopJobs;
+import org.urbi.kernel.node.Truth;
+import org.urbi.kernel.object.UrbiObject;
+
+/** The server (manual, "System"). */
+@UrbiType(value = "System", doc = "The server on which the code runs.")
+final class SystemType {
+  private SystemType() {}
+
+  @Builtin(doc = "Waits for that many seconds; for ever when none is given.")
+  static void sleep(Frame frame, CallSite site, UrbiObject self, @Optional Double duration) {
+    Job job = frame.job();
+    Activity.note(frame, site);
+    if (duration == null || duration == Double.POSITIVE_INFINITY) {
+      job.waitForWake();
+      return;
+    }
+    if (duration < 0 || Double.isNaN(duration)) {
+      throw frame
+          .interpreter()
+          .errors()
+          .badNumber(
+              "NegativeNumber",
+              "sleep",
+              "unexpected "
+                  + frame.interpreter().asString(frame, self.world().values().number(duration))
+                  + ", expected non-negative number",
+              self.world().values().number(duration));
+    }
+    job.sleepUntil(job.scheduler().now() + Durations.nanoseconds(duration));
+  }
+
+  @Builtin(doc = "The number of seconds since the server was started.")
+  static double time(Frame frame, UrbiObject self) {
+    return Durations.seconds(frame.job().scheduler().now());
+  }
+
+  @Builtin(doc = "The time, less what this code has spent frozen.")
+  static double shiftedTime(Frame frame, UrbiObject self) {
+    return time(frame, self) - Durations.seconds(frame.job().timeShift());
+  }
+
+  @Builtin(doc = "The number of ticks since the server was started.")
+  static double cycle(Frame frame, UrbiObject self) {
+    return frame.job().scheduler().cycle();
+  }
+
+  @Builtin(doc = "Ends the server.")
+  static void shutdown(Frame frame, UrbiObject self, @Optional Integer status) {
+    KernelControl.of(frame).requestShutdown(status == null ? 0 : status);
+    frame.job().waitForWake();
+  }
+
+  @Builtin(doc = "Evaluates source text on the target, and returns its value.")
+  static UrbiObject eval(
+      Frame frame, CallSite site, UrbiObject self, String source, @Optional UrbiObject target) {
+    return Evaluation.eval(frame, site, target == null ? self : target, source, null);
+  }
+
+  @Builtin(doc = "The jobs that have not ended.")
+  static List<UrbiObject> jobs(Frame frame, UrbiObject self) {
+    List<UrbiObject> jobs = new ArrayList<>();
+    for (Job job : frame.job().scheduler().jobs()) {
+      jobs.add(JobType.object(frame, job));
+    }
+    return jobs;
+  }
+
+  @Builtin(doc = "The number of jobs that have not ended.")
+  static double aliveJobs(Frame frame, UrbiObject self) {
+    return frame.job().scheduler().jobs().size();
+  }
+
+  @Builtin(doc = "Calls a function in a job of its own; under the current tags if so asked.")
+  static UrbiObject spawn(
+      Frame frame, CallSite site, UrbiObject self, UrbiObject code, UrbiObject underTags) {
+    Job job =
+        ControlType.start(
+            frame,
+            Truth.of(frame, underTags)
+                ? frame.job().scheduler().rootScope()
+                : LoopJobs.scope(frame),
+            forked -> frame.interpreter().call(forked, site, code, self));
+    return JobType.object(frame, job);
+  }
+
+  @Builtin(doc = "Throws the message unless the value is true.")
+  static void assert_(Frame frame, UrbiObject self, UrbiObject value, String message) {
+    if (!Truth.of(frame, value)) {
+      throw frame.interpreter().errors().of("Assertion", "failed assertion: " + message).build();
+    }
+  }
+
+  @Builtin(doc = "Whether assertions are not checked.")
+  static boolean ndebug(Frame frame, UrbiObject self) {
+    return frame.interpreter().assertionsDisabled();
+  }
+
+  @Builtin(value = "ndebug", setter = true, doc = "Sets whether assertions are not checked.")
+  static void setNdebug(Frame frame, UrbiObject self, UrbiObject value) {
+    frame.interpreter().disableAssertions(Truth.of(frame, value));
+  }
+
+  @Builtin(doc = "Whether the message of a failed assertion shows the values of its parts.")
+  static boolean assertVerbose(Frame frame, UrbiObject self) {
+    return frame.interpreter().assertionsShowValues();
+  }
+
+  @Builtin(value = "assertVerbose", setter = true, doc = "Sets whether it shows the values.")
+  static void setAssertVerbose(Frame frame, UrbiObject self, UrbiObject value) {
+    frame.interpreter().showValuesOfAssertions(Truth.of(frame, value));
+  }
+}

@@ -1,0 +1,179 @@
+package org.urbi.kernel.library.text;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiFloat;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.print.FloatFormat;
+
+/** Values as formats want them (manual, "FormatInfo", "Float.format"). */
+public final class Formatting {
+  private Formatting() {}
+
+  /** Any value. */
+  public static String format(Frame caller, String routine, UrbiObject value, UrbiFormatInfo info) {
+    if (value instanceof UrbiFloat number) {
+      return formatNumber(caller, routine, number, info.format());
+    }
+    UrbiFormatInfo.Format format = info.format();
+    String text = caller.interpreter().asString(caller, value);
+    if (format.precision() >= 0 && format.precision() < text.length()) {
+      text = text.substring(0, format.precision());
+    }
+    if (format.prefix().equals(" ") && !text.startsWith("+") && !text.startsWith("-")) {
+      text = " " + text;
+    }
+    return pad(inCase(text, format), 0, format);
+  }
+
+  /** An integer in hexadecimal. */
+  public static String hexadecimal(Frame caller, String routine, UrbiFloat number) {
+    return Long.toHexString(integer(caller, routine, number));
+  }
+
+  private static long integer(Frame caller, String routine, UrbiFloat number) {
+    long integer = (long) number.value();
+    if (integer != number.value()) {
+      throw notInteger(caller, routine, number);
+    }
+    return integer;
+  }
+
+  private static UrbiException notInteger(Frame caller, String routine, UrbiFloat number) {
+    return caller
+        .interpreter()
+        .errors()
+        .badNumber("BadInteger", routine, "expected integer, got %s", number);
+  }
+
+  private static String formatNumber(
+      Frame caller, String routine, UrbiFloat number, UrbiFormatInfo.Format format) {
+    double value = number.value();
+    String digits =
+        switch (format.spec()) {
+          case 'x' -> radix(integer(caller, routine, number), 16, "0x", format);
+          case 'o' -> radix(integer(caller, routine, number), 8, "0", format);
+          default -> Double.isFinite(value) ? decimal(value, format) : FloatFormat.format(value);
+        };
+    if (!digits.startsWith("-")) {
+      digits = format.prefix() + digits;
+    }
+    int sign = digits.startsWith("-") || digits.startsWith("+") || digits.startsWith(" ") ? 1 : 0;
+    if (format.alternate() && format.spec() == 'x') {
+      sign += 2;
+    }
+    return pad(inCase(digits, format), Double.isFinite(value) ? sign : 0, format);
+  }
+
+  private static String radix(long value, int radix, String base, UrbiFormatInfo.Format format) {
+    String digits = Long.toString(Math.abs(value), radix);
+    return (value < 0 ? "-" : "")
+        + (format.alternate() ? base : "")
+        + grouped(digits, format.group());
+  }
+
+  private static String decimal(double value, UrbiFormatInfo.Format format) {
+    int precision = format.precisionOrDefault();
+    boolean negative = value < 0 || 1 / value < 0;
+    BigDecimal size = new BigDecimal(Math.abs(value));
+    String digits =
+        switch (format.spec()) {
+          case 'f' -> size.setScale(precision, RoundingMode.HALF_EVEN).toPlainString();
+          case 'e' -> scientific(size, precision);
+          default -> shortest(size, format);
+        };
+    if (format.alternate() && digits.indexOf('.') < 0) {
+      int end = digits.indexOf('e') < 0 ? digits.length() : digits.indexOf('e');
+      digits = digits.substring(0, end) + "." + digits.substring(end);
+    }
+    return (negative ? "-" : "") + groupedInteger(digits, format.group());
+  }
+
+  private static String scientific(BigDecimal size, int precision) {
+    int exponent = 0;
+    BigDecimal rounded = size;
+    if (size.signum() != 0) {
+      rounded = size.round(new MathContext(precision + 1, RoundingMode.HALF_EVEN));
+      exponent = rounded.precision() - rounded.scale() - 1;
+    }
+    String mantissa =
+        rounded.movePointLeft(exponent).setScale(precision, RoundingMode.HALF_EVEN).toPlainString();
+    return mantissa + exponent(exponent);
+  }
+
+  private static String exponent(int exponent) {
+    int size = Math.abs(exponent);
+    return (exponent < 0 ? "e-" : "e+") + (size < 10 ? "0" : "") + size;
+  }
+
+  /** As {@code %g} of C; integers keep all their digits when no precision is asked for. */
+  private static String shortest(BigDecimal size, UrbiFormatInfo.Format format) {
+    if (size.signum() == 0) {
+      return "0";
+    }
+    if (format.precision() < 0
+        && size.stripTrailingZeros().scale() <= 0
+        && size.precision() - size.scale() <= 19) {
+      return size.toBigInteger().toString();
+    }
+    int precision = Math.max(1, format.precisionOrDefault());
+    BigDecimal rounded = size.round(new MathContext(precision, RoundingMode.HALF_EVEN));
+    int exponent = rounded.precision() - rounded.scale() - 1;
+    if (exponent < -4 || exponent >= precision) {
+      return rounded.movePointLeft(exponent).stripTrailingZeros().toPlainString()
+          + exponent(exponent);
+    }
+    return rounded.stripTrailingZeros().toPlainString();
+  }
+
+  private static String groupedInteger(String digits, String group) {
+    int end = 0;
+    while (end < digits.length() && Character.isDigit(digits.charAt(end))) {
+      end++;
+    }
+    return grouped(digits.substring(0, end), group) + digits.substring(end);
+  }
+
+  private static String grouped(String digits, String group) {
+    if (group.isEmpty()) {
+      return digits;
+    }
+    StringBuilder out = new StringBuilder(digits);
+    for (int i = digits.length() - 3; i > 0; i -= 3) {
+      out.insert(i, group);
+    }
+    return out.toString();
+  }
+
+  private static String inCase(String text, UrbiFormatInfo.Format format) {
+    return switch (format.uppercase()) {
+      case 1 -> Characters.upper(text);
+      case -1 -> Characters.lower(text);
+      default -> text;
+    };
+  }
+
+  /**
+   * Pads to the width.
+   *
+   * @param head how many characters come before padding by zeros
+   */
+  private static String pad(String text, int head, UrbiFormatInfo.Format format) {
+    int missing = format.width() - text.length();
+    if (missing <= 0) {
+      return text;
+    }
+    String padding = String.valueOf(format.pad()).repeat(missing);
+    return switch (format.alignment()) {
+      case -1 -> text + " ".repeat(missing);
+      case 0 -> " ".repeat(missing / 2) + text + " ".repeat(missing - missing / 2);
+      default ->
+          format.pad() == '0'
+              ? text.substring(0, head) + padding + text.substring(head)
+              : padding + text;
+    };
+  }
+}

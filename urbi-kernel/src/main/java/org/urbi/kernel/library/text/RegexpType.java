@@ -1,0 +1,93 @@
+package org.urbi.kernel.library.text;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.regex.PatternSyntaxException;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
+import org.urbi.lang.print.StringEscape;
+
+/** Regular expressions, with the syntax of Perl (manual, "Regexp"). */
+@UrbiType(
+    value = "Regexp",
+    protos = {"Container", "Object"},
+    doc = "A regular expression, with the syntax of Perl.")
+final class RegexpType {
+  private RegexpType() {}
+
+  static UrbiObject newPrototype(World world) {
+    return new UrbiRegexp(world.values().object.cloneShape(), Pattern.compile("."));
+  }
+
+  @Builtin(doc = "Makes it the regular expression of that text.")
+  static UrbiObject init(Frame caller, CallSite site, UrbiRegexp self, String text) {
+    if (text.isEmpty()) {
+      throw invalid(caller, site, text, "Empty expression");
+    }
+    try {
+      // As in Perl, "." matches all but "\n".
+      self.setPattern(Pattern.compile(text, Pattern.MULTILINE | Pattern.UNIX_LINES));
+      return self;
+    } catch (PatternSyntaxException e) {
+      throw invalid(caller, site, text, e.getDescription());
+    }
+  }
+
+  private static UrbiException invalid(Frame caller, CallSite site, String text, String reason) {
+    return caller
+        .interpreter()
+        .errors()
+        .primitive(site.calledName(), "invalid regular expression `" + text + "': " + reason);
+  }
+
+  @Builtin(doc = "The regular expression, to be shown.")
+  static String asPrintable(UrbiRegexp self) {
+    return "Regexp(" + StringEscape.quote(self.pattern().pattern()) + ")";
+  }
+
+  @Builtin(doc = "The text of the regular expression.")
+  static String asString(UrbiRegexp self) {
+    return self.pattern().pattern();
+  }
+
+  @Builtin(
+      value = {"match", "has"},
+      doc = "Whether a part of a string matches.")
+  static boolean match(UrbiRegexp self, String str) {
+    Matcher matcher = self.pattern().matcher(str);
+    List<String> groups = new ArrayList<>();
+    boolean found = matcher.find();
+    if (found) {
+      for (int i = 0; i <= matcher.groupCount(); i++) {
+        groups.add(matcher.group(i) == null ? "" : matcher.group(i));
+      }
+    }
+    self.setMatches(groups);
+    return found;
+  }
+
+  @Builtin(doc = "The groups of the last match, the whole of it first; empty if it failed.")
+  static List<UrbiObject> matches(Frame caller, UrbiRegexp self) {
+    List<UrbiObject> strings = new ArrayList<>();
+    for (String group : self.matches()) {
+      strings.add(StringType.string(caller, group));
+    }
+    return strings;
+  }
+
+  @Builtin(value = "[]", doc = "A group of the last match; the whole of it is number 0.")
+  static String get(Frame caller, CallSite site, UrbiRegexp self, int n) {
+    List<String> groups = self.matches();
+    if (n < 0 || n >= groups.size()) {
+      throw caller.interpreter().errors().primitive(site.calledName(), "out of bound index: " + n);
+    }
+    return groups.get(n);
+  }
+}

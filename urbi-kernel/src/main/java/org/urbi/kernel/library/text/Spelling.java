@@ -1,0 +1,96 @@
+package org.urbi.kernel.library.text;
+
+import java.util.Collection;
+import java.util.List;
+
+/** How alike words are (manual, "String.distance", "String.closest"). */
+public final class Spelling {
+  private static final int MOST_EDITS = 2;
+  private static final int LONG_WORD = 5;
+
+  /** Nobody mistypes what is longer. */
+  private static final int LONGEST_NAME = 100;
+
+  private Spelling() {}
+
+  /**
+   * The number of insertions, deletions, substitutions and transpositions of neighbours that make
+   * one word of the other.
+   *
+   * @param onRow called now and then: long words take long
+   */
+  static int distance(String from, String to, Runnable onRow) {
+    int[] before = new int[to.length() + 1];
+    int[] previous = new int[to.length() + 1];
+    int[] current = new int[to.length() + 1];
+    for (int j = 0; j <= to.length(); j++) {
+      previous[j] = j;
+    }
+    for (int i = 1; i <= from.length(); i++) {
+      onRow.run();
+      current[0] = i;
+      for (int j = 1; j <= to.length(); j++) {
+        int cost = from.charAt(i - 1) == to.charAt(j - 1) ? 0 : 1;
+        int best = Math.min(Math.min(current[j - 1], previous[j]) + 1, previous[j - 1] + cost);
+        if (i > 1
+            && j > 1
+            && from.charAt(i - 1) == to.charAt(j - 2)
+            && from.charAt(i - 2) == to.charAt(j - 1)) {
+          best = Math.min(best, before[j - 2] + 1);
+        }
+        current[j] = best;
+      }
+      int[] oldest = before;
+      before = previous;
+      previous = current;
+      current = oldest;
+    }
+    return previous[to.length()];
+  }
+
+  /** The first of the most alike candidates; null when none is worth a suggestion. */
+  static String closest(String word, List<String> candidates, Runnable onRow) {
+    String closest = null;
+    int least = Integer.MAX_VALUE;
+    for (String candidate : candidates) {
+      int longest = Math.max(word.length(), candidate.length());
+      int most = 1 + Math.max(2, 2 * (longest / 3));
+      if (2 * Math.abs(word.length() - candidate.length()) > most) {
+        continue;
+      }
+      // The case of letters counts little.
+      int edits =
+          2 * distance(Characters.lower(word), Characters.lower(candidate), onRow)
+              + (word.equals(candidate) ? 0 : 1);
+      if (edits < least && edits <= most) {
+        least = edits;
+        closest = candidate;
+      }
+    }
+    return closest;
+  }
+
+  /**
+   * The first of the most alike candidates which somebody may have meant by a name: long words with
+   * two mistakes, short ones with one; null when there is none, or the name itself is one.
+   */
+  public static String meant(String name, Collection<String> candidates) {
+    int least = MOST_EDITS + 1;
+    String meant = null;
+    if (name.length() > LONGEST_NAME || candidates.contains(name)) {
+      return null;
+    }
+    for (String candidate : candidates) {
+      int shorter = Math.min(name.length(), candidate.length());
+      int most = shorter < 2 ? 0 : shorter < LONG_WORD ? 1 : MOST_EDITS;
+      if (Math.abs(candidate.length() - name.length()) <= most) {
+        int distance = distance(name, candidate, () -> {});
+        if (distance <= most && distance < least) {
+          meant = candidate;
+          least = distance;
+        }
+      }
+    }
+    return meant;
+  }
+}

@@ -1,0 +1,194 @@
+package org.urbi.kernel.library.text;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Optional;
+import org.urbi.builtins.UrbiTypePart;
+import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Truth;
+import org.urbi.kernel.object.UrbiList;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
+
+/** Strings as texts (manual, "String"): splitting, likeness, kinds of characters. */
+@UrbiTypePart("String")
+final class StringText {
+  private static final List<String> SPACES = List.of(" ", "\t", "\n", "\r");
+
+  private StringText() {}
+
+  // ------------------------------------------------------------------ splitting
+
+  @Builtin(
+      doc = "The parts between separators: in at most lim cuts, with the separators if keepSep.")
+  static List<UrbiObject> split(
+      Frame caller,
+      CallSite site,
+      UrbiString self,
+      @Optional UrbiObject sep,
+      @Optional UrbiObject lim,
+      @Optional UrbiObject keepSep,
+      @Optional UrbiObject keepEmpty) {
+    List<String> separators = SPACES;
+    if (sep instanceof UrbiList list) {
+      separators = new ArrayList<>();
+      for (UrbiObject one : list.elements()) {
+        separators.add(Arguments.text(caller, site, 1, one));
+      }
+    } else if (sep != null) {
+      separators = List.of(Arguments.text(caller, site, 1, sep));
+    }
+    int limit =
+        lim == null || lim == caller.interpreter().world().values().nil
+            ? -1
+            : Arguments.integer(caller, site, 2, lim);
+    boolean withSeparators = keepSep != null && Truth.of(caller, keepSep);
+    // Words are what is between spaces, however many.
+    boolean withEmpty = keepEmpty == null ? sep != null : Truth.of(caller, keepEmpty);
+    List<UrbiObject> parts = new ArrayList<>();
+    for (String part : split(self.value(), separators, limit, withSeparators, withEmpty)) {
+      parts.add(StringType.string(caller, part));
+    }
+    return parts;
+  }
+
+  private static List<String> split(
+      String text, List<String> separators, int limit, boolean keepSep, boolean keepEmpty) {
+    if (separators.contains("")) {
+      return characters(text, limit);
+    }
+    List<String> longestFirst =
+        separators.stream().sorted(Comparator.comparingInt(String::length).reversed()).toList();
+    List<String> parts = new ArrayList<>();
+    int start = 0;
+    int at = 0;
+    int left = limit;
+    while (at < text.length() && left != 0) {
+      String found = separatorAt(text, at, longestFirst);
+      if (found == null) {
+        at++;
+        continue;
+      }
+      addPart(parts, text.substring(start, at), keepEmpty);
+      if (keepSep) {
+        parts.add(found);
+      }
+      left--;
+      at += found.length();
+      start = at;
+    }
+    addPart(parts, text.substring(start), keepEmpty);
+    return parts;
+  }
+
+  /** Cuts between all characters: the empty separator is found everywhere. */
+  private static List<String> characters(String text, int limit) {
+    List<String> parts = new ArrayList<>();
+    int at = 0;
+    while (at < text.length() - 1 && parts.size() != limit) {
+      parts.add(text.substring(at, ++at));
+    }
+    addPart(parts, text.substring(at), false);
+    return parts;
+  }
+
+  private static String separatorAt(String text, int at, List<String> separators) {
+    for (String separator : separators) {
+      if (text.startsWith(separator, at)) {
+        return separator;
+      }
+    }
+    return null;
+  }
+
+  private static void addPart(List<String> parts, String part, boolean keepEmpty) {
+    if (keepEmpty || !part.isEmpty()) {
+      parts.add(part);
+    }
+  }
+
+  // ------------------------------------------------------------------ likeness
+
+  @Builtin(doc = "How many edits (Damerau-Levenshtein) make other of the target.")
+  static int distance(Frame caller, UrbiString self, String other) {
+    return Spelling.distance(self.value(), other, caller.job()::checkInterrupted);
+  }
+
+  @Builtin(doc = "The most alike of a list of strings; nil if none is much alike.")
+  static UrbiObject closest(Frame caller, CallSite site, UrbiString self, UrbiList set) {
+    List<String> candidates = new ArrayList<>();
+    for (UrbiObject one : set.elements()) {
+      candidates.add(Arguments.text(caller, site, 1, one));
+    }
+    String closest = Spelling.closest(self.value(), candidates, caller.job()::checkInterrupted);
+    return closest == null
+        ? caller.interpreter().world().values().nil
+        : StringType.string(caller, closest);
+  }
+
+  // ------------------------------------------------------------------ kinds of characters
+
+  @Builtin(doc = "Whether all characters are letters or digits.")
+  static boolean isAlnum(UrbiString self) {
+    return Characters.all(self.value(), Characters::isLetterOrDigit);
+  }
+
+  @Builtin(doc = "Whether all characters are letters.")
+  static boolean isAlpha(UrbiString self) {
+    return Characters.all(self.value(), Characters::isLetter);
+  }
+
+  @Builtin(doc = "Whether all characters are in ASCII.")
+  static boolean isAscii(UrbiString self) {
+    return Characters.all(self.value(), c -> c < 0x80);
+  }
+
+  @Builtin(doc = "Whether all are control characters.")
+  static boolean isCntrl(UrbiString self) {
+    return Characters.all(self.value(), Characters::isControl);
+  }
+
+  @Builtin(doc = "Whether all characters are digits.")
+  static boolean isDigit(UrbiString self) {
+    return Characters.all(self.value(), Characters::isDigit);
+  }
+
+  @Builtin(doc = "Whether all characters are visible.")
+  static boolean isGraph(UrbiString self) {
+    return Characters.all(self.value(), Characters::isVisible);
+  }
+
+  @Builtin(doc = "Whether all characters are lower case letters.")
+  static boolean isLower(UrbiString self) {
+    return Characters.all(self.value(), Characters::isLower);
+  }
+
+  @Builtin(doc = "Whether all characters are visible, or the space.")
+  static boolean isPrint(UrbiString self) {
+    return Characters.all(self.value(), c -> c == ' ' || Characters.isVisible(c));
+  }
+
+  @Builtin(doc = "Whether all characters are visible, but neither letters nor digits.")
+  static boolean isPunct(UrbiString self) {
+    return Characters.all(self.value(), Characters::isPunctuation);
+  }
+
+  @Builtin(doc = "Whether all are spaces, tabulations, ends of lines or of pages.")
+  static boolean isSpace(UrbiString self) {
+    return Characters.all(self.value(), Characters::isSpace);
+  }
+
+  @Builtin(doc = "Whether all characters are upper case letters.")
+  static boolean isUpper(UrbiString self) {
+    return Characters.all(self.value(), Characters::isUpper);
+  }
+
+  @Builtin(doc = "Whether all characters are hexadecimal digits.")
+  static boolean isXdigit(UrbiString self) {
+    return Characters.all(self.value(), Characters::isHexadecimal);
+  }
+}

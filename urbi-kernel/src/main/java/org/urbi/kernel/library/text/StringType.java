@@ -1,0 +1,259 @@
+package org.urbi.kernel.library.text;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Optional;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.library.value.Counting;
+import org.urbi.kernel.library.value.Hashing;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.object.UrbiFloat;
+import org.urbi.kernel.object.UrbiHash;
+import org.urbi.kernel.object.UrbiList;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
+import org.urbi.lang.print.StringEscape;
+
+/** Strings (manual, "String"): operators, conversions and parts. */
+@UrbiType(
+    value = "String",
+    protos = {"Comparable", "Orderable", "RangeIterable"},
+    doc = "A sequence of characters.")
+public final class StringType {
+  private StringType() {}
+
+  public static UrbiString string(Frame caller, String value) {
+    return caller.interpreter().world().values().string(value);
+  }
+
+  static UrbiException error(Frame caller, CallSite site, String message) {
+    return caller.interpreter().errors().primitive(site.calledName(), message);
+  }
+
+  // ------------------------------------------------------------------ conversions
+
+  @Builtin(doc = "Makes it the same string as another one.")
+  static UrbiObject init(UrbiString self, @Optional String value) {
+    if (value != null) {
+      self.setValue(value);
+    }
+    return self;
+  }
+
+  @Builtin(doc = "Whether it is not empty.")
+  static boolean asBool(UrbiString self) {
+    return !self.value().isEmpty();
+  }
+
+  @Builtin(doc = "The number that the whole string denotes.")
+  static double asFloat(Frame caller, CallSite site, UrbiString self) {
+    Double number = parseNumber(self.value());
+    if (number == null) {
+      throw error(caller, site, "cannot convert to float: " + StringEscape.quote(self.value()));
+    }
+    return number;
+  }
+
+  private static Double parseNumber(String text) {
+    String digits = text.startsWith("-") || text.startsWith("+") ? text.substring(1) : text;
+    double sign = text.startsWith("-") ? -1 : 1;
+    if (digits.equals("inf")) {
+      return sign * Double.POSITIVE_INFINITY;
+    }
+    if (digits.equals("nan")) {
+      return Double.NaN;
+    }
+    if (digits.matches("0[xX][0-9a-fA-F]{1,15}")) {
+      return sign * Long.parseLong(digits.substring(2), 16);
+    }
+    if (digits.matches("([0-9]+(\\.[0-9]*)?|\\.[0-9]+)([eE][-+]?[0-9]+)?")) {
+      return sign * Double.parseDouble(digits);
+    }
+    return null;
+  }
+
+  @Builtin(doc = "The list of its characters, as strings.")
+  static List<UrbiObject> asList(Frame caller, UrbiString self) {
+    String text = self.value();
+    List<UrbiObject> characters = new ArrayList<>(text.length());
+    for (int i = 0; i < text.length(); i++) {
+      characters.add(string(caller, text.substring(i, i + 1)));
+    }
+    return characters;
+  }
+
+  @Builtin(doc = "The string as a literal.")
+  static String asPrintable(UrbiString self) {
+    return StringEscape.quote(self.value());
+  }
+
+  @Builtin(doc = "The target.")
+  static UrbiObject asString(UrbiString self) {
+    return self;
+  }
+
+  @Builtin(doc = "A Hash, equal for equal strings.")
+  static UrbiHash hash(Frame caller, UrbiString self) {
+    return Hashing.hash(caller, Hashing.code(self.value()));
+  }
+
+  @Builtin(doc = "The character of a code, from 0 to 255.")
+  static String fromAscii(Frame caller, CallSite site, UrbiObject self, int v) {
+    if (v < 0 || v > 255) {
+      throw error(caller, site, "invalid character code: " + v);
+    }
+    return String.valueOf((char) v);
+  }
+
+  @Builtin(doc = "The code of the first character.")
+  static int toAscii(Frame caller, CallSite site, UrbiString self) {
+    if (self.value().isEmpty()) {
+      throw error(caller, site, "cannot be applied onto empty string");
+    }
+    return self.value().charAt(0);
+  }
+
+  @Builtin(doc = "A string that no identifier has been so far, and that begins with the target.")
+  static String fresh(Frame caller, UrbiString self) {
+    return self.value() + "_" + caller.interpreter().world().count("String.fresh", 5);
+  }
+
+  // ------------------------------------------------------------------ operators
+
+  @Builtin(value = "==", doc = "Whether that is the same string.")
+  static boolean equals(UrbiString self, UrbiObject that) {
+    return that instanceof UrbiString other && self.value().equals(other.value());
+  }
+
+  @Builtin(value = "!=", doc = "Whether that is not the same string.")
+  static boolean differs(UrbiString self, UrbiObject that) {
+    return !equals(self, that);
+  }
+
+  @Builtin(value = "<", doc = "Whether it comes before other in lexicographic order.")
+  static boolean less(UrbiString self, String other) {
+    return self.value().compareTo(other) < 0;
+  }
+
+  @Builtin(value = "+", doc = "The target followed by the asString of other.")
+  static UrbiObject plus(Frame caller, UrbiString self, UrbiObject other) {
+    Interpreter interpreter = caller.interpreter();
+    return interpreter.values().concatenation(self, interpreter.asString(caller, other));
+  }
+
+  @Builtin(value = "*", doc = "The target so many times.")
+  static String multiply(Frame caller, CallSite site, UrbiString self, UrbiFloat n) {
+    return self.value().repeat(Counting.ofStrings(caller, site, 1, n, self.value().length()));
+  }
+
+  @Builtin(value = "%", doc = "The target as a format string, filled with args.")
+  static String format(Frame caller, CallSite site, UrbiString self, UrbiObject args) {
+    return FormatterType.format(caller, site, self.value(), args);
+  }
+
+  // ------------------------------------------------------------------ parts
+
+  @Builtin(
+      value = {"size", "length"},
+      doc = "The number of characters.")
+  static int size(UrbiString self) {
+    return self.value().length();
+  }
+
+  @Builtin(doc = "Whether it has no characters.")
+  static boolean empty(UrbiString self) {
+    return self.value().isEmpty();
+  }
+
+  @Builtin(value = "[]", doc = "The characters from an index to another one, which is excluded.")
+  static String get(Frame caller, CallSite site, UrbiString self, int from, @Optional Integer to) {
+    int[] bounds = bounds(caller, site, self.value(), from, to);
+    return self.value().substring(bounds[0], bounds[1]);
+  }
+
+  @Builtin(value = "[]=", doc = "Replaces the characters from an index, to another one; in place.")
+  static UrbiObject set(
+      Frame caller,
+      CallSite site,
+      UrbiString self,
+      int from,
+      UrbiObject toOrOther,
+      @Optional String other) {
+    Integer to = other == null ? null : Arguments.integer(caller, site, 2, toOrOther);
+    UrbiObject given = other == null ? toOrOther : string(caller, other);
+    String inserted = Arguments.text(caller, site, other == null ? 2 : 3, given);
+    String text = self.value();
+    int[] bounds = bounds(caller, site, text, from, to);
+    self.setValue(text.substring(0, bounds[0]) + inserted + text.substring(bounds[1]));
+    return given;
+  }
+
+  /** Where a range begins and ends; without an end it has one character. */
+  private static int[] bounds(Frame caller, CallSite site, String text, int from, Integer to) {
+    int size = text.length();
+    if (to == null) {
+      int index = Counting.index(caller, site, from, size);
+      return new int[] {index, index + 1};
+    }
+    int begin = from < 0 ? from + size : from;
+    int end = to < 0 ? to + size : to;
+    if (begin < 0 || begin > size) {
+      throw Counting.invalidIndex(caller, site, from);
+    }
+    if (end < begin || end > size) {
+      throw Counting.invalidIndex(caller, site, to);
+    }
+    return new int[] {begin, end};
+  }
+
+  @Builtin(doc = "The target with all that is from replaced by to.")
+  static String replace(Frame caller, CallSite site, UrbiString self, String from, String to) {
+    if (from.isEmpty()) {
+      throw error(caller, site, "cannot replace the empty string");
+    }
+    return self.value().replace(from, to);
+  }
+
+  @Builtin(doc = "The target in lower case.")
+  static String toLower(UrbiString self) {
+    return Characters.lower(self.value());
+  }
+
+  @Builtin(doc = "The target in upper case.")
+  static String toUpper(UrbiString self) {
+    return Characters.upper(self.value());
+  }
+
+  @Builtin(doc = "The asString of the members of a list, with the target between them.")
+  public static String join(
+      Frame caller,
+      UrbiString self,
+      UrbiList list,
+      @Optional String prefix,
+      @Optional String suffix) {
+    return join(
+        caller,
+        self.value(),
+        list.elements(),
+        prefix == null ? "" : prefix,
+        suffix == null ? "" : suffix);
+  }
+
+  /** Strings one after the other. */
+  public static String join(
+      Frame caller, String separator, List<UrbiObject> elements, String prefix, String suffix) {
+    StringBuilder out = new StringBuilder(prefix);
+    boolean first = true;
+    for (UrbiObject element : List.copyOf(elements)) {
+      out.append(first ? "" : separator);
+      first = false;
+      out.append(caller.interpreter().asString(caller, element));
+    }
+    return out.append(suffix).toString();
+  }
+}

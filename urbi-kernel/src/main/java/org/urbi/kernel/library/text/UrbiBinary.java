@@ -1,0 +1,45 @@
+package org.urbi.kernel.library.text;
+
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiObject;
+
+/** Raw memory with a header (manual, "Binary"). */
+public final class UrbiBinary extends UrbiObject {
+  private String keywords;
+  private String data;
+
+  /**
+   * @param data one character for each byte
+   */
+  public UrbiBinary(Shape shape, String keywords, String data) {
+    super(shape);
+    this.keywords = keywords;
+    this.data = data;
+  }
+
+  public String keywords() {
+    noteContentRead();
+    return keywords;
+  }
+
+  void setKeywords(String other) {
+    keywords = other;
+    noteContentChange();
+  }
+
+  /** The bytes, one in each character. */
+  public String data() {
+    noteContentRead();
+    return data;
+  }
+
+  void setData(String other) {
+    data = other;
+    noteContentChange();
+  }
+
+  @Override
+  public UrbiObject cloned() {
+    return new UrbiBinary(cloneShape(), keywords, data);
+  }
+}

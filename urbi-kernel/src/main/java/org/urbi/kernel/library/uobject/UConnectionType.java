@@ -1,0 +1,51 @@
+package org.urbi.kernel.library.uobject;
+
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
+import org.urbi.kernel.uobject.PluggedContext;
+import org.urbi.kernel.variable.UrbiConnection;
+import org.urbi.kernel.variable.UrbiUVar;
+
+/** Links between variables (manual, "Customizing data-flow links"). */
+@UrbiType(
+    value = "UConnection",
+    protos = {"Subscription"},
+    doc = "Leads each new value of one variable to another.")
+final class UConnectionType {
+  private UConnectionType() {}
+
+  static UrbiObject newPrototype(World world) {
+    return new UrbiConnection(world.values().object.cloneShape());
+  }
+
+  @Builtin(doc = "Leads the values of a variable to another.")
+  static void init(Frame frame, UrbiConnection self, UrbiUVar source, UrbiUVar target) {
+    self.connect(frame, source, target);
+    PluggedContext.of(frame).connections().add(self);
+  }
+
+  @Builtin(doc = "Ends the link.")
+  static void disconnect(Frame frame, UrbiConnection self) {
+    self.disconnect();
+    PluggedContext.of(frame).connections().remove(self);
+  }
+
+  @Builtin(doc = "Has the link begin at another variable.")
+  static void reconnect(Frame frame, UrbiConnection self, UrbiUVar src) {
+    if (self.target() == null) {
+      throw frame.interpreter().errors().primitive("reconnect", "the link has no target");
+    }
+    init(frame, self, src, self.target());
+  }
+
+  @Builtin(doc = "Where it begins and ends, to be shown.")
+  static String asString(UrbiConnection self) {
+    if (self.source() == null) {
+      return "UConnection";
+    }
+    return self.source().name() + " >> " + self.target().name();
+  }
+}

@@ -1,0 +1,106 @@
+package org.urbi.kernel.library.uobject;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.event.CallTimes;
+import org.urbi.kernel.library.lobby.LobbyType;
+import org.urbi.kernel.library.system.KernelControl;
+import org.urbi.kernel.library.text.NativeText;
+import org.urbi.kernel.node.DictionaryKey;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Truth;
+import org.urbi.kernel.object.UrbiDictionary;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Values;
+import org.urbi.kernel.uobject.CallStatistics;
+import org.urbi.kernel.uobject.PluggedContext;
+import org.urbi.kernel.variable.UrbiConnection;
+
+/** Where the UObjects are (manual, "uobjects"). */
+@UrbiType(value = "uobjects", doc = "The namespace of the UObjects, each under its unique name.")
+final class UObjectsType {
+  private UObjectsType() {}
+
+  private static CallStatistics statistics(Frame frame) {
+    return PluggedContext.of(frame).statistics();
+  }
+
+  @Builtin(doc = "Enables or disables the measuring of bound functions.")
+  static void enableStats(Frame frame, UrbiObject self, UrbiObject on) {
+    statistics(frame).enable(Truth.of(frame, on));
+  }
+
+  @Builtin(doc = "Forgets what was measured of bound functions.")
+  static void clearStats(Frame frame, UrbiObject self) {
+    statistics(frame).clear();
+  }
+
+  @Builtin(
+      doc =
+          "By their names, the average, least and most time in seconds that bound functions took,"
+              + " and the number of calls.")
+  static UrbiObject getStats(Frame frame, UrbiObject self) {
+    Values values = frame.interpreter().values();
+    Map<UrbiDictionary.Key, UrbiObject> entries = new LinkedHashMap<>();
+    statistics(frame)
+        .all()
+        .forEach((name, times) ->
+            entries.put(
+                DictionaryKey.of(frame, values.string(NativeText.toUrbi(name))),
+                values.list(numbers(values, times))));
+    return values.dictionary(entries);
+  }
+
+  private static List<UrbiObject> numbers(Values values, CallTimes times) {
+    return List.of(
+        values.number(times.mean()),
+        values.number(times.least()),
+        values.number(times.most()),
+        values.number(times.count()));
+  }
+
+  @Builtin(doc = "Shows the statistics of all the links between variables.")
+  static void connectionStats(Frame frame, UrbiObject self) {
+    List<UrbiConnection> all = PluggedContext.of(frame).connections().all();
+    List<String> lines = new ArrayList<>();
+    for (UrbiConnection connection : all) {
+      if (connection.source() != null) {
+        CallTimes times = connection.gate().times();
+        lines.add(
+            String.format(
+                Locale.ROOT,
+                "%s >> %s: %d calls, %.1f Hz, call time mean %.6f min %.6f max %.6f",
+                connection.source().name(),
+                connection.target().name(),
+                times.count(),
+                connection.gate().fireRate(),
+                times.mean(),
+                times.least(),
+                times.most()));
+      }
+    }
+    for (String line : lines) {
+      LobbyType.of(frame).output().send("", "*** " + line);
+    }
+  }
+
+  @Builtin(doc = "Forgets the statistics of all the links between variables.")
+  static void resetConnectionStats(Frame frame, UrbiObject self) {
+    PluggedContext.of(frame).connections().all().forEach(link -> link.gate().times().reset());
+  }
+
+  @Builtin(doc = "Enables or disables messages of the log about each call of a bound function.")
+  static void setTrace(Frame frame, UrbiObject self, UrbiObject on) {
+    statistics(frame).trace(Truth.of(frame, on) ? KernelControl.of(frame)::log : null);
+  }
+
+  @Builtin(doc = "The folders where modules are looked for.")
+  static List<UrbiObject> searchPath(Frame frame, UrbiObject self) {
+    return UObjectType.searchPath(frame, self);
+  }
+}

@@ -1,0 +1,159 @@
+package org.urbi.kernel.library.uobject;
+
+import java.util.List;
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Truth;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Values;
+import org.urbi.kernel.object.World;
+import org.urbi.kernel.uobject.PluggedContext;
+import org.urbi.kernel.variable.Datum;
+import org.urbi.kernel.variable.Hook;
+import org.urbi.kernel.variable.UrbiConnection;
+import org.urbi.kernel.variable.UrbiUVar;
+
+/** Variables that can be hooked (manual, "UVar"). */
+@UrbiType(value = "UVar", doc = "A variable whose changes and accesses can be hooked.")
+final class UVarType {
+  private UVarType() {}
+
+  static UrbiObject newPrototype(World world) {
+    return new UrbiUVar(world.values().object.cloneShape());
+  }
+
+  @Builtin(doc = "Stands behind the slot of that name of an object.")
+  static void init(Frame frame, UrbiUVar self, UrbiObject owner, String name) {
+    bind(frame, self, owner, name);
+  }
+
+  @Builtin(doc = "Stands behind a slot of another object, too.")
+  static void copy(Frame frame, UrbiUVar self, UrbiObject targetObject, String targetName) {
+    bind(frame, self, targetObject, targetName);
+  }
+
+  private static void bind(Frame frame, UrbiUVar self, UrbiObject owner, String name) {
+    Symbol slot = self.world().symbol(name);
+    UrbiObject hooked = self.lookup(self.world().symbol("hookChanged"));
+    self.bind(
+        frame.interpreter(),
+        owner,
+        slot,
+        PluggedContext.of(frame).nameOf(frame, owner),
+        hooked == null || Truth.of(frame, hooked));
+  }
+
+  // ------------------------------------------------------------------ hooks
+
+  @Builtin(doc = "Calls a function at each change; returns a handle to remove it.")
+  static double notifyChange(Frame frame, UrbiUVar self, UrbiObject onChange) {
+    return self.notifyChange(frame, Hook.calling(onChange));
+  }
+
+  @Builtin(doc = "As notifyChange, for commands to a variable that has a sensed value as well.")
+  static double notifyChangeOwned(UrbiUVar self, UrbiObject onChangeOwned) {
+    return self.notifyChangeOwned(Hook.calling(onChangeOwned));
+  }
+
+  @Builtin(doc = "Calls a function at each access; returns a handle to remove it.")
+  static double notifyAccess(Frame frame, UrbiUVar self, UrbiObject onAccess) {
+    return self.notifyAccess(frame, Hook.calling(onAccess));
+  }
+
+  @Builtin(doc = "Removes a function that notifyChange has installed.")
+  static boolean removeNotifyChange(UrbiUVar self, double id) {
+    return self.removeChange((long) id);
+  }
+
+  @Builtin(doc = "Removes a function that notifyChangeOwned has installed.")
+  static boolean removeNotifyChangeOwned(UrbiUVar self, double id) {
+    return self.removeChangeOwned((long) id);
+  }
+
+  @Builtin(doc = "Removes a function that notifyAccess has installed.")
+  static boolean removeNotifyAccess(UrbiUVar self, double id) {
+    return self.removeAccess((long) id);
+  }
+
+  @Builtin(doc = "The event that is emitted with each new value.")
+  static UrbiObject changed(Frame frame, UrbiUVar self) {
+    return self.changed(frame.interpreter());
+  }
+
+  // ------------------------------------------------------------------ values
+
+  @Builtin(doc = "Whether it has both a sensed and a commanded value.")
+  static boolean owned(UrbiUVar self) {
+    return self.isOwned();
+  }
+
+  @Builtin(value = "owned", setter = true, doc = "Gives it both a sensed and a commanded value.")
+  static void assignOwned(Frame frame, UrbiUVar self, UrbiObject on) {
+    if (Truth.of(frame, on)) {
+      self.own();
+    }
+  }
+
+  @Builtin(
+      doc =
+          "Whether its values travel in datagrams to and from remote UObjects, if urbi/rtp is"
+              + " loaded; nil for binaries only.")
+  static UrbiObject rtp(Frame frame, UrbiUVar self) {
+    Boolean on = self.rtp();
+    Values values = frame.interpreter().values();
+    return on == null ? values.nil : values.bool(on);
+  }
+
+  @Builtin(
+      value = "rtp",
+      setter = true,
+      doc = "Says whether its values travel in datagrams; UVar.rtp, whether those of all do.")
+  static void assignRtp(Frame frame, UrbiUVar self, UrbiObject on) {
+    self.setRtp(on == frame.interpreter().values().nil ? null : (Boolean) Truth.of(frame, on));
+  }
+
+  @Builtin(
+      value = {"val", "value"},
+      doc = "The value; if it has two, the commanded one. No function is called for it.")
+  static UrbiObject val(UrbiUVar self) {
+    return self.target().value();
+  }
+
+  @Builtin(
+      value = {"val", "value"},
+      setter = true,
+      doc = "Sets the value; if it has two, the commanded one.")
+  static void assignVal(Frame frame, UrbiUVar self, UrbiObject value) {
+    self.write(frame, new Datum(value));
+  }
+
+  @Builtin(doc = "The value that everybody reads. No function is called for it.")
+  static UrbiObject valsensor(UrbiUVar self) {
+    return self.visible().value();
+  }
+
+  @Builtin(value = "valsensor", setter = true, doc = "Sets the value that everybody reads.")
+  static void assignValsensor(Frame frame, UrbiUVar self, UrbiObject value) {
+    self.set(frame, new Datum(value));
+  }
+
+  // ------------------------------------------------------------------ connections
+
+  @Builtin(value = ">>", doc = "Leads each new value to another variable: a UConnection.")
+  static UrbiObject lead(Frame frame, UrbiUVar self, UrbiUVar target) {
+    UrbiObject prototype = frame.interpreter().world().prototype("UConnection");
+    return frame.interpreter().send(frame, prototype, "new", self, target);
+  }
+
+  @Builtin(value = "<<", doc = "Leads each new value of another variable here: a UConnection.")
+  static UrbiObject take(Frame frame, UrbiUVar self, UrbiUVar source) {
+    return lead(frame, source, self);
+  }
+
+  @Builtin(doc = "The connections that begin here.")
+  static List<UrbiConnection> changeConnections(UrbiUVar self) {
+    return self.connections();
+  }
+}

@@ -1,0 +1,64 @@
+package org.urbi.kernel.library.value;
+
+import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiFloat;
+
+/** Numbers that count something, and indexes. */
+public final class Counting {
+  /** As many elements as one call can make: about half a gigabyte. */
+  private static final int LONGEST_LIST = 1 << 24;
+
+  /** As many characters as one call can make: a quarter of a gigabyte. */
+  private static final int LONGEST_STRING = 1 << 28;
+
+  private Counting() {}
+
+  /** An integer of 64 bits; the place is 0 for the target. */
+  public static long integer(Frame caller, CallSite site, int place, UrbiFloat given) {
+    return Arguments.longInteger(caller, site, place, given);
+  }
+
+  /** A number of times. */
+  public static int nonNegative(Frame caller, CallSite site, int place, UrbiFloat given) {
+    if (given.value() < 0) {
+      throw Arguments.negativeInteger(caller, site, place, given);
+    }
+    return Arguments.integer(caller, site, place, given);
+  }
+
+  /** A number of times something is repeated, to make something of at most that size. */
+  private static int repetitions(
+      Frame caller, CallSite site, int place, UrbiFloat given, int size, int most, String excess) {
+    int count = nonNegative(caller, site, place, given);
+    if ((long) count * size > most) {
+      throw caller.interpreter().errors().primitive(site.calledName(), excess);
+    }
+    return count;
+  }
+
+  /** A number of times to repeat a list; what does not fit in any memory is an error. */
+  public static int ofLists(Frame caller, CallSite site, int place, UrbiFloat given, int size) {
+    return repetitions(caller, site, place, given, size, LONGEST_LIST, "list too long");
+  }
+
+  /** A number of times to repeat a string; what does not fit in any memory is an error. */
+  public static int ofStrings(Frame caller, CallSite site, int place, UrbiFloat given, int size) {
+    return repetitions(caller, site, place, given, size, LONGEST_STRING, "string too long");
+  }
+
+  /** An index from 0 to the size, excluded; negative ones count from the end. */
+  public static int index(Frame caller, CallSite site, int index, int size) {
+    int counted = index < 0 ? index + size : index;
+    if (counted < 0 || counted >= size) {
+      throw invalidIndex(caller, site, index);
+    }
+    return counted;
+  }
+
+  /** {@code routine: invalid index: 3}. */
+  public static RuntimeException invalidIndex(Frame caller, CallSite site, int index) {
+    return caller.interpreter().errors().primitive(site.calledName(), "invalid index: " + index);
+  }
+}

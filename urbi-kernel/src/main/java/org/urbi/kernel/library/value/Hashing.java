@@ -1,0 +1,61 @@
+package org.urbi.kernel.library.value;
+
+import java.util.List;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiFloat;
+import org.urbi.kernel.object.UrbiHash;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
+
+/** Hashes of values (manual, "Hash"), directly where they are plain numbers or strings. */
+public final class Hashing {
+  private Hashing() {}
+
+  /** A new {@code Hash}. */
+  public static UrbiHash hash(Frame caller, long code) {
+    UrbiObject prototype = caller.interpreter().world().prototype("Hash");
+    return new UrbiHash(prototype.cloneShape(), code);
+  }
+
+  public static long code(double number) {
+    // Both zeros are the same number.
+    return UrbiHash.mix(1, Double.doubleToLongBits(number + 0.0));
+  }
+
+  public static long code(String text) {
+    long code = 2;
+    for (int i = 0; i < text.length(); i++) {
+      code = UrbiHash.mix(code, text.charAt(i));
+    }
+    return code;
+  }
+
+  /** The code of elements in their order. */
+  public static long code(Frame caller, List<UrbiObject> elements) {
+    long code = 3;
+    for (UrbiObject element : List.copyOf(elements)) {
+      code = UrbiHash.mix(code, code(caller, element));
+    }
+    return code;
+  }
+
+  /** The code of any value, by its {@code hash}. */
+  public static long code(Frame caller, UrbiObject value) {
+    if (value instanceof UrbiFloat number && Comparison.isPlain(caller, value, "hash")) {
+      return code(number.value());
+    }
+    if (value instanceof UrbiString text && Comparison.isPlain(caller, value, "hash")) {
+      return code(text.value());
+    }
+    UrbiObject hash = caller.interpreter().send(caller, value, "hash");
+    return switch (hash) {
+      case UrbiHash known -> known.code();
+      case UrbiFloat number -> code(number.value());
+      default ->
+          throw caller
+              .interpreter()
+              .errors()
+              .argumentType("hash", 0, hash, caller.interpreter().world().prototype("Hash"));
+    };
+  }
+}

@@ -1,0 +1,9 @@
+package org.urbi.kernel.library.value;
+
+import org.urbi.builtins.UrbiType;
+
+/** What variables of UObjects hold (manual, "UValue"). */
+@UrbiType(value = "UValue", doc = "The value of a variable of a UObject.")
+final class UValueType {
+  private UValueType() {}
+}
