@@ -6,7 +6,7 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * A static method that urbiscript can call.
+ * A method that urbiscript can call: static, or one of a class that is made with what it needs.
  *
  * <p>Its parameters, in this order: optionally the {@code Frame} of the caller; optionally the
  * {@code CallSite}; the target, {@code UrbiObject} or a subclass of it; the arguments. An argument

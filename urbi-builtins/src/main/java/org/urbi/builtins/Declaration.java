@@ -52,6 +52,7 @@ final class Declaration {
       int lazyMin,
       int lazyMax,
       boolean setter,
+      boolean isStatic,
       boolean frame,
       boolean site,
       Parameter self,
@@ -85,6 +86,20 @@ final class Declaration {
     }
   }
 
+  /** What a class of builtins needs of the kernel: a parameter of its constructor. */
+  record Service(String javaType) {
+    /** The name by which it is passed on, the same wherever it is needed. */
+    String name() {
+      String simple = javaType.substring(javaType.lastIndexOf('.') + 1);
+      return Character.toLowerCase(simple.charAt(0)) + simple.substring(1);
+    }
+
+    @Override
+    public String toString() {
+      return javaType + " " + name();
+    }
+  }
+
   final String packageName;
   final String className;
   final String type;
@@ -93,7 +108,19 @@ final class Declaration {
   final List<String> protos;
 
   final String doc;
-  final boolean makesPrototype;
+
+  /** How the prototype is made. */
+  enum Prototype {
+    PLAIN_OBJECT,
+    BY_CLASS,
+    BY_INSTANCE
+  }
+
+  final Prototype prototype;
+
+  /** What the class is made with; empty when all its builtins are static. */
+  final List<Service> services;
+
   final List<Method> methods = new ArrayList<>();
 
   Declaration(
@@ -102,13 +129,15 @@ final class Declaration {
       String type,
       List<String> protos,
       String doc,
-      boolean makesPrototype) {
+      Prototype prototype,
+      List<Service> services) {
     this.packageName = packageName;
     this.className = className;
     this.type = type;
     this.protos = protos;
     this.doc = doc;
-    this.makesPrototype = makesPrototype;
+    this.prototype = prototype;
+    this.services = services;
   }
 
   boolean isPart() {

@@ -3,7 +3,6 @@ package org.urbi.builtins;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import javax.annotation.processing.ProcessingEnvironment;
 import javax.lang.model.element.Element;
 import javax.lang.model.element.ExecutableElement;
@@ -66,7 +65,8 @@ final class DeclarationReader {
             name,
             main == null ? null : List.of(main.protos()),
             main == null ? "" : main.doc(),
-            makesPrototype(type));
+            prototype(type),
+            services(type));
     for (ExecutableElement method : ElementFilter.methodsIn(type.getEnclosedElements())) {
       if (method.getAnnotation(Builtin.class) != null) {
         readMethod(declaration, method);
@@ -75,13 +75,34 @@ final class DeclarationReader {
     return declaration;
   }
 
-  private boolean makesPrototype(TypeElement type) {
+  private Declaration.Prototype prototype(TypeElement type) {
     return ElementFilter.methodsIn(type.getEnclosedElements()).stream()
-        .anyMatch(m ->
+        .filter(m ->
             m.getSimpleName().contentEquals("newPrototype")
-                && m.getModifiers().contains(Modifier.STATIC)
                 && m.getParameters().size() == 1
-                && isNamed(m.getParameters().getFirst().asType(), Kernel.WORLD));
+                && isNamed(m.getParameters().getFirst().asType(), Kernel.WORLD))
+        .findFirst()
+        .map(m -> isStatic(m) ? Declaration.Prototype.BY_CLASS : Declaration.Prototype.BY_INSTANCE)
+        .orElse(Declaration.Prototype.PLAIN_OBJECT);
+  }
+
+  /** What the one constructor of the class asks for; nothing when no builtin needs an instance. */
+  private List<Declaration.Service> services(TypeElement type) {
+    boolean made =
+        ElementFilter.methodsIn(type.getEnclosedElements()).stream()
+            .anyMatch(m -> m.getAnnotation(Builtin.class) != null && !isStatic(m));
+    List<ExecutableElement> constructors = ElementFilter.constructorsIn(type.getEnclosedElements());
+    if (!made || constructors.size() != 1) {
+      return List.of();
+    }
+    return constructors.getFirst().getParameters().stream()
+        .map(p -> environment.getTypeUtils().erasure(p.asType()).toString())
+        .map(Declaration.Service::new)
+        .toList();
+  }
+
+  private static boolean isStatic(ExecutableElement method) {
+    return method.getModifiers().contains(Modifier.STATIC);
   }
 
   private void checkDoc(Element at, String doc) {
@@ -101,9 +122,12 @@ final class DeclarationReader {
   private void readMethod(Declaration type, ExecutableElement method) {
     Builtin builtin = method.getAnnotation(Builtin.class);
     checkDoc(method, builtin.doc());
-    Set<Modifier> modifiers = method.getModifiers();
-    if (!modifiers.contains(Modifier.STATIC) || modifiers.contains(Modifier.PRIVATE)) {
-      error(method, "a builtin must be a static method that is not private");
+    if (method.getModifiers().contains(Modifier.PRIVATE)) {
+      error(method, "a builtin must not be private");
+      return;
+    }
+    if (!isStatic(method) && type.services.isEmpty()) {
+      error(method, "a builtin must be static, or its class have one constructor with parameters");
       return;
     }
     List<String> names =
@@ -146,6 +170,7 @@ final class DeclarationReader {
             builtin.min(),
             builtin.max(),
             builtin.setter(),
+            isStatic(method),
             frame,
             site,
             self,

@@ -1,7 +1,13 @@
 package org.urbi.builtins;
 
+import static java.util.stream.Collectors.joining;
+
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 
 /** Writes the Java source of a table, and of the list of all tables. */
 final class TableWriter {
@@ -36,7 +42,11 @@ final class TableWriter {
     line("");
     line("/** The builtins of " + type.type + "; generated from " + type.className + ". */");
     line("public final class " + name + " extends " + Kernel.TABLE + " {");
-    line("  public " + name + "() {");
+    if (isMade(type)) {
+      line("  private final " + type.className + " builtins;");
+      line("");
+    }
+    line("  public " + name + "(" + join(type.services) + ") {");
     line("    super(");
     line("        " + literal(type.type) + ",");
     line("        " + literal(type.doc) + ",");
@@ -54,12 +64,16 @@ final class TableWriter {
     }
     line("        new Entry[] {" + String.join(",", entries));
     line("        });");
+    if (isMade(type)) {
+      line("    this.builtins = new " + type.className + "(" + names(type.services) + ");");
+    }
     line("  }");
-    if (type.makesPrototype) {
+    if (type.prototype != Declaration.Prototype.PLAIN_OBJECT) {
+      boolean byClass = type.prototype == Declaration.Prototype.BY_CLASS;
       line("");
       line("  @Override");
       line("  public " + Kernel.OBJECT + " newPrototype(" + Kernel.WORLD + " world) {");
-      line("    return " + type.className + ".newPrototype(world);");
+      line("    return " + (byClass ? type.className : "builtins") + ".newPrototype(world);");
       line("  }");
     }
     writeCalls(type, labels);
@@ -107,7 +121,8 @@ final class TableWriter {
     line("  }");
     for (int part = 0; part < parts; part++) {
       line("");
-      line("  private static " + Kernel.OBJECT + " call" + part + FORMALS);
+      String modifiers = isMade(type) ? "private " : "private static ";
+      line("  " + modifiers + Kernel.OBJECT + " call" + part + FORMALS);
       line("    switch (index) {");
       List<Declaration.Method> methods = chunk(type.methods, part);
       List<String> itsLabels = chunk(labels, part);
@@ -120,6 +135,19 @@ final class TableWriter {
       line("    }");
       line("  }");
     }
+  }
+
+  /** Whether there is an instance of the class, not only the class. */
+  private static boolean isMade(Declaration type) {
+    return !type.services.isEmpty();
+  }
+
+  private static String join(Collection<Declaration.Service> services) {
+    return services.stream().map(Declaration.Service::toString).collect(joining(", "));
+  }
+
+  private static String names(Collection<Declaration.Service> services) {
+    return services.stream().map(Declaration.Service::name).collect(joining(", "));
   }
 
   private static <T> List<T> chunk(List<T> all, int part) {
@@ -147,7 +175,7 @@ final class TableWriter {
       }
     }
     String call =
-        type.className
+        (method.isStatic() ? type.className : "builtins")
             + "."
             + method.javaName()
             + "(\n            "
@@ -189,20 +217,35 @@ final class TableWriter {
   }
 
   private void writeIndex(List<Declaration> types) {
+    Set<Declaration.Service> services =
+        new TreeSet<>(
+            Comparator.comparing(Declaration.Service::name)
+                .thenComparing(Declaration.Service::javaType));
+    types.forEach(type -> services.addAll(type.services));
     line("package " + Kernel.INDEX_PACKAGE + ";");
     line("");
     line("/** The tables of all types of the library, in alphabetical order; generated. */");
     line("public final class " + Kernel.INDEX_NAME + " {");
     line("  private " + Kernel.INDEX_NAME + "() {}");
     line("");
+    line("  /**");
     line(
-        "  /** New tables of all types; the parts of a type follow the class that declares it. */");
-    line("  public static " + Kernel.TABLE + "[] all() {");
+        "   * New tables of all types; the parts of a type follow the class that declares it. What");
+    line("   * the builtins need of the kernel is handed to those that need it.");
+    line("   */");
+    line("  public static " + Kernel.TABLE + "[] all(" + join(services) + ") {");
     line("    return new " + Kernel.TABLE + "[] {");
     for (Declaration type : types) {
-      line("      new " + type.packageName + "." + type.tableName() + "(),");
+      String needed = names(type.services);
+      line("      new " + type.packageName + "." + type.tableName() + "(" + needed + "),");
     }
     line("    };");
+    line("  }");
+    line("");
+    line(
+        "  /** Tables that tell what is declared; what needs the kernel cannot be called in them. */");
+    line("  public static " + Kernel.TABLE + "[] declarations() {");
+    line("    return all(" + services.stream().map(s -> "null").collect(joining(", ")) + ");");
     line("  }");
     line("}");
   }

@@ -6,11 +6,15 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * A final class whose static methods are the builtins of one type of the standard library.
+ * A final class whose methods are the builtins of one type of the standard library.
  *
- * <p>A static method {@code newPrototype(World)}, if there is one, makes the object that becomes
- * the prototype of the type; it is needed by types whose values are objects of a Java class of
- * their own. Without it the prototype is a plain object.
+ * <p>When they need more of the kernel than the frame of their caller gives, the class has one
+ * constructor that asks for it, each thing by a type of its own, and methods that are not static.
+ * Who installs the library hands it in; there is one instance for each kernel then.
+ *
+ * <p>A method {@code newPrototype(World)}, if there is one, makes the object that becomes the
+ * prototype of the type; it is needed by types whose values are objects of a Java class of their
+ * own. Without it the prototype is a plain object.
  */
 @Target(ElementType.TYPE)
 @Retention(RetentionPolicy.SOURCE)

@@ -5,10 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.lang.reflect.Array;
+import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
+import java.lang.reflect.Proxy;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 class BuiltinProcessorTest {
@@ -46,7 +49,17 @@ class BuiltinProcessorTest {
     Loaded(InMemoryCompiler.Output output, String name) throws Exception {
       assertEquals(List.of(), output.errors());
       loader = output.loader();
-      table = loader.loadClass("org.urbi.kernel.library." + name).getConstructor().newInstance();
+      Constructor<?> constructor =
+          loader.loadClass("org.urbi.kernel.library." + name).getConstructors()[0];
+      table =
+          constructor.newInstance(
+              Stream.of(constructor.getParameterTypes()).map(this::saysYes).toArray());
+    }
+
+    /** An implementation of an interface with one method, which returns true. */
+    private Object saysYes(Class<?> needed) {
+      return Proxy.newProxyInstance(
+          loader, new Class<?>[] {needed}, (proxy, method, arguments) -> true);
     }
 
     Object number(double value) throws Exception {
@@ -191,6 +204,42 @@ class BuiltinProcessorTest {
   }
 
   @Test
+  void handsWhatIsNeededToWhoNeedsIt() throws Exception {
+    InMemoryCompiler.Output output =
+        compile(
+            "Lamp",
+            "public interface Lamp { boolean isOn(); }",
+            "Bell",
+            "public interface Bell { UrbiObject ring(); }",
+            "LampType",
+            "@UrbiType(value = \"Lamp\", doc = \"L.\") final class LampType {"
+                + " private final Lamp lamp; private final Bell bell;"
+                + " LampType(Lamp lamp, Bell bell) { this.lamp = lamp; this.bell = bell; }"
+                + " UrbiObject newPrototype(World w) { return bell.ring(); }"
+                + " @Builtin(doc = \"O.\") boolean isOn(UrbiObject self) { return lamp.isOn(); }"
+                + " @Builtin(doc = \"T.\") static int two(UrbiObject self) { return 2; } }",
+            "BellType",
+            "@UrbiType(value = \"Bell\", doc = \"B.\") final class BellType {"
+                + " private final Bell bell; BellType(Bell bell) { this.bell = bell; }"
+                + " @Builtin(doc = \"R.\") UrbiObject ring(UrbiObject s) { return bell.ring(); } }");
+    assertEquals(List.of(), output.errors());
+    String index = output.sources().get("org.urbi.kernel.library.LibraryTables");
+    assertTrue(
+        index.contains("all(org.urbi.kernel.library.Bell bell, org.urbi.kernel.library.Lamp lamp)"),
+        index);
+    assertTrue(
+        index.contains("BellTypeTable(bell)") && index.contains("LampTypeTable(lamp, bell)"));
+    assertTrue(
+        output
+            .sources()
+            .get("org.urbi.kernel.library.LampTypeTable")
+            .contains("return builtins.newPrototype(world);"));
+    Loaded loaded = new Loaded(output, "LampTypeTable");
+    assertEquals(1, loaded.value(loaded.call(0, loaded.number(0))));
+    assertEquals(2, loaded.value(loaded.call(1, loaded.number(0))));
+  }
+
+  @Test
   void refusesEmptyDocs() {
     refused("the doc is empty", "@Builtin(doc = \" \") static void f(UrbiObject self) {}");
     assertEquals(
@@ -201,8 +250,11 @@ class BuiltinProcessorTest {
   @Test
   void refusesMethodsThatCannotBeCalled() {
     refused(
-        "a builtin must be a static method that is not private",
+        "a builtin must be static, or its class have one constructor with parameters",
         "@Builtin(doc = \"x.\") void f(UrbiObject self) {}");
+    refused(
+        "a builtin must not be private",
+        "@Builtin(doc = \"x.\") private static void f(UrbiObject self) {}");
     refused(
         "the target is missing: an UrbiObject, or a subclass of it",
         "@Builtin(doc = \"x.\") static void f(Frame caller) {}");

@@ -13,6 +13,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.IntConsumer;
+import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.embed.Embedding;
 import org.urbi.kernel.embed.JavaValues;
 import org.urbi.kernel.embed.Listening;
@@ -26,10 +27,18 @@ import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.JobThreads;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.library.Library;
+import org.urbi.kernel.library.LibraryTables;
 import org.urbi.kernel.library.code.LoadedFiles;
-import org.urbi.kernel.library.lobby.LogLevel;
+import org.urbi.kernel.library.code.StackFrames;
+import org.urbi.kernel.library.file.FileAccess;
+import org.urbi.kernel.library.file.WorkingDirectory;
+import org.urbi.kernel.library.system.CommandLine;
+import org.urbi.kernel.library.system.KernelEnd;
+import org.urbi.kernel.library.system.SearchPath;
+import org.urbi.kernel.lobby.Lobbies;
+import org.urbi.kernel.log.KernelLog;
+import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.library.machine.Environment;
-import org.urbi.kernel.library.system.KernelControl;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CorePrototypes;
@@ -54,28 +63,18 @@ import urbi.UObject;
  * An urbiscript engine. Several can run in one process, and any thread may use one: what it asks
  * for is done on the kernel's own thread.
  */
-public final class Kernel implements AutoCloseable, KernelControl {
+public final class Kernel implements AutoCloseable {
   private final Scheduler scheduler;
   private final AnswerReading answers;
   private final Interpreter interpreter;
   private final Embedding embedding;
-  private final List<Path> searchPath;
-  private final Path library;
-  private final List<Path> moduleSearchPath;
   private final PluggedContext uobjects;
   private final Outside outside;
-  private final Environment environment = new Environment();
-  private final LoadedFiles loadedFiles = new LoadedFiles();
-  private final String programName;
-  private final List<String> arguments;
   private final IntConsumer onHalt;
   private final Runnable onReboot;
   private final Set<KernelConnection> connections = new LinkedHashSet<>();
   private final List<Runnable> onTermination = new CopyOnWriteArrayList<>();
   private final CompletableFuture<Integer> termination = new CompletableFuture<>();
-  private final LogLevel logLevel;
-  private final Consumer<String> log;
-  private final Set<UrbiLobby> created = new LinkedHashSet<>();
   private int status;
   private boolean stopping;
 
@@ -220,29 +219,43 @@ public final class Kernel implements AutoCloseable, KernelControl {
     this.scheduler = new Scheduler(world, clock, builder.jobThreads, this::report);
     this.answers = new AnswerReading(scheduler.inbox());
     scheduler.setListening(answers);
-    this.searchPath = builder.searchPath;
-    this.library = builder.library == null ? null : builder.library.toAbsolutePath().normalize();
-    this.moduleSearchPath = builder.moduleSearchPath;
     this.outside = new Outside(scheduler, builder.confinement);
-    this.programName = builder.programName;
-    this.arguments = builder.arguments;
     this.onHalt = builder.onHalt == null ? this::requestShutdown : builder.onHalt;
     this.onReboot = builder.onReboot;
-    this.logLevel = builder.logLevel;
-    this.log = builder.log;
     var core =
         new CorePrototypes(
             world.values(),
             new UrbiEvent(world.values().object.cloneShape()),
             new UrbiTag(world.values().object.cloneShape()));
     this.interpreter = new Interpreter(world, scheduler, new Errors(world), core);
-    interpreter.setHost(this);
-    this.uobjects = new PluggedContext(interpreter, this);
+    var log = new KernelLog(builder.logLevel, builder.log);
+    this.uobjects = new PluggedContext(interpreter, builder.moduleSearchPath, outside, log);
     if (builder.stackSize > 0) {
       interpreter.limitDepth(builder.stackSize * CALLS_PER_KIBIBYTE);
     }
-    Library.install(interpreter, builder.confinement.workingDirectory());
+    var loadedFiles = new LoadedFiles();
+    var stackFrames = new StackFrames(loadedFiles);
+    Library.install(interpreter, tables(builder, log, loadedFiles, stackFrames), stackFrames);
     embedding = new Embedding(interpreter, builder.output, this::isStopping);
+  }
+
+  /** The builtins, with what they need of this kernel. */
+  private BuiltinTable[] tables(
+      Builder builder, KernelLog log, LoadedFiles loadedFiles, StackFrames stackFrames) {
+    Path library = builder.library == null ? null : builder.library.toAbsolutePath().normalize();
+    return LibraryTables.all(
+        new CommandLine(builder.programName, builder.arguments),
+        new Environment(),
+        new FileAccess(outside),
+        new End(),
+        log,
+        loadedFiles,
+        new KernelLobbies(),
+        outside,
+        uobjects,
+        new SearchPath(builder.searchPath, library),
+        stackFrames,
+        new WorkingDirectory(builder.confinement.workingDirectory()));
   }
 
   /** How many nested calls a kibibyte of stack stands for. */
@@ -254,8 +267,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
 
   // ------------------------------------------------------------------ life
 
-  @Override
-  public void requestShutdown(int exitStatus) {
+  private void requestShutdown(int exitStatus) {
     if (scheduler.isKernelThread()) {
       shutDown(exitStatus);
     } else {
@@ -455,23 +467,7 @@ public final class Kernel implements AutoCloseable, KernelControl {
     return stopping;
   }
 
-  @Override
-  public List<Path> searchPath() {
-    return searchPath;
-  }
-
-  @Override
-  public Path library() {
-    return library;
-  }
-
-  @Override
-  public List<Path> moduleSearchPath() {
-    return moduleSearchPath;
-  }
-
   /** The UObjects in this kernel, and where more of them can be started. */
-  @Override
   public PluggedContext uobjects() {
     return uobjects;
   }
@@ -496,89 +492,68 @@ public final class Kernel implements AutoCloseable, KernelControl {
     return failure.getMessage() == null ? failure.toString() : failure.getMessage();
   }
 
-  // ------------------------------------------------------------------ log
+  // ------------------------------------------------------------------ for the library
 
-  @Override
-  public LogLevel logLevel() {
-    return logLevel;
-  }
-
-  @Override
-  public void log(String line) {
-    log.accept(line);
-  }
-
-  // ------------------------------------------------------------------ lobbies
-
-  @Override
-  public List<UrbiLobby> lobbies() {
-    List<UrbiLobby> all = new ArrayList<>();
-    for (KernelConnection connection : connections) {
-      all.add(connection.lobby());
+  private final class End implements KernelEnd {
+    @Override
+    public void requestShutdown(int exitStatus) {
+      Kernel.this.requestShutdown(exitStatus);
     }
-    all.addAll(created);
-    return all;
+
+    @Override
+    public void halt(int exitStatus) {
+      onHalt.accept(exitStatus);
+    }
+
+    @Override
+    public boolean requestReboot() {
+      if (onReboot == null) {
+        return false;
+      }
+      onReboot.run();
+      requestShutdown(0);
+      return true;
+    }
   }
 
-  @Override
-  public UrbiLobby createLobby(UrbiLobby creator) {
-    UrbiLobby[] made = new UrbiLobby[1];
-    Shell.Listener listener =
-        new Shell.Listener() {
-          @Override
-          public void consumed() {}
+  private final class KernelLobbies implements Lobbies {
+    private final Set<UrbiLobby> created = new LinkedHashSet<>();
 
-          @Override
-          public void finished() {
-            if (created.remove(made[0]) && !stopping) {
-              made[0].disconnected(interpreter);
+    @Override
+    public List<UrbiLobby> all() {
+      List<UrbiLobby> all = new ArrayList<>();
+      for (KernelConnection connection : connections) {
+        all.add(connection.lobby());
+      }
+      all.addAll(created);
+      return all;
+    }
+
+    @Override
+    public UrbiLobby create(UrbiLobby creator) {
+      UrbiLobby[] made = new UrbiLobby[1];
+      Shell.Listener listener =
+          new Shell.Listener() {
+            @Override
+            public void consumed() {}
+
+            @Override
+            public void finished() {
+              if (created.remove(made[0]) && !stopping) {
+                made[0].disconnected(interpreter);
+              }
             }
-          }
-        };
-    made[0] = UrbiLobby.start(interpreter, creator.output().branch(), listener);
-    created.add(made[0]);
-    made[0].shell().start();
-    return made[0];
-  }
-
-  @Override
-  public String programName() {
-    return programName;
-  }
-
-  @Override
-  public List<String> arguments() {
-    return arguments;
-  }
-
-  @Override
-  public LoadedFiles loadedFiles() {
-    return loadedFiles;
-  }
-
-  @Override
-  public Environment environment() {
-    return environment;
-  }
-
-  @Override
-  public Outside outside() {
-    return outside;
-  }
-
-  @Override
-  public void halt(int exitStatus) {
-    onHalt.accept(exitStatus);
-  }
-
-  @Override
-  public boolean requestReboot() {
-    if (onReboot == null) {
-      return false;
+          };
+      made[0] = UrbiLobby.start(interpreter, creator.output().branch(), listener);
+      created.add(made[0]);
+      made[0].shell().start();
+      return made[0];
     }
-    onReboot.run();
-    requestShutdown(0);
-    return true;
+
+    @Override
+    public UrbiLobby system() {
+      return uobjects.lobby();
+    }
   }
 
   // ------------------------------------------------------------------ errors

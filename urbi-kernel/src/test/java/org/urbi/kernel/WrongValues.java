@@ -222,7 +222,7 @@ final class WrongValues {
     COLLECTIONS.lines().forEach(expressions::add);
     FUNCTIONS.lines().forEach(expressions::add);
     OBJECTS.lines().forEach(expressions::add);
-    for (BuiltinTable table : LibraryTables.all()) {
+    for (BuiltinTable table : LibraryTables.declarations()) {
       // The prototype of paths is the path of the root.
       if (!table.isPart() && !table.type().equals("Path")) {
         expressions.add(table.type());
@@ -240,7 +240,7 @@ final class WrongValues {
 
   /** Remembers of what types a value is. */
   void learn(World world, String expression, UrbiObject value) {
-    for (BuiltinTable table : LibraryTables.all()) {
+    for (BuiltinTable table : LibraryTables.declarations()) {
       UrbiObject type = world.prototype(table.type());
       if (type != null && value.isA(type)) {
         List<String> known = ofType.computeIfAbsent(table.type(), name -> new ArrayList<>());

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.embed.UrbiError;
-import org.urbi.kernel.library.lobby.LogLevel;
+import org.urbi.kernel.log.LogLevel;
 import org.urbi.sim.vision.OpenCv;
 
 /** The devices as urbiscript sees them, plugged into a kernel in virtual time. */

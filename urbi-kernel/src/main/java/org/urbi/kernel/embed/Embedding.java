@@ -18,7 +18,7 @@ import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
-import org.urbi.kernel.node.Primitive;
+import org.urbi.kernel.builtin.Primitive;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.tag.UrbiTag;

@@ -1,6 +1,5 @@
 package org.urbi.kernel.library;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -12,9 +11,8 @@ import org.urbi.kernel.library.code.EvaluateVariable;
 import org.urbi.kernel.library.code.IdentityCode;
 import org.urbi.kernel.library.code.LocationType;
 import org.urbi.kernel.library.code.ScriptCode;
-import org.urbi.kernel.library.code.StackFrameType;
+import org.urbi.kernel.library.code.StackFrames;
 import org.urbi.kernel.library.concurrent.EventType;
-import org.urbi.kernel.library.file.UrbiPath;
 import org.urbi.kernel.library.math.FloatType;
 import org.urbi.kernel.library.motion.TrajectorySequence;
 import org.urbi.kernel.library.motion.TrajectoryUntil;
@@ -24,7 +22,7 @@ import org.urbi.kernel.node.ClassNodes;
 import org.urbi.kernel.node.CorePrototypes;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
-import org.urbi.kernel.node.Primitive;
+import org.urbi.kernel.builtin.Primitive;
 import org.urbi.kernel.object.SlotData;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
@@ -34,11 +32,13 @@ import org.urbi.kernel.object.World;
 /** Fills a fresh kernel with the standard library, from the tables of builtins. */
 public final class Library {
   private final Interpreter interpreter;
+  private final StackFrames stackFrames;
   private final World world;
   private final Values values;
   private final Map<String, UrbiObject> types = new LinkedHashMap<>();
 
-  private Library(Interpreter interpreter) {
+  private Library(Interpreter interpreter, StackFrames stackFrames) {
+    this.stackFrames = stackFrames;
     this.interpreter = interpreter;
     this.world = interpreter.world();
     this.values = interpreter.values();
@@ -47,17 +47,16 @@ public final class Library {
   /**
    * Installs the library.
    *
-   * @param workingDirectory where relative paths start from in the beginning
+   * @param tables those of {@link LibraryTables}
+   * @param stackFrames shows the backtraces of exceptions
    */
-  public static void install(Interpreter interpreter, Path workingDirectory) {
-    Library library = new Library(interpreter);
-    library.install();
-    ((UrbiPath) library.types.get("Path")).working().path = workingDirectory;
+  public static void install(
+      Interpreter interpreter, BuiltinTable[] tables, StackFrames stackFrames) {
+    new Library(interpreter, stackFrames).install(tables);
   }
 
-  private void install() {
+  private void install(BuiltinTable[] tables) {
     known();
-    BuiltinTable[] tables = LibraryTables.all();
     for (BuiltinTable table : tables) {
       if (!table.isPart()) {
         types.computeIfAbsent(table.type(), type -> prototype(table));
@@ -228,7 +227,7 @@ public final class Library {
       if (exception.span() != null) {
         OwnSlots.put(value, "location", LocationType.make(world, exception.span()));
       }
-      OwnSlots.put(value, "backtrace", StackFrameType.list(interpreter, exception.backtrace()));
+      OwnSlots.put(value, "backtrace", stackFrames.list(world, exception.backtrace()));
     }
   }
 

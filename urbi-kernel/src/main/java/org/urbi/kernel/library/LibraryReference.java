@@ -16,7 +16,7 @@ public final class LibraryReference {
   /** The page, in Markdown. */
   public static String markdown() {
     LibraryReference reference = new LibraryReference();
-    reference.write(LibraryTables.all());
+    reference.write(LibraryTables.declarations());
     return reference.out.toString();
   }
 

@@ -9,6 +9,11 @@ public abstract class Code extends UrbiObject {
     super(shape);
   }
 
+  /** The name under which Java code declares it; null for a function written in urbiscript. */
+  public String name() {
+    return null;
+  }
+
   /** Whether it wants its arguments unevaluated, in a call message. */
   public abstract boolean isLazy();
 

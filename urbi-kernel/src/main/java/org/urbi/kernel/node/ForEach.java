@@ -93,7 +93,7 @@ public final class ForEach extends Node implements CallSite {
   }
 
   private boolean isOfLibrary(UrbiObject over) {
-    return over.lookup(each) instanceof Primitive;
+    return over.lookup(each) instanceof Code code && code.name() != null;
   }
 
   private UrbiObject overNumber(Frame frame, double count) {

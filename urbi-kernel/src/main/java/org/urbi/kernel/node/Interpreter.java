@@ -52,7 +52,6 @@ public final class Interpreter {
   private Consumer<Frame> afterStatements = frame -> {};
   private boolean assertionsDisabled;
   private boolean assertionsShowValues = true;
-  private Object host;
   boolean profiling;
   int maximumDepth;
 
@@ -93,15 +92,6 @@ public final class Interpreter {
     return prototypes;
   }
 
-  /** The kernel around, for those parts of the library that need it. */
-  public Object host() {
-    return host;
-  }
-
-  public void setHost(Object kernel) {
-    host = kernel;
-  }
-
   /** Limits the number of nested calls. */
   public void limitDepth(int calls) {
     maximumDepth = Math.min(calls, scheduler.maximumDepth());
@@ -110,6 +100,11 @@ public final class Interpreter {
   /** How many nested calls there may be. */
   public int maximumDepth() {
     return maximumDepth;
+  }
+
+  /** Whether calls have to be counted: some job is, or has been, observed. */
+  public boolean isProfiling() {
+    return profiling;
   }
 
   /** From now on every call is reported to the profiler of its job, if there is one. */
@@ -137,7 +132,7 @@ public final class Interpreter {
 
   /** Calls a function; what is no function is its own value. */
   public UrbiObject call(Frame caller, UrbiObject code, UrbiObject self, UrbiObject... arguments) {
-    CallSite site = code instanceof Primitive own ? new JavaSite(own.name()) : FROM_JAVA;
+    CallSite site = code instanceof Code own && own.name() != null ? new JavaSite(own.name()) : FROM_JAVA;
     return call(caller, site, code, self, arguments);
   }
 

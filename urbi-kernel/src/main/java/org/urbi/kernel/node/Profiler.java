@@ -82,7 +82,7 @@ public final class Profiler {
   }
 
   /** Called at the beginning of each call, while there is a profiler. */
-  static Stack enter(Job job, String name, Object key) {
+  public static Stack enter(Job job, String name, Object key) {
     if (job.observer instanceof Stack stack) {
       stack.enter(name, key);
       return stack;
@@ -133,7 +133,7 @@ public final class Profiler {
   }
 
   /** The calls that are going on in one job. */
-  final class Stack implements Job.Observer {
+  public final class Stack implements Job.Observer {
     private final ArrayDeque<Calls> going = new ArrayDeque<>();
     private long since = clock.now();
 
@@ -154,7 +154,8 @@ public final class Profiler {
       maximumDepth = Math.max(maximumDepth, going.size());
     }
 
-    void leave() {
+    /** The call that was entered last is over. */
+    public void leave() {
       account();
       going.poll();
     }

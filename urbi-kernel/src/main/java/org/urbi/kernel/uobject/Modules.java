@@ -8,10 +8,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
-import org.urbi.kernel.library.system.KernelControl;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.outside.ConfinedException;
 import org.urbi.kernel.outside.Disk;
+import org.urbi.kernel.outside.Outside;
 import urbi.UClass;
 import urbi.UHubClass;
 import urbi.UModule;
@@ -27,15 +27,22 @@ public final class Modules {
   private record Loaded(UModule module, long modified, long size) {}
 
   private final PluggedContext context;
-  private final KernelControl kernel;
+  private final List<Path> searchPath;
+  private final Outside outside;
   private final Map<Path, Loaded> loaded = new LinkedHashMap<>();
 
   /** The modules whose classes all the others can use. */
   private final List<UModule> libraries = new CopyOnWriteArrayList<>();
 
-  Modules(PluggedContext context, KernelControl kernel) {
+  Modules(PluggedContext context, List<Path> searchPath, Outside outside) {
     this.context = context;
-    this.kernel = kernel;
+    this.searchPath = List.copyOf(searchPath);
+    this.outside = outside;
+  }
+
+  /** Where modules are looked for, first to last. */
+  public List<Path> searchPath() {
+    return searchPath;
   }
 
   /** The names of the files that are loaded, in the order in which they were. */
@@ -56,7 +63,7 @@ public final class Modules {
         Path path = Path.of(name + suffix);
         List<Path> folders = new ArrayList<>();
         if (!path.isAbsolute()) {
-          kernel.moduleSearchPath().forEach(folder -> folders.add(working.resolve(folder)));
+          searchPath.forEach(folder -> folders.add(working.resolve(folder)));
         }
         folders.add(working);
         for (Path folder : folders) {
@@ -91,7 +98,7 @@ public final class Modules {
    */
   public void load(Frame frame, Path file, boolean library) {
     try {
-      kernel.outside().confinement().checkModules();
+      outside.confinement().checkModules();
       Path key = disk().real(file);
       Loaded before = loaded.get(key);
       long modified = disk().lastModified(key);
@@ -190,7 +197,7 @@ public final class Modules {
   }
 
   private Disk disk() {
-    return kernel.outside().disk();
+    return outside.disk();
   }
 
   /** The kernel has ended. */

@@ -1,7 +1,9 @@
 package org.urbi.kernel.uobject;
 
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -16,13 +18,14 @@ import org.urbi.kernel.job.KernelThreadPin;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.Timers;
 import org.urbi.kernel.job.Unwinding;
-import org.urbi.kernel.library.lobby.LogLevel;
-import org.urbi.kernel.library.system.KernelControl;
+import org.urbi.kernel.log.KernelLog;
+import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.outside.Outside;
 import org.urbi.kernel.variable.ConnectionList;
 import org.urbi.kernel.variable.UrbiUVar;
 import urbi.UCallback;
@@ -47,7 +50,7 @@ import urbi.spi.ThreadPool;
 public final class PluggedContext implements UContext {
   private final Interpreter interpreter;
   private final Scheduler scheduler;
-  private final KernelControl kernel;
+  private final KernelLog log;
   private final KernelRequests requests;
   private final Instances objects;
   private final Creation creation;
@@ -65,10 +68,14 @@ public final class PluggedContext implements UContext {
   private final Map<String, UObjectHub> hubs = new LinkedHashMap<>();
   private volatile boolean over;
 
-  public PluggedContext(Interpreter interpreter, KernelControl kernel) {
+  /**
+   * @param moduleSearchPath where modules are looked for, first to last
+   */
+  public PluggedContext(
+      Interpreter interpreter, List<Path> moduleSearchPath, Outside outside, KernelLog log) {
     this.interpreter = interpreter;
     this.scheduler = interpreter.scheduler();
-    this.kernel = kernel;
+    this.log = log;
     this.requests = new KernelRequests(interpreter);
     this.objects = new Instances(interpreter.world(), scheduler.inbox(), this::gone);
     this.variables = new Variables(interpreter.world(), objects);
@@ -76,13 +83,8 @@ public final class PluggedContext implements UContext {
     this.statistics = new CallStatistics(scheduler.clock());
     this.periods = new Periods(this);
     this.creation = new Creation(this);
-    this.modules = new Modules(this, kernel);
-    this.systemLobby = new SystemLobby(interpreter, kernel);
-  }
-
-  /** That of the kernel in which code runs. */
-  public static PluggedContext of(Frame frame) {
-    return KernelControl.of(frame).uobjects();
+    this.modules = new Modules(this, moduleSearchPath, outside);
+    this.systemLobby = new SystemLobby(interpreter, log);
   }
 
   // ------------------------------------------------------------------ its parts
@@ -267,8 +269,8 @@ public final class PluggedContext implements UContext {
 
   /** Puts a warning into the log. */
   void warn(String message) {
-    if (LogLevel.LOG.compareTo(kernel.logLevel()) <= 0) {
-      kernel.log("warning: " + message);
+    if (log.shows(LogLevel.LOG)) {
+      log.write("warning: " + message);
     }
   }
 
@@ -487,7 +489,7 @@ public final class PluggedContext implements UContext {
 
   @Override
   public void report(String message) {
-    kernel.log(message);
+    log.write(message);
   }
 
   /** Counts, or no longer counts, somebody who only keeps a copy of a variable. */

@@ -1,9 +1,9 @@
 package org.urbi.kernel.uobject;
 
-import org.urbi.kernel.library.system.KernelControl;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.node.Interpreter;
 
 /**
@@ -12,12 +12,12 @@ import org.urbi.kernel.node.Interpreter;
  */
 final class SystemLobby {
   private final Interpreter interpreter;
-  private final KernelControl kernel;
+  private final KernelLog log;
   private UrbiLobby lobby;
 
-  SystemLobby(Interpreter interpreter, KernelControl kernel) {
+  SystemLobby(Interpreter interpreter, KernelLog log) {
     this.interpreter = interpreter;
-    this.kernel = kernel;
+    this.log = log;
   }
 
   /** The lobby; on the kernel thread. */
@@ -34,15 +34,15 @@ final class SystemLobby {
             }
           };
       lobby =
-          UrbiLobby.start(interpreter, new Output(interpreter.scheduler(), this::log), listener);
+          UrbiLobby.start(interpreter, new Output(interpreter.scheduler(), this::write), listener);
       lobby.shell().start();
     }
     return lobby;
   }
 
-  private void log(String bytes) {
+  private void write(String bytes) {
     for (String line : Texts.toJava(bytes).split("\n")) {
-      kernel.log(line);
+      log.write(line);
     }
   }
 }

@@ -8,7 +8,7 @@ import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagState;
-import org.urbi.kernel.library.code.StackFrameType;
+import org.urbi.kernel.library.code.StackFrames;
 import org.urbi.kernel.library.lobby.LobbyType;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.node.CallSite;
@@ -23,7 +23,11 @@ import org.urbi.kernel.tag.UrbiTag;
     protos = {"Object", "Traceable"},
     doc = "A light thread of execution.")
 public final class JobType {
-  private JobType() {}
+  private final StackFrames stackFrames;
+
+  JobType(StackFrames stackFrames) {
+    this.stackFrames = stackFrames;
+  }
 
   static UrbiObject newPrototype(World world) {
     return new UrbiJob(world.values().object.cloneShape(), null);
@@ -144,8 +148,8 @@ public final class JobType {
   }
 
   @Builtin(doc = "The calls that are going on in the job, innermost first.")
-  static UrbiObject backtrace(Frame frame, UrbiJob self) {
-    return StackFrameType.list(frame.interpreter(), calls(frame, self));
+  UrbiObject backtrace(Frame frame, UrbiJob self) {
+    return stackFrames.list(self.world(), calls(frame, self));
   }
 
   @Builtin(doc = "Tells the state of the job: its status, its tags, its calls.")

@@ -5,7 +5,6 @@ import java.nio.file.Path;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
-import org.urbi.kernel.library.system.KernelControl;
 import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
@@ -27,9 +26,9 @@ final class DirectoryEvents implements DirectoryWatch.Listener {
   private final UrbiEvent deleted;
   private Path watched;
 
-  private DirectoryEvents(Frame frame, UrbiDirectory directory) {
+  private DirectoryEvents(Frame frame, Outside outside, UrbiDirectory directory) {
     this.interpreter = frame.interpreter();
-    this.outside = KernelControl.of(frame).outside();
+    this.outside = outside;
     this.lobby = frame.job().lobby();
     this.directory = directory;
     this.created = event("fileCreated");
@@ -37,8 +36,8 @@ final class DirectoryEvents implements DirectoryWatch.Listener {
   }
 
   /** Gives a directory its events. */
-  static void add(Frame frame, UrbiDirectory directory) {
-    new DirectoryEvents(frame, directory);
+  static void add(Frame frame, Outside outside, UrbiDirectory directory) {
+    new DirectoryEvents(frame, outside, directory);
   }
 
   private UrbiEvent event(String name) {

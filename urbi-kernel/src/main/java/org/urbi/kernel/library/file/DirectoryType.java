@@ -10,21 +10,28 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.World;
+import org.urbi.kernel.outside.Outside;
 import org.urbi.lang.print.StringEscape;
 
 /** Directories (manual, "Directory"). */
 @UrbiType(value = "Directory", doc = "A directory of the file system.")
 final class DirectoryType {
-  private DirectoryType() {}
+  private final FileAccess files;
+  private final Outside outside;
+
+  DirectoryType(FileAccess files, Outside outside) {
+    this.files = files;
+    this.outside = outside;
+  }
 
   static UrbiObject newPrototype(World world) {
     return new UrbiDirectory(world.values().object.cloneShape(), null);
   }
 
-  static UrbiDirectory directory(Frame frame, UrbiPath path) {
+  UrbiDirectory directory(Frame frame, UrbiPath path) {
     UrbiObject prototype = frame.interpreter().world().prototype("Directory");
     UrbiDirectory made = new UrbiDirectory(prototype.cloneShape(), path);
-    DirectoryEvents.add(frame, made);
+    DirectoryEvents.add(frame, outside, made);
     return made;
   }
 
@@ -36,25 +43,12 @@ final class DirectoryType {
     return self.path();
   }
 
-  /** The path of a directory that must exist. */
-  static UrbiPath existing(Frame frame, CallSite site, int place, UrbiObject name) {
-    UrbiPath path = FileAccess.path(frame, site, place, name);
-    if (!FileAccess.isDirectory(frame, site, path)) {
-      throw FileAccess.error(
-          frame,
-          site,
-          FileAccess.exists(frame, site, path) ? "not a directory" : "directory does not exist",
-          path);
-    }
-    return path;
-  }
-
   /** Nothing of that name may exist. */
-  private static void checkAbsent(Frame frame, CallSite site, UrbiPath path) {
-    if (FileAccess.isDirectory(frame, site, path)) {
+  private void checkAbsent(Frame frame, CallSite site, UrbiPath path) {
+    if (files.isDirectory(frame, site, path)) {
       throw FileAccess.error(frame, site, "directory exists", path);
     }
-    if (FileAccess.hasEntry(frame, site, path)) {
+    if (files.hasEntry(frame, site, path)) {
       throw FileAccess.error(frame, site, "file exists", path);
     }
   }
@@ -62,31 +56,31 @@ final class DirectoryType {
   // ------------------------------------------------------------------ construction
 
   @Builtin(doc = "Makes it the directory of that name, which must exist.")
-  static UrbiObject init(Frame frame, CallSite site, UrbiDirectory self, UrbiObject name) {
+  UrbiObject init(Frame frame, CallSite site, UrbiDirectory self, UrbiObject name) {
     FileAccess.checkNotPrototype(frame, site, self, "Directory");
-    self.setPath(existing(frame, site, 1, name));
-    DirectoryEvents.add(frame, self);
+    self.setPath(files.existingDirectory(frame, site, 1, name));
+    DirectoryEvents.add(frame, outside, self);
     return self;
   }
 
   @Builtin(doc = "Creates the directory of that name, which must not exist.")
-  static UrbiObject create(Frame frame, CallSite site, UrbiObject self, UrbiObject name) {
+  UrbiObject create(Frame frame, CallSite site, UrbiObject self, UrbiObject name) {
     UrbiPath path = FileAccess.path(frame, site, 1, name);
     checkAbsent(frame, site, path);
-    FileAccess.change(frame, site, path, () -> FileAccess.disk(frame).createDirectory(path.file()));
+    FileAccess.change(frame, site, path, () -> files.disk().createDirectory(path.file()));
     return directory(frame, path);
   }
 
   @Builtin(doc = "The directory of that name; it and those around it are made if missing.")
-  static UrbiObject createAll(Frame frame, CallSite site, UrbiObject self, UrbiObject name) {
+  UrbiObject createAll(Frame frame, CallSite site, UrbiObject self, UrbiObject name) {
     UrbiPath path = FileAccess.path(frame, site, 1, name);
     FileAccess.change(
-        frame, site, path, () -> FileAccess.disk(frame).createDirectories(path.file()));
+        frame, site, path, () -> files.disk().createDirectories(path.file()));
     return directory(frame, path);
   }
 
   @Builtin(doc = "The working directory.")
-  static UrbiObject current(Frame frame, UrbiObject self) {
+  UrbiObject current(Frame frame, UrbiObject self) {
     return directory(frame, FileAccess.anyPath(frame).sibling("."));
   }
 
@@ -113,7 +107,7 @@ final class DirectoryType {
   }
 
   @Builtin(doc = "The directory it is in.")
-  static UrbiObject parent(Frame frame, CallSite site, UrbiDirectory self) {
+  UrbiObject parent(Frame frame, CallSite site, UrbiDirectory self) {
     UrbiPath path = path(frame, site, self);
     String name = FileAccess.basename(path);
     return directory(
@@ -124,13 +118,13 @@ final class DirectoryType {
   }
 
   @Builtin(value = "/", doc = "The File or the Directory of that name in it.")
-  static UrbiObject divide(Frame frame, CallSite site, UrbiDirectory self, String str) {
+  UrbiObject divide(Frame frame, CallSite site, UrbiDirectory self, String str) {
     FileAccess.checkName(frame, site, str);
     UrbiPath inside = FileAccess.inside(path(frame, site, self), str);
-    if (FileAccess.isDirectory(frame, site, inside)) {
+    if (files.isDirectory(frame, site, inside)) {
       return directory(frame, inside);
     }
-    if (!FileAccess.exists(frame, site, inside)) {
+    if (!files.exists(frame, site, inside)) {
       throw FileAccess.error(frame, site, "no such file or directory", inside);
     }
     return FileType.file(frame, inside);
@@ -138,54 +132,54 @@ final class DirectoryType {
 
   // ------------------------------------------------------------------ the content
 
-  private static List<String> names(Frame frame, CallSite site, UrbiDirectory self) {
+  private List<String> names(Frame frame, CallSite site, UrbiDirectory self) {
     UrbiPath path = path(frame, site, self);
     List<Path> names =
-        FileAccess.quickly(frame, site, path, () -> FileAccess.disk(frame).names(path.file()));
+        FileAccess.quickly(frame, site, path, () -> files.disk().names(path.file()));
     return names.stream().map(UrbiPath::encoded).sorted().toList();
   }
 
   @Builtin(doc = "The paths of what is in it, which begin with its own.")
-  static List<UrbiPath> asList(Frame frame, CallSite site, UrbiDirectory self) {
+  List<UrbiPath> asList(Frame frame, CallSite site, UrbiDirectory self) {
     return names(frame, site, self).stream()
         .map(name -> self.path().sibling(self.text() + "/" + name))
         .toList();
   }
 
   @Builtin(doc = "The names of what is in it.")
-  static List<UrbiString> content(Frame frame, CallSite site, UrbiDirectory self) {
+  List<UrbiString> content(Frame frame, CallSite site, UrbiDirectory self) {
     return names(frame, site, self).stream().map(frame.interpreter().values()::string).toList();
   }
 
   @Builtin(doc = "Whether there is nothing in it.")
-  static boolean empty(Frame frame, CallSite site, UrbiDirectory self) {
+  boolean empty(Frame frame, CallSite site, UrbiDirectory self) {
     UrbiPath path = path(frame, site, self);
-    return FileAccess.quickly(frame, site, path, () -> FileAccess.disk(frame).isEmpty(path.file()));
+    return FileAccess.quickly(frame, site, path, () -> files.disk().isEmpty(path.file()));
   }
 
   @Builtin(doc = "Whether there is still such a directory.")
-  static boolean exists(Frame frame, CallSite site, UrbiDirectory self) {
-    return FileAccess.isDirectory(frame, site, path(frame, site, self));
+  boolean exists(Frame frame, CallSite site, UrbiDirectory self) {
+    return files.isDirectory(frame, site, path(frame, site, self));
   }
 
   @Builtin(doc = "The date at which the directory was last modified.")
-  static UrbiObject lastModifiedDate(Frame frame, CallSite site, UrbiDirectory self) {
-    return FileType.lastModified(frame, site, path(frame, site, self));
+  UrbiObject lastModifiedDate(Frame frame, CallSite site, UrbiDirectory self) {
+    return files.lastModified(frame, site, path(frame, site, self));
   }
 
   @Builtin(doc = "The sizes of all files in it and its directories together, in bytes.")
-  static double size(Frame frame, CallSite site, UrbiDirectory self) {
+  double size(Frame frame, CallSite site, UrbiDirectory self) {
     UrbiPath path = path(frame, site, self);
-    return FileAccess.slowly(
-        frame, site, path, () -> (double) FileAccess.disk(frame).treeSize(path.file()));
+    return files.slowly(
+        frame, site, path, () -> (double) files.disk().treeSize(path.file()));
   }
 
   // ------------------------------------------------------------------ changes
 
   @Builtin(value = "<<", doc = "Copies a File or a Directory into it.")
-  static UrbiObject add(Frame frame, CallSite site, UrbiDirectory self, UrbiObject entity) {
+  UrbiObject add(Frame frame, CallSite site, UrbiDirectory self, UrbiObject entity) {
     switch (entity) {
-      case UrbiFile file -> FileType.copyInto(frame, site, file, self);
+      case UrbiFile file -> new FileType(files).copyInto(frame, site, file, self);
       case UrbiDirectory directory -> copyInto(frame, site, directory, self);
       default -> throw Arguments.type(frame, site, 1, entity, "File");
     }
@@ -193,66 +187,66 @@ final class DirectoryType {
   }
 
   @Builtin(doc = "Copies it and all that is in it to a new directory, and returns that.")
-  static UrbiObject copy(Frame frame, CallSite site, UrbiDirectory self, UrbiObject dirname) {
+  UrbiObject copy(Frame frame, CallSite site, UrbiDirectory self, UrbiObject dirname) {
     return copied(frame, site, self, FileAccess.path(frame, site, 1, dirname));
   }
 
   @Builtin(doc = "Copies it and all that is in it into a directory, and returns the copy.")
-  static UrbiObject copyInto(Frame frame, CallSite site, UrbiDirectory self, UrbiObject dirname) {
+  UrbiObject copyInto(Frame frame, CallSite site, UrbiDirectory self, UrbiObject dirname) {
     return copied(frame, site, self, insideOf(frame, site, self, dirname));
   }
 
-  private static UrbiPath insideOf(
+  private UrbiPath insideOf(
       Frame frame, CallSite site, UrbiDirectory self, UrbiObject dirname) {
-    UrbiPath directory = existing(frame, site, 1, dirname);
+    UrbiPath directory = files.existingDirectory(frame, site, 1, dirname);
     return FileAccess.inside(directory, FileAccess.basename(path(frame, site, self)));
   }
 
-  private static UrbiObject copied(Frame frame, CallSite site, UrbiDirectory self, UrbiPath to) {
+  private UrbiObject copied(Frame frame, CallSite site, UrbiDirectory self, UrbiPath to) {
     checkAbsent(frame, site, to);
-    FileAccess.checkPlace(frame, site, to);
+    files.checkPlace(frame, site, to);
     UrbiPath from = path(frame, site, self);
-    FileAccess.changeSlowly(
-        frame, site, from, () -> FileAccess.disk(frame).copyTree(from.file(), to.file()));
+    files.changeSlowly(
+        frame, site, from, () -> files.disk().copyTree(from.file(), to.file()));
     return directory(frame, to);
   }
 
   @Builtin(doc = "Moves it into a directory.")
-  static UrbiObject moveInto(Frame frame, CallSite site, UrbiDirectory self, UrbiObject dirname) {
+  UrbiObject moveInto(Frame frame, CallSite site, UrbiDirectory self, UrbiObject dirname) {
     return moved(frame, site, self, insideOf(frame, site, self, dirname));
   }
 
   @Builtin(doc = "Gives it another name, which may be in another directory.")
-  static UrbiObject rename(Frame frame, CallSite site, UrbiDirectory self, UrbiObject name) {
+  UrbiObject rename(Frame frame, CallSite site, UrbiDirectory self, UrbiObject name) {
     return moved(frame, site, self, FileAccess.path(frame, site, 1, name));
   }
 
-  private static UrbiObject moved(Frame frame, CallSite site, UrbiDirectory self, UrbiPath to) {
+  private UrbiObject moved(Frame frame, CallSite site, UrbiDirectory self, UrbiPath to) {
     checkAbsent(frame, site, to);
-    FileAccess.checkPlace(frame, site, to);
+    files.checkPlace(frame, site, to);
     UrbiPath from = path(frame, site, self);
-    FileAccess.changeSlowly(
-        frame, site, from, () -> FileAccess.disk(frame).move(from.file(), to.file()));
+    files.changeSlowly(
+        frame, site, from, () -> files.disk().move(from.file(), to.file()));
     self.setPath(to);
     return self;
   }
 
   @Builtin(doc = "Removes all that is in it.")
-  static void clear(Frame frame, CallSite site, UrbiDirectory self) {
+  void clear(Frame frame, CallSite site, UrbiDirectory self) {
     UrbiPath path = path(frame, site, self);
-    FileAccess.changeSlowly(frame, site, path, () -> FileAccess.disk(frame).clear(path.file()));
+    files.changeSlowly(frame, site, path, () -> files.disk().clear(path.file()));
   }
 
   @Builtin(doc = "Removes it, if there is nothing in it.")
-  static void remove(Frame frame, CallSite site, UrbiDirectory self) {
-    UrbiPath path = existing(frame, site, 0, self);
-    FileAccess.changeSlowly(frame, site, path, () -> FileAccess.disk(frame).delete(path.file()));
+  void remove(Frame frame, CallSite site, UrbiDirectory self) {
+    UrbiPath path = files.existingDirectory(frame, site, 0, self);
+    files.changeSlowly(frame, site, path, () -> files.disk().delete(path.file()));
   }
 
   @Builtin(doc = "Removes it and all that is in it.")
-  static void removeAll(Frame frame, CallSite site, UrbiDirectory self) {
+  void removeAll(Frame frame, CallSite site, UrbiDirectory self) {
     UrbiPath path = path(frame, site, self);
-    FileAccess.changeSlowly(
-        frame, site, path, () -> FileAccess.disk(frame).removeTree(path.file()));
+    files.changeSlowly(
+        frame, site, path, () -> files.disk().removeTree(path.file()));
   }
 }

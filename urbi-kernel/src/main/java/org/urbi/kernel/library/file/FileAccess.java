@@ -13,17 +13,22 @@ import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.UrbiException;
-import org.urbi.kernel.library.system.KernelControl;
+import org.urbi.kernel.library.date.UrbiDate;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.outside.Disk;
+import org.urbi.kernel.outside.Outside;
 import org.urbi.lang.print.StringEscape;
 
 /** What File, Directory and the streams have in common: names, errors, waiting for the disk. */
 public final class FileAccess {
-  private FileAccess() {}
+  private final Outside outside;
+
+  public FileAccess(Outside outside) {
+    this.outside = outside;
+  }
 
   /** The path that an argument names: a String, a Path, a File or a Directory. */
   public static UrbiPath path(Frame frame, CallSite site, int place, UrbiObject given) {
@@ -74,28 +79,48 @@ public final class FileAccess {
   }
 
   /** The files that this kernel may use. */
-  public static Disk disk(Frame frame) {
-    return KernelControl.of(frame).outside().disk();
+  public Disk disk() {
+    return outside.disk();
   }
 
   /** Whether there is something of that name; a link to nowhere is nothing. */
-  static boolean exists(Frame frame, CallSite site, UrbiPath path) {
-    return quickly(frame, site, path, () -> disk(frame).exists(path.file()));
+  boolean exists(Frame frame, CallSite site, UrbiPath path) {
+    return quickly(frame, site, path, () -> disk().exists(path.file()));
   }
 
   /** Whether there is something of that name, be it a link to nowhere. */
-  static boolean hasEntry(Frame frame, CallSite site, UrbiPath path) {
-    return quickly(frame, site, path, () -> disk(frame).hasEntry(path.file()));
+  boolean hasEntry(Frame frame, CallSite site, UrbiPath path) {
+    return quickly(frame, site, path, () -> disk().hasEntry(path.file()));
   }
 
   /** Whether there is a directory of that name. */
-  static boolean isDirectory(Frame frame, CallSite site, UrbiPath path) {
-    return quickly(frame, site, path, () -> disk(frame).isDirectory(path.file()));
+  boolean isDirectory(Frame frame, CallSite site, UrbiPath path) {
+    return quickly(frame, site, path, () -> disk().isDirectory(path.file()));
   }
 
   /** Whether there is a regular file of that name. */
-  static boolean isRegularFile(Frame frame, CallSite site, UrbiPath path) {
-    return quickly(frame, site, path, () -> disk(frame).isRegularFile(path.file()));
+  boolean isRegularFile(Frame frame, CallSite site, UrbiPath path) {
+    return quickly(frame, site, path, () -> disk().isRegularFile(path.file()));
+  }
+
+  /** The path of a directory that must exist. */
+  UrbiPath existingDirectory(Frame frame, CallSite site, int place, UrbiObject name) {
+    UrbiPath path = path(frame, site, place, name);
+    if (!isDirectory(frame, site, path)) {
+      throw error(
+          frame,
+          site,
+          exists(frame, site, path) ? "not a directory" : "directory does not exist",
+          path);
+    }
+    return path;
+  }
+
+  /** The date at which something was last modified. */
+  UrbiObject lastModified(Frame frame, CallSite site, UrbiPath path) {
+    long microseconds = quickly(frame, site, path, () -> disk().lastModified(path.file()));
+    UrbiObject prototype = frame.interpreter().world().prototype("Date");
+    return new UrbiDate(prototype.cloneShape(), microseconds);
   }
 
   /** {@code routine: message: "path"}. */
@@ -121,16 +146,16 @@ public final class FileAccess {
   }
 
   /** Does something to files that may take long, while the job waits. */
-  static <T> T slowly(Frame frame, CallSite site, UrbiPath path, Callable<T> action) {
+  <T> T slowly(Frame frame, CallSite site, UrbiPath path, Callable<T> action) {
     try {
-      return KernelControl.of(frame).outside().awaitBriefly(frame.job(), action);
+      return outside.awaitBriefly(frame.job(), action);
     } catch (IOException e) {
       throw failed(frame, site, path, e);
     }
   }
 
   /** Something is to be moved or copied there: there must be a directory for it. */
-  static void checkPlace(Frame frame, CallSite site, UrbiPath to) {
+  void checkPlace(Frame frame, CallSite site, UrbiPath to) {
     if (!isDirectory(frame, site, PathType.dirname(to))) {
       throw error(frame, site, "no such file or directory", to);
     }
@@ -147,7 +172,7 @@ public final class FileAccess {
   }
 
   /** Makes a change that may take long, while the job waits. */
-  static void changeSlowly(Frame frame, CallSite site, UrbiPath path, Change change) {
+  void changeSlowly(Frame frame, CallSite site, UrbiPath path, Change change) {
     slowly(frame, site, path, () -> done(change));
   }
 

@@ -7,7 +7,6 @@ import java.util.List;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
-import org.urbi.kernel.library.date.UrbiDate;
 import org.urbi.kernel.library.text.BinaryType;
 import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.library.text.UrbiBinary;
@@ -25,7 +24,11 @@ final class FileType {
   /** What is larger is read on a thread of its own, and what is no regular file always. */
   private static final long LARGE = 1 << 18;
 
-  private FileType() {}
+  private final FileAccess files;
+
+  FileType(FileAccess files) {
+    this.files = files;
+  }
 
   static UrbiObject newPrototype(World world) {
     return new UrbiFile(world.values().object.cloneShape(), null);
@@ -47,13 +50,13 @@ final class FileType {
   // ------------------------------------------------------------------ construction
 
   @Builtin(doc = "Makes it the file of that name, which must exist.")
-  static UrbiObject init(Frame frame, CallSite site, UrbiFile self, UrbiObject name) {
+  UrbiObject init(Frame frame, CallSite site, UrbiFile self, UrbiObject name) {
     FileAccess.checkNotPrototype(frame, site, self, "File");
     UrbiPath path = FileAccess.path(frame, site, 1, name);
-    if (FileAccess.isDirectory(frame, site, path)) {
+    if (files.isDirectory(frame, site, path)) {
       throw FileAccess.error(frame, site, "not a file", path);
     }
-    if (!FileAccess.exists(frame, site, path)) {
+    if (!files.exists(frame, site, path)) {
       throw FileAccess.error(frame, site, "file does not exist", path);
     }
     self.setPath(path);
@@ -61,14 +64,14 @@ final class FileType {
   }
 
   @Builtin(doc = "The file of that name, made if it does not exist, and emptied if it does.")
-  static UrbiObject create(Frame frame, CallSite site, UrbiObject self, UrbiObject name) {
+  UrbiObject create(Frame frame, CallSite site, UrbiObject self, UrbiObject name) {
     UrbiPath path = FileAccess.path(frame, site, 1, name);
     write(frame, site, path, new byte[0]);
     return file(frame, path);
   }
 
   @Builtin(doc = "Creates the file of that name, with that content.")
-  static void save(
+  void save(
       Frame frame, CallSite site, UrbiObject self, UrbiObject name, UrbiObject content) {
     String bytes =
         content instanceof UrbiBinary binary
@@ -77,16 +80,16 @@ final class FileType {
     write(frame, site, FileAccess.path(frame, site, 1, name), NativeText.bytes(bytes));
   }
 
-  private static void write(Frame frame, CallSite site, UrbiPath path, byte[] bytes) {
+  private void write(Frame frame, CallSite site, UrbiPath path, byte[] bytes) {
     boolean quick =
         bytes.length <= LARGE
-            && (FileAccess.isRegularFile(frame, site, path)
-                || !FileAccess.exists(frame, site, path));
-    FileAccess.Change change = () -> FileAccess.disk(frame).write(path.file(), bytes);
+            && (files.isRegularFile(frame, site, path)
+                || !files.exists(frame, site, path));
+    FileAccess.Change change = () -> files.disk().write(path.file(), bytes);
     if (quick) {
       FileAccess.change(frame, site, path, change);
     } else {
-      FileAccess.changeSlowly(frame, site, path, change);
+      files.changeSlowly(frame, site, path, change);
     }
   }
 
@@ -114,10 +117,10 @@ final class FileType {
 
   // ------------------------------------------------------------------ the content
 
-  private static byte[] bytes(Frame frame, CallSite site, UrbiFile self) {
+  private byte[] bytes(Frame frame, CallSite site, UrbiFile self) {
     UrbiPath path = path(frame, site, self);
     Path file = path.file();
-    Disk disk = FileAccess.disk(frame);
+    Disk disk = files.disk();
     try {
       if (disk.isRegularFile(file) && disk.size(file) <= LARGE) {
         return disk.read(file);
@@ -125,7 +128,7 @@ final class FileType {
     } catch (IOException e) {
       // The other way says what is wrong.
     }
-    return FileAccess.slowly(
+    return files.slowly(
         frame,
         site,
         path,
@@ -138,7 +141,7 @@ final class FileType {
   }
 
   @Builtin(doc = "The lines of the file.")
-  static List<UrbiString> asList(Frame frame, CallSite site, UrbiFile self) {
+  List<UrbiString> asList(Frame frame, CallSite site, UrbiFile self) {
     String text = NativeText.text(bytes(frame, site, self));
     List<UrbiString> lines = new ArrayList<>();
     int from = 0;
@@ -153,85 +156,76 @@ final class FileType {
   }
 
   @Builtin(doc = "The content of the file, as a Binary.")
-  static UrbiObject content(Frame frame, CallSite site, UrbiFile self) {
+  UrbiObject content(Frame frame, CallSite site, UrbiFile self) {
     return BinaryType.binary(frame, "", NativeText.text(bytes(frame, site, self)));
   }
 
   @Builtin(doc = "The size of the file, in bytes.")
-  static double size(Frame frame, CallSite site, UrbiFile self) {
+  double size(Frame frame, CallSite site, UrbiFile self) {
     UrbiPath path = path(frame, site, self);
     return FileAccess.quickly(
-        frame, site, path, () -> (double) FileAccess.disk(frame).size(path.file()));
+        frame, site, path, () -> (double) files.disk().size(path.file()));
   }
 
   @Builtin(doc = "The date at which the file was last modified.")
-  static UrbiObject lastModifiedDate(Frame frame, CallSite site, UrbiFile self) {
-    return lastModified(frame, site, path(frame, site, self));
-  }
-
-  /** The date at which something was last modified. */
-  static UrbiObject lastModified(Frame frame, CallSite site, UrbiPath path) {
-    long microseconds =
-        FileAccess.quickly(
-            frame, site, path, () -> FileAccess.disk(frame).lastModified(path.file()));
-    UrbiObject prototype = frame.interpreter().world().prototype("Date");
-    return new UrbiDate(prototype.cloneShape(), microseconds);
+  UrbiObject lastModifiedDate(Frame frame, CallSite site, UrbiFile self) {
+    return files.lastModified(frame, site, path(frame, site, self));
   }
 
   // ------------------------------------------------------------------ changes
 
   @Builtin(doc = "Copies the file to a new one of that name, and returns that.")
-  static UrbiObject copy(Frame frame, CallSite site, UrbiFile self, UrbiObject filename) {
+  UrbiObject copy(Frame frame, CallSite site, UrbiFile self, UrbiObject filename) {
     return copied(frame, site, self, FileAccess.path(frame, site, 1, filename));
   }
 
   @Builtin(doc = "Copies the file into a directory, and returns the copy.")
-  static UrbiObject copyInto(Frame frame, CallSite site, UrbiFile self, UrbiObject dirname) {
-    UrbiPath directory = DirectoryType.existing(frame, site, 1, dirname);
+  UrbiObject copyInto(Frame frame, CallSite site, UrbiFile self, UrbiObject dirname) {
+    UrbiPath directory = files.existingDirectory(frame, site, 1, dirname);
     String name = FileAccess.basename(path(frame, site, self));
     return copied(frame, site, self, FileAccess.inside(directory, name));
   }
 
-  private static UrbiObject copied(Frame frame, CallSite site, UrbiFile self, UrbiPath to) {
+  private UrbiObject copied(Frame frame, CallSite site, UrbiFile self, UrbiPath to) {
     UrbiPath from = path(frame, site, self);
-    if (!FileAccess.hasEntry(frame, site, from)) {
+    if (!files.hasEntry(frame, site, from)) {
       throw FileAccess.error(frame, site, "no such file or directory", from);
     }
-    FileAccess.changeSlowly(
-        frame, site, to, () -> FileAccess.disk(frame).copy(from.file(), to.file()));
+    files.changeSlowly(
+        frame, site, to, () -> files.disk().copy(from.file(), to.file()));
     return file(frame, to);
   }
 
   @Builtin(doc = "Moves the file into a directory.")
-  static UrbiObject moveInto(Frame frame, CallSite site, UrbiFile self, UrbiObject dirname) {
-    UrbiPath directory = DirectoryType.existing(frame, site, 1, dirname);
+  UrbiObject moveInto(Frame frame, CallSite site, UrbiFile self, UrbiObject dirname) {
+    UrbiPath directory = files.existingDirectory(frame, site, 1, dirname);
     String name = FileAccess.basename(path(frame, site, self));
     return moved(frame, site, self, FileAccess.inside(directory, name));
   }
 
   @Builtin(doc = "Gives the file another name; a file which has that name is replaced.")
-  static UrbiObject rename(Frame frame, CallSite site, UrbiFile self, UrbiObject name) {
+  UrbiObject rename(Frame frame, CallSite site, UrbiFile self, UrbiObject name) {
     return moved(frame, site, self, FileAccess.path(frame, site, 1, name));
   }
 
-  private static UrbiObject moved(Frame frame, CallSite site, UrbiFile self, UrbiPath to) {
+  private UrbiObject moved(Frame frame, CallSite site, UrbiFile self, UrbiPath to) {
     UrbiPath from = path(frame, site, self);
-    if (FileAccess.isDirectory(frame, site, to)) {
+    if (files.isDirectory(frame, site, to)) {
       throw FileAccess.error(frame, site, "is a directory", to);
     }
-    FileAccess.checkPlace(frame, site, to);
-    FileAccess.changeSlowly(
-        frame, site, from, () -> FileAccess.disk(frame).replace(from.file(), to.file()));
+    files.checkPlace(frame, site, to);
+    files.changeSlowly(
+        frame, site, from, () -> files.disk().replace(from.file(), to.file()));
     self.setPath(to);
     return self;
   }
 
   @Builtin(doc = "Removes the file.")
-  static void remove(Frame frame, CallSite site, UrbiFile self) {
+  void remove(Frame frame, CallSite site, UrbiFile self) {
     UrbiPath path = path(frame, site, self);
-    if (FileAccess.isDirectory(frame, site, path)) {
+    if (files.isDirectory(frame, site, path)) {
       throw FileAccess.error(frame, site, "is a directory", path);
     }
-    FileAccess.change(frame, site, path, () -> FileAccess.disk(frame).delete(path.file()));
+    FileAccess.change(frame, site, path, () -> files.disk().delete(path.file()));
   }
 }

@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
-import org.urbi.kernel.library.system.KernelControl;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -21,7 +20,13 @@ import org.urbi.kernel.outside.PipeSource;
     protos = {"Stream"},
     doc = "Bytes that are read from a file, or from a process.")
 public final class InputStreamType {
-  private InputStreamType() {}
+  private final FileAccess files;
+  private final Outside outside;
+
+  InputStreamType(FileAccess files, Outside outside) {
+    this.files = files;
+    this.outside = outside;
+  }
 
   static UrbiObject newPrototype(World world) {
     return new UrbiInputStream(world.values().object.cloneShape(), null);
@@ -34,16 +39,15 @@ public final class InputStreamType {
   }
 
   @Builtin(doc = "Makes it read from the beginning of that file.")
-  static UrbiObject init(Frame frame, CallSite site, UrbiInputStream self, UrbiFile file) {
+  UrbiObject init(Frame frame, CallSite site, UrbiInputStream self, UrbiFile file) {
     FileAccess.checkNotPrototype(frame, site, self, "InputStream");
-    Outside outside = KernelControl.of(frame).outside();
     UrbiPath name = FileType.path(frame, site, file);
     Path path = name.file();
     ByteSource source =
-        FileAccess.isRegularFile(frame, site, name)
+        files.isRegularFile(frame, site, name)
             ? FileAccess.quickly(frame, site, name, () -> outside.disk().source(path))
             : new PipeSource(
-                outside, FileAccess.slowly(frame, site, name, () -> outside.disk().input(path)));
+                outside, files.slowly(frame, site, name, () -> outside.disk().input(path)));
     outside.opened(source);
     self.open(source);
     return self;

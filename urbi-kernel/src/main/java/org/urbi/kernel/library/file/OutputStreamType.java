@@ -6,7 +6,6 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.UrbiException;
-import org.urbi.kernel.library.system.KernelControl;
 import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -24,7 +23,13 @@ import org.urbi.kernel.outside.PipeSink;
 public final class OutputStreamType {
   private static final int LARGEST_BYTE = 255;
 
-  private OutputStreamType() {}
+  private final FileAccess files;
+  private final Outside outside;
+
+  OutputStreamType(FileAccess files, Outside outside) {
+    this.files = files;
+    this.outside = outside;
+  }
 
   static UrbiObject newPrototype(World world) {
     return new UrbiOutputStream(world.values().object.cloneShape(), null);
@@ -37,17 +42,16 @@ public final class OutputStreamType {
   }
 
   @Builtin(doc = "Makes it write at the end of that file.")
-  static UrbiObject init(Frame frame, CallSite site, UrbiOutputStream self, UrbiFile file) {
+  UrbiObject init(Frame frame, CallSite site, UrbiOutputStream self, UrbiFile file) {
     FileAccess.checkNotPrototype(frame, site, self, "OutputStream");
-    Outside outside = KernelControl.of(frame).outside();
     UrbiPath name = FileType.path(frame, site, file);
     Path path = name.file();
     ByteSink sink =
-        FileAccess.isRegularFile(frame, site, name) || !FileAccess.exists(frame, site, name)
+        files.isRegularFile(frame, site, name) || !files.exists(frame, site, name)
             ? FileAccess.quickly(frame, site, name, () -> outside.disk().sink(path))
             : new PipeSink(
                 outside,
-                FileAccess.slowly(frame, site, name, () -> outside.disk().output(path)),
+                files.slowly(frame, site, name, () -> outside.disk().output(path)),
                 false);
     outside.opened(sink);
     self.open(sink);

@@ -21,10 +21,16 @@ import org.urbi.lang.print.StringEscape;
     protos = {"Comparable", "Orderable"},
     doc = "The name of a file or directory.")
 final class PathType {
-  private PathType() {}
+  private final FileAccess files;
+  private final WorkingDirectory workingDirectory;
 
-  static UrbiObject newPrototype(World world) {
-    return new UrbiPath(world.values().object.cloneShape(), "/", new UrbiPath.WorkingDirectory());
+  PathType(FileAccess files, WorkingDirectory workingDirectory) {
+    this.files = files;
+    this.workingDirectory = workingDirectory;
+  }
+
+  UrbiObject newPrototype(World world) {
+    return new UrbiPath(world.values().object.cloneShape(), "/", workingDirectory);
   }
 
   private static UrbiException error(Frame caller, CallSite site, String message) {
@@ -102,59 +108,59 @@ final class PathType {
   // ------------------------------------------------------------------ the file
 
   @Builtin(doc = "Makes it the working directory, and returns that.")
-  static UrbiObject cd(Frame caller, CallSite site, UrbiPath self) {
-    if (!FileAccess.isDirectory(caller, site, self)) {
+  UrbiObject cd(Frame caller, CallSite site, UrbiPath self) {
+    if (!files.isDirectory(caller, site, self)) {
       throw error(caller, site, "no such directory: " + self.text());
     }
-    self.working().path = self.file();
+    self.working().move(self.file());
     return cwd(self);
   }
 
   @Builtin(doc = "The working directory.")
   static UrbiObject cwd(UrbiPath self) {
-    return self.sibling(UrbiPath.encoded(self.working().path));
+    return self.sibling(UrbiPath.encoded(self.working().path()));
   }
 
   @Builtin(doc = "Whether there is something of that name.")
-  static boolean exists(Frame caller, CallSite site, UrbiPath self) {
-    return FileAccess.exists(caller, site, self);
+  boolean exists(Frame caller, CallSite site, UrbiPath self) {
+    return files.exists(caller, site, self);
   }
 
   @Builtin(doc = "Whether it is a directory.")
-  static boolean isDir(Frame caller, CallSite site, UrbiPath self) {
-    return FileAccess.isDirectory(caller, site, self);
+  boolean isDir(Frame caller, CallSite site, UrbiPath self) {
+    return files.isDirectory(caller, site, self);
   }
 
   @Builtin(doc = "Whether it is a regular file.")
-  static boolean isReg(Frame caller, CallSite site, UrbiPath self) {
-    return FileAccess.isRegularFile(caller, site, self);
+  boolean isReg(Frame caller, CallSite site, UrbiPath self) {
+    return files.isRegularFile(caller, site, self);
   }
 
   @Builtin(doc = "The File or the Directory of that name.")
-  static UrbiObject open(Frame caller, CallSite site, UrbiPath self) {
+  UrbiObject open(Frame caller, CallSite site, UrbiPath self) {
     checkExists(caller, site, self);
-    String type = FileAccess.isDirectory(caller, site, self) ? "Directory" : "File";
+    String type = files.isDirectory(caller, site, self) ? "Directory" : "File";
     return caller
         .interpreter()
         .send(caller, caller.interpreter().world().prototype(type), "new", self);
   }
 
   @Builtin(doc = "Whether it can be read.")
-  static boolean readable(Frame caller, CallSite site, UrbiPath self) {
+  boolean readable(Frame caller, CallSite site, UrbiPath self) {
     checkExists(caller, site, self);
     return FileAccess.quickly(
-        caller, site, self, () -> FileAccess.disk(caller).isReadable(self.file()));
+        caller, site, self, () -> files.disk().isReadable(self.file()));
   }
 
   @Builtin(doc = "Whether it can be written.")
-  static boolean writable(Frame caller, CallSite site, UrbiPath self) {
+  boolean writable(Frame caller, CallSite site, UrbiPath self) {
     checkExists(caller, site, self);
     return FileAccess.quickly(
-        caller, site, self, () -> FileAccess.disk(caller).isWritable(self.file()));
+        caller, site, self, () -> files.disk().isWritable(self.file()));
   }
 
-  private static void checkExists(Frame caller, CallSite site, UrbiPath self) {
-    if (!FileAccess.exists(caller, site, self)) {
+  private void checkExists(Frame caller, CallSite site, UrbiPath self) {
+    if (!files.exists(caller, site, self)) {
       throw error(caller, site, "does not exist: " + self.text());
     }
   }

@@ -5,17 +5,22 @@ import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.outside.Outside;
 
 /** What InputStream and OutputStream have in common (manual, "Stream"). */
 @UrbiType(value = "Stream", doc = "Bytes that go from or to a file, or a process.")
 final class StreamType {
-  private StreamType() {}
+  private final Outside outside;
+
+  StreamType(Outside outside) {
+    this.outside = outside;
+  }
 
   @Builtin(doc = "Writes what is in buffers, and closes the stream.")
-  static void close(Frame frame, CallSite site, UrbiObject self) {
+  void close(Frame frame, CallSite site, UrbiObject self) {
     if (!(self instanceof UrbiStream<?> stream)) {
       throw frame.interpreter().errors().primitive(site.calledName(), "stream is closed");
     }
-    stream.close(frame, site);
+    stream.close(frame, site, outside);
   }
 }

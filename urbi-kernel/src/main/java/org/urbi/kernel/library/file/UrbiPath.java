@@ -9,11 +9,6 @@ import org.urbi.kernel.object.UrbiObject;
 
 /** The name of a file or directory (manual, "Path"). */
 public final class UrbiPath extends UrbiObject {
-  /** Where relative paths start from: one for each kernel, shared by all its paths. */
-  public static final class WorkingDirectory {
-    public Path path;
-  }
-
   private final WorkingDirectory working;
   private String text;
 
@@ -49,7 +44,7 @@ public final class UrbiPath extends UrbiObject {
 
   /** The file in the file system; relative paths start from the working directory. */
   public Path file() {
-    return working.path.resolve(decoded(text)).normalize();
+    return working.path().resolve(decoded(text)).normalize();
   }
 
   /** Another path of the same kernel. */

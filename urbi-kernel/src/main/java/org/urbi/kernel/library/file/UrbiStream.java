@@ -3,11 +3,11 @@ package org.urbi.kernel.library.file;
 import java.io.Closeable;
 import java.io.IOException;
 import org.urbi.kernel.error.UrbiException;
-import org.urbi.kernel.library.system.KernelControl;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.outside.Outside;
 
 /** What InputStream and OutputStream have in common (manual, "Stream"). */
 abstract class UrbiStream<T extends Closeable> extends UrbiObject {
@@ -34,10 +34,10 @@ abstract class UrbiStream<T extends Closeable> extends UrbiObject {
     return channel;
   }
 
-  void close(Frame frame, CallSite site) {
+  void close(Frame frame, CallSite site, Outside outside) {
     T open = channel(frame, site);
     channel = null;
-    KernelControl.of(frame).outside().closed(open);
+    outside.closed(open);
     try {
       open.close();
     } catch (IOException e) {

@@ -5,7 +5,7 @@ import java.util.List;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
-import org.urbi.kernel.library.system.KernelControl;
+import org.urbi.kernel.lobby.Lobbies;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
@@ -14,7 +14,6 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
-import org.urbi.kernel.uobject.PluggedContext;
 
 /** The environment of a connection (manual, "Lobby"). */
 @UrbiType(
@@ -22,7 +21,11 @@ import org.urbi.kernel.uobject.PluggedContext;
     protos = {"Channel.topLevel"},
     doc = "The environment of a connection.")
 public final class LobbyType {
-  private LobbyType() {}
+  private final Lobbies lobbies;
+
+  LobbyType(Lobbies lobbies) {
+    this.lobbies = lobbies;
+  }
 
   /** The lobby for which code runs. */
   public static UrbiLobby of(Frame frame) {
@@ -36,7 +39,7 @@ public final class LobbyType {
   }
 
   @Builtin(doc = "Sends a value as text, on a channel if one is given.")
-  public static void echo(
+  static void echo(
       Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
     String text = frame.interpreter().asString(frame, value);
     output(frame, self).send(channel == null ? "" : channel, "*** " + text);
@@ -65,8 +68,8 @@ public final class LobbyType {
   }
 
   @Builtin(doc = "The lobby of code that belongs to no connection, such as what UObjects send.")
-  static UrbiObject systemLobby(Frame frame, UrbiObject self) {
-    return PluggedContext.of(frame).lobby();
+  UrbiObject systemLobby(Frame frame, UrbiObject self) {
+    return lobbies.system();
   }
 
   @Builtin(doc = "Whether somebody is at the other end.")
@@ -106,16 +109,21 @@ public final class LobbyType {
   }
 
   @Builtin(doc = "A fresh lobby, whose output goes to this connection.")
-  static UrbiObject create(Frame frame, UrbiObject self) {
-    return KernelControl.of(frame).createLobby(of(frame));
+  UrbiObject create(Frame frame, UrbiObject self) {
+    return lobbies.create(of(frame));
+  }
+
+  /** The prototype of lobbies, and those that are alive. */
+  public static List<UrbiObject> instances(World world, Lobbies lobbies) {
+    List<UrbiObject> all = new ArrayList<>();
+    all.add(world.prototype("Lobby"));
+    all.addAll(lobbies.all());
+    return all;
   }
 
   @Builtin(doc = "The lobbies that are alive, the prototype of lobbies included.")
-  public static List<UrbiObject> instances(Frame frame, UrbiObject self) {
-    List<UrbiObject> all = new ArrayList<>();
-    all.add(self.world().prototype("Lobby"));
-    all.addAll(KernelControl.of(frame).lobbies());
-    return all;
+  public List<UrbiObject> instances(Frame frame, UrbiObject self) {
+    return instances(self.world(), lobbies);
   }
 
   @Builtin(doc = "How many bytes have come from the client.")
@@ -139,14 +147,8 @@ public final class LobbyType {
   }
 
   @Builtin(doc = "Sends a value as text to all lobbies, on a channel if one is given.")
-  public static void wall(
-      Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
-    for (UrbiLobby lobby : KernelControl.of(frame).lobbies()) {
-      // What a lobby made by a program is sent goes to its creator, who is told anyway.
-      if (!lobby.output().isBranch()) {
-        echo(frame, lobby, value, channel);
-      }
-    }
+  void wall(Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
+    new GlobalOutput(lobbies).wall(frame, self, value, channel);
   }
 
   @Builtin(doc = "The Internet address of the client; empty when there is none.")

@@ -5,7 +5,8 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
-import org.urbi.kernel.library.system.KernelControl;
+import org.urbi.kernel.log.KernelLog;
+import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -17,7 +18,11 @@ import org.urbi.kernel.object.World;
     protos = {"Tag"},
     doc = "A category of messages for the administrator of the server.")
 final class LoggerType {
-  private LoggerType() {}
+  private final KernelLog log;
+
+  LoggerType(KernelLog log) {
+    this.log = log;
+  }
 
   static UrbiObject newPrototype(World world) {
     return new UrbiLogger(
@@ -70,16 +75,15 @@ final class LoggerType {
     return known;
   }
 
-  private static UrbiObject report(
+  private UrbiObject report(
       Frame frame, UrbiLogger self, LogLevel level, UrbiObject message, String category) {
     String name = category == null ? self.category() : category;
     if (message == null) {
       return self.at(level, name);
     }
-    KernelControl kernel = KernelControl.of(frame);
-    if (level != LogLevel.NONE && level.compareTo(kernel.logLevel()) <= 0) {
+    if (level != LogLevel.NONE && log.shows(level)) {
       String text = frame.interpreter().asString(frame, message);
-      kernel.log(self.line(name, text));
+      log.write(self.line(name, text));
     }
     return self;
   }
@@ -87,25 +91,25 @@ final class LoggerType {
   @Builtin(
       value = {"err", "warn", "log"},
       doc = "Reports a message that everybody is to see; returns the target.")
-  static UrbiObject log(
+  UrbiObject log(
       Frame frame, UrbiLogger self, @Optional UrbiObject message, @Optional String category) {
     return report(frame, self, LogLevel.LOG, message, category);
   }
 
   @Builtin(doc = "Reports a message for those who follow what happens; returns the target.")
-  static UrbiObject trace(
+  UrbiObject trace(
       Frame frame, UrbiLogger self, @Optional UrbiObject message, @Optional String category) {
     return report(frame, self, LogLevel.TRACE, message, category);
   }
 
   @Builtin(doc = "Reports a message for those who look for a mistake; returns the target.")
-  static UrbiObject debug(
+  UrbiObject debug(
       Frame frame, UrbiLogger self, @Optional UrbiObject message, @Optional String category) {
     return report(frame, self, LogLevel.DEBUG, message, category);
   }
 
   @Builtin(doc = "Reports a message for those who want every detail; returns the target.")
-  static UrbiObject dump(
+  UrbiObject dump(
       Frame frame, UrbiLogger self, @Optional UrbiObject message, @Optional String category) {
     return report(frame, self, LogLevel.DUMP, message, category);
   }
@@ -113,7 +117,7 @@ final class LoggerType {
   @Builtin(
       value = {"<<"},
       doc = "Reports a message of the category and the level of the target; returns it.")
-  static UrbiObject send(Frame frame, CallSite site, UrbiLogger self, UrbiObject message) {
+  UrbiObject send(Frame frame, CallSite site, UrbiLogger self, UrbiObject message) {
     if (self.level() == null) {
       throw frame
           .interpreter()

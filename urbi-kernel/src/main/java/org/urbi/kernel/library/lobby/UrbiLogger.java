@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.lobby;
 
+import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;

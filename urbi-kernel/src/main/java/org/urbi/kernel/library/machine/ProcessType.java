@@ -12,7 +12,6 @@ import org.urbi.kernel.library.file.InputStreamType;
 import org.urbi.kernel.library.file.OutputStreamType;
 import org.urbi.kernel.library.file.UrbiInputStream;
 import org.urbi.kernel.library.file.UrbiPath;
-import org.urbi.kernel.library.system.KernelControl;
 import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -25,7 +24,13 @@ import org.urbi.kernel.outside.Outside;
 /** Programs of the machine (manual, "Process"). */
 @UrbiType(value = "Process", doc = "A program that the operating system runs.")
 public final class ProcessType {
-  private ProcessType() {}
+  private final Outside outside;
+  private final Environment environment;
+
+  ProcessType(Outside outside, Environment environment) {
+    this.outside = outside;
+    this.environment = environment;
+  }
 
   static UrbiObject newPrototype(World world) {
     return new UrbiProcess(world.values().object.cloneShape());
@@ -77,7 +82,7 @@ public final class ProcessType {
   // ------------------------------------------------------------------ running
 
   @Builtin(doc = "Starts the program; once.")
-  static void run(Frame frame, CallSite site, UrbiProcess self) {
+  void run(Frame frame, CallSite site, UrbiProcess self) {
     if (self.command().isEmpty()) {
       throw error(frame, site, "Process has no program");
     }
@@ -85,15 +90,14 @@ public final class ProcessType {
       throw error(frame, site, "Process was already run");
     }
     self.setStarted(true);
-    Outside outside = KernelControl.of(frame).outside();
     try {
       ChildProcess program =
           ChildProcess.start(
               outside,
               frame.job(),
               self.command(),
-              FileAccess.anyPath(frame).working().path,
-              KernelControl.of(frame).environment().variables());
+              FileAccess.anyPath(frame).working().path(),
+              environment.variables());
       self.start(
           program,
           OutputStreamType.stream(frame, program.in()),
@@ -114,7 +118,7 @@ public final class ProcessType {
   }
 
   @Builtin(doc = "Runs the program, and gives what it writes to that function, line by line.")
-  static void runTo(Frame frame, CallSite site, UrbiProcess self, UrbiObject target) {
+  void runTo(Frame frame, CallSite site, UrbiProcess self, UrbiObject target) {
     run(frame, site, self);
     UrbiInputStream out = (UrbiInputStream) self.stdout();
     UrbiObject end = frame.interpreter().values().voidObject;

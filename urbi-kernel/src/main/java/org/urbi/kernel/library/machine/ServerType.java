@@ -7,18 +7,22 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.library.file.FileAccess;
-import org.urbi.kernel.library.system.KernelControl;
 import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.outside.Network;
+import org.urbi.kernel.outside.Outside;
 
 /** Places where connections come in (manual, "Server"). */
 @UrbiType(value = "Server", doc = "A place where connections over the network come in.")
 final class ServerType {
-  private ServerType() {}
+  private final Outside outside;
+
+  ServerType(Outside outside) {
+    this.outside = outside;
+  }
 
   static UrbiObject newPrototype(World world) {
     return new UrbiServer(world.values().object.cloneShape());
@@ -39,7 +43,7 @@ final class ServerType {
   }
 
   @Builtin(doc = "Listens on a port of a host of this machine; 0 is any port that is free.")
-  static void listen(Frame frame, CallSite site, UrbiServer self, String host, UrbiObject port) {
+  void listen(Frame frame, CallSite site, UrbiServer self, String host, UrbiObject port) {
     if (self.service() == null) {
       throw SocketType.error(frame, site, "not a server");
     }
@@ -58,7 +62,7 @@ final class ServerType {
     try {
       Network.Listening place =
           Network.listen(
-              KernelControl.of(frame).outside(),
+              outside,
               frame.job(),
               NativeText.toJava(host),
               SocketType.port(frame, site, port),

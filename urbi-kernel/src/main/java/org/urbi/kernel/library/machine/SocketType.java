@@ -8,7 +8,6 @@ import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.library.file.FileAccess;
 import org.urbi.kernel.library.file.UrbiPath;
-import org.urbi.kernel.library.system.KernelControl;
 import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.library.text.UrbiBinary;
 import org.urbi.kernel.node.CallSite;
@@ -25,7 +24,11 @@ import org.urbi.kernel.outside.Outside;
 final class SocketType {
   private static final double DEFAULT_INTERVAL = 0.01;
 
-  private SocketType() {}
+  private final Outside outside;
+
+  SocketType(Outside outside) {
+    this.outside = outside;
+  }
 
   static UrbiObject newPrototype(World world) {
     return new UrbiSocket(world.values().object.cloneShape());
@@ -58,20 +61,19 @@ final class SocketType {
 
   // ------------------------------------------------------------------ connecting
 
-  /** A socket that is about to be connected. */
-  private static Outside unconnected(Frame frame, CallSite site, UrbiSocket self) {
+  /** Refuses a socket that is no socket, or connected already. */
+  private static void checkUnconnected(Frame frame, CallSite site, UrbiSocket self) {
     if (self.service() == null) {
       throw error(frame, site, "not a socket");
     }
     if (self.link() != null) {
       throw error(frame, site, "socket is already connected");
     }
-    return KernelControl.of(frame).outside();
   }
 
   @Builtin(doc = "Connects to a port of a host; the port is a number or the name of a service.")
-  static void connect(Frame frame, CallSite site, UrbiSocket self, String host, UrbiObject port) {
-    Outside outside = unconnected(frame, site, self);
+  void connect(Frame frame, CallSite site, UrbiSocket self, String host, UrbiObject port) {
+    checkUnconnected(frame, site, self);
     try {
       Network.Connected made =
           Network.connect(outside, frame.job(), NativeText.toJava(host), port(frame, site, port));
@@ -82,9 +84,9 @@ final class SocketType {
   }
 
   @Builtin(doc = "Connects to a serial line, with that speed.")
-  static void connectSerial(
+  void connectSerial(
       Frame frame, CallSite site, UrbiSocket self, UrbiObject device, int baudRate) {
-    Outside outside = unconnected(frame, site, self);
+    checkUnconnected(frame, site, self);
     UrbiPath path = FileAccess.path(frame, site, 1, device);
     try {
       Link link = Network.serial(outside, frame.job(), path.file(), baudRate);

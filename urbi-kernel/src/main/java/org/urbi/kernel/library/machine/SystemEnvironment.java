@@ -2,7 +2,6 @@ package org.urbi.kernel.library.machine;
 
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiTypePart;
-import org.urbi.kernel.library.system.KernelControl;
 import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -11,10 +10,10 @@ import org.urbi.kernel.object.UrbiObject;
 /** Variables of the environment (manual, "System": getenv, setenv, unsetenv). */
 @UrbiTypePart("System")
 final class SystemEnvironment {
-  private SystemEnvironment() {}
+  private final Environment environment;
 
-  private static Environment environment(Frame frame) {
-    return KernelControl.of(frame).environment();
+  SystemEnvironment(Environment environment) {
+    this.environment = environment;
   }
 
   /** The name of a variable, as the machine wants it. */
@@ -35,12 +34,12 @@ final class SystemEnvironment {
   }
 
   @Builtin(doc = "The value of a variable of the environment; nil if it is not set.")
-  static UrbiObject getenv(Frame frame, UrbiObject self, String name) {
-    return value(frame, environment(frame).get(NativeText.toJava(name)));
+  UrbiObject getenv(Frame frame, UrbiObject self, String name) {
+    return value(frame, environment.get(NativeText.toJava(name)));
   }
 
   @Builtin(doc = "Sets a variable of the environment, and returns its value.")
-  static String setenv(Frame frame, CallSite site, UrbiObject self, String name, UrbiObject value) {
+  String setenv(Frame frame, CallSite site, UrbiObject self, String name, UrbiObject value) {
     String text = frame.interpreter().asString(frame, value);
     if (text.indexOf('\0') >= 0) {
       throw frame
@@ -48,12 +47,12 @@ final class SystemEnvironment {
           .errors()
           .primitive(site.calledName(), "invalid value of a variable");
     }
-    environment(frame).set(name(frame, site, name), NativeText.toJava(text));
+    environment.set(name(frame, site, name), NativeText.toJava(text));
     return text;
   }
 
   @Builtin(doc = "Removes a variable of the environment, and returns its value; nil without one.")
-  static UrbiObject unsetenv(Frame frame, UrbiObject self, String name) {
-    return value(frame, environment(frame).unset(NativeText.toJava(name)));
+  UrbiObject unsetenv(Frame frame, UrbiObject self, String name) {
+    return value(frame, environment.unset(NativeText.toJava(name)));
   }
 }

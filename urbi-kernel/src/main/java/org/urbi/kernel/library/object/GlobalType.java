@@ -2,9 +2,7 @@ package org.urbi.kernel.library.object;
 
 import java.util.regex.Pattern;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
-import org.urbi.kernel.library.lobby.LobbyType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
@@ -20,23 +18,6 @@ final class GlobalType {
   private static final Pattern NAMES = Pattern.compile("[A-Za-z_]\\w*(\\.[A-Za-z_]\\w*)*");
 
   private GlobalType() {}
-
-  @Builtin(doc = "Sends a value as text to the lobby, on a channel if one is given.")
-  static void echo(Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
-    LobbyType.echo(frame, LobbyType.of(frame), value, channel);
-  }
-
-  @Builtin(doc = "Sends a value as text to all lobbies, on a channel if one is given.")
-  static void wall(Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
-    LobbyType.wall(frame, LobbyType.of(frame), value, channel);
-  }
-
-  @Builtin(doc = "Sends a message to the channel warning.")
-  static void warn(Frame frame, UrbiObject self, UrbiObject message) {
-    LobbyType.of(frame)
-        .output()
-        .send("warning", "!!! " + frame.interpreter().asString(frame, message));
-  }
 
   @Builtin(doc = "The method of that name as a function whose first argument is the target.")
   static UrbiObject methodToFunction(UrbiObject self, String name) {

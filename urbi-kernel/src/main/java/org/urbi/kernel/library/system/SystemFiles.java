@@ -21,17 +21,25 @@ import org.urbi.kernel.object.UrbiObject;
 /** Source files and where they are looked for (manual, "System" and "Environment Variables"). */
 @UrbiTypePart("System")
 final class SystemFiles {
-  private SystemFiles() {}
+  private final FileAccess files;
+  private final SearchPath searchPath;
+  private final LoadedFiles loadedFiles;
+
+  SystemFiles(FileAccess files, SearchPath searchPath, LoadedFiles loadedFiles) {
+    this.files = files;
+    this.searchPath = searchPath;
+    this.loadedFiles = loadedFiles;
+  }
 
   @Builtin(doc = "Evaluates a source file found in the search path, and returns its last value.")
-  static UrbiObject load(
+  UrbiObject load(
       Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
     String name = frame.interpreter().asString(frame, file);
     return evaluate(frame, site, self, found(frame, site, name), target);
   }
 
   @Builtin(doc = "Evaluates a source file, and returns its last value.")
-  static UrbiObject loadFile(
+  UrbiObject loadFile(
       Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
     String name = frame.interpreter().asString(frame, file);
     Path path = workingDirectory(frame).resolve(path(frame, name));
@@ -42,7 +50,7 @@ final class SystemFiles {
   }
 
   @Builtin(doc = "Evaluates a source file if it is found, and says so on a channel.")
-  static UrbiObject maybeLoad(
+  UrbiObject maybeLoad(
       Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject channel) {
     String name = frame.interpreter().asString(frame, file);
     Path path = search(frame, site, name);
@@ -58,32 +66,32 @@ final class SystemFiles {
   }
 
   @Builtin(doc = "The path of a source file, looked for in the search path.")
-  static UrbiObject searchFile(Frame frame, CallSite site, UrbiObject self, UrbiObject file) {
+  UrbiObject searchFile(Frame frame, CallSite site, UrbiObject self, UrbiObject file) {
     String name = frame.interpreter().asString(frame, file);
     return urbiPath(frame, found(frame, site, name));
   }
 
   @Builtin(doc = "The folders where source files are looked for.")
-  static List<UrbiObject> searchPath(Frame frame, UrbiObject self) {
+  List<UrbiObject> searchPath(Frame frame, UrbiObject self) {
     List<UrbiObject> folders = new ArrayList<>();
-    for (Path folder : KernelControl.of(frame).searchPath()) {
+    for (Path folder : searchPath.folders()) {
       folders.add(urbiPath(frame, folder));
     }
     return folders;
   }
 
   @Builtin(doc = "Evaluates a source file found in the search path, unless that was done before.")
-  static void requireFile(
+  void requireFile(
       Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
     Path path = found(frame, site, frame.interpreter().asString(frame, file));
-    if (!KernelControl.of(frame).loadedFiles().contains(frame.job(), key(frame, path))) {
+    if (!loadedFiles.contains(frame.job(), key(frame, path))) {
       evaluate(frame, site, self, path, target);
     }
   }
 
-  private static boolean isFile(Frame frame, CallSite site, Path path) {
+  private boolean isFile(Frame frame, CallSite site, Path path) {
     UrbiPath shown = FileAccess.anyPath(frame).sibling(UrbiPath.encoded(path));
-    return FileAccess.quickly(frame, site, shown, () -> FileAccess.disk(frame).isRegularFile(path));
+    return FileAccess.quickly(frame, site, shown, () -> files.disk().isRegularFile(path));
   }
 
   private static UrbiObject urbiPath(Frame frame, Path path) {
@@ -91,7 +99,7 @@ final class SystemFiles {
   }
 
   private static Path workingDirectory(Frame frame) {
-    return FileAccess.anyPath(frame).working().path;
+    return FileAccess.anyPath(frame).working().path();
   }
 
   private static Path path(Frame frame, String name) {
@@ -102,7 +110,7 @@ final class SystemFiles {
     }
   }
 
-  private static Path found(Frame frame, CallSite site, String name) {
+  private Path found(Frame frame, CallSite site, String name) {
     Path path = search(frame, site, name);
     if (path == null) {
       throw notFound(frame, name);
@@ -110,16 +118,16 @@ final class SystemFiles {
     return path;
   }
 
-  private static Path search(Frame frame, CallSite site, String name) {
+  private Path search(Frame frame, CallSite site, String name) {
     Path path = path(frame, name);
     Path working = workingDirectory(frame);
     if (path.isAbsolute()) {
       return isFile(frame, site, path) ? path : null;
     }
-    for (Path folder : KernelControl.of(frame).searchPath()) {
+    for (Path folder : searchPath.folders()) {
       Path candidate = working.resolve(folder).normalize().resolve(path);
       try {
-        if (FileAccess.disk(frame).isRegularFile(candidate)) {
+        if (files.disk().isRegularFile(candidate)) {
           return candidate;
         }
       } catch (IOException e) {
@@ -133,11 +141,11 @@ final class SystemFiles {
   /**
    * The name of a file in messages: short when it is the library's, or in the working directory.
    */
-  private static String shown(Frame frame, Path file) {
-    Path library = KernelControl.of(frame).library();
+  private String shown(Frame frame, Path file) {
+    Path library = searchPath.library();
     if (library != null && file.startsWith(library)) {
       String name = UrbiPath.encoded(library.relativize(file));
-      KernelControl.of(frame).loadedFiles().noteSystemFile(name);
+      loadedFiles.noteSystemFile(name);
       return name;
     }
     Path working = workingDirectory(frame);
@@ -145,9 +153,9 @@ final class SystemFiles {
   }
 
   /** By what a file is known, whatever the links that lead there. */
-  private static Path key(Frame frame, Path file) {
+  private Path key(Frame frame, Path file) {
     try {
-      return FileAccess.disk(frame).real(file);
+      return files.disk().real(file);
     } catch (IOException e) {
       return file.toAbsolutePath().normalize();
     }
@@ -162,25 +170,24 @@ final class SystemFiles {
         .build();
   }
 
-  private static UrbiObject evaluate(
+  private UrbiObject evaluate(
       Frame frame, CallSite site, UrbiObject self, Path path, UrbiObject target) {
-    LoadedFiles files = KernelControl.of(frame).loadedFiles();
     Path key = key(frame, path);
     boolean complete = false;
-    files.begin(frame.job(), key);
+    loadedFiles.begin(frame.job(), key);
     try {
       String text =
           FileAccess.quickly(
               frame,
               site,
               FileAccess.anyPath(frame).sibling(UrbiPath.encoded(path)),
-              () -> new String(FileAccess.disk(frame).read(path), StandardCharsets.ISO_8859_1));
+              () -> new String(files.disk().read(path), StandardCharsets.ISO_8859_1));
       UrbiObject value =
           Evaluation.eval(frame, site, target == null ? self : target, text, shown(frame, path));
       complete = true;
       return value;
     } finally {
-      files.end(frame.job(), key, complete);
+      loadedFiles.end(frame.job(), key, complete);
     }
   }
 }

@@ -13,6 +13,7 @@ import org.urbi.kernel.library.code.UrbiProfile;
 import org.urbi.kernel.library.concurrent.JobType;
 import org.urbi.kernel.library.concurrent.TagType;
 import org.urbi.kernel.library.lobby.LobbyType;
+import org.urbi.kernel.lobby.Lobbies;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
@@ -25,7 +26,11 @@ import org.urbi.lang.source.Location;
 /** What the server does, and what its code is doing (manual, "System"). */
 @UrbiTypePart("System")
 final class SystemJobs {
-  private SystemJobs() {}
+  private final Lobbies lobbies;
+
+  SystemJobs(Lobbies lobbies) {
+    this.lobbies = lobbies;
+  }
 
   @Builtin(doc = "Shows the calls that are going on, on the channel backtrace.")
   static void backtrace(Frame frame, UrbiObject self) {
@@ -38,8 +43,8 @@ final class SystemJobs {
   }
 
   @Builtin(doc = "The lobbies that are alive, the prototype of lobbies included.")
-  static List<UrbiObject> lobbies(Frame frame, UrbiObject self) {
-    return LobbyType.instances(frame, self.world().prototype("Lobby"));
+  List<UrbiObject> lobbies(Frame frame, UrbiObject self) {
+    return LobbyType.instances(self.world(), lobbies);
   }
 
   @Builtin(doc = "The job that runs this code: Job.current.")

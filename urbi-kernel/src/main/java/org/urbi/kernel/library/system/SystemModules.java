@@ -10,7 +10,7 @@ import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.outside.ConfinedException;
-import org.urbi.kernel.uobject.Modules;
+import org.urbi.kernel.outside.Outside;
 import org.urbi.kernel.uobject.PluggedContext;
 import urbi.UModuleException;
 import urbi.rtp.RtpOptions;
@@ -18,16 +18,18 @@ import urbi.rtp.RtpOptions;
 /** Modules with UObjects (manual, "System": loadModule, loadLibrary). */
 @UrbiTypePart("System")
 final class SystemModules {
-  private SystemModules() {}
+  private final PluggedContext uobjects;
+  private final Outside outside;
 
-  private static Modules modules(Frame frame) {
-    return PluggedContext.of(frame).modules();
+  SystemModules(PluggedContext uobjects, Outside outside) {
+    this.uobjects = uobjects;
+    this.outside = outside;
   }
 
-  private static Path file(Frame frame, UrbiObject module) {
+  private Path file(Frame frame, UrbiObject module) {
     String name = frame.interpreter().asString(frame, module);
-    Path working = FileAccess.anyPath(frame).working().path;
-    Path found = modules(frame).find(working, NativeText.toJava(name));
+    Path working = FileAccess.anyPath(frame).working().path();
+    Path found = uobjects.modules().find(working, NativeText.toJava(name));
     if (found == null) {
       throw frame
           .interpreter()
@@ -43,7 +45,7 @@ final class SystemModules {
       doc =
           "Loads the UObjects of a module. One that is loaded already is replaced if the file has"
               + " changed; its objects stay.")
-  static void loadModule(
+  void loadModule(
       Frame frame, CallSite site, UrbiObject self, UrbiObject module, @Optional String options) {
     load(frame, site, module, false);
   }
@@ -52,7 +54,7 @@ final class SystemModules {
       doc =
           "Loads a module whose classes can be used by those that are loaded later. It need not"
               + " have UObjects.")
-  static void loadLibrary(
+  void loadLibrary(
       Frame frame, CallSite site, UrbiObject self, UrbiObject library, @Optional String options) {
     load(frame, site, library, true);
   }
@@ -62,13 +64,13 @@ final class SystemModules {
     return frame.interpreter().asString(frame, module).equals(RtpOptions.MODULE);
   }
 
-  private static void load(Frame frame, CallSite site, UrbiObject module, boolean library) {
+  private void load(Frame frame, CallSite site, UrbiObject module, boolean library) {
     try {
       if (isRtp(frame, module)) {
-        KernelControl.of(frame).outside().confinement().checkConnections();
-        PluggedContext.of(frame).rtp().turn(true);
+        outside.confinement().checkConnections();
+        uobjects.rtp().turn(true);
       } else {
-        modules(frame).load(frame, file(frame, module), library);
+        uobjects.modules().load(frame, file(frame, module), library);
       }
     } catch (UModuleException | ConfinedException e) {
       throw frame
@@ -79,11 +81,11 @@ final class SystemModules {
   }
 
   @Builtin(doc = "Unloads a module: its objects are no longer UObjects.")
-  static void unloadModule(Frame frame, CallSite site, UrbiObject self, UrbiObject module) {
+  void unloadModule(Frame frame, CallSite site, UrbiObject self, UrbiObject module) {
     boolean unloaded =
         isRtp(frame, module)
-            ? PluggedContext.of(frame).rtp().turn(false)
-            : modules(frame).unload(frame, file(frame, module));
+            ? uobjects.rtp().turn(false)
+            : uobjects.modules().unload(frame, file(frame, module));
     if (!unloaded) {
       throw frame
           .interpreter()

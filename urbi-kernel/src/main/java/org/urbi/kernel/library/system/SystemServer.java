@@ -10,8 +10,10 @@ import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.library.date.UrbiDate;
 import org.urbi.kernel.library.file.FileAccess;
+import org.urbi.kernel.library.machine.Environment;
 import org.urbi.kernel.library.machine.ProcessType;
 import org.urbi.kernel.library.text.NativeText;
+import org.urbi.kernel.lobby.Lobbies;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -21,6 +23,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.outside.ChildProcess;
 import org.urbi.kernel.outside.Network;
+import org.urbi.kernel.outside.Outside;
 import org.urbi.lang.parse.Parsed;
 import org.urbi.lang.parse.UrbiParser;
 import org.urbi.lang.print.Printer;
@@ -30,7 +33,19 @@ import org.urbi.lang.print.Printer;
 final class SystemServer {
   private static final int STATUS_SHIFT = 8;
 
-  private SystemServer() {}
+  private final CommandLine commandLine;
+  private final KernelEnd kernelEnd;
+  private final Lobbies lobbies;
+  private final Outside outside;
+  private final Environment environment;
+
+  SystemServer(CommandLine commandLine, KernelEnd kernelEnd, Lobbies lobbies, Outside outside, Environment environment) {
+    this.commandLine = commandLine;
+    this.kernelEnd = kernelEnd;
+    this.lobbies = lobbies;
+    this.outside = outside;
+    this.environment = environment;
+  }
 
   private static RuntimeException error(Frame frame, CallSite site, String message) {
     return frame.interpreter().errors().primitive(site.calledName(), message);
@@ -39,15 +54,15 @@ final class SystemServer {
   // ------------------------------------------------------------------ what it is
 
   @Builtin(doc = "The arguments of the user's script.")
-  static List<UrbiString> arguments(Frame frame, UrbiObject self) {
-    return KernelControl.of(frame).arguments().stream()
+  List<UrbiString> arguments(Frame frame, UrbiObject self) {
+    return commandLine.arguments().stream()
         .map(text -> frame.interpreter().values().string(NativeText.toUrbi(text)))
         .toList();
   }
 
   @Builtin(doc = "The path under which the server was called.")
-  static String programName(Frame frame, UrbiObject self) {
-    return NativeText.toUrbi(KernelControl.of(frame).programName());
+  String programName(Frame frame, UrbiObject self) {
+    return NativeText.toUrbi(commandLine.programName());
   }
 
   @Builtin(doc = "The version: numbers separated by periods.")
@@ -72,10 +87,10 @@ final class SystemServer {
   }
 
   @Builtin(doc = "The name of this machine.")
-  static String hostName(Frame frame, UrbiObject self) {
+  String hostName(Frame frame, UrbiObject self) {
     try {
       return NativeText.toUrbi(
-          Network.localHostName(KernelControl.of(frame).outside(), frame.job()));
+          Network.localHostName(outside, frame.job()));
     } catch (IOException e) {
       return "localhost";
     }
@@ -91,27 +106,27 @@ final class SystemServer {
   // ------------------------------------------------------------------ its end
 
   @Builtin(doc = "Ends the server at once, with that exit status; nothing is closed.")
-  static void _exit(Frame frame, UrbiObject self, int status) {
+  void _exit(Frame frame, UrbiObject self, int status) {
     // What was said before is still heard.
-    for (UrbiLobby lobby : KernelControl.of(frame).lobbies()) {
+    for (UrbiLobby lobby : lobbies.all()) {
       lobby.output().flush();
     }
-    KernelControl.of(frame).halt(status);
+    kernelEnd.halt(status);
     frame.job().waitForWake();
   }
 
   @Builtin(doc = "Starts the server anew.")
-  static void reboot(Frame frame, CallSite site, UrbiObject self) {
-    if (!KernelControl.of(frame).requestReboot()) {
+  void reboot(Frame frame, CallSite site, UrbiObject self) {
+    if (!kernelEnd.requestReboot()) {
       throw error(frame, site, "not possible here");
     }
     frame.job().waitForWake();
   }
 
   @Builtin(doc = "Ends the code that runs for each connection.")
-  static void stopall(Frame frame, UrbiObject self) {
+  void stopall(Frame frame, UrbiObject self) {
     Job here = frame.job();
-    for (UrbiLobby lobby : KernelControl.of(frame).lobbies()) {
+    for (UrbiLobby lobby : lobbies.all()) {
       lobby.connectionTag().state().stop(frame.interpreter().values().voidObject);
     }
     here.checkInjected();
@@ -120,19 +135,18 @@ final class SystemServer {
   // ------------------------------------------------------------------ other programs
 
   @Builtin(doc = "Has the shell of the machine run a command, and returns its exit status.")
-  static double system(Frame frame, CallSite site, UrbiObject self, String command) {
+  double system(Frame frame, CallSite site, UrbiObject self, String command) {
     if (command.indexOf('\0') >= 0) {
       throw error(frame, site, "invalid command");
     }
-    KernelControl kernel = KernelControl.of(frame);
     try {
       int status =
           ChildProcess.run(
-              kernel.outside(),
+              outside,
               frame.job(),
               List.of("/bin/sh", "-c", NativeText.toJava(command)),
-              FileAccess.anyPath(frame).working().path,
-              kernel.environment().variables());
+              FileAccess.anyPath(frame).working().path(),
+              environment.variables());
       int signal = ChildProcess.signal(status);
       return signal != 0 ? signal : status << STATUS_SHIFT;
     } catch (IOException e) {

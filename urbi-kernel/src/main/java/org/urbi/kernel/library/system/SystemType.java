@@ -20,7 +20,11 @@ import org.urbi.kernel.object.UrbiObject;
 /** The server (manual, "System"). */
 @UrbiType(value = "System", doc = "The server on which the code runs.")
 final class SystemType {
-  private SystemType() {}
+  private final KernelEnd kernelEnd;
+
+  SystemType(KernelEnd kernelEnd) {
+    this.kernelEnd = kernelEnd;
+  }
 
   @Builtin(doc = "Waits for that many seconds; for ever when none is given.")
   static void sleep(Frame frame, CallSite site, UrbiObject self, @Optional Double duration) {
@@ -61,8 +65,8 @@ final class SystemType {
   }
 
   @Builtin(doc = "Ends the server.")
-  static void shutdown(Frame frame, UrbiObject self, @Optional Integer status) {
-    KernelControl.of(frame).requestShutdown(status == null ? 0 : status);
+  void shutdown(Frame frame, UrbiObject self, @Optional Integer status) {
+    kernelEnd.requestShutdown(status == null ? 0 : status);
     frame.job().waitForWake();
   }
 

@@ -24,7 +24,11 @@ import org.urbi.kernel.variable.UrbiConnection;
 final class SubscriptionType {
   private static final double NANOSECONDS = 1e9;
 
-  private SubscriptionType() {}
+  private final PluggedContext uobjects;
+
+  SubscriptionType(PluggedContext uobjects) {
+    this.uobjects = uobjects;
+  }
 
   static UrbiObject newPrototype(World world) {
     return new UrbiSubscription(world.values().object.cloneShape());
@@ -117,7 +121,7 @@ final class SubscriptionType {
   }
 
   @Builtin(doc = "All the links between variables.")
-  static List<UrbiConnection> getAll(Frame frame, UrbiObject self) {
-    return PluggedContext.of(frame).connections().all();
+  List<UrbiConnection> getAll(Frame frame, UrbiObject self) {
+    return uobjects.connections().all();
   }
 }

@@ -15,26 +15,30 @@ import org.urbi.kernel.variable.UrbiUVar;
     protos = {"Subscription"},
     doc = "Leads each new value of one variable to another.")
 final class UConnectionType {
-  private UConnectionType() {}
+  private final PluggedContext uobjects;
+
+  UConnectionType(PluggedContext uobjects) {
+    this.uobjects = uobjects;
+  }
 
   static UrbiObject newPrototype(World world) {
     return new UrbiConnection(world.values().object.cloneShape());
   }
 
   @Builtin(doc = "Leads the values of a variable to another.")
-  static void init(Frame frame, UrbiConnection self, UrbiUVar source, UrbiUVar target) {
+  void init(Frame frame, UrbiConnection self, UrbiUVar source, UrbiUVar target) {
     self.connect(frame, source, target);
-    PluggedContext.of(frame).connections().add(self);
+    uobjects.connections().add(self);
   }
 
   @Builtin(doc = "Ends the link.")
-  static void disconnect(Frame frame, UrbiConnection self) {
+  void disconnect(Frame frame, UrbiConnection self) {
     self.disconnect();
-    PluggedContext.of(frame).connections().remove(self);
+    uobjects.connections().remove(self);
   }
 
   @Builtin(doc = "Has the link begin at another variable.")
-  static void reconnect(Frame frame, UrbiConnection self, UrbiUVar src) {
+  void reconnect(Frame frame, UrbiConnection self, UrbiUVar src) {
     if (self.target() == null) {
       throw frame.interpreter().errors().primitive("reconnect", "the link has no target");
     }

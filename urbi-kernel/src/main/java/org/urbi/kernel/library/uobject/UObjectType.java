@@ -5,7 +5,6 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.file.FileAccess;
 import org.urbi.kernel.library.file.UrbiPath;
-import org.urbi.kernel.library.system.KernelControl;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -15,7 +14,11 @@ import org.urbi.kernel.uobject.PluggedContext;
 /** Objects with code behind them that is not urbiscript (manual, "UObject"). */
 @UrbiType(value = "UObject", doc = "An object with Java code behind it.")
 final class UObjectType {
-  private UObjectType() {}
+  private final PluggedContext uobjects;
+
+  UObjectType(PluggedContext uobjects) {
+    this.uobjects = uobjects;
+  }
 
   static UrbiObject newPrototype(World world) {
     UrbiObject prototype = world.values().object.cloned();
@@ -26,20 +29,20 @@ final class UObjectType {
   @Builtin(
       value = "new",
       doc = "A clone with Java code of its own, initialized by its init with these arguments.")
-  static UrbiObject newOf(Frame frame, CallSite site, UrbiObject self, UrbiObject... arguments) {
-    return PluggedContext.of(frame).creation().make(frame, site, self, arguments);
+  UrbiObject newOf(Frame frame, CallSite site, UrbiObject self, UrbiObject... arguments) {
+    return uobjects.creation().make(frame, site, self, arguments);
   }
 
   @Builtin(doc = "Ends the Java code behind the object.")
-  static void destroy(Frame frame, CallSite site, UrbiObject self) {
-    if (!PluggedContext.of(frame).creation().destroy(frame, self)) {
+  void destroy(Frame frame, CallSite site, UrbiObject self) {
+    if (!uobjects.creation().destroy(frame, self)) {
       throw frame.interpreter().errors().primitive(site.calledName(), "not a UObject");
     }
   }
 
   @Builtin(doc = "The folders where modules are looked for.")
-  static List<UrbiObject> searchPath(Frame frame, UrbiObject self) {
-    return KernelControl.of(frame).moduleSearchPath().stream()
+  List<UrbiObject> searchPath(Frame frame, UrbiObject self) {
+    return uobjects.modules().searchPath().stream()
         .map(folder -> (UrbiObject) FileAccess.anyPath(frame).sibling(UrbiPath.encoded(folder)))
         .toList();
   }

@@ -9,45 +9,46 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.event.CallTimes;
 import org.urbi.kernel.library.lobby.LobbyType;
-import org.urbi.kernel.library.system.KernelControl;
 import org.urbi.kernel.library.text.NativeText;
+import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Values;
-import org.urbi.kernel.uobject.CallStatistics;
 import org.urbi.kernel.uobject.PluggedContext;
 import org.urbi.kernel.variable.UrbiConnection;
 
 /** Where the UObjects are (manual, "uobjects"). */
 @UrbiType(value = "uobjects", doc = "The namespace of the UObjects, each under its unique name.")
 final class UObjectsType {
-  private UObjectsType() {}
+  private final PluggedContext uobjects;
+  private final KernelLog log;
 
-  private static CallStatistics statistics(Frame frame) {
-    return PluggedContext.of(frame).statistics();
+  UObjectsType(PluggedContext uobjects, KernelLog log) {
+    this.uobjects = uobjects;
+    this.log = log;
   }
 
   @Builtin(doc = "Enables or disables the measuring of bound functions.")
-  static void enableStats(Frame frame, UrbiObject self, UrbiObject on) {
-    statistics(frame).enable(Truth.of(frame, on));
+  void enableStats(Frame frame, UrbiObject self, UrbiObject on) {
+    uobjects.statistics().enable(Truth.of(frame, on));
   }
 
   @Builtin(doc = "Forgets what was measured of bound functions.")
-  static void clearStats(Frame frame, UrbiObject self) {
-    statistics(frame).clear();
+  void clearStats(Frame frame, UrbiObject self) {
+    uobjects.statistics().clear();
   }
 
   @Builtin(
       doc =
           "By their names, the average, least and most time in seconds that bound functions took,"
               + " and the number of calls.")
-  static UrbiObject getStats(Frame frame, UrbiObject self) {
+  UrbiObject getStats(Frame frame, UrbiObject self) {
     Values values = frame.interpreter().values();
     Map<UrbiDictionary.Key, UrbiObject> entries = new LinkedHashMap<>();
-    statistics(frame)
+    uobjects.statistics()
         .all()
         .forEach((name, times) ->
             entries.put(
@@ -65,8 +66,8 @@ final class UObjectsType {
   }
 
   @Builtin(doc = "Shows the statistics of all the links between variables.")
-  static void connectionStats(Frame frame, UrbiObject self) {
-    List<UrbiConnection> all = PluggedContext.of(frame).connections().all();
+  void connectionStats(Frame frame, UrbiObject self) {
+    List<UrbiConnection> all = uobjects.connections().all();
     List<String> lines = new ArrayList<>();
     for (UrbiConnection connection : all) {
       if (connection.source() != null) {
@@ -90,17 +91,17 @@ final class UObjectsType {
   }
 
   @Builtin(doc = "Forgets the statistics of all the links between variables.")
-  static void resetConnectionStats(Frame frame, UrbiObject self) {
-    PluggedContext.of(frame).connections().all().forEach(link -> link.gate().times().reset());
+  void resetConnectionStats(Frame frame, UrbiObject self) {
+    uobjects.connections().all().forEach(link -> link.gate().times().reset());
   }
 
   @Builtin(doc = "Enables or disables messages of the log about each call of a bound function.")
-  static void setTrace(Frame frame, UrbiObject self, UrbiObject on) {
-    statistics(frame).trace(Truth.of(frame, on) ? KernelControl.of(frame)::log : null);
+  void setTrace(Frame frame, UrbiObject self, UrbiObject on) {
+    uobjects.statistics().trace(Truth.of(frame, on) ? log::write : null);
   }
 
   @Builtin(doc = "The folders where modules are looked for.")
-  static List<UrbiObject> searchPath(Frame frame, UrbiObject self) {
-    return UObjectType.searchPath(frame, self);
+  List<UrbiObject> searchPath(Frame frame, UrbiObject self) {
+    return new UObjectType(uobjects).searchPath(frame, self);
   }
 }

@@ -18,30 +18,34 @@ import org.urbi.kernel.variable.UrbiUVar;
 /** Variables that can be hooked (manual, "UVar"). */
 @UrbiType(value = "UVar", doc = "A variable whose changes and accesses can be hooked.")
 final class UVarType {
-  private UVarType() {}
+  private final PluggedContext uobjects;
+
+  UVarType(PluggedContext uobjects) {
+    this.uobjects = uobjects;
+  }
 
   static UrbiObject newPrototype(World world) {
     return new UrbiUVar(world.values().object.cloneShape());
   }
 
   @Builtin(doc = "Stands behind the slot of that name of an object.")
-  static void init(Frame frame, UrbiUVar self, UrbiObject owner, String name) {
+  void init(Frame frame, UrbiUVar self, UrbiObject owner, String name) {
     bind(frame, self, owner, name);
   }
 
   @Builtin(doc = "Stands behind a slot of another object, too.")
-  static void copy(Frame frame, UrbiUVar self, UrbiObject targetObject, String targetName) {
+  void copy(Frame frame, UrbiUVar self, UrbiObject targetObject, String targetName) {
     bind(frame, self, targetObject, targetName);
   }
 
-  private static void bind(Frame frame, UrbiUVar self, UrbiObject owner, String name) {
+  private void bind(Frame frame, UrbiUVar self, UrbiObject owner, String name) {
     Symbol slot = self.world().symbol(name);
     UrbiObject hooked = self.lookup(self.world().symbol("hookChanged"));
     self.bind(
         frame.interpreter(),
         owner,
         slot,
-        PluggedContext.of(frame).nameOf(frame, owner),
+        uobjects.nameOf(frame, owner),
         hooked == null || Truth.of(frame, hooked));
   }
 

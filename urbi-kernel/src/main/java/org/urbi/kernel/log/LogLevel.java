@@ -1,4 +1,4 @@
-package org.urbi.kernel.library.lobby;
+package org.urbi.kernel.log;
 
 import java.util.Locale;
 
@@ -11,7 +11,7 @@ public enum LogLevel {
   DUMP;
 
   /** As urbiscript calls it. */
-  String label() {
+  public String label() {
     return name().charAt(0) + name().substring(1).toLowerCase(Locale.ROOT);
   }
 

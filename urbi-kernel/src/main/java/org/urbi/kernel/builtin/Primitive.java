@@ -1,6 +1,9 @@
-package org.urbi.kernel.node;
+package org.urbi.kernel.builtin;
 
-import org.urbi.kernel.builtin.BuiltinTable;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Code;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Profiler;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -19,7 +22,7 @@ public final class Primitive extends Code {
     this.max = table.maxArguments(index);
   }
 
-  /** The name under which the library declares it. */
+  @Override
   public String name() {
     return table.name(index);
   }
@@ -48,14 +51,14 @@ public final class Primitive extends Code {
     if (given < min || given > max) {
       throw caller.interpreter().errors().arity(site.calledName(), given, min, max);
     }
-    return caller.interpreter.profiling
+    return caller.interpreter().isProfiling()
         ? profiled(caller, site, self, arguments)
         : table.call(index, caller, site, self, arguments);
   }
 
   private UrbiObject profiled(
       Frame caller, CallSite site, UrbiObject self, UrbiObject[] arguments) {
-    Profiler.Stack stack = Profiler.enter(caller.job, site.calledName(), this);
+    Profiler.Stack stack = Profiler.enter(caller.job(), site.calledName(), this);
     try {
       return table.call(index, caller, site, self, arguments);
     } finally {

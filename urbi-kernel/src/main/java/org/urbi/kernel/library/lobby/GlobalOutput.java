@@ -1,0 +1,41 @@
+package org.urbi.kernel.library.lobby;
+
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Optional;
+import org.urbi.builtins.UrbiTypePart;
+import org.urbi.kernel.lobby.Lobbies;
+import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+
+/** What code that names no lobby can send (manual, "Global": echo, wall, warn). */
+@UrbiTypePart("Global")
+final class GlobalOutput {
+  private final Lobbies lobbies;
+
+  GlobalOutput(Lobbies lobbies) {
+    this.lobbies = lobbies;
+  }
+
+  @Builtin(doc = "Sends a value as text to the lobby, on a channel if one is given.")
+  static void echo(Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
+    LobbyType.echo(frame, LobbyType.of(frame), value, channel);
+  }
+
+  @Builtin(doc = "Sends a value as text to all lobbies, on a channel if one is given.")
+  void wall(Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
+    for (UrbiLobby lobby : lobbies.all()) {
+      // What a lobby made by a program is sent goes to its creator, who is told anyway.
+      if (!lobby.output().isBranch()) {
+        LobbyType.echo(frame, lobby, value, channel);
+      }
+    }
+  }
+
+  @Builtin(doc = "Sends a message to the channel warning.")
+  static void warn(Frame frame, UrbiObject self, UrbiObject message) {
+    LobbyType.of(frame)
+        .output()
+        .send("warning", "!!! " + frame.interpreter().asString(frame, message));
+  }
+}

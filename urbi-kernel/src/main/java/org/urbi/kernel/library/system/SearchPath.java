@@ -1,0 +1,12 @@
+package org.urbi.kernel.library.system;
+
+import java.nio.file.Path;
+import java.util.List;
+
+/**
+ * Where source files are looked for.
+ *
+ * @param folders first to last
+ * @param library the folder of the library's own source files; null when there is none
+ */
+public record SearchPath(List<Path> folders, Path library) {}

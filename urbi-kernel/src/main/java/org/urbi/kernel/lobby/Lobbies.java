@@ -1,0 +1,15 @@
+package org.urbi.kernel.lobby;
+
+import java.util.List;
+
+/** The lobbies of one kernel (manual, "Lobby"). */
+public interface Lobbies {
+  /** Those of all connections, and those made by programs. */
+  List<UrbiLobby> all();
+
+  /** A lobby without a connection of its own: its output goes where that of another one does. */
+  UrbiLobby create(UrbiLobby creator);
+
+  /** The lobby of code that belongs to no connection. */
+  UrbiLobby system();
+}
