@@ -21,7 +21,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.kernel.builtin.BuiltinTable;
-import org.urbi.kernel.library.LibraryTables;
+import org.urbi.kernel.library.Library;
 
 /**
  * Whatever a builtin is called with, it answers with a value or an exception of the manual, and the
@@ -91,7 +91,7 @@ class WrongCallsTest {
   private static List<WrongCaller.Builtin> part(int caller) {
     List<WrongCaller.Builtin> part = new ArrayList<>();
     int number = 0;
-    for (BuiltinTable table : LibraryTables.declarations()) {
+    for (BuiltinTable table : Library.declarations()) {
       for (int i = 0; i < table.size(); i++) {
         var builtin = new WrongCaller.Builtin(table, i);
         if (builtin.toString().startsWith(ONLY) && number++ % CALLERS == caller) {

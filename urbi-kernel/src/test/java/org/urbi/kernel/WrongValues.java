@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import org.urbi.kernel.builtin.BuiltinTable;
-import org.urbi.kernel.library.LibraryTables;
+import org.urbi.kernel.library.Library;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
@@ -222,7 +222,7 @@ final class WrongValues {
     COLLECTIONS.lines().forEach(expressions::add);
     FUNCTIONS.lines().forEach(expressions::add);
     OBJECTS.lines().forEach(expressions::add);
-    for (BuiltinTable table : LibraryTables.declarations()) {
+    for (BuiltinTable table : Library.declarations()) {
       // The prototype of paths is the path of the root.
       if (!table.isPart() && !table.type().equals("Path")) {
         expressions.add(table.type());
@@ -240,7 +240,7 @@ final class WrongValues {
 
   /** Remembers of what types a value is. */
   void learn(World world, String expression, UrbiObject value) {
-    for (BuiltinTable table : LibraryTables.declarations()) {
+    for (BuiltinTable table : Library.declarations()) {
       UrbiObject type = world.prototype(table.type());
       if (type != null && value.isA(type)) {
         List<String> known = ofType.computeIfAbsent(table.type(), name -> new ArrayList<>());

@@ -65,7 +65,7 @@ public final class AtCondition extends Node {
       this.hold = hold;
       Job creator = handler.home().job();
       Node watched =
-          creator.observer == null
+          creator.observer() == null
               ? condition
               : Profiler.observing(creator, "at: { " + condition.span().text() + " }", condition);
       this.watch = new Watch(handler.home(), watched, this);

@@ -55,20 +55,8 @@ public final class Job implements Runnable {
   private long timeShift;
   private List<Runnable> endListeners;
 
-  /** The urbiscript object that shows this job; made by the library when asked for. */
-  public UrbiObject object;
-
-  /** What it was doing when it last began to wait, for the library to show; may be null. */
-  public Object activity;
-
-  /**
-   * The activation that has called code which is not urbiscript, while that code runs; usually
-   * null.
-   */
-  public Object outgoing;
-
-  /** What unwinds the job although code that is not urbiscript may have caught it; usually null. */
-  public Unwinding unwinding;
+  /** The values of the {@linkplain JobLocal variables} that were set for this job. */
+  JobLocal.Entry locals;
 
   /** Somebody who measures what a job does. */
   public interface Observer {
@@ -82,20 +70,11 @@ public final class Job implements Runnable {
     Observer forChild();
   }
 
-  /** Who measures what this job does; usually null. */
-  public Observer observer;
-
-  /** How many calls from Java to urbiscript are going on, one within the other. */
-  public int nestedSends;
-
-  /** How many scopes there are around in which slots may be defined again. */
-  public int redefinitions;
-
-  /** How many scopes there are around that no other job may interrupt. */
-  public int nonInterruptible;
-
-  /** Jobs of a lower priority do not run while this one can; usually 0. */
-  public double priority;
+  private Observer observer;
+  private int nestedSends;
+  private int redefinitions;
+  private int nonInterruptible;
+  private double priority;
 
   Job(
       Scheduler scheduler,
@@ -161,6 +140,76 @@ public final class Job implements Runnable {
   /** How many nanoseconds it has been frozen in all. */
   public long timeShift() {
     return timeShift;
+  }
+
+  // ------------------------------------------------------------------ how it runs
+
+  /** Who measures what this job does; usually null. */
+  public Observer observer() {
+    return observer;
+  }
+
+  /** Has somebody measure what this job does; nobody if it is null. */
+  public void observe(Observer by) {
+    observer = by;
+  }
+
+  /**
+   * Java code is about to send a message to urbiscript.
+   *
+   * @param most how many may be going on, one within the other
+   * @return false, and nothing has begun, if these were too many
+   */
+  public boolean beginSend(int most) {
+    if (nestedSends >= most) {
+      return false;
+    }
+    nestedSends++;
+    return true;
+  }
+
+  /** What {@link #beginSend} has begun is over. */
+  public void endSend() {
+    nestedSends--;
+  }
+
+  /** How many scopes there are around in which slots may be defined again. */
+  public int redefinitions() {
+    return redefinitions;
+  }
+
+  /** From now on slots may be defined again. */
+  public void allowRedefinition() {
+    redefinitions++;
+  }
+
+  /** Ends the scopes in which slots may be defined again, but for as many as there were before. */
+  public void endRedefinitions(int before) {
+    redefinitions = Math.min(redefinitions, before);
+  }
+
+  /** How many scopes there are around that no other job may interrupt. */
+  public int nonInterruptible() {
+    return nonInterruptible;
+  }
+
+  /** From now on no other job may run. */
+  public void refuseInterruption() {
+    nonInterruptible++;
+  }
+
+  /** Ends the scopes that no other job may interrupt, but for as many as there were before. */
+  public void endNonInterruptible(int before) {
+    nonInterruptible = Math.min(nonInterruptible, before);
+  }
+
+  /** Jobs of a lower priority do not run while this one can; usually 0. */
+  public double priority() {
+    return priority;
+  }
+
+  public void setPriority(double other) {
+    priority = other;
   }
 
   // ------------------------------------------------------------------ life, on its own thread

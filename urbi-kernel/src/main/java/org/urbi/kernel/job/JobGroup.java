@@ -49,7 +49,7 @@ public final class JobGroup {
    * @throws RuntimeException what one of them was left by
    */
   public void join() {
-    if (!live.isEmpty() && failure == null && parent.nonInterruptible > 0) {
+    if (!live.isEmpty() && failure == null && parent.nonInterruptible() > 0) {
       throw parent.scheduler().refusal("dependency on other task in non-interruptible code");
     }
     while (!live.isEmpty() && failure == null) {

@@ -234,7 +234,7 @@ public final class Scheduler {
   /** Whether there are others to run with at least that priority. */
   boolean hasOthersFrom(double priority) {
     for (Job job : runnable) {
-      if (job.priority >= priority) {
+      if (job.priority() >= priority) {
         return true;
       }
     }

@@ -1,6 +1,7 @@
 package org.urbi.kernel.library;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -13,7 +14,9 @@ import org.urbi.kernel.library.code.LocationType;
 import org.urbi.kernel.library.code.ScriptCode;
 import org.urbi.kernel.library.code.StackFrames;
 import org.urbi.kernel.library.concurrent.EventType;
+import org.urbi.kernel.library.exception.ExceptionTypes;
 import org.urbi.kernel.library.math.FloatType;
+import org.urbi.kernel.library.motion.TrajectoryKinds;
 import org.urbi.kernel.library.motion.TrajectorySequence;
 import org.urbi.kernel.library.motion.TrajectoryUntil;
 import org.urbi.kernel.library.object.UrbiFinalizable;
@@ -52,10 +55,24 @@ public final class Library {
    */
   public static void install(
       Interpreter interpreter, BuiltinTable[] tables, StackFrames stackFrames) {
-    new Library(interpreter, stackFrames).install(tables);
+    new Library(interpreter, stackFrames).install(withTables(tables));
   }
 
-  private void install(BuiltinTable[] tables) {
+  /** What the library declares, to be read: what needs the kernel cannot be called in it. */
+  public static List<BuiltinTable> declarations() {
+    return withTables(LibraryTables.declarations());
+  }
+
+  /** All tables in alphabetical order; the parts of a type follow the one that declares it. */
+  private static List<BuiltinTable> withTables(BuiltinTable[] generated) {
+    List<BuiltinTable> all = new ArrayList<>(List.of(generated));
+    all.addAll(ExceptionTypes.tables());
+    all.addAll(TrajectoryKinds.tables());
+    all.sort(Comparator.comparing(BuiltinTable::type));
+    return all;
+  }
+
+  private void install(List<BuiltinTable> tables) {
     known();
     for (BuiltinTable table : tables) {
       if (!table.isPart()) {
@@ -139,7 +156,7 @@ public final class Library {
     }
   }
 
-  private void inheritance(BuiltinTable[] tables) {
+  private void inheritance(List<BuiltinTable> tables) {
     for (BuiltinTable table : tables) {
       if (!table.isPart()) {
         List<UrbiObject> protos = new ArrayList<>();

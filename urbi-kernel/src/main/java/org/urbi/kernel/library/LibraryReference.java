@@ -2,6 +2,7 @@ package org.urbi.kernel.library;
 
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.urbi.kernel.builtin.BuiltinTable;
@@ -16,11 +17,11 @@ public final class LibraryReference {
   /** The page, in Markdown. */
   public static String markdown() {
     LibraryReference reference = new LibraryReference();
-    reference.write(LibraryTables.declarations());
+    reference.write(Library.declarations());
     return reference.out.toString();
   }
 
-  private void write(BuiltinTable[] tables) {
+  private void write(List<BuiltinTable> tables) {
     out.append("# The library\n\n");
     out.append("Generated from the declarations of the builtins; do not edit. ");
     out.append("Arguments with `?` may be left out, `...` stands for any number of them.\n");

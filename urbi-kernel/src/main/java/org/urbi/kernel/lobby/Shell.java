@@ -226,7 +226,7 @@ public final class Shell {
       }
     } finally {
       busy = false;
-      shell.nonInterruptible = 0;
+      shell.endNonInterruptible(0);
     }
   }
 

@@ -164,14 +164,13 @@ public final class Interpreter {
    * one when both are their own elements, has exhausted the stack.
    */
   public UrbiObject send(Frame caller, UrbiObject target, String message, UrbiObject... arguments) {
-    if (++caller.job.nestedSends > Math.min(MAXIMUM_NESTED_SENDS, maximumDepth)) {
-      caller.job.nestedSends--;
+    if (!caller.job.beginSend(Math.min(MAXIMUM_NESTED_SENDS, maximumDepth))) {
       throw errors.scheduling("stack exhausted");
     }
     try {
       return send(caller, new JavaSite(message), target, world.symbol(message), arguments);
     } finally {
-      caller.job.nestedSends--;
+      caller.job.endSend();
     }
   }
 

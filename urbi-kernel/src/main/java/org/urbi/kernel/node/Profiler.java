@@ -53,13 +53,13 @@ public final class Profiler {
   /** Begins to observe a job, and the jobs that it starts. */
   public void observe(Job job) {
     interpreter.startProfiling();
-    job.observer = new Stack();
+    job.observe(new Stack());
   }
 
   /** The code has been executed; what it has started is still observed. */
   public void finished(Job job) {
     wallClock = clock.now() - begin;
-    job.observer = null;
+    job.observe(null);
   }
 
   /** The functions called, in the order of their first calls. */
@@ -83,7 +83,7 @@ public final class Profiler {
 
   /** Called at the beginning of each call, while there is a profiler. */
   public static Stack enter(Job job, String name, Object key) {
-    if (job.observer instanceof Stack stack) {
+    if (job.observer() instanceof Stack stack) {
       stack.enter(name, key);
       return stack;
     }
@@ -99,7 +99,7 @@ public final class Profiler {
    * @return the code itself, when nobody observes the job
    */
   public static Node observing(Job job, String name, Node code) {
-    return code != null && job.observer instanceof Stack stack
+    return code != null && job.observer() instanceof Stack stack
         ? stack.profiler().new Observed(name, code)
         : code;
   }
@@ -118,16 +118,16 @@ public final class Profiler {
     @Override
     public UrbiObject execute(Frame frame) {
       Job job = frame.job;
-      Job.Observer before = job.observer;
+      Job.Observer before = job.observer();
       Stack stack =
           before instanceof Stack going && going.profiler() == Profiler.this ? going : new Stack();
-      job.observer = stack;
+      job.observe(stack);
       stack.enter(name, code);
       try {
         return code.execute(frame);
       } finally {
         stack.leave();
-        job.observer = before;
+        job.observe(before);
       }
     }
   }

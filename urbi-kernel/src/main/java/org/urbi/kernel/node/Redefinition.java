@@ -17,13 +17,13 @@ public final class Redefinition extends Node {
 
   @Override
   public UrbiObject execute(Frame frame) {
-    int before = frame.job.redefinitions;
-    int held = frame.job.nonInterruptible;
+    int before = frame.job.redefinitions();
+    int held = frame.job.nonInterruptible();
     try {
       return body.execute(frame);
     } finally {
-      frame.job.redefinitions = before;
-      frame.job.nonInterruptible = held;
+      frame.job.endRedefinitions(before);
+      frame.job.endNonInterruptible(held);
     }
   }
 }

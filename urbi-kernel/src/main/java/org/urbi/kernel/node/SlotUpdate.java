@@ -24,7 +24,7 @@ public final class SlotUpdate {
    */
   public static void create(Frame frame, UrbiObject target, Symbol name, UrbiObject value) {
     if (target.shape().indexOf(name) >= 0) {
-      if (frame.job.redefinitions == 0) {
+      if (frame.job.redefinitions() == 0) {
         throw frame.interpreter.errors().redefinition(name.name());
       }
       target.removeSlot(name);

@@ -62,8 +62,8 @@ public final class Tagged extends Node {
     if (tag.state().isBlocked()) {
       return tag.state().blockedValue();
     }
-    double before = job.priority;
-    job.priority = Math.max(before, tag.priority());
+    double before = job.priority();
+    job.setPriority(Math.max(before, tag.priority()));
     TagScope scope = job.enter(tag.state());
     try {
       return run(frame, tags, index + 1, told, body);
@@ -74,7 +74,7 @@ public final class Tagged extends Node {
       return stopped(frame, tag, stop.value(), body);
     } finally {
       job.leave(scope);
-      job.priority = before;
+      job.setPriority(before);
       if (told[index]) {
         tag.left(frame);
         if (tag.leaveEvent() != null) {

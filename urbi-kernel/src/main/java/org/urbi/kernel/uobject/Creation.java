@@ -140,7 +140,7 @@ public final class Creation {
 
   /** Runs a constructor. */
   <T> T construct(Frame frame, String name, Callable<T> constructor) {
-    Object outer = context.leave(frame);
+    Frame outer = context.leave(frame);
     try {
       return constructor.call();
     } catch (Throwable e) {
@@ -213,7 +213,7 @@ public final class Creation {
       forget(instance);
       return;
     }
-    Object outer = context.leave(frame);
+    Frame outer = context.leave(frame);
     try {
       java.clean();
     } finally {

@@ -166,10 +166,10 @@ public final class PluggedContext implements UContext {
   // ------------------------------------------------------------------ to and fro
 
   /** Code of urbiscript is about to call Java code; {@link #back} is to be given the result. */
-  Object leave(Frame caller) {
-    Job job = caller.job();
-    Object outer = job.outgoing;
-    job.outgoing = caller;
+  Frame leave(Frame caller) {
+    Crossing crossing = Crossing.of(caller.job());
+    Frame outer = crossing.caller;
+    crossing.caller = caller;
     if (outer == null) {
       UContext.enter(this);
       KernelThreadPin.pin();
@@ -178,15 +178,15 @@ public final class PluggedContext implements UContext {
   }
 
   /** The Java code has returned, or thrown something. */
-  void back(Frame caller, Object outer) {
-    Job job = caller.job();
-    job.outgoing = outer;
+  void back(Frame caller, Frame outer) {
+    Crossing crossing = Crossing.of(caller.job());
+    crossing.caller = outer;
     if (outer == null) {
       KernelThreadPin.unpin();
     }
-    Unwinding unwinding = job.unwinding;
+    Unwinding unwinding = crossing.unwinding;
     if (unwinding != null) {
-      job.unwinding = null;
+      crossing.unwinding = null;
       throw unwinding;
     }
   }
@@ -204,20 +204,21 @@ public final class PluggedContext implements UContext {
       return null;
     }
     Job job = scheduler.running();
-    Frame caller = (Frame) job.outgoing;
+    Crossing crossing = Crossing.of(job);
+    Frame caller = crossing.caller;
     if (caller == null) {
       return task.apply(Frame.top(interpreter, job, job.lobby(), new FrameLayout()));
     }
-    job.outgoing = null;
+    crossing.caller = null;
     KernelThreadPin.unpin();
     try {
       return translated(caller, task);
     } catch (Unwinding e) {
-      job.unwinding = e;
+      crossing.unwinding = e;
       throw e;
     } finally {
       KernelThreadPin.pin();
-      job.outgoing = caller;
+      crossing.caller = caller;
     }
   }
 
@@ -279,7 +280,7 @@ public final class PluggedContext implements UContext {
     Frame frame = Frame.top(interpreter, job, lobby, new FrameLayout());
     CallStatistics.Entry entry = statistics.entry(callback.name());
     long started = entry.begin();
-    Object outer = leave(frame);
+    Frame outer = leave(frame);
     try {
       callback.call();
     } catch (Unwinding e) {

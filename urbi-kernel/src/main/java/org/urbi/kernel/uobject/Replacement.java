@@ -125,7 +125,7 @@ final class Replacement {
   }
 
   private void clean(Frame frame, UObject java) {
-    Object outer = context.leave(frame);
+    Frame outer = context.leave(frame);
     try {
       java.clean();
     } finally {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.JobLocal;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 
@@ -13,15 +14,17 @@ import org.urbi.kernel.node.Frame;
  * @param caller the activation that made the call
  */
 public record Activity(CallSite site, Frame caller) {
+  private static final JobLocal<Activity> LATEST = new JobLocal<>();
+
   /** Notes that the running job is about to wait in a function called at that site. */
   public static void note(Frame caller, CallSite site) {
-    caller.job().activity = new Activity(site, caller);
+    LATEST.set(caller.job(), new Activity(site, caller));
   }
 
   /** The calls that are going on in a job, innermost first. */
   static List<UrbiException.Call> backtrace(Job job) {
     List<UrbiException.Call> calls = new ArrayList<>();
-    if (job.activity instanceof Activity waiting && job.state() != Job.State.ENDED) {
+    if (LATEST.get(job) instanceof Activity waiting && job.state() != Job.State.ENDED) {
       calls.add(new UrbiException.Call(waiting.site.calledName(), waiting.site.calledSpan()));
       calls.addAll(waiting.caller.backtrace());
     }

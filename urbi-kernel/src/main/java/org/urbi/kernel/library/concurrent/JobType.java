@@ -7,6 +7,7 @@ import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.JobLocal;
 import org.urbi.kernel.job.TagState;
 import org.urbi.kernel.library.code.StackFrames;
 import org.urbi.kernel.library.lobby.LobbyType;
@@ -23,6 +24,9 @@ import org.urbi.kernel.tag.UrbiTag;
     protos = {"Object", "Traceable"},
     doc = "A light thread of execution.")
 public final class JobType {
+  /** The objects that show the jobs; made when asked for. */
+  private static final JobLocal<UrbiObject> SHOWN = new JobLocal<>();
+
   private final StackFrames stackFrames;
 
   JobType(StackFrames stackFrames) {
@@ -35,11 +39,13 @@ public final class JobType {
 
   /** The object that shows a job. */
   public static UrbiObject object(Frame frame, Job job) {
-    if (job.object == null) {
+    UrbiObject shown = SHOWN.get(job);
+    if (shown == null) {
       UrbiObject prototype = frame.interpreter().world().prototype("Job");
-      job.object = new UrbiJob(prototype.cloneShape(), job);
+      shown = new UrbiJob(prototype.cloneShape(), job);
+      SHOWN.set(job, shown);
     }
-    return job.object;
+    return shown;
   }
 
   @Builtin(doc = "The job that asks.")

@@ -3,8 +3,8 @@ package org.urbi.kernel.library.exception;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.Frame;
-import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 
@@ -15,13 +15,6 @@ import org.urbi.kernel.object.UrbiString;
     doc = "An error, with a message.")
 public final class ExceptionType {
   private ExceptionType() {}
-
-  /** Sets a slot of a fresh exception. */
-  static void set(UrbiObject self, String name, UrbiObject value) {
-    Symbol symbol = self.world().symbol(name);
-    self.removeSlot(symbol);
-    self.addSlot(symbol, value);
-  }
 
   /** The text of a slot of an exception, as asString shows it. */
   public static String text(Frame frame, UrbiObject self, String name) {
@@ -34,7 +27,7 @@ public final class ExceptionType {
   @Builtin(doc = "Makes an exception with that message.")
   static void init(UrbiObject self, @Optional UrbiObject message) {
     if (message != null) {
-      set(self, "message", message);
+      OwnSlots.put(self, "message", message);
     }
   }
 

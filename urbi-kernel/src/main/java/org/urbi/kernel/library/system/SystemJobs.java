@@ -97,13 +97,13 @@ final class SystemJobs {
   @Builtin(doc = "Lets slots be defined again until the end of the scope.")
   static void redefinitionMode(Frame frame, CallSite site, UrbiObject self) {
     Job job = frame.job();
-    int before = job.redefinitions;
+    int before = job.redefinitions();
     endWithFunction(
         frame,
         site,
         "redefinitionMode",
-        () -> job.redefinitions = Math.min(job.redefinitions, before));
-    job.redefinitions++;
+        () -> job.endRedefinitions(before));
+    job.allowRedefinition();
   }
 
   /** A scope ends what is asked for by its name; what has another name ends with the function. */
@@ -126,13 +126,13 @@ final class SystemJobs {
   @Builtin(doc = "Lets no other job run until the end of the scope, which may not wait either.")
   static void nonInterruptible(Frame frame, CallSite site, UrbiObject self) {
     Job job = frame.job();
-    int before = job.nonInterruptible;
+    int before = job.nonInterruptible();
     endWithFunction(
         frame,
         site,
         "nonInterruptible",
-        () -> job.nonInterruptible = Math.min(job.nonInterruptible, before));
-    job.nonInterruptible++;
+        () -> job.endNonInterruptible(before));
+    job.refuseInterruption();
   }
 
   @Builtin(doc = "Calls a function, and measures what it does.")

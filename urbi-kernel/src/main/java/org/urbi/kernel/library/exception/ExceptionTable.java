@@ -1,0 +1,114 @@
+package org.urbi.kernel.library.exception;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.urbi.kernel.builtin.BuiltinTable;
+import org.urbi.kernel.library.value.OwnSlots;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+
+/** One type of exceptions: how it is made, and how it is shown. */
+final class ExceptionTable extends BuiltinTable {
+  /** What its {@code init} does; the number of arguments has been checked. */
+  interface Action {
+    void run(Frame caller, CallSite site, UrbiObject self, UrbiObject[] arguments);
+  }
+
+  /** What its {@code asString} says. */
+  interface Text {
+    String of(Frame frame, UrbiObject self);
+  }
+
+  /**
+   * How it is made.
+   *
+   * @param formals the arguments; those that may be left out end with {@code ?}
+   */
+  record Init(String doc, List<String> formals, Action action) {
+    /** Keeps each argument in the slot of that name, or of another: {@code format=fmt}. */
+    static Init of(String doc, String... slots) {
+      List<String> formals = new ArrayList<>();
+      List<String> names = new ArrayList<>();
+      for (String slot : slots) {
+        formals.add(slot.replaceFirst("=.*", ""));
+        names.add(slot.replaceFirst(".*=", ""));
+      }
+      return new Init(
+          doc,
+          formals,
+          (caller, site, self, arguments) -> {
+            for (int i = 0; i < arguments.length; i++) {
+              OwnSlots.put(self, names.get(i), arguments[i]);
+            }
+          });
+    }
+
+    private Entry entry() {
+      int least = (int) formals.stream().filter(formal -> !formal.endsWith("?")).count();
+      String shown = formals.isEmpty() ? "" : "(" + String.join(", ", formals) + ")";
+      return new Entry("init", least, formals.size(), false, false, shown, doc);
+    }
+  }
+
+  /** How it is shown. */
+  record Shown(String doc, Text text) {
+    /** A text in which {@code {slot}} stands for the value of a slot. */
+    static Shown as(String doc, String template) {
+      return new Shown(doc, (frame, self) -> filled(frame, self, template));
+    }
+
+    private static String filled(Frame frame, UrbiObject self, String template) {
+      StringBuilder text = new StringBuilder();
+      int from = 0;
+      int open = template.indexOf('{');
+      while (open >= 0) {
+        int close = template.indexOf('}', open);
+        text.append(template, from, open)
+            .append(ExceptionType.text(frame, self, template.substring(open + 1, close)));
+        from = close + 1;
+        open = template.indexOf('{', from);
+      }
+      return text.append(template.substring(from)).toString();
+    }
+
+    private Entry entry() {
+      return new Entry("asString", 0, 0, false, false, "", doc);
+    }
+  }
+
+  private final Init init;
+  private final Shown shown;
+
+  /**
+   * @param init null for the one it inherits
+   * @param shown null for the text it inherits
+   */
+  ExceptionTable(String type, String proto, String doc, Init init, Shown shown) {
+    super(type, doc, new String[] {proto}, entries(init, shown));
+    this.init = init;
+    this.shown = shown;
+  }
+
+  private static Entry[] entries(Init init, Shown shown) {
+    List<Entry> entries = new ArrayList<>();
+    if (init != null) {
+      entries.add(init.entry());
+    }
+    if (shown != null) {
+      entries.add(shown.entry());
+    }
+    return entries.toArray(Entry[]::new);
+  }
+
+  @Override
+  public UrbiObject call(
+      int index, Frame caller, CallSite site, UrbiObject self, UrbiObject[] arguments) {
+    var values = caller.interpreter().values();
+    if (index == 0 && init != null) {
+      init.action.run(caller, site, self, arguments);
+      return values.voidObject;
+    }
+    return values.string(shown.text.of(caller, self));
+  }
+}

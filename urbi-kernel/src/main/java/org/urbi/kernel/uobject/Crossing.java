@@ -1,0 +1,26 @@
+package org.urbi.kernel.uobject;
+
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.JobLocal;
+import org.urbi.kernel.job.Unwinding;
+import org.urbi.kernel.node.Frame;
+
+/** Where a job stands between urbiscript and the Java code of UObjects, which call each other. */
+final class Crossing {
+  private static final JobLocal<Crossing> OF_JOB = new JobLocal<>();
+
+  /** The activation that has called Java code, while that code runs; else null. */
+  Frame caller;
+
+  /** What unwinds the job although Java code may have caught it; usually null. */
+  Unwinding unwinding;
+
+  static Crossing of(Job job) {
+    Crossing known = OF_JOB.get(job);
+    if (known == null) {
+      known = new Crossing();
+      OF_JOB.set(job, known);
+    }
+    return known;
+  }
+}
