@@ -2,6 +2,7 @@ package org.urbi.tests;
 
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
+import static com.tngtech.archunit.lang.SimpleConditionEvent.violated;
 import static com.tngtech.archunit.lang.conditions.ArchPredicates.are;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
@@ -9,18 +10,22 @@ import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.sli
 
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.AccessTarget.CodeUnitCallTarget;
+import com.tngtech.archunit.core.domain.Dependency;
 import com.tngtech.archunit.core.domain.JavaCall;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.importer.ImportOption.DoNotIncludeTests;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.lang.ArchCondition;
 import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.lang.ConditionEvents;
 import com.tngtech.archunit.library.dependencies.SliceAssignment;
 import com.tngtech.archunit.library.dependencies.SliceIdentifier;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /**
  * Who may know whom. The modules' arrows are Maven's business as well; here they are said by
@@ -85,27 +90,6 @@ class ArchitectureTest {
           .should()
           .dependOnClassesThat()
           .resideInAPackage("urbi.remote..");
-
-  @ArchTest
-  static final ArchRule noCyclesAmongTheRoomsOfTheSdk =
-      slices()
-          .assignedFrom(
-              new SliceAssignment() {
-                @Override
-                public SliceIdentifier getIdentifierOf(JavaClass type) {
-                  String room = type.getPackageName();
-                  return room.equals("urbi") || room.startsWith("urbi.")
-                      ? SliceIdentifier.of(room)
-                      : SliceIdentifier.ignore();
-                }
-
-                @Override
-                public String getDescription() {
-                  return "the packages of the SDK";
-                }
-              })
-          .should()
-          .beFreeOfCycles();
 
   @ArchTest static final ArchRule simulationKnowsNobody = knowsOnly("org.urbi.sim..", "urbi");
 
@@ -273,9 +257,108 @@ class ArchitectureTest {
                 }
               });
 
+  /** Every package by itself, whatever module it belongs to. */
+  @ArchTest
+  static final ArchRule noCyclesAmongPackages =
+      slices()
+          .assignedFrom(
+              new SliceAssignment() {
+                @Override
+                public SliceIdentifier getIdentifierOf(JavaClass type) {
+                  return OURS.test(type)
+                      ? SliceIdentifier.of(type.getPackageName())
+                      : SliceIdentifier.ignore();
+                }
+
+                @Override
+                public String getDescription() {
+                  return "the packages of all modules";
+                }
+              })
+          .should()
+          .beFreeOfCycles();
+
+  @ArchTest
+  static final ArchRule noCyclesAmongTheRoomsOfTheLanguage =
+      slices().matching("org.urbi.lang.(*)..").should().beFreeOfCycles();
+
+  @ArchTest
+  static final ArchRule noCyclesAmongTheRoomsOfTheKernel =
+      slices().matching("org.urbi.kernel.(*)..").should().beFreeOfCycles();
+
+  @ArchTest
+  static final ArchRule noCyclesAmongTheRoomsOfTheLibrary =
+      slices().matching("org.urbi.kernel.library.(*)..").should().beFreeOfCycles();
+
+  @ArchTest
+  static final ArchRule noCyclesAmongTheRoomsOfTheSimulation =
+      slices().matching("org.urbi.sim.(*)..").should().beFreeOfCycles();
+
   @ArchTest
   static final ArchRule noCyclesAmongTheRoomsOfTheServer =
       slices().matching("org.urbi.server.(*)..").should().beFreeOfCycles();
+
+  /** The packages of the kernel, from the bottom to the top: each knows those before it only. */
+  private static final List<String> KERNEL_ROOMS =
+      Stream.of(
+              ".time",
+              ".object",
+              ".error",
+              ".log",
+              ".job",
+              ".outside",
+              ".node",
+              ".builtin",
+              ".event",
+              ".tag",
+              ".compile",
+              ".lobby",
+              ".variable",
+              ".uobject",
+              ".library.value",
+              ".library.lobby",
+              ".library.text",
+              ".library.collection",
+              ".library.math",
+              ".library.date",
+              ".library.file",
+              ".library.object",
+              ".library.code",
+              ".library.exception",
+              ".library.machine",
+              ".library.concurrent",
+              ".library.motion",
+              ".library.uobject",
+              ".library.system",
+              ".library",
+              ".remote",
+              ".embed",
+              "",
+              ".script")
+          .map(room -> "org.urbi.kernel" + room)
+          .toList();
+
+  @ArchTest
+  static final ArchRule roomsOfTheKernelKnowThoseBelow =
+      classes()
+          .that()
+          .resideInAPackage("org.urbi.kernel..")
+          .should(
+              new ArchCondition<JavaClass>("know only the packages that stand before their own") {
+                @Override
+                public void check(JavaClass type, ConditionEvents events) {
+                  int own = KERNEL_ROOMS.indexOf(type.getPackageName());
+                  if (own < 0) {
+                    events.add(violated(type, type.getName() + " is in a package without a place"));
+                  }
+                  for (Dependency dependency : type.getDirectDependenciesFromSelf()) {
+                    String room = dependency.getTargetClass().getPackageName();
+                    if (KERNEL_ROOMS.indexOf(room) > own) {
+                      events.add(violated(type, dependency.getDescription()));
+                    }
+                  }
+                }
+              });
 
   private static DescribedPredicate<JavaCall<?>> callsOf(
       String what, Map<String, Set<String>> forbidden) {

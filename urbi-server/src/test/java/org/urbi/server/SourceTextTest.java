@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.server.options.Failure;
+import org.urbi.server.source.SourceText;
 
 class SourceTextTest {
   @Test

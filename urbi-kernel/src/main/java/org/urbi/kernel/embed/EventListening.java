@@ -8,7 +8,7 @@ import org.urbi.kernel.event.Emission;
 import org.urbi.kernel.event.Subscription;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
-import org.urbi.kernel.library.code.Evaluation;
+import org.urbi.kernel.library.system.Evaluation;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;

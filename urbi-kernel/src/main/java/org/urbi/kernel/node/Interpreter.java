@@ -132,7 +132,8 @@ public final class Interpreter {
 
   /** Calls a function; what is no function is its own value. */
   public UrbiObject call(Frame caller, UrbiObject code, UrbiObject self, UrbiObject... arguments) {
-    CallSite site = code instanceof Code own && own.name() != null ? new JavaSite(own.name()) : FROM_JAVA;
+    CallSite site =
+        code instanceof Code own && own.name() != null ? new JavaSite(own.name()) : FROM_JAVA;
     return call(caller, site, code, self, arguments);
   }
 

@@ -9,10 +9,10 @@ import java.nio.file.StandardCopyOption;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
-import org.urbi.server.SourceText;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
 import org.urbi.server.options.Failure;
+import org.urbi.server.source.SourceText;
 
 /** One run of {@code urbi}: the kernel, what is connected to it, and their end. */
 final class Server {

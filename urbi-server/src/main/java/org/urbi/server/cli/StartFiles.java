@@ -7,7 +7,7 @@ import java.util.concurrent.TimeUnit;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
-import org.urbi.server.SourceText;
+import org.urbi.server.source.SourceText;
 
 /**
  * The files that a server loads by itself if it finds them (manual, section 21.2): {@code global.u}

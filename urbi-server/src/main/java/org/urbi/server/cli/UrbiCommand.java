@@ -4,12 +4,12 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import org.urbi.server.Inputs;
-import org.urbi.server.SourceText;
 import org.urbi.server.Trace;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
+import org.urbi.server.source.Inputs;
+import org.urbi.server.source.SourceText;
 
 /** The program {@code urbi}: runs an Urbi server (manual, section 21.3). */
 public final class UrbiCommand {

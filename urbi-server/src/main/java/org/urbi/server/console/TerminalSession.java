@@ -19,7 +19,7 @@ import org.jline.reader.UserInterruptException;
 import org.jline.terminal.Terminal;
 import org.jline.terminal.TerminalBuilder;
 import org.urbi.kernel.Connection;
-import org.urbi.server.SourceText;
+import org.urbi.server.source.SourceText;
 
 /**
  * A session at a terminal: lines are edited and remembered, output appears above the line that is

@@ -7,9 +7,9 @@ import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import org.urbi.server.SourceText;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
+import org.urbi.server.source.SourceText;
 import org.urbi.server.tools.Target;
 
 /** Asks a running server to load modules, and tells what it says to that. */

@@ -5,10 +5,10 @@ import java.io.OutputStream;
 import java.io.PrintStream;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
-import org.urbi.server.Inputs;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
+import org.urbi.server.source.Inputs;
 
 /**
  * The program {@code urbi-send}: sends urbiscript to a running server, and shows what it answers

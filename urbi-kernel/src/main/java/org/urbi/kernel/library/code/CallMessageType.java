@@ -15,7 +15,7 @@ import org.urbi.lang.source.Span;
 
 /** How a function was called (manual, "CallMessage"). */
 @UrbiType(value = "CallMessage", doc = "A call: its target, its name, its arguments.")
-public final class CallMessageType {
+final class CallMessageType {
   private CallMessageType() {}
 
   private static UrbiObject slot(Frame frame, UrbiObject self, String name) {
@@ -67,7 +67,7 @@ public final class CallMessageType {
   }
 
   /** Makes a call on a target; functions that want their arguments unevaluated get them so. */
-  public static UrbiObject send(Frame frame, UrbiObject self, UrbiObject target) {
+  static UrbiObject send(Frame frame, UrbiObject self, UrbiObject target) {
     String name = frame.interpreter().asString(frame, slot(frame, self, "message"));
     CallSite site = new MessageSite(name, frame, arguments(frame, self));
     Symbol message = self.world().symbol(name);

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiTypePart;
-import org.urbi.kernel.library.math.FloatType;
 import org.urbi.kernel.library.value.Comparison;
 import org.urbi.kernel.library.value.Iteration;
 import org.urbi.kernel.node.CallSite;
@@ -102,7 +101,7 @@ final class ListSearch {
     for (UrbiObject element : List.copyOf(self.elements())) {
       caller
           .interpreter()
-          .call(caller, site, fun, self, element, FloatType.number(caller, index++));
+          .call(caller, site, fun, self, element, caller.interpreter().values().number(index++));
       caller.job().yield();
     }
   }

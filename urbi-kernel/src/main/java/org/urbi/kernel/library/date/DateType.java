@@ -6,7 +6,6 @@ import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.job.Scheduler;
-import org.urbi.kernel.library.math.FloatType;
 import org.urbi.kernel.library.value.Hashing;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -109,7 +108,7 @@ final class DateType {
       value = {"asFloat", "timestamp"},
       doc = "The number of seconds since the epoch.")
   static UrbiFloat asFloat(Frame caller, UrbiDate self) {
-    return FloatType.number(caller, self.microseconds() / 1e6);
+    return caller.interpreter().values().number(self.microseconds() / 1e6);
   }
 
   @Builtin(

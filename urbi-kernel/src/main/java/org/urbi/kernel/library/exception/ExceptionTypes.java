@@ -85,7 +85,8 @@ public final class ExceptionTypes {
                 "routine",
                 "format=fmt",
                 "effective"),
-            new Shown("The routine, and what is wrong with the number.", ExceptionTypes::badNumber)),
+            new Shown(
+                "The routine, and what is wrong with the number.", ExceptionTypes::badNumber)),
         new ExceptionTable(
             "Exception.Constness",
             EXCEPTION,
@@ -167,8 +168,7 @@ public final class ExceptionTypes {
             "Exception.Type",
             EXCEPTION,
             "A value of another type than expected.",
-            Init.of(
-                "Of that value, where that type was expected.", "effective", "expected"),
+            Init.of("Of that value, where that type was expected.", "effective", "expected"),
             new Shown("The value, and the type that was expected.", ExceptionTypes::type)),
         new ExceptionTable(
             "Exception.UnexpectedVoid",

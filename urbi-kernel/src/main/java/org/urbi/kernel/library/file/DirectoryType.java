@@ -74,8 +74,7 @@ final class DirectoryType {
   @Builtin(doc = "The directory of that name; it and those around it are made if missing.")
   UrbiObject createAll(Frame frame, CallSite site, UrbiObject self, UrbiObject name) {
     UrbiPath path = FileAccess.path(frame, site, 1, name);
-    FileAccess.change(
-        frame, site, path, () -> files.disk().createDirectories(path.file()));
+    FileAccess.change(frame, site, path, () -> files.disk().createDirectories(path.file()));
     return directory(frame, path);
   }
 
@@ -134,8 +133,7 @@ final class DirectoryType {
 
   private List<String> names(Frame frame, CallSite site, UrbiDirectory self) {
     UrbiPath path = path(frame, site, self);
-    List<Path> names =
-        FileAccess.quickly(frame, site, path, () -> files.disk().names(path.file()));
+    List<Path> names = FileAccess.quickly(frame, site, path, () -> files.disk().names(path.file()));
     return names.stream().map(UrbiPath::encoded).sorted().toList();
   }
 
@@ -170,8 +168,7 @@ final class DirectoryType {
   @Builtin(doc = "The sizes of all files in it and its directories together, in bytes.")
   double size(Frame frame, CallSite site, UrbiDirectory self) {
     UrbiPath path = path(frame, site, self);
-    return files.slowly(
-        frame, site, path, () -> (double) files.disk().treeSize(path.file()));
+    return files.slowly(frame, site, path, () -> (double) files.disk().treeSize(path.file()));
   }
 
   // ------------------------------------------------------------------ changes
@@ -196,8 +193,7 @@ final class DirectoryType {
     return copied(frame, site, self, insideOf(frame, site, self, dirname));
   }
 
-  private UrbiPath insideOf(
-      Frame frame, CallSite site, UrbiDirectory self, UrbiObject dirname) {
+  private UrbiPath insideOf(Frame frame, CallSite site, UrbiDirectory self, UrbiObject dirname) {
     UrbiPath directory = files.existingDirectory(frame, site, 1, dirname);
     return FileAccess.inside(directory, FileAccess.basename(path(frame, site, self)));
   }
@@ -206,8 +202,7 @@ final class DirectoryType {
     checkAbsent(frame, site, to);
     files.checkPlace(frame, site, to);
     UrbiPath from = path(frame, site, self);
-    files.changeSlowly(
-        frame, site, from, () -> files.disk().copyTree(from.file(), to.file()));
+    files.changeSlowly(frame, site, from, () -> files.disk().copyTree(from.file(), to.file()));
     return directory(frame, to);
   }
 
@@ -225,8 +220,7 @@ final class DirectoryType {
     checkAbsent(frame, site, to);
     files.checkPlace(frame, site, to);
     UrbiPath from = path(frame, site, self);
-    files.changeSlowly(
-        frame, site, from, () -> files.disk().move(from.file(), to.file()));
+    files.changeSlowly(frame, site, from, () -> files.disk().move(from.file(), to.file()));
     self.setPath(to);
     return self;
   }
@@ -246,7 +240,6 @@ final class DirectoryType {
   @Builtin(doc = "Removes it and all that is in it.")
   void removeAll(Frame frame, CallSite site, UrbiDirectory self) {
     UrbiPath path = path(frame, site, self);
-    files.changeSlowly(
-        frame, site, path, () -> files.disk().removeTree(path.file()));
+    files.changeSlowly(frame, site, path, () -> files.disk().removeTree(path.file()));
   }
 }

@@ -9,9 +9,9 @@ import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.library.text.BinaryType;
 import org.urbi.kernel.library.text.NativeText;
-import org.urbi.kernel.library.text.UrbiBinary;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiBinary;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.World;
@@ -71,8 +71,7 @@ final class FileType {
   }
 
   @Builtin(doc = "Creates the file of that name, with that content.")
-  void save(
-      Frame frame, CallSite site, UrbiObject self, UrbiObject name, UrbiObject content) {
+  void save(Frame frame, CallSite site, UrbiObject self, UrbiObject name, UrbiObject content) {
     String bytes =
         content instanceof UrbiBinary binary
             ? binary.data()
@@ -83,8 +82,7 @@ final class FileType {
   private void write(Frame frame, CallSite site, UrbiPath path, byte[] bytes) {
     boolean quick =
         bytes.length <= LARGE
-            && (files.isRegularFile(frame, site, path)
-                || !files.exists(frame, site, path));
+            && (files.isRegularFile(frame, site, path) || !files.exists(frame, site, path));
     FileAccess.Change change = () -> files.disk().write(path.file(), bytes);
     if (quick) {
       FileAccess.change(frame, site, path, change);
@@ -163,8 +161,7 @@ final class FileType {
   @Builtin(doc = "The size of the file, in bytes.")
   double size(Frame frame, CallSite site, UrbiFile self) {
     UrbiPath path = path(frame, site, self);
-    return FileAccess.quickly(
-        frame, site, path, () -> (double) files.disk().size(path.file()));
+    return FileAccess.quickly(frame, site, path, () -> (double) files.disk().size(path.file()));
   }
 
   @Builtin(doc = "The date at which the file was last modified.")
@@ -191,8 +188,7 @@ final class FileType {
     if (!files.hasEntry(frame, site, from)) {
       throw FileAccess.error(frame, site, "no such file or directory", from);
     }
-    files.changeSlowly(
-        frame, site, to, () -> files.disk().copy(from.file(), to.file()));
+    files.changeSlowly(frame, site, to, () -> files.disk().copy(from.file(), to.file()));
     return file(frame, to);
   }
 
@@ -214,8 +210,7 @@ final class FileType {
       throw FileAccess.error(frame, site, "is a directory", to);
     }
     files.checkPlace(frame, site, to);
-    files.changeSlowly(
-        frame, site, from, () -> files.disk().replace(from.file(), to.file()));
+    files.changeSlowly(frame, site, from, () -> files.disk().replace(from.file(), to.file()));
     self.setPath(to);
     return self;
   }

@@ -5,7 +5,6 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.UrbiException;
-import org.urbi.kernel.library.text.StringType;
 import org.urbi.kernel.library.value.Hashing;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -56,7 +55,7 @@ final class PathType {
 
   @Builtin(doc = "The names in it, the outermost directory first.")
   static List<UrbiString> asList(Frame caller, UrbiPath self) {
-    return self.names().stream().map(name -> StringType.string(caller, name)).toList();
+    return self.names().stream().map(caller.interpreter().values()::string).toList();
   }
 
   @Builtin(doc = "The path, to be shown.")
@@ -148,15 +147,13 @@ final class PathType {
   @Builtin(doc = "Whether it can be read.")
   boolean readable(Frame caller, CallSite site, UrbiPath self) {
     checkExists(caller, site, self);
-    return FileAccess.quickly(
-        caller, site, self, () -> files.disk().isReadable(self.file()));
+    return FileAccess.quickly(caller, site, self, () -> files.disk().isReadable(self.file()));
   }
 
   @Builtin(doc = "Whether it can be written.")
   boolean writable(Frame caller, CallSite site, UrbiPath self) {
     checkExists(caller, site, self);
-    return FileAccess.quickly(
-        caller, site, self, () -> files.disk().isWritable(self.file()));
+    return FileAccess.quickly(caller, site, self, () -> files.disk().isWritable(self.file()));
   }
 
   private void checkExists(Frame caller, CallSite site, UrbiPath self) {

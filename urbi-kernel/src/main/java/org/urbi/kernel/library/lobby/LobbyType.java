@@ -39,8 +39,7 @@ public final class LobbyType {
   }
 
   @Builtin(doc = "Sends a value as text, on a channel if one is given.")
-  static void echo(
-      Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
+  static void echo(Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
     String text = frame.interpreter().asString(frame, value);
     output(frame, self).send(channel == null ? "" : channel, "*** " + text);
   }

@@ -9,9 +9,9 @@ import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.library.file.FileAccess;
 import org.urbi.kernel.library.file.UrbiPath;
 import org.urbi.kernel.library.text.NativeText;
-import org.urbi.kernel.library.text.UrbiBinary;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiBinary;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
@@ -84,8 +84,7 @@ final class SocketType {
   }
 
   @Builtin(doc = "Connects to a serial line, with that speed.")
-  void connectSerial(
-      Frame frame, CallSite site, UrbiSocket self, UrbiObject device, int baudRate) {
+  void connectSerial(Frame frame, CallSite site, UrbiSocket self, UrbiObject device, int baudRate) {
     checkUnconnected(frame, site, self);
     UrbiPath path = FileAccess.path(frame, site, 1, device);
     try {

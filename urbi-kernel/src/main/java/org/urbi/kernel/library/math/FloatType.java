@@ -291,7 +291,7 @@ public final class FloatType {
 
   // ------------------------------------------------------------------ helpers
 
-  public static UrbiFloat number(Frame caller, double value) {
+  static UrbiFloat number(Frame caller, double value) {
     return caller.interpreter().world().values().number(value);
   }
 

@@ -12,7 +12,6 @@ import java.util.stream.Collectors;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiTypePart;
-import org.urbi.kernel.library.code.CallMessageType;
 import org.urbi.kernel.library.lobby.LobbyType;
 import org.urbi.kernel.library.lobby.Warnings;
 import org.urbi.kernel.library.value.OwnSlots;
@@ -181,10 +180,5 @@ final class ObjectDescription {
   static UrbiObject getPeriod(Frame frame, CallSite site, UrbiObject self) {
     Warnings.deprecated(frame, site, "getPeriod", "System.period");
     return OwnSlots.get(frame, self.world().prototype("System"), "period");
-  }
-
-  @Builtin(doc = "Makes the call of a call message on the target.")
-  static UrbiObject callMessage(Frame frame, UrbiObject self, UrbiObject msg) {
-    return CallMessageType.send(frame, msg, self);
   }
 }

@@ -9,7 +9,6 @@ import java.util.List;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiTypePart;
-import org.urbi.kernel.library.code.Evaluation;
 import org.urbi.kernel.library.code.LoadedFiles;
 import org.urbi.kernel.library.file.FileAccess;
 import org.urbi.kernel.library.file.UrbiPath;

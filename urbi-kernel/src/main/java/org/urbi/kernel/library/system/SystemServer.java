@@ -39,7 +39,12 @@ final class SystemServer {
   private final Outside outside;
   private final Environment environment;
 
-  SystemServer(CommandLine commandLine, KernelEnd kernelEnd, Lobbies lobbies, Outside outside, Environment environment) {
+  SystemServer(
+      CommandLine commandLine,
+      KernelEnd kernelEnd,
+      Lobbies lobbies,
+      Outside outside,
+      Environment environment) {
     this.commandLine = commandLine;
     this.kernelEnd = kernelEnd;
     this.lobbies = lobbies;
@@ -89,8 +94,7 @@ final class SystemServer {
   @Builtin(doc = "The name of this machine.")
   String hostName(Frame frame, UrbiObject self) {
     try {
-      return NativeText.toUrbi(
-          Network.localHostName(outside, frame.job()));
+      return NativeText.toUrbi(Network.localHostName(outside, frame.job()));
     } catch (IOException e) {
       return "localhost";
     }

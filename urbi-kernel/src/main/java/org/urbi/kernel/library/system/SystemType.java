@@ -7,7 +7,6 @@ import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.job.Job;
-import org.urbi.kernel.library.code.Evaluation;
 import org.urbi.kernel.library.concurrent.Activity;
 import org.urbi.kernel.library.concurrent.ControlType;
 import org.urbi.kernel.library.concurrent.JobType;

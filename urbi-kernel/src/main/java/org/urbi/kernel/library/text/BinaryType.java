@@ -4,6 +4,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.Hashing;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiBinary;
 import org.urbi.kernel.object.UrbiHash;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;

@@ -27,7 +27,7 @@ import org.urbi.lang.print.StringEscape;
 public final class StringType {
   private StringType() {}
 
-  public static UrbiString string(Frame caller, String value) {
+  static UrbiString string(Frame caller, String value) {
     return caller.interpreter().world().values().string(value);
   }
 

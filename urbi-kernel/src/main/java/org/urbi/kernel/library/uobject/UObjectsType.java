@@ -48,7 +48,8 @@ final class UObjectsType {
   UrbiObject getStats(Frame frame, UrbiObject self) {
     Values values = frame.interpreter().values();
     Map<UrbiDictionary.Key, UrbiObject> entries = new LinkedHashMap<>();
-    uobjects.statistics()
+    uobjects
+        .statistics()
         .all()
         .forEach((name, times) ->
             entries.put(

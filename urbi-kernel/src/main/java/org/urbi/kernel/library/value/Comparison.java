@@ -2,9 +2,9 @@ package org.urbi.kernel.library.value;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.urbi.kernel.builtin.Primitive;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
-import org.urbi.kernel.builtin.Primitive;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiFloat;

@@ -1,4 +1,4 @@
-package org.urbi.kernel.library.code;
+package org.urbi.kernel.library.system;
 
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;

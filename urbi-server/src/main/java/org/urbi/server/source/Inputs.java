@@ -1,4 +1,4 @@
-package org.urbi.server;
+package org.urbi.server.source;
 
 import java.util.ArrayList;
 import java.util.List;

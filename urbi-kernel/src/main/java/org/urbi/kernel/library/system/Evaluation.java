@@ -1,9 +1,10 @@
-package org.urbi.kernel.library.code;
+package org.urbi.kernel.library.system;
 
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.library.code.LocationType;
 import org.urbi.kernel.library.concurrent.ControlType;
 import org.urbi.kernel.library.lobby.Warnings;
 import org.urbi.kernel.library.value.OwnSlots;

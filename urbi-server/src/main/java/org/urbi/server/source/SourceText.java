@@ -1,4 +1,4 @@
-package org.urbi.server;
+package org.urbi.server.source;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

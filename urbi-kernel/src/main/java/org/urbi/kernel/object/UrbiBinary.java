@@ -1,7 +1,4 @@
-package org.urbi.kernel.library.text;
-
-import org.urbi.kernel.object.Shape;
-import org.urbi.kernel.object.UrbiObject;
+package org.urbi.kernel.object;
 
 /** Raw memory with a header (manual, "Binary"). */
 public final class UrbiBinary extends UrbiObject {
@@ -22,7 +19,7 @@ public final class UrbiBinary extends UrbiObject {
     return keywords;
   }
 
-  void setKeywords(String other) {
+  public void setKeywords(String other) {
     keywords = other;
     noteContentChange();
   }
@@ -33,7 +30,7 @@ public final class UrbiBinary extends UrbiObject {
     return data;
   }
 
-  void setData(String other) {
+  public void setData(String other) {
     data = other;
     noteContentChange();
   }

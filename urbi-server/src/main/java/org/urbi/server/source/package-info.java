@@ -1,0 +1,2 @@
+/** Text on its way to a lobby: from options, files and modules. */
+package org.urbi.server.source;
