@@ -3,7 +3,6 @@ package org.urbi.kernel;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
@@ -36,8 +35,6 @@ import org.urbi.kernel.library.machine.Environment;
 import org.urbi.kernel.library.system.CommandLine;
 import org.urbi.kernel.library.system.KernelEnd;
 import org.urbi.kernel.library.system.SearchPath;
-import org.urbi.kernel.lobby.Lobbies;
-import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.log.LogLevel;
@@ -250,7 +247,7 @@ public final class Kernel implements AutoCloseable {
         new End(),
         log,
         loadedFiles,
-        new KernelLobbies(),
+        new KernelLobbies(this),
         outside,
         uobjects,
         new SearchPath(builder.searchPath, library),
@@ -267,7 +264,8 @@ public final class Kernel implements AutoCloseable {
 
   // ------------------------------------------------------------------ life
 
-  private void requestShutdown(int exitStatus) {
+  /** Ends the kernel after this tick, with that exit status; may be called from any thread. */
+  public void requestShutdown(int exitStatus) {
     if (scheduler.isKernelThread()) {
       shutDown(exitStatus);
     } else {
@@ -279,7 +277,7 @@ public final class Kernel implements AutoCloseable {
     if (!stopping) {
       stopping = true;
       status = exitStatus;
-      for (KernelConnection connection : new ArrayList<>(connections)) {
+      for (KernelConnection connection : connections()) {
         connection.finish();
       }
       scheduler.stop();
@@ -287,7 +285,7 @@ public final class Kernel implements AutoCloseable {
   }
 
   private void ended() {
-    for (KernelConnection connection : new ArrayList<>(connections)) {
+    for (KernelConnection connection : connections()) {
       connection.finish();
     }
     uobjects.close();
@@ -451,6 +449,11 @@ public final class Kernel implements AutoCloseable {
     connections.remove(connection);
   }
 
+  /** Those that are open, oldest first. */
+  List<KernelConnection> connections() {
+    return List.copyOf(connections);
+  }
+
   Inbox inbox() {
     return scheduler.inbox();
   }
@@ -513,46 +516,6 @@ public final class Kernel implements AutoCloseable {
       onReboot.run();
       requestShutdown(0);
       return true;
-    }
-  }
-
-  private final class KernelLobbies implements Lobbies {
-    private final Set<UrbiLobby> created = new LinkedHashSet<>();
-
-    @Override
-    public List<UrbiLobby> all() {
-      List<UrbiLobby> all = new ArrayList<>();
-      for (KernelConnection connection : connections) {
-        all.add(connection.lobby());
-      }
-      all.addAll(created);
-      return all;
-    }
-
-    @Override
-    public UrbiLobby create(UrbiLobby creator) {
-      UrbiLobby[] made = new UrbiLobby[1];
-      Shell.Listener listener =
-          new Shell.Listener() {
-            @Override
-            public void consumed() {}
-
-            @Override
-            public void finished() {
-              if (created.remove(made[0]) && !stopping) {
-                made[0].disconnected(interpreter);
-              }
-            }
-          };
-      made[0] = UrbiLobby.start(interpreter, creator.output().branch(), listener);
-      created.add(made[0]);
-      made[0].shell().start();
-      return made[0];
-    }
-
-    @Override
-    public UrbiLobby system() {
-      return uobjects.lobby();
     }
   }
 

@@ -12,8 +12,9 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.grammar.Keywords;
 
 /**
- * The names with which what somebody types can go on: slots, and at the beginning of an expression
- * keywords. Nothing is called to find them, so that there are none for what a function returns.
+ * How the text that somebody is typing can go on: with names of slots, and at the beginning of an
+ * expression with keywords. No function is called to find them, so the result of a call has no
+ * completions.
  */
 public final class Completion {
   private Completion() {}

@@ -217,7 +217,7 @@ public final class Imports {
     }
   }
 
-  /** A package; its clones are none. */
+  /** A package; a clone of one is an ordinary object. */
   private static final class UrbiPackage extends UrbiObject {
     UrbiPackage(Shape shape) {
       super(shape);

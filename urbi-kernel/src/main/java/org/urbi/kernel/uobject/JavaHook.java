@@ -49,11 +49,11 @@ final class JavaHook implements Hook {
         Object[] arguments = arguments(value);
         context.runThreaded(callback, () -> callThreaded(arguments));
       } else {
-        context.tells().begin(frame.job(), variable, value);
+        context.deliveries().begin(frame.job(), variable, value);
         try {
           call(value);
         } finally {
-          context.tells().end(frame.job(), variable, value);
+          context.deliveries().end(frame.job(), variable, value);
         }
       }
     } catch (Throwable e) {

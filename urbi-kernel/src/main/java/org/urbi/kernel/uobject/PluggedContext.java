@@ -59,7 +59,7 @@ public final class PluggedContext implements UContext {
   private Converters converters;
   private final CallStatistics statistics;
   private final ConnectionList connections = new ConnectionList();
-  private final Tells tells = new Tells();
+  private final Deliveries deliveries = new Deliveries();
   private final RtpSwitch rtp = new RtpSwitch();
   private final Periods periods;
   private final Modules modules;
@@ -113,8 +113,8 @@ public final class PluggedContext implements UContext {
     return converters;
   }
 
-  Tells tells() {
-    return tells;
+  Deliveries deliveries() {
+    return deliveries;
   }
 
   Periods periods() {
@@ -442,11 +442,11 @@ public final class PluggedContext implements UContext {
 
   /** Something that a job does when its turn comes. */
   @FunctionalInterface
-  private interface Deed {
+  private interface FrameTask {
     void run(Frame frame);
   }
 
-  private void later(Deed deed) {
+  private void later(FrameTask task) {
     scheduler
         .inbox()
         .post(() -> {
@@ -455,7 +455,7 @@ public final class PluggedContext implements UContext {
               own,
               scheduler.rootScope(),
               "uobject",
-              job -> deed.run(Frame.top(interpreter, job, own, new FrameLayout())));
+              job -> task.run(Frame.top(interpreter, job, own, new FrameLayout())));
         });
   }
 

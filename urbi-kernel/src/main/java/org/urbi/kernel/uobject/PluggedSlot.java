@@ -48,7 +48,7 @@ final class PluggedSlot implements USlot {
   @Override
   public UValue get() {
     return context.inKernel(frame -> {
-      Datum told = context.tells().find(frame.job(), variable);
+      Datum told = context.deliveries().find(frame.job(), variable);
       if (told != null && told.foreign() instanceof ForeignValue foreign) {
         return foreign.value();
       }

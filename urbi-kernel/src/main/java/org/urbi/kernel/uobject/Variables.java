@@ -32,7 +32,7 @@ final class Variables {
   }
 
   /**
-   * The variable of that name; the slot is made one if it is none.
+   * The variable of that name. A slot that is not a variable yet becomes one.
    *
    * @throws IllegalArgumentException if there is no such object
    */

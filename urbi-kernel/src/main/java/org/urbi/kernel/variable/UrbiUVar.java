@@ -73,7 +73,7 @@ public final class UrbiUVar extends UrbiObject {
   private boolean input;
   private boolean bypass;
   private boolean silent;
-  private Excursion excursion;
+  private RangeWarning rangeWarning;
   private Boolean rtp;
   private final List<Runnable> onRtp = new ArrayList<>(0);
   private long written;
@@ -165,7 +165,7 @@ public final class UrbiUVar extends UrbiObject {
    */
   public void own(Consumer<String> warned) {
     own();
-    excursion = new Excursion(name, warned);
+    rangeWarning = new RangeWarning(name, warned);
   }
 
   /** From now on it has a target and a sensed value, both what the value was. */
@@ -394,8 +394,8 @@ public final class UrbiUVar extends UrbiObject {
     }
     written = frame.interpreter().scheduler().now();
     value = inRange(frame, datum);
-    if (excursion != null) {
-      excursion.note(datum, value);
+    if (rangeWarning != null) {
+      rangeWarning.note(datum, value);
     }
     if (silent) {
       return;

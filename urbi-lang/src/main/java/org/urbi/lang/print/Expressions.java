@@ -11,7 +11,7 @@ import org.urbi.lang.ast.Ast;
 final class Expressions {
   private Expressions() {}
 
-  /** An expression of any precedence; a statement, which is none, goes between braces. */
+  /** An expression of any precedence; a statement goes between braces. */
   static String expression(Ast tree) {
     return form(tree).get();
   }

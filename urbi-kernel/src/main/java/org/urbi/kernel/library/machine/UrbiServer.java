@@ -36,7 +36,7 @@ final class UrbiServer extends UrbiObject {
     addSlot(name, frame.interpreter().prototypes().event.cloned());
   }
 
-  /** The event that tells of connections, or null when it is none any more. */
+  /** The event that tells of connections, or null when a program has replaced it. */
   UrbiEvent connection() {
     UrbiObject value = lookup(world().symbol("connection"));
     return value instanceof UrbiEvent event ? event : null;

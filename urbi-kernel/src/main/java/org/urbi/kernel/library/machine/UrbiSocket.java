@@ -40,7 +40,7 @@ final class UrbiSocket extends UrbiObject {
     }
   }
 
-  /** The event of that name, or null when it is none any more. */
+  /** The event of that name, or null when a program has put something else in its slot. */
   UrbiEvent event(String name) {
     UrbiObject value = lookup(world().symbol(name));
     return value instanceof UrbiEvent event ? event : null;

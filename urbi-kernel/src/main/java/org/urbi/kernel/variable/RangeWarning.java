@@ -7,12 +7,12 @@ import org.urbi.kernel.object.UrbiFloat;
  * Notices when the targets of a variable leave its range. They are limited in silence otherwise: a
  * motion along the limit would be a flood of warnings, so there is one each time it begins.
  */
-final class Excursion {
+final class RangeWarning {
   private final String name;
   private final Consumer<String> warned;
   private boolean outside;
 
-  Excursion(String name, Consumer<String> warned) {
+  RangeWarning(String name, Consumer<String> warned) {
     this.name = name;
     this.warned = warned;
   }

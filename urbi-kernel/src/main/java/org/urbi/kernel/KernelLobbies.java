@@ -1,0 +1,55 @@
+package org.urbi.kernel;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.urbi.kernel.lobby.Lobbies;
+import org.urbi.kernel.lobby.Shell;
+import org.urbi.kernel.lobby.UrbiLobby;
+
+/** The lobbies of a kernel: those of its connections, and those that programs have made. */
+final class KernelLobbies implements Lobbies {
+  private final Kernel kernel;
+  private final Set<UrbiLobby> created = new LinkedHashSet<>();
+
+  KernelLobbies(Kernel kernel) {
+    this.kernel = kernel;
+  }
+
+  @Override
+  public List<UrbiLobby> all() {
+    List<UrbiLobby> all = new ArrayList<>();
+    for (KernelConnection connection : kernel.connections()) {
+      all.add(connection.lobby());
+    }
+    all.addAll(created);
+    return all;
+  }
+
+  @Override
+  public UrbiLobby create(UrbiLobby creator) {
+    UrbiLobby[] made = new UrbiLobby[1];
+    Shell.Listener listener =
+        new Shell.Listener() {
+          @Override
+          public void consumed() {}
+
+          @Override
+          public void finished() {
+            if (created.remove(made[0]) && !kernel.isStopping()) {
+              made[0].disconnected(kernel.interpreter());
+            }
+          }
+        };
+    made[0] = UrbiLobby.start(kernel.interpreter(), creator.output().branch(), listener);
+    created.add(made[0]);
+    made[0].shell().start();
+    return made[0];
+  }
+
+  @Override
+  public UrbiLobby system() {
+    return kernel.uobjects().lobby();
+  }
+}
