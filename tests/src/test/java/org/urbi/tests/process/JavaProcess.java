@@ -8,6 +8,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
@@ -40,30 +41,43 @@ final class JavaProcess implements AutoCloseable {
   }
 
   /** Says how a program is to be run. */
-  record Setting(Path folder, Map<String, String> environment, String classPath) {
+  record Setting(
+      Path folder, Map<String, String> environment, String classPath, List<String> before) {
     /** In a folder, with all the classes of the project. */
     static Setting in(Path folder) {
       // Surefire hides the class path of the tests in a jar.
       return new Setting(
           folder,
           Map.of(),
-          System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")));
+          System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")),
+          List.of());
     }
 
-    /** With a variable in its environment. */
+    /** With one more variable in its environment. */
     Setting with(String variable, String value) {
-      return new Setting(folder, Map.of(variable, value), classPath);
+      Map<String, String> more = new HashMap<>(environment);
+      more.put(variable, value);
+      return new Setting(folder, more, classPath, before);
     }
 
     /** With other classes. */
     Setting withClassPath(String other) {
-      return new Setting(folder, environment, other);
+      return new Setting(folder, environment, other, before);
+    }
+
+    /** By a shell that first limits what the process may have: {@code ulimit -n 100}. */
+    Setting after(String shellCommand) {
+      return new Setting(
+          folder,
+          environment,
+          classPath,
+          List.of("/bin/sh", "-c", shellCommand + "; exec \"$@\"", "sh"));
     }
   }
 
   static JavaProcess start(Setting setting, String mainClass, List<String> arguments)
       throws IOException {
-    List<String> command = new ArrayList<>();
+    List<String> command = new ArrayList<>(setting.before);
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(FLAGS);
     command.addAll(List.of("-Durbi.root=" + setting.folder, "-cp", setting.classPath, mainClass));

@@ -15,11 +15,21 @@ final class ServerProcess implements AutoCloseable {
 
   /** Starts a server in a folder. */
   static ServerProcess in(Path folder, String... options) throws IOException, InterruptedException {
+    return in(JavaProcess.Setting.in(folder), options);
+  }
+
+  /** Starts a server in a setting. */
+  static ServerProcess in(JavaProcess.Setting setting, String... options)
+      throws IOException, InterruptedException {
     List<String> arguments = new ArrayList<>(List.of("--port", "0"));
     Collections.addAll(arguments, options);
     return new ServerProcess(
-        JavaProcess.start(
-            JavaProcess.Setting.in(folder), "org.urbi.server.cli.UrbiCommand", arguments));
+        JavaProcess.start(setting, "org.urbi.server.cli.UrbiCommand", arguments));
+  }
+
+  /** Waits until it has said something on its own outputs. */
+  String awaitText(String text) throws InterruptedException {
+    return process.awaitText(text);
   }
 
   /** A server that is being started, in whatever way, and tells its port. */

@@ -11,7 +11,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -41,8 +40,7 @@ class SimulatedRobotTest {
     String[] words = {"-q", classes.toString(), "-o", built.resolve("sim.jar").toString()};
     int status = UmakeJava.run(words, printer, printer);
     assertEquals("0 ", status + " " + output.toString(StandardCharsets.UTF_8));
-    Setting here = Setting.in(ROOT);
-    root = new Setting(ROOT, Map.of("URBI_UOBJECT_PATH", built.toString()), here.classPath());
+    root = Setting.in(ROOT).with("URBI_UOBJECT_PATH", built.toString());
   }
 
   /** How many different colours a canvas shows. */
@@ -222,13 +220,10 @@ class SimulatedRobotTest {
   void withoutNativeLibrariesItSaysSoAndGoesOn(@TempDir Path folder) throws Exception {
     Path notAFolder = Files.writeString(folder.resolve("file"), "");
     Path broken = Files.writeString(folder.resolve("broken.world"), "body x {\n  mass 1 cm\n}\n");
-    Map<String, String> environment =
-        Map.of(
-            "URBI_UOBJECT_PATH",
-            built.toString(),
+    Setting bare =
+        root.with(
             "JAVA_TOOL_OPTIONS",
             "-Durbi.libode=/no/such/libode.so -Durbi.cache=" + notAFolder.resolve("cache"));
-    Setting bare = new Setting(ROOT, environment, root.classPath());
     try (JavaProcess urbi = JavaProcess.start(bare, URBI, List.of("-P", "0"));
         ServerProcess server = new ServerProcess(urbi);
         ConsoleClient client = server.connect()) {

@@ -114,7 +114,7 @@ final class Server {
               address,
               client -> connect(client, false),
               kernel::connectRemote,
-              Limits.DEFAULT,
+              Limits.DEFAULT.withConnections(settings.maxConnections()),
               settings.trace());
       writePortFile(server.port());
       if (!settings.quiet()) {

@@ -68,6 +68,10 @@ public final class UrbiCommand {
             "-P",
             "--port")
         .option(
+            "NUMBER",
+            "Serve so many clients of the port at a time; 0 (the default): any number.",
+            "--max-connections")
+        .option(
             "FILE", "Write the number of the port to FILE once it is open.", "-w", "--port-file");
     inputs.declare(program);
     program
@@ -117,6 +121,7 @@ public final class UrbiCommand {
         arguments.value("--host", "127.0.0.1"),
         port,
         portFile == null ? null : Path.of(portFile),
+        arguments.number("--max-connections", 0, 0, Integer.MAX_VALUE),
         !modules.isEmpty(),
         text.toString(),
         input,

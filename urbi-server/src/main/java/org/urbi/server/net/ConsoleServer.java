@@ -29,7 +29,9 @@ import org.urbi.server.Version;
  * --port}; manual, section 21.3).
  */
 public final class ConsoleServer implements AutoCloseable {
-  private static final int PENDING_CONNECTIONS = 128;
+  /** A burst beyond that waits a second for its next try; the system may have a lower limit. */
+  private static final int PENDING_CONNECTIONS = 4096;
+
   private static final int FAREWELL_SECONDS = 1;
 
   private final EventLoopGroup loop;
@@ -73,10 +75,11 @@ public final class ConsoleServer implements AutoCloseable {
             1, new DefaultThreadFactory("urbi-network", true), NioIoHandler.newFactory());
     datagrams =
         new DatagramPort(loop, () -> new InetSocketAddress(address.getAddress(), port()), trace);
+    CrowdLimit crowd = new CrowdLimit(clients, limits.connections(), trace);
     ChannelFuture bound =
         new ServerBootstrap()
             .group(loop)
-            .channelFactory(ConsoleChannel.Listener::new)
+            .channelFactory(() -> new ConsoleListener(trace))
             .option(ChannelOption.SO_REUSEADDR, true)
             .option(ChannelOption.SO_BACKLOG, PENDING_CONNECTIONS)
             .childOption(ChannelOption.SO_KEEPALIVE, true)
@@ -86,7 +89,9 @@ public final class ConsoleServer implements AutoCloseable {
                 new ChannelInitializer<>() {
                   @Override
                   protected void initChannel(Channel client) {
-                    clients.add(client);
+                    if (!crowd.admits(client)) {
+                      return;
+                    }
                     client.pipeline().addLast(new ProtocolRefusal(trace));
                     if (remotes != null) {
                       client

@@ -1,7 +1,7 @@
 package org.urbi.server.net;
 
 /**
- * What one client may ask of the server.
+ * What clients may ask of the server; all but the last is for each of them.
  *
  * @param input how many bytes may be received and not yet taken by the kernel; beyond, the server
  *     stops reading and TCP makes the client wait
@@ -9,8 +9,17 @@ package org.urbi.server.net;
  *     the client is let go
  * @param secondsAfterEnd how long a client that has ended its stream may wait for its jobs to end;
  *     TCP cannot tell whether it still listens or is gone
+ * @param connections how many clients there may be at a time; 0 for as many as there are file
+ *     descriptors
  */
-public record Limits(int input, long output, int secondsAfterEnd) {
-  /** What suits a server: 1 MiB of input, 16 MiB of output, half a minute. */
-  public static final Limits DEFAULT = new Limits(1 << 20, 16L << 20, 30);
+public record Limits(int input, long output, int secondsAfterEnd, int connections) {
+  /**
+   * What suits a server: 1 MiB of input, 16 MiB of output, half a minute, any number of clients.
+   */
+  public static final Limits DEFAULT = new Limits(1 << 20, 16L << 20, 30, 0);
+
+  /** The same for so many clients at a time; 0 for as many as there are file descriptors. */
+  public Limits withConnections(int most) {
+    return new Limits(input, output, secondsAfterEnd, most);
+  }
 }

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.urbi.server.Trace;
 
 class ConsoleHandlerTest {
-  private static final Limits LIMITS = new Limits(100, 50, 30);
+  private static final Limits LIMITS = new Limits(100, 50, 30, 0);
 
   private final RecordingConnection lobby = new RecordingConnection();
   private final ByteArrayOutputStream log = new ByteArrayOutputStream();

@@ -77,6 +77,28 @@ class ConsoleServerTest {
   }
 
   @Test
+  void thereAreNoMoreClientsThanThereMayBeAndPlacesBecomeFree() throws Exception {
+    try (ConsoleServer small = listen(0, Limits.DEFAULT.withConnections(2));
+        TestClient one = new TestClient(small.port())) {
+      assertEquals("[] 1", one.ask("1;"));
+      TestClient two = new TestClient(small.port());
+      assertEquals("[] 2", two.ask("2;"));
+      try (TestClient third = new TestClient(small.port())) {
+        assertEquals("[:error] !!! this server takes 2 clients at most: closing", third.line());
+        assertNull(third.line());
+      }
+      assertEquals("[] 3", one.ask("3;"));
+      two.close();
+      String answer = null;
+      while (!"[] 4".equals(answer)) {
+        try (TestClient later = new TestClient(small.port())) {
+          answer = later.ask("4;");
+        }
+      }
+    }
+  }
+
+  @Test
   void aStatementMayBeCutAnywhere() throws IOException {
     try (TestClient client = client()) {
       for (char c : "echo(\"cut\" + 1".toCharArray()) {
@@ -135,7 +157,7 @@ class ConsoleServerTest {
 
   @Test
   void aClientThatDoesNotReadHarmsNobody() throws IOException {
-    try (ConsoleServer strict = listen(0, new Limits(1 << 20, 1 << 16, 30));
+    try (ConsoleServer strict = listen(0, new Limits(1 << 20, 1 << 16, 30, 0));
         TestClient deaf = new TestClient(strict.port());
         TestClient other = new TestClient(strict.port())) {
       deaf.send("var line = \"x\" * 10000; loop { echo(line); };\n");
