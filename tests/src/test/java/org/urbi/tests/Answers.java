@@ -13,7 +13,7 @@ public final class Answers {
       Pattern.compile(
           "^(\\[\\d+:error] !!! +(?:called from: )?)(?:\\S*:)?\\d+\\.\\d+(?:-(?:\\d+\\.)?\\d+)?: ");
   private static final Pattern ADDRESS = Pattern.compile("0x[0-9a-fA-F]+");
-  private static final Pattern NUMBERED = Pattern.compile("<(shell|job|tag)_\\d+>");
+  private static final Pattern NUMBERED = Pattern.compile("\\b(shell|job|tag)_\\d+");
 
   private Answers() {}
 
@@ -42,7 +42,7 @@ public final class Answers {
               .matcher(line)
               .replaceAll(
                   m -> addresses.computeIfAbsent(m.group(), a -> "0x<" + addresses.size() + ">"));
-      line = NUMBERED.matcher(line).replaceAll("<$1_N>");
+      line = NUMBERED.matcher(line).replaceAll("$1_N");
       result.add(line.stripTrailing());
     }
     return result;

@@ -41,10 +41,7 @@ final class KernelSession implements AutoCloseable {
    */
   private static final String EPILOGUE = "\nsleep(1ms)|;\nshutdown;\n";
 
-  /**
-   * A statement whose result tells that the kernel thread is ours for the time of a callback. It
-   * ends no line, so that those of the program keep their numbers.
-   */
+  /** A statement whose result tells that the kernel thread is ours for the time of a callback. */
   private static final String STARTER = "0;";
 
   private static final Executor DAEMONS = task -> Thread.ofPlatform().daemon().start(task);
@@ -90,7 +87,7 @@ final class KernelSession implements AutoCloseable {
       if (feeding == Feeding.WHOLE) {
         console.send(input);
       } else {
-        console.sendByteByByte(input);
+        session.sendByteByByte(console, input);
       }
       session.awaitEnd(console);
       return console.output();
@@ -102,6 +99,31 @@ final class KernelSession implements AutoCloseable {
     Console console = new Console();
     console.connection = kernel.connect(console);
     return console;
+  }
+
+  /**
+   * Sends a text in as many pieces as it has bytes. In virtual time the clock would run away
+   * between two of them: so they are sent from the kernel thread itself, when it delivers the first
+   * result of another connection, and are all there when it goes on.
+   */
+  private void sendByteByByte(Console console, String bytes) {
+    Connection[] other = new Connection[1];
+    other[0] =
+        kernel.connect(
+            new Client() {
+              @Override
+              public void output(String result) {
+                // The connection is known: it has been sent the statement of which this comes.
+                for (char c : bytes.toCharArray()) {
+                  console.send(String.valueOf(c));
+                }
+                other[0].close();
+              }
+
+              @Override
+              public void closed() {}
+            });
+    other[0].send(STARTER);
   }
 
   /** Waits until the kernel has shut down; returns its status. */
@@ -130,22 +152,11 @@ final class KernelSession implements AutoCloseable {
     private final ConcurrentLinkedQueue<Expectation> expectations = new ConcurrentLinkedQueue<>();
     private final StringBuilder output = new StringBuilder();
     private volatile Connection connection;
-    private volatile String whenStarted;
 
     private record Expectation(String text, CompletableFuture<Void> met) {}
 
     void send(String bytes) {
       connection.send(bytes);
-    }
-
-    /**
-     * Sends a text in as many pieces as it has bytes. In virtual time the clock would run away
-     * between two of them: so they are sent from the kernel thread itself, when it delivers the
-     * result of a first statement, and are all there when it goes on.
-     */
-    void sendByteByByte(String bytes) {
-      whenStarted = bytes;
-      send(STARTER);
     }
 
     /** No more input. */
@@ -175,14 +186,6 @@ final class KernelSession implements AutoCloseable {
 
     @Override
     public void output(String bytes) {
-      String pending = whenStarted;
-      if (pending != null) {
-        whenStarted = null;
-        for (char c : pending.toCharArray()) {
-          connection.send(String.valueOf(c));
-        }
-        return;
-      }
       synchronized (output) {
         output.append(bytes);
       }

@@ -14,11 +14,11 @@ import java.util.regex.Pattern;
  * lines that begin with {@code [:]} and go on with the one before, are what the kernel has to
  * answer; all others are what it is fed.
  *
- * <p>Comment lines of the input may ask for more than usual:
+ * <p>Comment lines of the input may ask for more than usual, or for less:
  *
  * <ul>
  *   <li>{@code // exact-times}: the time stamps count, in milliseconds of virtual time;
- *   <li>{@code // exact-locations}: the locations of errors count.
+ *   <li>{@code // any-locations: REASON}: the locations of errors do not count.
  * </ul>
  *
  * @param input what the kernel is fed, one {@code char} per byte
@@ -31,6 +31,9 @@ public record Transcript(
 
   /** How the files end. */
   static final String SUFFIX = ".u-session";
+
+  /** Begins the comment line which says why locations do not count. */
+  private static final String ANY_LOCATIONS = "// any-locations:";
 
   private static final Pattern OUTPUT = Pattern.compile("\\[(\\d{8,}(:[^]]*)?|:)].*");
 
@@ -47,13 +50,18 @@ public record Transcript(
     StringBuilder input = new StringBuilder();
     List<String> expected = new ArrayList<>();
     boolean exactTimes = false;
-    boolean exactLocations = false;
+    boolean exactLocations = true;
     for (String line : text.lines().toList()) {
       if (isOutput(line)) {
         expected.add(line);
       } else {
         exactTimes |= line.equals("// exact-times");
-        exactLocations |= line.equals("// exact-locations");
+        if (line.startsWith(ANY_LOCATIONS)) {
+          if (line.length() == ANY_LOCATIONS.length()) {
+            throw new IllegalArgumentException("no reason why locations do not count");
+          }
+          exactLocations = false;
+        }
         input.append(line).append('\n');
       }
     }

@@ -3,6 +3,7 @@ package org.urbi.tests;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -38,17 +39,24 @@ class TranscriptFormatTest {
   }
 
   @Test
-  void timesAndLocationsCountWhenAskedFor() {
+  void timesCountWhenAskedFor() {
+    String answer = "[00001250:error] !!! a.u:3.1-4: lookup failed: gone\n";
+    assertEquals(
+        List.of("[00000000:error] !!! a.u:3.1-4: lookup failed: gone"),
+        Transcript.parse("gone;").answeredLines(answer));
+    assertEquals(
+        List.of("[00001250:error] !!! a.u:3.1-4: lookup failed: gone"),
+        Transcript.parse("// exact-times\ngone;").answeredLines(answer));
+  }
+
+  @Test
+  void locationsCountUnlessSomebodySaysWhyTheyDoNot() {
     String answer = "[00001250:error] !!! a.u:3.1-4: lookup failed: gone\n";
     assertEquals(
         List.of("[00000000:error] !!! lookup failed: gone"),
-        Transcript.parse("gone;").answeredLines(answer));
-    assertEquals(
-        List.of("[00001250:error] !!! lookup failed: gone"),
-        Transcript.parse("// exact-times\ngone;").answeredLines(answer));
-    assertEquals(
-        List.of("[00000000:error] !!! a.u:3.1-4: lookup failed: gone"),
-        Transcript.parse("// exact-locations\ngone;").answeredLines(answer));
+        Transcript.parse("// any-locations: the line differs\ngone;").answeredLines(answer));
+    assertThrows(
+        IllegalArgumentException.class, () -> Transcript.parse("// any-locations:\ngone;"));
   }
 
   @Test
