@@ -195,12 +195,19 @@ public class UrbiObject {
     System.arraycopy(storage.slots, i + 1, fewer, i, last - i);
     SlotData data = slotData(name);
     storage.slots = fewer;
+    Symbol[] names = shape.names;
     shape = shape.without(i);
     if (data != null) {
       storage.extra.slotData.remove(name);
       data.removed = true;
       if (data.dependents != null) {
         data.dependents.changed();
+      }
+    }
+    if (isInherited()) {
+      // Those behind it have moved.
+      for (int behind = i + 1; behind < names.length; behind++) {
+        names[behind].epoch++;
       }
     }
     slotsChanged(name);
@@ -216,6 +223,11 @@ public class UrbiObject {
       }
       noteStructureChange(x);
     }
+  }
+
+  /** Whether others have looked up slots here, or may have. */
+  private boolean isInherited() {
+    return storage.extra != null && storage.extra.inherited;
   }
 
   // ------------------------------------------------------------------ properties

@@ -1,0 +1,82 @@
+package org.urbi.kernel;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.urbi.kernel.job.JobThreads;
+
+/**
+ * A dialogue with a kernel of its own in virtual time, written as the manual prints it: lines that
+ * begin with a time stamp, and those that begin with {@code [:]} and go on with the one before, are
+ * what the kernel has to answer, all others are what it is fed. Everything counts: times, places,
+ * numbers.
+ */
+public final class Dialogue {
+  private static final Pattern OUTPUT = Pattern.compile("\\[(\\d{8,}(:[^]]*)?|:)].*");
+
+  /** What a dialogue ends with; the moment is for what its last line has set off. */
+  private static final String EPILOGUE = "sleep(1ms)|;\nshutdown;\n";
+
+  private static final int SECONDS = 60;
+
+  private Dialogue() {}
+
+  /** Feeds the input and compares the answers, on the faster back end. */
+  public static void hold(String text) {
+    hold(JobThreads.AUTO, text);
+  }
+
+  /** Feeds the input and compares the answers. */
+  public static void hold(JobThreads jobThreads, String text) {
+    String expected = text.lines().filter(Dialogue::isOutput).collect(Collectors.joining("\n"));
+    String input =
+        text.lines().filter(line -> !isOutput(line)).collect(Collectors.joining("\n", "", "\n"));
+    assertEquals(expected, run(jobThreads, input));
+  }
+
+  private static boolean isOutput(String line) {
+    return OUTPUT.matcher(line).matches();
+  }
+
+  /** Feeds a program to a fresh kernel; returns what it answers. */
+  public static String run(String program) {
+    return run(JobThreads.AUTO, program);
+  }
+
+  private static String run(JobThreads jobThreads, String program) {
+    StringBuilder output = new StringBuilder();
+    CompletableFuture<Void> closed = new CompletableFuture<>();
+    try (Kernel kernel =
+        Kernel.builder().virtualTime(true).jobThreads(jobThreads).log(line -> {}).start()) {
+      kernel
+          .connect(
+              new Client() {
+                @Override
+                public void output(String bytes) {
+                  output.append(bytes);
+                }
+
+                @Override
+                public void closed() {
+                  closed.complete(null);
+                }
+              })
+          .send(program + EPILOGUE);
+      closed.get(SECONDS, TimeUnit.SECONDS);
+    } catch (TimeoutException e) {
+      throw new AssertionError("no end after " + SECONDS + " s");
+    } catch (Exception e) {
+      throw new IllegalStateException(e);
+    }
+    return output
+        .toString()
+        .stripTrailing()
+        .lines()
+        .map(line -> isOutput(line) ? line : "[:]" + line)
+        .collect(Collectors.joining("\n"));
+  }
+}
