@@ -65,8 +65,9 @@ final class Handlers {
 
   Node stopIf(Ast.StopIf watched, Block block, Seen seen) {
     var nothing = compilation.interpreter().values().voidObject;
+    // The tag is used once: where the condition holds from the start, the code does not begin.
     return watched(
-        watched, watched.condition(), watched.body(), tag -> tag.stop(nothing), null, block, seen);
+        watched, watched.condition(), watched.body(), tag -> tag.block(nothing), null, block, seen);
   }
 
   Node freezeIf(Ast.FreezeIf watched, Block block, Seen seen) {

@@ -55,6 +55,7 @@ public final class AtEvent extends Node {
     private final UrbiEvent source;
     private final Handler handler;
     private final long hold;
+    private boolean stopped;
 
     Armed(UrbiEvent source, Handler handler, long hold) {
       this.source = source;
@@ -82,8 +83,10 @@ public final class AtEvent extends Node {
                 emitter,
                 hold,
                 job -> {
-                  waiting.entered = frame;
-                  handler.enter(frame, job, true);
+                  if (!stopped) {
+                    waiting.entered = frame;
+                    handler.enter(frame, job, true);
+                  }
                 });
         emission.note(this, waiting);
         return;
@@ -102,7 +105,7 @@ public final class AtEvent extends Node {
         if (waiting.timer != null) {
           waiting.timer.cancel();
         }
-        if (waiting.entered != null) {
+        if (waiting.entered != null && !stopped) {
           handler.leave(waiting.entered, emitter, emission.isSync());
         }
       }
@@ -110,6 +113,7 @@ public final class AtEvent extends Node {
 
     @Override
     public void stopped() {
+      stopped = true;
       source.unsubscribe(this);
       handler.scope().remove(this);
     }

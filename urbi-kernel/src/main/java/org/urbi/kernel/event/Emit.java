@@ -1,5 +1,6 @@
 package org.urbi.kernel.event;
 
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
@@ -43,9 +44,13 @@ public final class Emit extends Node implements CallSite {
     UrbiObject nothing = frame.interpreter().values().voidObject;
     if (!(target instanceof UrbiEvent emitted)) {
       // What looks like an event has an emit of its own.
-      frame
-          .interpreter()
-          .send(frame, this, target, frame.interpreter().world().symbol("emit"), payload);
+      try {
+        frame
+            .interpreter()
+            .send(frame, this, target, frame.interpreter().world().symbol("emit"), payload);
+      } catch (UrbiException e) {
+        throw frame.located(e, span());
+      }
       return nothing;
     }
     if (duration == null) {

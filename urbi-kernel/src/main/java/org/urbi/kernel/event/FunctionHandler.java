@@ -16,6 +16,7 @@ public final class FunctionHandler implements Subscription, TagScope.Attachment 
   private final UrbiObject enter;
   private final UrbiObject leave;
   private final boolean sync;
+  private boolean stopped;
 
   private FunctionHandler(
       Frame home,
@@ -82,7 +83,7 @@ public final class FunctionHandler implements Subscription, TagScope.Attachment 
 
   @Override
   public void end(Emission emission, Job emitter) {
-    if (emission.noted(this) instanceof UrbiObject[] arguments) {
+    if (!stopped && emission.noted(this) instanceof UrbiObject[] arguments) {
       run(emission, emitter, leave, arguments);
     }
   }
@@ -103,6 +104,7 @@ public final class FunctionHandler implements Subscription, TagScope.Attachment 
 
   @Override
   public void stopped() {
+    stopped = true;
     event.unsubscribe(this);
     scope.remove(this);
   }
