@@ -3,6 +3,7 @@ package org.urbi.kernel.event;
 import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.Timers;
@@ -122,7 +123,12 @@ public final class Whenever extends Node {
 
     @Override
     public void evaluated(UrbiObject value, Job evaluator) {
-      boolean now = Truth.of(home.in(evaluator), value);
+      boolean now;
+      try {
+        now = Truth.of(home.in(evaluator), value);
+      } catch (UrbiException e) {
+        throw home.located(e, expression.span());
+      }
       if (known && now == holds) {
         return;
       }
