@@ -19,13 +19,19 @@ import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchCondition;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.lang.ConditionEvents;
+import com.tngtech.archunit.lang.SimpleConditionEvent;
 import com.tngtech.archunit.library.dependencies.SliceAssignment;
 import com.tngtech.archunit.library.dependencies.SliceIdentifier;
+import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.urbi.kernel.job.Inbox;
+import org.urbi.kernel.message.Message;
+import org.urbi.kernel.message.Outcome;
+import urbi.UValue;
 
 /**
  * Who may know whom. The modules' arrows are Maven's business as well; here they are said by
@@ -298,6 +304,50 @@ class ArchitectureTest {
   static final ArchRule noCyclesAmongTheRoomsOfTheServer =
       slices().matching("org.urbi.server.(*)..").should().beFreeOfCycles();
 
+  @ArchTest
+  static final ArchRule onlyThoseWhoTouchTheOutsidePost =
+      noClasses()
+          .that()
+          .resideOutsideOfPackages(
+              "org.urbi.kernel",
+              "org.urbi.kernel.job",
+              "org.urbi.kernel.embed",
+              "org.urbi.kernel.outside",
+              "org.urbi.kernel.remote",
+              "org.urbi.kernel.uobject")
+          .should()
+          .callMethod(Inbox.class, "post", Message.class);
+
+  /** What passes the inbox is data: it can be written down, and read again in another process. */
+  @ArchTest
+  static final ArchRule messagesAreData =
+      classes()
+          .that()
+          .implement(Message.class)
+          .should(
+              new ArchCondition<>("be records of data") {
+                private static final Set<Class<?>> DATA =
+                    Set.of(
+                        int.class,
+                        long.class,
+                        boolean.class,
+                        String.class,
+                        byte[].class,
+                        InetSocketAddress.class,
+                        UValue[].class,
+                        Outcome.class);
+
+                @Override
+                public void check(JavaClass message, ConditionEvents events) {
+                  Class<?> type = message.reflect();
+                  boolean data =
+                      type.isRecord()
+                          && Stream.of(type.getRecordComponents())
+                              .allMatch(part -> DATA.contains(part.getType()));
+                  events.add(new SimpleConditionEvent(message, data, type + " is data: " + data));
+                }
+              });
+
   /** The packages of the kernel, from the bottom to the top: each knows those before it only. */
   private static final List<String> KERNEL_ROOMS =
       Stream.of(
@@ -305,6 +355,7 @@ class ArchitectureTest {
               ".object",
               ".error",
               ".log",
+              ".message",
               ".job",
               ".outside",
               ".node",

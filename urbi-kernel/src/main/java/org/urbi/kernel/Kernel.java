@@ -5,9 +5,11 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -38,6 +40,7 @@ import org.urbi.kernel.library.system.SearchPath;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.log.LogLevel;
+import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.CorePrototypes;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
@@ -62,6 +65,7 @@ import urbi.UObject;
  */
 public final class Kernel implements AutoCloseable {
   private final Scheduler scheduler;
+  private final KernelLog log;
   private final AnswerReading answers;
   private final Interpreter interpreter;
   private final Embedding embedding;
@@ -70,6 +74,11 @@ public final class Kernel implements AutoCloseable {
   private final IntConsumer onHalt;
   private final Runnable onReboot;
   private final Set<KernelConnection> connections = new LinkedHashSet<>();
+
+  /** Those of which the kernel thread has not been told yet, by their numbers. */
+  private final Map<Integer, KernelConnection> arriving = new ConcurrentHashMap<>();
+
+  private final Map<Integer, RemotePeer> arrivingPeers = new ConcurrentHashMap<>();
   private final List<Runnable> onTermination = new CopyOnWriteArrayList<>();
   private final CompletableFuture<Integer> termination = new CompletableFuture<>();
   private int status;
@@ -211,11 +220,15 @@ public final class Kernel implements AutoCloseable {
   }
 
   private Kernel(Builder builder) {
+    this.log = new KernelLog(builder.logLevel, builder.log);
     Clock clock = builder.virtualTime ? new VirtualClock() : new SystemClock();
     World world = new World();
     this.scheduler = new Scheduler(world, clock, builder.jobThreads, this::report);
-    this.answers = new AnswerReading(scheduler.inbox());
-    scheduler.setListening(answers);
+    Inbox inbox = scheduler.inbox();
+    inbox.register(Message.KERNEL, this::take);
+    inbox.setFailures(this::failed);
+    this.answers = new AnswerReading();
+    inbox.listenTo(answers);
     this.outside = new Outside(scheduler, builder.confinement);
     this.onHalt = builder.onHalt == null ? this::requestShutdown : builder.onHalt;
     this.onReboot = builder.onReboot;
@@ -225,20 +238,18 @@ public final class Kernel implements AutoCloseable {
             new UrbiEvent(world.values().object.cloneShape()),
             new UrbiTag(world.values().object.cloneShape()));
     this.interpreter = new Interpreter(world, scheduler, new Errors(world), core);
-    var log = new KernelLog(builder.logLevel, builder.log);
     this.uobjects = new PluggedContext(interpreter, builder.moduleSearchPath, outside, log);
     if (builder.stackSize > 0) {
       interpreter.limitDepth(builder.stackSize * CALLS_PER_KIBIBYTE);
     }
     var loadedFiles = new LoadedFiles();
     var stackFrames = new StackFrames(loadedFiles);
-    Library.install(interpreter, tables(builder, log, loadedFiles, stackFrames), stackFrames);
+    Library.install(interpreter, tables(builder, loadedFiles, stackFrames), stackFrames);
     embedding = new Embedding(interpreter, builder.output, this::isStopping);
   }
 
   /** The builtins, with what they need of this kernel. */
-  private BuiltinTable[] tables(
-      Builder builder, KernelLog log, LoadedFiles loadedFiles, StackFrames stackFrames) {
+  private BuiltinTable[] tables(Builder builder, LoadedFiles loadedFiles, StackFrames stackFrames) {
     Path library = builder.library == null ? null : builder.library.toAbsolutePath().normalize();
     return LibraryTables.all(
         new CommandLine(builder.programName, builder.arguments),
@@ -262,6 +273,22 @@ public final class Kernel implements AutoCloseable {
     scheduler.startLoop(this::ended);
   }
 
+  // ------------------------------------------------------------------ messages
+
+  private void take(Message message) {
+    switch (message) {
+      case Message.Shutdown wish -> shutDown(wish.status());
+      case Message.ConnectionOpened opened -> arriving.remove(opened.connection()).open();
+      case Message.RemoteOpened opened -> arrivingPeers.remove(opened.peer()).open();
+      default -> throw new IllegalArgumentException(message.toString());
+    }
+  }
+
+  /** What a message has brought about is our mistake, and no reason for the kernel to end. */
+  private void failed(Message message, Throwable failure) {
+    log.write("internal error: " + message.getClass().getSimpleName() + ": " + failure);
+  }
+
   // ------------------------------------------------------------------ life
 
   /** Ends the kernel after this tick, with that exit status; may be called from any thread. */
@@ -269,7 +296,7 @@ public final class Kernel implements AutoCloseable {
     if (scheduler.isKernelThread()) {
       shutDown(exitStatus);
     } else {
-      scheduler.inbox().post(() -> shutDown(exitStatus));
+      scheduler.inbox().post(new Message.Shutdown(exitStatus));
     }
   }
 
@@ -436,8 +463,10 @@ public final class Kernel implements AutoCloseable {
    * @param holdsTime whether a simulated time waits for the input of this connection
    */
   public Connection connect(Client client, boolean holdsTime) {
-    KernelConnection connection = new KernelConnection(this, client, holdsTime);
-    scheduler.inbox().post(connection::open);
+    int number = scheduler.inbox().reserve();
+    KernelConnection connection = new KernelConnection(this, number, client, holdsTime);
+    arriving.put(number, connection);
+    scheduler.inbox().post(new Message.ConnectionOpened(number, holdsTime, client.remoteAddress()));
     return connection;
   }
 
@@ -482,7 +511,12 @@ public final class Kernel implements AutoCloseable {
    * @param wire the way to it
    */
   public RemotePeer connectRemote(String name, RemoteWire wire) {
-    return new RemotePeer(name, scheduler, uobjects, this::describe, answers, wire);
+    int number = scheduler.inbox().reserve();
+    RemotePeer peer =
+        new RemotePeer(number, name, scheduler, uobjects, this::describe, answers, wire);
+    arrivingPeers.put(number, peer);
+    scheduler.inbox().post(new Message.RemoteOpened(number, name));
+    return peer;
   }
 
   /** What went wrong, for people; in a job. */

@@ -1,28 +1,41 @@
 package org.urbi.kernel;
 
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.urbi.kernel.lobby.Completion;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.message.Message;
+import org.urbi.kernel.message.Receiver;
 import org.urbi.kernel.object.UrbiObject;
 
-/** A connection: its methods post to the inbox, the rest runs on the kernel thread. */
-final class KernelConnection implements Connection, Shell.Listener {
+/** A connection: what others ask of it are messages, the rest runs on the kernel thread. */
+final class KernelConnection implements Connection, Shell.Listener, Receiver {
   private final Kernel kernel;
+  private final int number;
   private final Client client;
   private final boolean holdsTime;
   private final AtomicInteger pending = new AtomicInteger();
+  private final AtomicInteger questions = new AtomicInteger();
+  private final Map<Integer, CompletableFuture<List<String>>> completions =
+      new ConcurrentHashMap<>();
   private volatile boolean incomplete;
   private volatile UrbiLobby lobby;
   private boolean holding;
   private boolean ended;
   private boolean finished;
+  private volatile boolean gone;
 
-  KernelConnection(Kernel kernel, Client client, boolean holdsTime) {
+  /**
+   * @param number of the receiver of its messages
+   */
+  KernelConnection(Kernel kernel, int number, Client client, boolean holdsTime) {
     this.kernel = kernel;
+    this.number = number;
     this.client = client;
     this.holdsTime = holdsTime;
   }
@@ -32,54 +45,31 @@ final class KernelConnection implements Connection, Shell.Listener {
   @Override
   public void send(String bytes) {
     pending.addAndGet(bytes.length());
-    kernel
-        .inbox()
-        .post(() -> {
-          if (finished) {
-            pending.set(0);
-          } else {
-            lobby.shell().receive(bytes);
-          }
-        });
+    kernel.inbox().post(new Message.ConsoleBytes(number, bytes));
   }
 
   @Override
   public void end() {
-    kernel
-        .inbox()
-        .post(() -> {
-          ended = true;
-          releaseTime();
-          if (!finished) {
-            lobby.shell().end();
-          }
-        });
+    kernel.inbox().post(new Message.InputEnded(number));
   }
 
   @Override
   public void close() {
     interruptRunning();
-    kernel.inbox().post(this::finish);
+    kernel.inbox().post(new Message.ConnectionClosed(number));
   }
 
   @Override
   public void interrupt() {
     interruptRunning();
-    kernel
-        .inbox()
-        .post(() -> {
-          if (!finished) {
-            lobby.shell().interrupt();
-            consumed();
-          }
-        });
+    kernel.inbox().post(new Message.Interrupted(number));
   }
 
   /** Code that never lets others run cannot wait for the inbox. */
   private void interruptRunning() {
     UrbiObject of = lobby;
     if (of != null) {
-      kernel.scheduler().interrupt(of);
+      kernel.scheduler().interruptions().want(of);
     }
   }
 
@@ -96,7 +86,13 @@ final class KernelConnection implements Connection, Shell.Listener {
   @Override
   public CompletableFuture<List<String>> complete(String text) {
     CompletableFuture<List<String>> names = new CompletableFuture<>();
-    kernel.inbox().post(() -> names.complete(finished ? List.of() : Completion.of(lobby, text)));
+    int question = questions.incrementAndGet();
+    completions.put(question, names);
+    if (gone) {
+      names.complete(List.of());
+    } else {
+      kernel.inbox().post(new Message.CompletionAsked(number, question, text));
+    }
     return names;
   }
 
@@ -108,12 +104,62 @@ final class KernelConnection implements Connection, Shell.Listener {
       client.closed();
       return;
     }
+    kernel.inbox().register(number, this);
     Output output = new Output(kernel.scheduler(), client::output);
     UrbiLobby made = UrbiLobby.start(kernel.interpreter(), output, this);
     made.setRemoteAddress(client.remoteAddress());
     lobby = made;
     kernel.add(this);
     made.shell().start();
+  }
+
+  @Override
+  public void take(Message message) {
+    switch (message) {
+      case Message.ConsoleBytes sent -> received(sent.bytes());
+      case Message.InputEnded end -> inputEnded();
+      case Message.Interrupted wish -> interrupted();
+      case Message.CompletionAsked asked -> complete(asked.question(), asked.text());
+      case Message.ConnectionClosed news -> {
+        kernel.scheduler().interruptions().clear(lobby);
+        kernel.inbox().forget(number);
+        gone = true;
+        finish();
+        completions.values().forEach(names -> names.complete(List.of()));
+      }
+      default -> throw new IllegalArgumentException(message.toString());
+    }
+  }
+
+  private void received(String bytes) {
+    if (finished) {
+      pending.set(0);
+    } else {
+      lobby.shell().receive(bytes);
+    }
+  }
+
+  private void inputEnded() {
+    ended = true;
+    releaseTime();
+    if (!finished) {
+      lobby.shell().end();
+    }
+  }
+
+  private void interrupted() {
+    kernel.scheduler().interruptions().clear(lobby);
+    if (!finished) {
+      lobby.shell().interrupt();
+      consumed();
+    }
+  }
+
+  private void complete(int question, String text) {
+    CompletableFuture<List<String>> names = completions.remove(question);
+    if (names != null) {
+      names.complete(finished ? List.of() : Completion.of(lobby, text));
+    }
   }
 
   /** Its lobby; null before it is open. */

@@ -90,9 +90,9 @@ class JobLockTest {
 
   private static void startHour(Kernel kernel, Runnable whenOver) {
     var scheduler = kernel.scheduler();
-    scheduler
-        .inbox()
-        .post(() ->
+    KernelThread.run(
+        kernel,
+        () ->
             scheduler.startDetached(
                 null,
                 scheduler.rootScope(),
@@ -130,9 +130,9 @@ class JobLockTest {
 
   private void start(Kernel kernel, Runnable task) {
     var scheduler = kernel.scheduler();
-    scheduler
-        .inbox()
-        .post(() ->
+    KernelThread.run(
+        kernel,
+        () ->
             scheduler
                 .startDetached(
                     null,

@@ -179,10 +179,9 @@ final class WrongCallKernel implements AutoCloseable {
   void within(Task body) {
     CompletableFuture<Void> over = new CompletableFuture<>();
     waits.set(0);
-    kernel
-        .scheduler()
-        .inbox()
-        .post(() -> {
+    KernelThread.run(
+        kernel,
+        () -> {
           if (lobby == null) {
             lobby =
                 UrbiLobby.start(
@@ -253,10 +252,10 @@ final class WrongCallKernel implements AutoCloseable {
       throw new Defect("no end: " + (call == null ? "not even before" : call.source()));
     }
     if (call != null && waited > WAITS_TO_INTERRUPT) {
-      kernel.scheduler().interrupt(lobby);
+      kernel.scheduler().interruptions().want(lobby);
     }
     if (call != null) {
-      kernel.scheduler().inbox().post(judge::wake);
+      KernelThread.run(kernel, judge::wake);
     }
   }
 

@@ -45,9 +45,6 @@ final class ChangeListening implements Embedding.Task<Listening> {
     var events =
         new EventListening(embedding, expression, payload -> listener.accept(payload.getFirst()));
     Listening listening = events.subscribe(frame, changes);
-    return () -> {
-      listening.close();
-      embedding.scheduler().inbox().post(() -> tag.stop(interpreter.values().voidObject));
-    };
+    return embedding.listening(listening::close, () -> tag.stop(interpreter.values().voidObject));
   }
 }

@@ -1,8 +1,9 @@
 package org.urbi.kernel.embed;
 
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
-import java.util.Set;
+import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
@@ -17,6 +18,7 @@ import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.library.system.Evaluation;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.Symbol;
@@ -42,12 +44,23 @@ public final class Embedding {
   private final Scheduler scheduler;
   private final BooleanSupplier stopping;
   private final Mailbox<String> output;
-  private final Set<Request<?>> pending = ConcurrentHashMap.newKeySet();
-  private final AtomicInteger waitingForEnd = new AtomicInteger();
+  private final AtomicInteger last = new AtomicInteger();
+
+  /** The threads that wait for the end of the kernel. */
+  private final AtomicInteger waiters = new AtomicInteger();
+
   private volatile boolean used;
+
+  /** What the program has asked for and has not got yet, by its number. */
+  private final Map<Integer, Request<?>> pending = new ConcurrentHashMap<>();
+
+  /** What ends each listening, by its number; on the kernel thread. */
+  private final Map<Integer, Runnable> listenings = new HashMap<>();
+
   private volatile boolean closing;
   private volatile boolean over;
   private volatile UrbiLobby lobby;
+  private int waitingForEnd;
   private int running;
   private boolean holdsTime;
 
@@ -60,6 +73,37 @@ public final class Embedding {
     this.scheduler = interpreter.scheduler();
     this.stopping = stopping;
     this.output = new Mailbox<>(scheduler, bytes -> output.accept(JavaValues.text(bytes)));
+    scheduler.inbox().register(Message.EMBEDDING, this::take);
+  }
+
+  private void take(Message message) {
+    switch (message) {
+      case Message.EmbeddingCall call -> {
+        Request<?> request = pending.get(call.number());
+        if (request != null) {
+          request.begin();
+        }
+      }
+      case Message.EmbeddingCancel cancel -> cancel(cancel.number());
+      case Message.EmbeddingWaits waits -> {
+        waitingForEnd = waits.threads();
+        if (lobby != null) {
+          reviewTime();
+        }
+      }
+      default -> throw new IllegalArgumentException(message.toString());
+    }
+  }
+
+  private void cancel(int number) {
+    Request<?> request = pending.get(number);
+    if (request != null) {
+      request.cancelled();
+    }
+    Runnable end = listenings.remove(number);
+    if (end != null) {
+      end.run();
+    }
   }
 
   Interpreter interpreter() {
@@ -94,12 +138,12 @@ public final class Embedding {
    */
   public <T> T eval(String source, String file, UrbiValue target, Class<T> type) {
     UrbiObject self = target == null ? null : target.object(this);
-    return JavaValues.as(await(evaluation(source, file, self, type)), type);
+    return JavaValues.as(await(source, evaluation(source, file, self, type)), type);
   }
 
   /** Evaluates source text, without waiting; see {@code Kernel.evalAsync}. */
   public CompletableFuture<Object> evalAsync(String source) {
-    Request<Object> request = begin(evaluation(source, null, null, Object.class));
+    Request<Object> request = begin(source, evaluation(source, null, null, Object.class));
     CompletableFuture<Object> result = new CompletableFuture<>();
     // What depends on the result is not for the kernel thread.
     request
@@ -136,10 +180,12 @@ public final class Embedding {
     Arguments made = arguments(arguments);
     int dot = function.lastIndexOf('.');
     String name = JavaValues.bytes(function.substring(dot + 1));
-    return await(frame -> {
-      UrbiObject target = dot < 0 ? frame.self() : find(frame, function.substring(0, dot));
-      return JavaValues.toJava(this, interpreter.send(frame, target, name, made.make(frame)));
-    });
+    return await(
+        function,
+        frame -> {
+          UrbiObject target = dot < 0 ? frame.self() : find(frame, function.substring(0, dot));
+          return JavaValues.toJava(this, interpreter.send(frame, target, name, made.make(frame)));
+        });
   }
 
   private UrbiObject find(Frame frame, String path) {
@@ -167,33 +213,37 @@ public final class Embedding {
     int dot = name.lastIndexOf('.');
     String simple = JavaValues.bytes(name.substring(dot + 1));
     var body = new JavaFunction(this, simple, function);
-    await(frame -> {
-      UrbiObject owner =
-          dot < 0 ? interpreter.world().prototype("Global") : find(frame, name.substring(0, dot));
-      Symbol symbol = interpreter.world().symbol(simple);
-      owner.removeSlot(symbol);
-      owner.addSlot(symbol, new Primitive(interpreter.prototypes().primitiveShape(), body, 0));
-      return null;
-    });
+    await(
+        name,
+        frame -> {
+          UrbiObject owner =
+              dot < 0
+                  ? interpreter.world().prototype("Global")
+                  : find(frame, name.substring(0, dot));
+          Symbol symbol = interpreter.world().symbol(simple);
+          owner.removeSlot(symbol);
+          owner.addSlot(symbol, new Primitive(interpreter.prototypes().primitiveShape(), body, 0));
+          return null;
+        });
   }
 
   // ------------------------------------------------------------------ listening
 
   /** Listens to an event; see {@code Kernel.onEvent}. */
   public Listening onEvent(String expression, Consumer<? super List<Object>> listener) {
-    return await(new EventListening(this, JavaValues.bytes(expression), listener));
+    return await(expression, new EventListening(this, JavaValues.bytes(expression), listener));
   }
 
   /** Listens to the changes of an expression; see {@code Kernel.onChange}. */
   public Listening onChange(String expression, Consumer<Object> listener) {
-    return await(new ChangeListening(this, JavaValues.bytes(expression), listener));
+    return await(expression, new ChangeListening(this, JavaValues.bytes(expression), listener));
   }
 
   // ------------------------------------------------------------------ the lobby
 
   /** The lobby in which the program's code is evaluated. */
   public UrbiValue lobby() {
-    return await(frame -> new UrbiValue(this, lobby));
+    return await("lobby", frame -> new UrbiValue(this, lobby));
   }
 
   /**
@@ -202,6 +252,7 @@ public final class Embedding {
    */
   public UrbiValue newScope() {
     return await(
+        "new scope",
         frame -> new UrbiValue(this, new UrbiLobby(lobby.cloneShape(), lobby.connectionTag())));
   }
 
@@ -224,7 +275,7 @@ public final class Embedding {
   }
 
   private void reviewTime() {
-    boolean hold = running == 0 && waitingForEnd.get() == 0;
+    boolean hold = running == 0 && waitingForEnd == 0;
     if (hold && !holdsTime) {
       scheduler.holdTime();
     } else if (!hold && holdsTime) {
@@ -238,16 +289,17 @@ public final class Embedding {
   /**
    * Has something done by a job, and waits.
    *
+   * @param what it is, for people
    * @throws UrbiError if it fails
    * @throws IllegalStateException on the kernel thread, or when the kernel has ended
    * @throws CancellationException if the job was stopped, or the waiting thread interrupted
    */
-  <T> T await(Task<T> task) {
+  <T> T await(String what, Task<T> task) {
     if (scheduler.isKernelThread()) {
       throw new IllegalStateException(
           "the kernel thread cannot wait for an evaluation: use another thread, or evalAsync");
     }
-    Request<T> request = begin(task);
+    Request<T> request = begin(what, task);
     try {
       return request.future().get();
     } catch (InterruptedException e) {
@@ -269,7 +321,7 @@ public final class Embedding {
   <T> T ask(Task<T> task) {
     Frame caller = JavaFunction.caller();
     if (caller == null || caller.interpreter() != interpreter) {
-      return await(task);
+      return await("a value", task);
     }
     try {
       return task.run(caller);
@@ -278,11 +330,14 @@ public final class Embedding {
     }
   }
 
-  private <T> Request<T> begin(Task<T> task) {
-    used = true;
-    Request<T> request = new Request<>(this, task);
-    pending.add(request);
-    scheduler.inbox().post(request::begin);
+  private <T> Request<T> begin(String what, Task<T> task) {
+    if (!used) {
+      used = true;
+      postWaiters();
+    }
+    Request<T> request = new Request<>(this, last.incrementAndGet(), task);
+    pending.put(request.number(), request);
+    scheduler.inbox().post(new Message.EmbeddingCall(request.number(), what));
     if (over) {
       // Nobody reads the inbox any more.
       request.fail(ended());
@@ -291,7 +346,22 @@ public final class Embedding {
   }
 
   void forget(Request<?> request) {
-    pending.remove(request);
+    pending.remove(request.number());
+  }
+
+  /**
+   * Something to which the program listens; on the kernel thread.
+   *
+   * @param atOnce what its end brings about, on any thread
+   * @param then what else it does, on the kernel thread
+   */
+  Listening listening(Runnable atOnce, Runnable then) {
+    int number = last.incrementAndGet();
+    listenings.put(number, then);
+    return () -> {
+      atOnce.run();
+      scheduler.inbox().post(new Message.EmbeddingCancel(number));
+    };
   }
 
   // ------------------------------------------------------------------ the end
@@ -301,26 +371,21 @@ public final class Embedding {
     if (scheduler.isKernelThread()) {
       throw new IllegalStateException("the kernel thread cannot wait for its own end");
     }
-    waitingForEnd.incrementAndGet();
-    postReview();
+    waiters.incrementAndGet();
+    postWaiters();
     try {
       wait.run();
     } finally {
-      waitingForEnd.decrementAndGet();
-      postReview();
+      waiters.decrementAndGet();
+      postWaiters();
     }
     flushOutput();
   }
 
-  private void postReview() {
+  /** A kernel of which the program asks nothing has no lobby whose time could be held. */
+  private void postWaiters() {
     if (used) {
-      scheduler
-          .inbox()
-          .post(() -> {
-            if (lobby != null) {
-              reviewTime();
-            }
-          });
+      scheduler.inbox().post(new Message.EmbeddingWaits(waiters.get()));
     }
   }
 
@@ -329,7 +394,7 @@ public final class Embedding {
     closing = true;
     UrbiLobby of = lobby;
     if (of != null) {
-      scheduler.interrupt(of);
+      scheduler.interruptions().want(of);
     }
   }
 
@@ -340,7 +405,7 @@ public final class Embedding {
       lobby.output().close();
     }
     output.start();
-    pending.forEach(request -> request.fail(ended()));
+    pending.values().forEach(request -> request.fail(ended()));
   }
 
   private void flushOutput() {

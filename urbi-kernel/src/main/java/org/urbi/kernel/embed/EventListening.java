@@ -34,10 +34,7 @@ final class EventListening implements Embedding.Task<Listening>, Subscription {
   Listening subscribe(Frame frame, UrbiObject source) {
     UrbiEvent event = event(frame, source);
     event.subscribe(this, frame.job());
-    return () -> {
-      mailbox.close();
-      embedding.scheduler().inbox().post(() -> event.unsubscribe(this));
-    };
+    return embedding.listening(mailbox::close, () -> event.unsubscribe(this));
   }
 
   private static UrbiEvent event(Frame frame, UrbiObject value) {

@@ -7,12 +7,14 @@ import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.TagStop;
 import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 
 /** Something that Java code waits for and a job does. */
 final class Request<T> {
   private final Embedding embedding;
+  private final int number;
   private final Embedding.Task<T> task;
   private final CompletableFuture<T> future = new CompletableFuture<>();
   private Job job;
@@ -20,8 +22,9 @@ final class Request<T> {
   private Throwable failure;
   private boolean over;
 
-  Request(Embedding embedding, Embedding.Task<T> task) {
+  Request(Embedding embedding, int number, Embedding.Task<T> task) {
     this.embedding = embedding;
+    this.number = number;
     this.task = task;
   }
 
@@ -33,14 +36,11 @@ final class Request<T> {
   /** It is no longer wanted; from any thread. */
   void cancel() {
     future.cancel(false);
-    embedding
-        .scheduler()
-        .inbox()
-        .post(() -> {
-          if (job != null) {
-            job.terminate();
-          }
-        });
+    embedding.scheduler().inbox().post(new Message.EmbeddingCancel(number));
+  }
+
+  int number() {
+    return number;
   }
 
   // ------------------------------------------------------------------ on the kernel thread
@@ -58,6 +58,13 @@ final class Request<T> {
               .scheduler()
               .startDetached(lobby, embedding.scheduler().rootScope(), "eval", this::run);
       job.onEnd(this::jobEnded);
+    }
+  }
+
+  /** It is no longer wanted. */
+  void cancelled() {
+    if (job != null) {
+      job.terminate();
     }
   }
 

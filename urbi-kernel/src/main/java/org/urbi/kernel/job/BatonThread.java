@@ -1,6 +1,7 @@
 package org.urbi.kernel.job;
 
 import java.util.concurrent.locks.LockSupport;
+import org.urbi.kernel.message.Message;
 
 /**
  * A job on a virtual thread of the JDK's own scheduler: loop and job pass a baton, and whoever does
@@ -77,6 +78,10 @@ final class BatonThread implements JobThread {
       thread.start();
       return thread;
     }
+
+    /** Never: the loop waits with the job. */
+    @Override
+    public void take(Message message) {}
 
     /** No job waits inside Java then: the loop would have waited with it. */
     @Override

@@ -40,6 +40,7 @@ public final class Job implements Runnable {
 
   private final Scheduler scheduler;
   private final Body body;
+  private final long number;
   private final String name;
   private UrbiObject lobby;
   private final JobGroup group;
@@ -79,14 +80,15 @@ public final class Job implements Runnable {
   Job(
       Scheduler scheduler,
       Body body,
-      String name,
+      String prefix,
       UrbiObject lobby,
       TagScope scope,
       JobGroup group,
       long timeShift) {
     this.scheduler = scheduler;
     this.body = body;
-    this.name = name;
+    this.number = scheduler.nextNumber();
+    this.name = prefix + "_" + number;
     this.lobby = lobby;
     this.scope = scope;
     this.group = group;
@@ -108,6 +110,11 @@ public final class Job implements Runnable {
 
   public Scheduler scheduler() {
     return scheduler;
+  }
+
+  /** A number that no other job nor tag of the kernel has. */
+  long number() {
+    return number;
   }
 
   public String name() {
@@ -351,7 +358,7 @@ public final class Job implements Runnable {
 
   /** To be called now and then by code that never switches: somebody may want it ended. */
   public void checkInterrupted() {
-    if (scheduler.isInterrupted(lobby)) {
+    if (scheduler.interruptions().areWanted() && scheduler.interruptions().take(lobby)) {
       throw new TagStop(null, null);
     }
   }

@@ -1,5 +1,7 @@
 package org.urbi.kernel.job;
 
+import org.urbi.kernel.message.Message;
+
 /**
  * What carries the stack of a job. The tick loop calls {@link #resume}, the job calls {@link
  * #suspend}; exactly one of the two sides runs at a time.
@@ -24,6 +26,9 @@ interface JobThread {
 
     /** Starts the thread on which the tick loop runs. */
     Thread startLoop(Runnable loop);
+
+    /** What a job waited for inside Java code is there; on the thread of the tick loop. */
+    void take(Message message);
 
     /** The tick loop has resumed a job for the last time; called on its thread. */
     void loopEnded();

@@ -1,7 +1,5 @@
 package org.urbi.kernel.job;
 
-import java.util.function.Consumer;
-
 /** The two ways to run jobs on virtual threads; both run them in the same order. */
 public enum JobThreads {
   /** {@link #TICK_LOOP} when {@code java.lang} is open to us, {@link #BATON} otherwise. */
@@ -13,7 +11,7 @@ public enum JobThreads {
   /** Jobs run on the scheduler of the JDK, and pass control from hand to hand. */
   BATON;
 
-  JobThread.Factory factory(Consumer<Runnable> inbox) {
+  JobThread.Factory factory(Inbox inbox) {
     return switch (this) {
       case AUTO ->
           TickLoopThread.isAvailable()

@@ -1,21 +1,51 @@
 package org.urbi.kernel.job;
 
 /**
- * A way to wait for news without another thread that passes them on. On the kernel thread; what is
- * heard goes through the inbox, as everything does.
+ * A way to hear from the outside on the kernel thread itself, without another thread that has to be
+ * woken first. What is heard is {@linkplain Inbox#post posted}, as everything is. All methods but
+ * {@link Wait#wake} are called on the kernel thread, between the jobs.
  */
 public interface Listening {
-  /**
-   * The kernel has nothing to do: waits for news and for the inbox, for at most so many
-   * nanoseconds.
-   *
-   * @return false if it has not waited
-   */
-  boolean await(long nanoseconds);
+  /** There is nothing to hear. */
+  Listening NOWHERE =
+      new Listening() {
+        @Override
+        public Wait begin(long nanoseconds) {
+          return null;
+        }
 
-  /** The kernel is busy; looks for news if that was not done for long. */
+        @Override
+        public void hear() {}
+
+        @Override
+        public void glance(long now) {}
+
+        @Override
+        public void close() {}
+      };
+
+  /** A wait that another thread can end. */
+  interface Wait {
+    /** Waits, but not if it was woken since it began. */
+    void await();
+
+    /** Ends the waiting; from any thread. */
+    void wake();
+  }
+
+  /**
+   * The kernel has nothing to do for so many nanoseconds.
+   *
+   * @return how to wait for what can be heard; null if there is nothing
+   */
+  Wait begin(long nanoseconds);
+
+  /** The wait is over: posts what is there. */
+  void hear();
+
+  /** The kernel is busy; posts what is there if that was not done for long. */
   void glance(long now);
 
   /** The kernel has ended. */
-  void end();
+  void close();
 }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
+import org.urbi.kernel.message.Message;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.time.Clock;
@@ -34,12 +35,11 @@ public final class Scheduler {
 
   private final World world;
   private final Clock clock;
-  private volatile UrbiObject interrupted;
   private volatile Thread loop;
   private final Inbox inbox = new Inbox();
   private final Timers timers = new Timers();
   private final Pace pace;
-  private Listening listening;
+  private final Interruptions interruptions = new Interruptions();
   private final JobThread.Factory threads;
   private final ArrayDeque<Job> runnable = new ArrayDeque<>();
   private final ArrayDeque<Job> ahead = new ArrayDeque<>();
@@ -70,8 +70,9 @@ public final class Scheduler {
     this.world = world;
     this.clock = clock;
     this.pace = new Pace(clock);
-    this.threads = threads.factory(inbox::post);
+    this.threads = threads.factory(inbox);
     this.uncaught = uncaught;
+    inbox.register(Message.JOBS, this.threads::take);
   }
 
   // ------------------------------------------------------------------ what it has
@@ -107,9 +108,9 @@ public final class Scheduler {
     return statistics;
   }
 
-  /** Sets how a kernel in real time waits besides for its inbox; before it starts. */
-  public void setListening(Listening how) {
-    listening = how;
+  /** Who wants code ended that never lets others run. */
+  public Interruptions interruptions() {
+    return interruptions;
   }
 
   /** How a simulated time passes while something real goes on. */
@@ -146,26 +147,19 @@ public final class Scheduler {
   /** Starts a job of a group, under the tags of its parent. */
   Job start(Job parent, JobGroup group, Job.Body body) {
     return start(
-        new Job(
-            this,
-            body,
-            nextName("shell"),
-            parent.lobby(),
-            parent.scope(),
-            group,
-            parent.timeShift()));
+        new Job(this, body, "shell", parent.lobby(), parent.scope(), group, parent.timeShift()));
   }
 
   /** Starts a job which nobody waits for. */
   public Job startDetached(UrbiObject lobby, TagScope scope, String prefix, Job.Body body) {
     long shift = running == null ? 0 : running.timeShift();
-    return start(new Job(this, body, nextName(prefix), lobby, scope, null, shift));
+    return start(new Job(this, body, prefix, lobby, scope, null, shift));
   }
 
   /** Like {@link #startDetached}, but of the jobs of the next tick it is the first. */
   public Job startAhead(UrbiObject lobby, TagScope scope, String prefix, Job.Body body) {
     long shift = running == null ? 0 : running.timeShift();
-    Job job = new Job(this, body, nextName(prefix), lobby, scope, null, shift);
+    Job job = new Job(this, body, prefix, lobby, scope, null, shift);
     jobs.add(job);
     ahead.add(job);
     return job;
@@ -173,7 +167,7 @@ public final class Scheduler {
 
   /** Like {@link #startDetached}, but its first turn comes when all the others have had theirs. */
   public Job startBehind(UrbiObject lobby, TagScope scope, String prefix, Job.Body body) {
-    Job job = new Job(this, body, nextName(prefix), lobby, scope, null, 0);
+    Job job = new Job(this, body, prefix, lobby, scope, null, 0);
     jobs.add(job);
     behind.add(job);
     return job;
@@ -189,10 +183,6 @@ public final class Scheduler {
       born.add(job);
     }
     return job;
-  }
-
-  private String nextName(String prefix) {
-    return prefix + "_" + nextNumber();
   }
 
   /** A number that nobody had before, to name jobs and tags. */
@@ -249,22 +239,6 @@ public final class Scheduler {
   /** Sets how errors of jobs are made; once, by the interpreter. */
   public void setRefusals(Function<String, RuntimeException> how) {
     refusals = how;
-  }
-
-  /**
-   * Ends the job of that lobby which is running without ever switching, if there is one; from any
-   * thread.
-   */
-  public void interrupt(UrbiObject lobby) {
-    interrupted = lobby;
-  }
-
-  boolean isInterrupted(UrbiObject lobby) {
-    if (interrupted != null && interrupted == lobby) {
-      interrupted = null;
-      return true;
-    }
-    return false;
   }
 
   // ------------------------------------------------------------------ the loop
@@ -324,7 +298,7 @@ public final class Scheduler {
     }
     threads.loopEnded();
     runEndOfTick();
-    listening.end();
+    inbox.close();
   }
 
   private void tick() {
@@ -332,7 +306,7 @@ public final class Scheduler {
     long before = now;
     now = Math.max(now, clock.now());
     statistics.add(now - before);
-    takeInbox();
+    inbox.take();
     timers.fire(now);
     while (!ahead.isEmpty()) {
       runnable.addFirst(ahead.poll());
@@ -348,19 +322,10 @@ public final class Scheduler {
     runOnce(false);
     runBehind();
     runEndOfTick();
-    listening.glance(now);
+    inbox.glance(now);
     if (!clock.isReal() && timeHolders == 0 && ++busyTicks >= BUSY_TICKS) {
       busyTicks = 0;
       clock.advanceTo(now + BUSY_STEP);
-    }
-  }
-
-  private void takeInbox() {
-    if (inbox.isFilled()) {
-      Runnable message;
-      while ((message = inbox.poll()) != null) {
-        message.run();
-      }
     }
   }
 
@@ -400,10 +365,7 @@ public final class Scheduler {
   private void idle() {
     long next = timers.next();
     if (clock.isReal()) {
-      long time = next == Long.MAX_VALUE ? Long.MAX_VALUE : next - clock.now();
-      if (!listening.await(time)) {
-        inbox.await(time);
-      }
+      inbox.listen(next == Long.MAX_VALUE ? Long.MAX_VALUE : next - clock.now());
     } else if (timeHolders > 0) {
       inbox.await(Long.MAX_VALUE);
     } else if (pace.isReal()) {

@@ -3,14 +3,14 @@ package org.urbi.kernel.job;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
-import java.util.Queue;
-import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
-import java.util.function.Consumer;
+import org.urbi.kernel.message.Message;
 
 /**
  * A job on a virtual thread whose scheduler is the tick loop. The thread hands its continuation to
@@ -138,13 +138,16 @@ final class TickLoopThread implements JobThread, Executor {
 
     private static final long SECONDS_BEFORE_LATE_THREAD_ENDS = 1;
 
-    private final Consumer<Runnable> inbox;
-    private final Queue<TickLoopThread> awakened = new ConcurrentLinkedQueue<>();
+    private final Inbox inbox;
+
+    /** What can go on, by the numbers of the jobs. */
+    private final Map<Long, TickLoopThread> awakened = new ConcurrentHashMap<>();
+
     private volatile Thread loop;
     private volatile boolean ended;
     private Executor late;
 
-    Factory(Consumer<Runnable> inbox) {
+    Factory(Inbox inbox) {
       if (NEW_BUILDER == null) {
         throw new IllegalStateException(
             "java.lang is closed: run java with --add-opens java.base/java.lang=ALL-UNNAMED");
@@ -167,12 +170,17 @@ final class TickLoopThread implements JobThread, Executor {
 
     /** To be called from any thread. */
     private void wake(TickLoopThread waiting) {
-      awakened.add(waiting);
+      awakened.put(waiting.job.number(), waiting);
       if (ended) {
         late.execute(this::runLate);
       } else {
-        inbox.accept(() -> awakened.remove().awaken());
+        inbox.post(new Message.Resumed(waiting.job.number()));
       }
+    }
+
+    @Override
+    public void take(Message message) {
+      awakened.remove(((Message.Resumed) message).job()).awaken();
     }
 
     /**
@@ -198,9 +206,8 @@ final class TickLoopThread implements JobThread, Executor {
     }
 
     private void runLate() {
-      TickLoopThread waiting;
-      while ((waiting = awakened.poll()) != null) {
-        waiting.own.run();
+      for (Long job : awakened.keySet()) {
+        awakened.remove(job).own.run();
       }
     }
 

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.message.Message;
 
 /** A running program: its pipes, and its end. On the kernel thread. */
 public final class ChildProcess {
@@ -27,14 +28,18 @@ public final class ChildProcess {
     out = new PipeSource(outside, process.getInputStream());
     err = new PipeSource(outside, process.getErrorStream());
     outside.scheduler().pace().begin();
+    int number = outside.inbox().register(message -> ended(outside, message));
     process
         .onExit()
-        .thenRun(() ->
-            outside.post(() -> {
-              outside.scheduler().pace().end();
-              status = process.exitValue();
-              waiters.wake();
-            }));
+        .thenRun(() -> outside.inbox().post(new Message.ProcessEnded(number, process.exitValue())));
+  }
+
+  private void ended(Outside outside, Message message) {
+    Message.ProcessEnded end = (Message.ProcessEnded) message;
+    outside.inbox().forget(end.to());
+    outside.scheduler().pace().end();
+    status = end.status();
+    waiters.wake();
   }
 
   /**

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import org.urbi.kernel.message.Message;
 
 /** Notices the files that are created in directories and deleted from them. */
 public final class DirectoryWatch implements Closeable {
@@ -23,11 +24,20 @@ public final class DirectoryWatch implements Closeable {
     void created(String name);
 
     void deleted(String name);
+
+    /** Passes on what a message tells of. */
+    default void take(Message message) {
+      switch (message) {
+        case Message.FileCreated file -> created(file.name());
+        case Message.FileDeleted file -> deleted(file.name());
+        default -> throw new IllegalArgumentException(message.toString());
+      }
+    }
   }
 
   private static final class Watched {
     final Path directory;
-    final List<Listener> listeners = new ArrayList<>();
+    final List<Integer> listeners = new ArrayList<>();
     final Set<String> known;
 
     Watched(Path directory) throws IOException {
@@ -50,9 +60,10 @@ public final class DirectoryWatch implements Closeable {
   /**
    * Tells of what happens in a directory from now on; from any thread but that of the kernel.
    *
+   * @param listener the number of the receiver of the messages
    * @throws IOException when there is no such directory, or the machine watches no more of them
    */
-  public void watch(Path directory, Listener listener) throws IOException {
+  void watch(Path directory, int listener) throws IOException {
     WatchKey key =
         directory.register(
             service, StandardWatchEventKinds.ENTRY_CREATE, StandardWatchEventKinds.ENTRY_DELETE);
@@ -135,14 +146,13 @@ public final class DirectoryWatch implements Closeable {
     } else {
       at.known.remove(name);
     }
-    for (Listener listener : at.listeners) {
-      outside.post(() -> {
-        if (created) {
-          listener.created(name);
-        } else {
-          listener.deleted(name);
-        }
-      });
+    for (int listener : at.listeners) {
+      outside
+          .inbox()
+          .post(
+              created
+                  ? new Message.FileCreated(listener, name)
+                  : new Message.FileDeleted(listener, name));
     }
   }
 

@@ -6,6 +6,7 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.util.Arrays;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.message.Message;
 
 /** An open connection: a thread reads what comes, another one writes what is to be sent. */
 public final class Link implements Closeable {
@@ -32,7 +33,7 @@ public final class Link implements Closeable {
   private final Closeable connection;
   private final boolean network;
   private Listener listener;
-  private boolean over;
+  private int number;
 
   /** Guarded by this object, which tells the reader to go on. */
   private int ahead;
@@ -79,6 +80,7 @@ public final class Link implements Closeable {
   /** Begins to listen. */
   public void open(Listener to) {
     listener = to;
+    number = outside.inbox().register(this::take);
     outside.opened(connection);
     outside.scheduler().pace().begin();
     if (network) {
@@ -97,11 +99,19 @@ public final class Link implements Closeable {
         synchronized (this) {
           ahead += length;
         }
-        outside.post(() -> listener.received(bytes));
+        outside.inbox().post(new Message.BytesArrived(number, bytes));
       }
-      outside.post(() -> end(null));
+      outside.inbox().post(new Message.BytesEnded(number, null));
     } catch (IOException e) {
-      outside.post(() -> end(closed ? null : e.getMessage()));
+      outside.inbox().post(new Message.BytesEnded(number, closed ? null : e.getMessage()));
+    }
+  }
+
+  private void take(Message message) {
+    switch (message) {
+      case Message.BytesArrived arrived -> listener.received(arrived.bytes());
+      case Message.BytesEnded end -> end(end.error());
+      default -> throw new IllegalArgumentException(message.toString());
     }
   }
 
@@ -117,10 +127,7 @@ public final class Link implements Closeable {
   }
 
   private void end(String error) {
-    if (over) {
-      return;
-    }
-    over = true;
+    outside.inbox().forget(number);
     outside.scheduler().pace().end();
     outside.closed(connection);
     listener.ended(error);
@@ -153,7 +160,7 @@ public final class Link implements Closeable {
     sink.close();
     if (!network && listener != null) {
       // A thread that reads a device does not notice that somebody closes it.
-      outside.post(() -> end(null));
+      outside.inbox().post(new Message.BytesEnded(number, null));
     }
   }
 }

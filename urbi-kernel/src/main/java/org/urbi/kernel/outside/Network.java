@@ -45,19 +45,23 @@ public final class Network {
   }
 
   private static Connected connected(Outside outside, SocketChannel channel) throws IOException {
-    channel.socket().setTcpNoDelay(true);
-    Link link =
-        new Link(
-            outside,
-            channel.socket().getInputStream(),
-            channel.socket().getOutputStream(),
-            channel,
-            true);
     return new Connected(
-        link, internet(channel.getLocalAddress()), internet(channel.getRemoteAddress()));
+        link(outside, channel),
+        internet(channel.getLocalAddress()),
+        internet(channel.getRemoteAddress()));
   }
 
-  private static InetSocketAddress internet(SocketAddress address) {
+  static Link link(Outside outside, SocketChannel channel) throws IOException {
+    channel.socket().setTcpNoDelay(true);
+    return new Link(
+        outside,
+        channel.socket().getInputStream(),
+        channel.socket().getOutputStream(),
+        channel,
+        true);
+  }
+
+  static InetSocketAddress internet(SocketAddress address) {
     return (InetSocketAddress) address;
   }
 
@@ -86,30 +90,9 @@ public final class Network {
             });
     outside.opened(place);
     outside.scheduler().pace().begin();
-    outside.startVirtual(() -> accept(outside, place, listener));
+    Arrivals arrivals = new Arrivals(outside, place, listener);
+    outside.startVirtual(arrivals::accept);
     return new Listening(internet(place.getLocalAddress()), place);
-  }
-
-  private static void accept(
-      Outside outside, ServerSocketChannel place, Consumer<Connected> listener) {
-    try {
-      while (place.isOpen()) {
-        SocketChannel channel = place.accept();
-        outside.post(() -> {
-          try {
-            listener.accept(connected(outside, channel));
-          } catch (IOException e) {
-            // It was closed before it could be used.
-            Outside.closeQuietly(channel);
-          }
-        });
-      }
-    } catch (IOException e) {
-      // Nobody listens any more.
-    } finally {
-      outside.closed(place);
-      outside.post(() -> outside.scheduler().pace().end());
-    }
   }
 
   private static InetSocketAddress address(String host, String port) throws IOException {

@@ -12,8 +12,12 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.atomic.AtomicReference;
+import org.urbi.kernel.job.Inbox;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.PendingAnswer;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.message.Outcome;
 
 /**
  * What one kernel has to do with the machine around it: threads for what takes time, so that the
@@ -56,9 +60,8 @@ public final class Outside implements Closeable {
     return scheduler;
   }
 
-  /** Has something done on the kernel thread. */
-  public void post(Runnable message) {
-    scheduler.inbox().post(message);
+  Inbox inbox() {
+    return scheduler.inbox();
   }
 
   /** Runs something that may wait for long inside the operating system. */
@@ -85,13 +88,19 @@ public final class Outside implements Closeable {
    * @throws IOException when there is no such directory, or the machine watches no more of them
    */
   public void watch(Job job, Path directory, DirectoryWatch.Listener listener) throws IOException {
-    await(
-        job,
-        () -> {
-          directories().watch(confinement.followed(directory), listener);
-          return null;
-        },
-        WATCH_SPINS);
+    int number = inbox().register(listener::take);
+    try {
+      await(
+          job,
+          () -> {
+            directories().watch(confinement.followed(directory), number);
+            return null;
+          },
+          WATCH_SPINS);
+    } catch (IOException e) {
+      inbox().forget(number);
+      throw e;
+    }
   }
 
   private synchronized DirectoryWatch directories() throws IOException {
@@ -99,15 +108,6 @@ public final class Outside implements Closeable {
       directories = new DirectoryWatch(this);
     }
     return directories;
-  }
-
-  /** What one job waits for. */
-  private static final class Wait<T> {
-    T value;
-    Exception failure;
-    volatile boolean worked;
-    boolean done;
-    boolean abandoned;
   }
 
   /**
@@ -130,39 +130,27 @@ public final class Outside implements Closeable {
   }
 
   private <T> T await(Job job, Callable<T> work, int spins) throws IOException {
-    Wait<T> wait = new Wait<>();
-    scheduler.pace().begin();
+    PendingAnswer answer = new PendingAnswer(job);
+    AtomicReference<Outcome> early = new AtomicReference<>();
     start(() -> {
-      try {
-        wait.value = work.call();
-      } catch (Exception e) {
-        wait.failure = e;
-      }
-      wait.worked = true;
-      post(() -> {
-        scheduler.pace().end();
-        wait.done = true;
-        if (!wait.abandoned) {
-          job.wake();
-        }
-      });
+      Outcome outcome = Outcome.of(work::call);
+      early.set(outcome);
+      answer.post(outcome);
     });
-    for (int i = 0; i < spins && !wait.worked; i++) {
+    for (int i = 0; i < spins && early.get() == null; i++) {
       Thread.onSpinWait();
     }
-    try {
-      while (!wait.done && !(spins > 0 && wait.worked)) {
-        job.waitForWake();
-      }
-    } finally {
-      wait.abandoned = true;
+    Outcome outcome = spins > 0 ? early.get() : null;
+    if (outcome == null) {
+      return answer.await().get();
     }
-    return switch (wait.failure) {
-      case null -> wait.value;
-      case IOException e -> throw e;
-      case RuntimeException e -> throw e;
-      default -> throw new IOException(wait.failure);
-    };
+    answer.abandon();
+    return outcome.get();
+  }
+
+  /** What went wrong, in a word. */
+  static String reason(IOException e) {
+    return e.getMessage() == null ? "input/output error" : e.getMessage();
   }
 
   // ------------------------------------------------------------------ the end

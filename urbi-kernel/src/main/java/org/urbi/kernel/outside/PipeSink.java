@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.message.Message;
 
 /**
  * Writes to what may let its writers wait: a pipe, a connection. A thread does the writing, in the
@@ -17,11 +18,12 @@ public final class PipeSink implements ByteSink {
 
   private final Outside outside;
   private final OutputStream out;
+  private final int number;
   private final Waiters waiters = new Waiters();
   private final LinkedBlockingQueue<byte[]> queue = new LinkedBlockingQueue<>();
   private int underWay;
   private boolean closed;
-  private IOException failure;
+  private String failure;
 
   /**
    * @param network whether it is a connection, not a file of the operating system
@@ -29,6 +31,7 @@ public final class PipeSink implements ByteSink {
   public PipeSink(Outside outside, OutputStream out, boolean network) {
     this.outside = outside;
     this.out = out;
+    number = outside.inbox().register(this::take);
     if (network) {
       outside.startVirtual(this::writeAll);
     } else {
@@ -44,20 +47,20 @@ public final class PipeSink implements ByteSink {
         if (queue.isEmpty()) {
           out.flush();
         }
-        int written = bytes.length;
-        outside.post(() -> written(written, null));
+        outside.inbox().post(new Message.BytesWritten(number, bytes.length));
       }
     } catch (IOException e) {
-      outside.post(() -> written(0, e));
+      outside.inbox().post(new Message.WritingFailed(number, Outside.reason(e)));
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
   }
 
-  private void written(int bytes, IOException broken) {
-    underWay -= bytes;
-    if (broken != null) {
-      failure = broken;
+  private void take(Message message) {
+    switch (message) {
+      case Message.BytesWritten written -> underWay -= written.count();
+      case Message.WritingFailed broken -> failure = broken.error();
+      default -> throw new IllegalArgumentException(message.toString());
     }
     waiters.wake();
   }
@@ -80,7 +83,7 @@ public final class PipeSink implements ByteSink {
 
   private void check() throws IOException {
     if (failure != null) {
-      throw failure;
+      throw new IOException(failure);
     }
     if (closed) {
       throw new IOException("connection is closed");
@@ -93,6 +96,7 @@ public final class PipeSink implements ByteSink {
     if (!closed) {
       closed = true;
       queue.add(END);
+      outside.inbox().forget(number);
       waiters.wake();
     }
   }

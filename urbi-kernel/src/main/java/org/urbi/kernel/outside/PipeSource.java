@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.message.Message;
 
 /**
  * The bytes of a pipe, or of anything else that lets its readers wait. A thread reads ahead, so far
@@ -18,11 +19,12 @@ public final class PipeSource implements ByteSource {
 
   private final Outside outside;
   private final InputStream in;
+  private final int number;
   private final Waiters waiters = new Waiters();
   private final ArrayDeque<byte[]> chunks = new ArrayDeque<>();
   private int position;
   private boolean ended;
-  private IOException failure;
+  private String failure;
 
   /** How much is waiting; guarded by this object, which tells the thread to go on. */
   private int ahead;
@@ -33,6 +35,7 @@ public final class PipeSource implements ByteSource {
   public PipeSource(Outside outside, InputStream in) {
     this.outside = outside;
     this.in = in;
+    number = outside.inbox().register(this::take);
     outside.start(this::readAhead);
   }
 
@@ -45,15 +48,25 @@ public final class PipeSource implements ByteSource {
         synchronized (this) {
           ahead += read;
         }
-        outside.post(() -> {
-          chunks.add(chunk);
-          waiters.wake();
-        });
+        outside.inbox().post(new Message.BytesArrived(number, chunk));
       }
-      outside.post(() -> end(null));
+      outside.inbox().post(new Message.BytesEnded(number, null));
     } catch (IOException e) {
-      outside.post(() -> end(e));
+      outside.inbox().post(new Message.BytesEnded(number, Outside.reason(e)));
     }
+  }
+
+  private void take(Message message) {
+    switch (message) {
+      case Message.BytesArrived arrived -> chunks.add(arrived.bytes());
+      case Message.BytesEnded end -> {
+        outside.inbox().forget(number);
+        ended = true;
+        failure = end.error();
+      }
+      default -> throw new IllegalArgumentException(message.toString());
+    }
+    waiters.wake();
   }
 
   private synchronized boolean hasRoom() {
@@ -67,19 +80,13 @@ public final class PipeSource implements ByteSource {
     return !closed;
   }
 
-  private void end(IOException because) {
-    ended = true;
-    failure = because;
-    waiters.wake();
-  }
-
   @Override
   public int read(Job job) throws IOException {
     waiters.await(job, () -> !chunks.isEmpty() || ended);
     byte[] first = chunks.peek();
     if (first == null) {
       if (failure != null) {
-        throw failure;
+        throw new IOException(failure);
       }
       return -1;
     }

@@ -6,14 +6,14 @@ import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.nio.channels.SocketChannel;
 import java.util.Collection;
-import org.urbi.kernel.job.Waiting;
+import org.urbi.kernel.job.Listening;
 
 /**
  * Waits until one of several sockets can be read from; for one thread, but for {@link #wake}.
  *
  * @param <T> whose the sockets are
  */
-public final class SocketWatch<T> implements Waiting, AutoCloseable {
+public final class SocketWatch<T> implements Listening.Wait, AutoCloseable {
   /** A socket that can be watched, by one watch. */
   public static final class Socket {
     private final SocketChannel channel;
@@ -27,6 +27,7 @@ public final class SocketWatch<T> implements Waiting, AutoCloseable {
   }
 
   private final Selector selector;
+  private long limit;
 
   /**
    * @throws IOException if the system has no room for one more
@@ -66,18 +67,32 @@ public final class SocketWatch<T> implements Waiting, AutoCloseable {
     }
   }
 
-  @Override
-  public void await(long milliseconds) throws IOException {
-    selector.select(milliseconds);
+  /** Waits for at most so many milliseconds, the next time; 0 for any time. */
+  public void limit(long milliseconds) {
+    limit = milliseconds;
   }
 
-  /**
-   * Looks at the sockets without waiting; the system is given back those that have been closed.
-   *
-   * @throws IOException if that fails
-   */
-  public void glance() throws IOException {
-    selector.selectNow();
+  @Override
+  public void await() {
+    select(limit);
+  }
+
+  /** Looks at the sockets without waiting; the system is given back those that have been closed. */
+  public void glance() {
+    select(-1);
+  }
+
+  private void select(long milliseconds) {
+    try {
+      if (milliseconds < 0) {
+        selector.selectNow();
+      } else {
+        selector.select(milliseconds);
+      }
+    } catch (IOException e) {
+      // The system has none to tell of.
+      selector.selectedKeys().clear();
+    }
   }
 
   /** Adds the owners of the sockets that could be read from, the last time. */

@@ -4,16 +4,16 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
-import org.urbi.kernel.job.Inbox;
 import org.urbi.kernel.job.Listening;
 import org.urbi.kernel.outside.SocketWatch;
 
 /**
- * Reads what remote processes answer on the kernel thread, while that has nothing to do but to wait
+ * Hears on the kernel thread what remote processes answer, while that has nothing to do but to wait
  * for it: a thread of the network's that were woken first, to wake the kernel, would double the
- * time of a call. Only a kernel that makes one call after the other does so; and not when something
- * is to be done within a millisecond, since a selector's deadlines are no finer. When it waits for
- * no answer, the network's thread reads again.
+ * time of a call. The frames are posted to the inbox, as the network's thread does. Only a kernel
+ * that makes one call after the other does so; and not when something is to be done within a
+ * millisecond, since a selector's deadlines are no finer. When it waits for no answer, the
+ * network's thread reads again.
  */
 public final class AnswerReading implements Listening {
   /** How many times in a row there was nothing to do but to wait for an answer. */
@@ -24,7 +24,6 @@ public final class AnswerReading implements Listening {
   /** How long a busy kernel does not look whether there is an answer, in nanoseconds. */
   private static final long LONG = 200_000;
 
-  private final Inbox inbox;
   private final List<RemotePeer> asked = new ArrayList<>();
   private final List<RemotePeer> read = new ArrayList<>();
   private final List<RemotePeer> ready = new ArrayList<>();
@@ -33,10 +32,6 @@ public final class AnswerReading implements Listening {
   private int waits;
   private boolean looking;
   private long looked;
-
-  public AnswerReading(Inbox inbox) {
-    this.inbox = inbox;
-  }
 
   /** A process has been asked something. */
   void asked(RemotePeer peer) {
@@ -49,12 +44,12 @@ public final class AnswerReading implements Listening {
   void forget(RemotePeer peer) {
     asked.remove(peer);
     if (read.remove(peer)) {
-      look(0);
+      look();
     }
   }
 
   @Override
-  public boolean await(long nanoseconds) {
+  public Wait begin(long nanoseconds) {
     for (int i = asked.size() - 1; i >= 0; i--) {
       if (!asked.get(i).isAsked()) {
         asked.remove(i);
@@ -63,18 +58,23 @@ public final class AnswerReading implements Listening {
     if (asked.isEmpty() || nanoseconds < MILLISECOND) {
       waits = 0;
       leave();
-      return false;
+      return null;
     }
     if (++waits < OFTEN && read.isEmpty()) {
-      return false;
+      return null;
     }
     asked.forEach(RemotePeer::wantToRead);
     if (read.isEmpty()) {
-      return false;
+      return null;
     }
-    look(nanoseconds / MILLISECOND);
+    watch.limit(nanoseconds / MILLISECOND);
+    return watch;
+  }
+
+  @Override
+  public void hear() {
     looking = true;
-    return true;
+    pass();
   }
 
   /** The network has left a connection to the kernel. */
@@ -100,17 +100,13 @@ public final class AnswerReading implements Listening {
     }
   }
 
-  private void look(long milliseconds) {
-    try {
-      if (milliseconds > 0) {
-        inbox.await(watch, milliseconds);
-      } else {
-        watch.glance();
-      }
-    } catch (IOException e) {
-      leave();
-      return;
-    }
+  private void look() {
+    watch.glance();
+    pass();
+  }
+
+  /** Posts what there is. */
+  private void pass() {
     watch.ready(ready);
     for (int i = ready.size() - 1; i >= 0; i--) {
       RemotePeer peer = ready.remove(i);
@@ -128,12 +124,12 @@ public final class AnswerReading implements Listening {
       looked = now;
     } else if (!read.isEmpty() && now - looked > LONG) {
       looked = now;
-      look(0);
+      look();
     }
   }
 
   @Override
-  public void end() {
+  public void close() {
     leave();
     try {
       if (watch != null) {

@@ -9,11 +9,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.message.Message;
 import org.urbi.kernel.outside.SocketWatch;
 import org.urbi.kernel.uobject.ArgumentFailure;
 import org.urbi.kernel.uobject.PluggedContext;
@@ -42,17 +42,15 @@ import urbi.wire.WireOutput;
  * pass by it, so that it may itself wait for one.
  */
 public final class RemotePeer {
-  /** When more waits to be sent, values of variables wait until they can be the latest. */
-  private static final long MOST_PENDING = 8L << 20;
-
   /** How long an access waits for the process to set the value. */
   private static final Duration ACCESS_PATIENCE = Duration.ofSeconds(2);
 
+  private final int number;
   private final Scheduler scheduler;
   private final PluggedContext context;
   private final RemoteWire wire;
   private final AnswerReading reading;
-  private SocketWatch.Socket socket;
+  private volatile SocketWatch.Socket socket;
   private boolean wanting;
   private final UModule module;
   private final RemoteTasks tasks;
@@ -61,27 +59,32 @@ public final class RemotePeer {
   private final Map<String, RemoteObject> objects = new LinkedHashMap<>();
   private final Map<Integer, RemoteVariable> variables = new HashMap<>();
   private final Map<String, UEmitter> events = new HashMap<>();
-  private final Map<Integer, CompletableFuture<UValue>> calls = new ConcurrentHashMap<>();
+  private final Map<Integer, CompletableFuture<UValue>> calls = new HashMap<>();
   private final WireOutput out = new WireOutput(1 << 12);
   private boolean flushing;
   private int lastCall;
   private boolean making;
   private boolean behind;
-  private volatile String lost;
-  private final Runnable rtpEnd;
+  private boolean greeted;
+  private boolean broken;
+  private String lost;
+  private Runnable rtpEnd;
 
   /**
+   * @param number of the receiver of its messages
    * @param name of the process, for people
    * @param describe says what went wrong; called in a job
    * @param reading reads answers on the kernel thread
    */
   public RemotePeer(
+      int number,
       String name,
       Scheduler scheduler,
       PluggedContext context,
       Function<RuntimeException, String> describe,
       AnswerReading reading,
       RemoteWire wire) {
+    this.number = number;
     this.reading = reading;
     this.scheduler = scheduler;
     this.context = context;
@@ -89,65 +92,34 @@ public final class RemotePeer {
     this.wire = wire;
     this.module = new UModule(name);
     this.tasks = new RemoteTasks(scheduler, context::lobby, wire::consumed, this::failed);
-    this.rtpEnd = context.rtp().onTurn(this::rtpTurned);
-    tasks.add(this::tellTime, 0);
   }
 
-  // ------------------------------------------------------------------ on the network thread
+  // ------------------------------------------------------------------ from any thread
 
-  /**
-   * Takes a frame.
-   *
-   * @throws WireException if it is none
-   */
-  public void receive(int size, WireInput in) {
-    int type = in.octet();
-    switch (type) {
-      case Frame.RESULT, Frame.ERROR, Frame.ARGUMENT_ERROR, Frame.ACCESSED -> {
-        answer(type, in);
-        wire.consumed(size);
-      }
-      default -> tasks.add(task(type, in), size);
-    }
-  }
-
-  private void answer(int type, WireInput in) {
-    int number = in.size();
-    switch (type) {
-      case Frame.RESULT -> complete(number, in.value(), null);
-      case Frame.ERROR -> complete(number, null, new RuntimeException(in.text()));
-      case Frame.ARGUMENT_ERROR ->
-          complete(number, null, new ArgumentFailure(in.size(), in.text()));
-      default -> complete(number, new UValue(), null);
-    }
-  }
-
-  /** All that has come together has been given to {@link #receive}. */
-  public void received() {
-    tasks.start();
+  /** Takes a frame, without its length. */
+  public void receive(byte[] frame) {
+    scheduler.inbox().post(new Message.RemoteFrame(number, frame));
   }
 
   /** The connection is lost: calls that wait fail, and what the process has brought goes. */
   public void lost(String why) {
-    lost = why;
-    later(this::clear);
+    scheduler.inbox().post(new Message.RemoteLost(number, why));
+  }
+
+  /** So much waits to be sent that values of variables had better wait. */
+  public void behind() {
+    scheduler.inbox().post(new Message.RemoteBehind(number));
   }
 
   /** What waited to be sent has left. */
   public void drained() {
-    later(this::refresh);
+    scheduler.inbox().post(new Message.RemoteDrained(number));
   }
 
   /** The connection, with this socket, is left to the kernel thread. */
   public void mayRead(SocketWatch.Socket left) {
-    scheduler
-        .inbox()
-        .post(() -> {
-          if (lost == null) {
-            socket = left;
-            reading.begin(this);
-          }
-        });
+    socket = left;
+    scheduler.inbox().post(new Message.RemoteReadable(number));
   }
 
   SocketWatch.Socket socket() {
@@ -156,12 +128,72 @@ public final class RemotePeer {
 
   /** Asks the kernel thread whether it is there to read. */
   public void askForAttention() {
-    scheduler.inbox().post(wire::attended);
+    scheduler.inbox().post(new Message.AttentionAsked(number));
+  }
+
+  // ------------------------------------------------------------------ messages
+
+  /** The kernel takes note of it. */
+  public void open() {
+    scheduler.inbox().register(number, this::take);
+    rtpEnd = context.rtp().onTurn(this::rtpTurned);
+  }
+
+  private void take(Message message) {
+    switch (message) {
+      case Message.RemoteFrame received -> received(received.frame());
+      case Message.RemoteBehind news -> behind = true;
+      case Message.RemoteDrained news -> later(this::refresh);
+      case Message.RemoteLost loss -> {
+        scheduler.inbox().forget(number);
+        lost = loss.reason();
+        later(this::clear);
+      }
+      case Message.RemoteReadable news -> reading.begin(this);
+      case Message.AttentionAsked question -> wire.attended();
+      default -> throw new IllegalArgumentException(message.toString());
+    }
+  }
+
+  private void received(byte[] frame) {
+    if (broken) {
+      return;
+    }
+    if (!greeted) {
+      greeted = true;
+      later(this::tellTime);
+    }
+    WireInput in = new WireInput(frame, 0, frame.length);
+    try {
+      int type = in.octet();
+      switch (type) {
+        case Frame.RESULT, Frame.ERROR, Frame.ARGUMENT_ERROR, Frame.ACCESSED -> {
+          answer(type, in);
+          wire.consumed(frame.length);
+        }
+        default -> tasks.add(task(type, in), frame.length);
+      }
+    } catch (RuntimeException e) {
+      // Whatever a process sends, nobody else is to suffer from it.      // Whatever a process
+      // sends, nobody else is to suffer from it.
+      broken = true;
+      wire.close("the remote process does not keep to the protocol: " + e.getMessage());
+    }
+  }
+
+  private void answer(int type, WireInput in) {
+    int call = in.size();
+    switch (type) {
+      case Frame.RESULT -> complete(call, in.value(), null);
+      case Frame.ERROR -> complete(call, null, new RuntimeException(in.text()));
+      case Frame.ARGUMENT_ERROR -> complete(call, null, new ArgumentFailure(in.size(), in.text()));
+      default -> complete(call, new UValue(), null);
+    }
   }
 
   private void complete(int number, UValue value, RuntimeException error) {
     // Whoever waits finds done what came before the result: what the function has bound, say.
-    tasks.startAll();
+    tasks.hurry();
     CompletableFuture<UValue> call = calls.remove(number);
     if (call != null) {
       if (error == null) {
@@ -282,7 +314,6 @@ public final class RemotePeer {
   /** Has something done in turn. */
   void later(Runnable task) {
     tasks.add(task, 0);
-    tasks.start();
   }
 
   private Runnable answering(int number, Supplier<UValue> question) {
@@ -480,8 +511,7 @@ public final class RemotePeer {
     if (lost != null) {
       return true;
     }
-    if (wire.pending() > MOST_PENDING) {
-      behind = true;
+    if (behind) {
       return false;
     }
     long time = scheduler.now() / 1000;

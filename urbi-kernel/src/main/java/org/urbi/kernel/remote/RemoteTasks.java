@@ -1,9 +1,6 @@
 package org.urbi.kernel.remote;
 
-import java.util.Queue;
-import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.concurrent.atomic.AtomicLong;
+import java.util.ArrayDeque;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.function.Supplier;
@@ -12,7 +9,10 @@ import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.object.UrbiObject;
 
-/** What a remote process has asked for, and the job that does it, one after the other. */
+/**
+ * What a remote process has asked for, and the job that does it, one after the other. On the kernel
+ * thread.
+ */
 final class RemoteTasks {
   /** How many are done before others have their turn. */
   private static final int TURN = 256;
@@ -23,16 +23,15 @@ final class RemoteTasks {
   private final Supplier<? extends UrbiObject> lobby;
   private final IntConsumer consumed;
   private final Consumer<RuntimeException> failed;
-  private final Queue<Task> tasks = new ConcurrentLinkedQueue<>();
-  private final AtomicBoolean announced = new AtomicBoolean();
-  private final AtomicLong added = new AtomicLong();
+  private final ArrayDeque<Task> tasks = new ArrayDeque<>();
+  private long added;
 
   /** Up to this one, tasks are done without a break. */
-  private volatile long urgent;
+  private long urgent;
 
   private Job job;
   private boolean waiting;
-  private volatile boolean ended;
+  private boolean ended;
 
   /**
    * @param consumed is told how many bytes of input have been done
@@ -49,28 +48,13 @@ final class RemoteTasks {
     this.failed = failed;
   }
 
-  /** Adds a task, for which {@link #start} is to be called; from any thread. */
+  /** Adds a task, which is done soon. */
   void add(Runnable action, int size) {
-    if (!ended) {
-      tasks.add(new Task(action, size));
-      added.incrementAndGet();
+    if (ended) {
+      return;
     }
-  }
-
-  /** Has all that has been added done before others have their turn; from any thread. */
-  void startAll() {
-    urgent = added.get();
-    start();
-  }
-
-  /** Has the tasks done; from any thread. */
-  void start() {
-    if (!tasks.isEmpty() && announced.compareAndSet(false, true)) {
-      scheduler.inbox().post(this::wake);
-    }
-  }
-
-  private void wake() {
+    tasks.add(new Task(action, size));
+    added++;
     if (job == null) {
       UrbiObject own = lobby.get();
       job = scheduler.startDetached(own, scheduler.rootScope(), "remote", this::run);
@@ -80,19 +64,19 @@ final class RemoteTasks {
     }
   }
 
+  /** Has all that has been added done before others have their turn. */
+  void hurry() {
+    urgent = added;
+  }
+
   private void run(Job self) {
     long done = 0;
     while (!ended) {
       Task task = tasks.poll();
       if (task == null) {
-        announced.set(false);
-        task = tasks.poll();
-        if (task == null) {
-          waiting = true;
-          self.waitForWake();
-          continue;
-        }
-        announced.set(true);
+        waiting = true;
+        self.waitForWake();
+        continue;
       }
       perform(task.action);
       if (task.size > 0) {
@@ -111,6 +95,8 @@ final class RemoteTasks {
       throw e;
     } catch (RuntimeException e) {
       failed.accept(e);
+    } catch (Error e) {
+      failed.accept(new IllegalStateException(e));
     }
   }
 

@@ -9,9 +9,6 @@ public interface RemoteWire {
   /** Sends whole frames. */
   void send(byte[] frames);
 
-  /** How many bytes have been sent and have not left yet. */
-  long pending();
-
   /** Ends the connection. */
   void close(String reason);
 

@@ -3,18 +3,19 @@ package org.urbi.kernel.uobject;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.PendingAnswer;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.message.Outcome;
 
 /** A result that a job waits for while others run. */
 final class Awaited {
-  private final Job job;
-  private Object value;
-  private Throwable failure;
-  private boolean done;
-  private boolean abandoned;
+  private final Scheduler scheduler;
+  private final PendingAnswer answer;
+  private boolean waiting;
 
   Awaited(Job job) {
-    this.job = job;
+    scheduler = job.scheduler();
+    answer = new PendingAnswer(job);
   }
 
   /**
@@ -23,30 +24,24 @@ final class Awaited {
    * @throws CompletionException if it is a failure
    */
   Object await(CompletionStage<?> stage) {
-    Scheduler scheduler = job.scheduler();
-    scheduler.pace().begin();
-    stage.whenComplete((result, thrown) ->
-        scheduler
-            .inbox()
-            .post(() -> {
-              scheduler.pace().end();
-              value = result;
-              failure = thrown;
-              done = true;
-              if (!abandoned) {
-                job.wake();
-              }
-            }));
-    try {
-      while (!done) {
-        job.waitForWake();
-      }
-    } finally {
-      abandoned = true;
+    stage.whenComplete((result, thrown) -> complete(new Outcome(result, thrown)));
+    waiting = true;
+    Outcome outcome = answer.await();
+    if (outcome.failure() != null) {
+      throw new CompletionException(outcome.failure());
     }
-    if (failure != null) {
-      throw new CompletionException(failure);
+    return outcome.value();
+  }
+
+  /**
+   * What the kernel thread brings about follows from a message already. What was there when the
+   * wait began does not: who knows since when.
+   */
+  private void complete(Outcome outcome) {
+    if (scheduler.isKernelThread() && waiting) {
+      answer.arrived(outcome);
+    } else {
+      answer.post(outcome);
     }
-    return value;
   }
 }

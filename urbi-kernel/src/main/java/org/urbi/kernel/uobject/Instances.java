@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.WeakHashMap;
 import java.util.function.Consumer;
 import org.urbi.kernel.job.Inbox;
+import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
@@ -66,7 +67,8 @@ final class Instances {
     data.getter = new Named(world.prototype("Code").cloneShape(), instance);
     namespace.slotDataChanged(slot);
     String name = instance.name();
-    Reclamation.CLEANER.register(instance.object(), () -> inbox.post(() -> gone(name)));
+    Reclamation.CLEANER.register(
+        instance.object(), () -> inbox.post(new Message.ComponentGone(name)));
   }
 
   /** Makes it a slot of {@code uobjects} which does. */
@@ -74,7 +76,8 @@ final class Instances {
     setSlot(namespace(), world.symbol(Texts.toUrbi(instance.name())), instance.object());
   }
 
-  private void gone(String name) {
+  /** Nobody referred any more to the urbiscript object of that name, a moment ago. */
+  void gone(String name) {
     Instance instance = byName.get(name);
     if (instance != null && instance.object() == null) {
       onGone.accept(instance);

@@ -1,13 +1,14 @@
 package org.urbi.kernel.uobject;
 
-import java.util.Set;
+import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Function;
-import java.util.function.Supplier;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
@@ -15,8 +16,20 @@ import org.urbi.kernel.object.UrbiObject;
 
 /** What other threads want done on the kernel thread: each becomes a job, and the thread waits. */
 final class KernelRequests {
+  private record Request<T>(Function<Frame, T> task, CompletableFuture<T> future) {
+    /** Does it; in a job. */
+    void perform(Frame frame) {
+      try {
+        future.complete(task.apply(frame));
+      } catch (RuntimeException | Error e) {
+        future.completeExceptionally(e);
+      }
+    }
+  }
+
   private final Interpreter interpreter;
-  private final Set<CompletableFuture<?>> pending = ConcurrentHashMap.newKeySet();
+  private final AtomicInteger last = new AtomicInteger();
+  private final Map<Integer, Request<?>> pending = new ConcurrentHashMap<>();
   private volatile boolean over;
 
   KernelRequests(Interpreter interpreter) {
@@ -29,11 +42,12 @@ final class KernelRequests {
    * @throws IllegalStateException if the kernel has ended
    * @throws CancellationException if the thread is interrupted
    */
-  <T> T ask(Supplier<UrbiObject> lobby, Function<Frame, T> task) {
+  <T> T ask(Function<Frame, T> task) {
     CompletableFuture<T> future = new CompletableFuture<>();
-    pending.add(future);
+    int number = last.incrementAndGet();
+    pending.put(number, new Request<>(task, future));
     try {
-      interpreter.scheduler().inbox().post(() -> start(lobby.get(), task, future));
+      interpreter.scheduler().inbox().post(new Message.ComponentRequest(number));
       if (over) {
         throw ended();
       }
@@ -47,25 +61,24 @@ final class KernelRequests {
         case Throwable other -> new IllegalStateException(other);
       };
     } finally {
-      pending.remove(future);
+      pending.remove(number);
     }
   }
 
-  private <T> void start(UrbiObject lobby, Function<Frame, T> task, CompletableFuture<T> future) {
+  /** Starts a job that does what was asked for, if somebody still waits for it. */
+  void start(int number, UrbiObject lobby) {
+    Request<?> request = pending.get(number);
+    if (request == null) {
+      return;
+    }
     Scheduler scheduler = interpreter.scheduler();
     scheduler
         .startDetached(
             lobby,
             scheduler.rootScope(),
             "uobject",
-            job -> {
-              try {
-                future.complete(task.apply(Frame.top(interpreter, job, lobby, new FrameLayout())));
-              } catch (RuntimeException | Error e) {
-                future.completeExceptionally(e);
-              }
-            })
-        .onEnd(() -> future.completeExceptionally(new CancellationException("stopped")));
+            job -> request.perform(Frame.top(interpreter, job, lobby, new FrameLayout())))
+        .onEnd(() -> request.future().completeExceptionally(new CancellationException("stopped")));
   }
 
   private static IllegalStateException ended() {
@@ -75,6 +88,6 @@ final class KernelRequests {
   /** The kernel has ended: nobody waits any longer. */
   void close() {
     over = true;
-    pending.forEach(future -> future.completeExceptionally(ended()));
+    pending.values().forEach(request -> request.future().completeExceptionally(ended()));
   }
 }

@@ -21,6 +21,7 @@ import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.log.LogLevel;
+import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
@@ -85,6 +86,7 @@ public final class PluggedContext implements UContext {
     this.creation = new Creation(this);
     this.modules = new Modules(this, moduleSearchPath, outside);
     this.systemLobby = new SystemLobby(interpreter, log);
+    scheduler.inbox().register(Message.COMPONENTS, this::take);
   }
 
   // ------------------------------------------------------------------ its parts
@@ -197,7 +199,7 @@ public final class PluggedContext implements UContext {
    */
   <T> T inKernel(Function<Frame, T> task) {
     if (!scheduler.isKernelThread()) {
-      return requests.ask(this::lobby, frame -> translated(frame, task));
+      return requests.ask(frame -> translated(frame, task));
     }
     if (over) {
       // The last ones say good-bye.
@@ -253,7 +255,7 @@ public final class PluggedContext implements UContext {
               try {
                 call.run();
               } finally {
-                scheduler.inbox().post(scheduler.pace()::end);
+                scheduler.inbox().post(new Message.ComponentDone());
               }
             });
     if (started) {
@@ -304,6 +306,21 @@ public final class PluggedContext implements UContext {
                     Texts.toUrbi(
                         "exception caught while calling " + function + ": " + Failures.text(e)));
     interpreter.report(job, shown);
+  }
+
+  // ------------------------------------------------------------------ messages
+
+  private void take(Message message) {
+    switch (message) {
+      case Message.ComponentCode sent -> lobby().shell().receive(Texts.toUrbi(sent.code()));
+      case Message.ComponentCall wish -> start(frame -> call(frame, wish));
+      case Message.ComponentEvent event ->
+          start(frame -> emit(frame, event.name(), event.payload()));
+      case Message.ComponentRequest request -> requests.start(request.number(), lobby());
+      case Message.ComponentDone done -> scheduler.pace().end();
+      case Message.ComponentGone object -> objects.gone(object.name());
+      default -> throw new IllegalArgumentException(message.toString());
+    }
   }
 
   // ------------------------------------------------------------------ UContext
@@ -422,7 +439,7 @@ public final class PluggedContext implements UContext {
         return null;
       });
     } else {
-      later(frame -> emit(frame, name, payload));
+      scheduler.inbox().post(new Message.ComponentEvent(name, payload));
     }
   }
 
@@ -446,17 +463,13 @@ public final class PluggedContext implements UContext {
     void run(Frame frame);
   }
 
-  private void later(FrameTask task) {
-    scheduler
-        .inbox()
-        .post(() -> {
-          UrbiLobby own = lobby();
-          scheduler.startDetached(
-              own,
-              scheduler.rootScope(),
-              "uobject",
-              job -> task.run(Frame.top(interpreter, job, own, new FrameLayout())));
-        });
+  private void start(FrameTask task) {
+    UrbiLobby own = lobby();
+    scheduler.startDetached(
+        own,
+        scheduler.rootScope(),
+        "uobject",
+        job -> task.run(Frame.top(interpreter, job, own, new FrameLayout())));
   }
 
   @Override
@@ -473,19 +486,21 @@ public final class PluggedContext implements UContext {
 
   @Override
   public void send(String code) {
-    scheduler.inbox().post(() -> lobby().shell().receive(Texts.toUrbi(code)));
+    scheduler.inbox().post(new Message.ComponentCode(code));
   }
 
   @Override
   public void call(String object, String method, UValue... arguments) {
-    later(frame -> {
-      UrbiObject target = variables.object(frame, object);
-      UrbiObject[] given = new UrbiObject[arguments.length];
-      for (int i = 0; i < given.length; i++) {
-        given[i] = exchange.element(arguments[i]);
-      }
-      interpreter.send(frame, target, Texts.toUrbi(method), given);
-    });
+    scheduler.inbox().post(new Message.ComponentCall(object, method, arguments));
+  }
+
+  private void call(Frame frame, Message.ComponentCall wish) {
+    UrbiObject target = variables.object(frame, wish.object());
+    UrbiObject[] given = new UrbiObject[wish.arguments().length];
+    for (int i = 0; i < given.length; i++) {
+      given[i] = exchange.element(wish.arguments()[i]);
+    }
+    interpreter.send(frame, target, Texts.toUrbi(wish.method()), given);
   }
 
   @Override

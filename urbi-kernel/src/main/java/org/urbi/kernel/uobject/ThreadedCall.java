@@ -1,7 +1,7 @@
 package org.urbi.kernel.uobject;
 
-import org.urbi.kernel.job.Job;
-import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.job.PendingAnswer;
+import org.urbi.kernel.message.Outcome;
 import org.urbi.kernel.node.Frame;
 import urbi.UCallback;
 
@@ -10,19 +10,7 @@ import urbi.UCallback;
  * stopped waits no longer; the thread goes on to the end of the function.
  */
 final class ThreadedCall {
-  private final UCallback callback;
-  private final Object[] arguments;
-  private final Job job;
-  private Object result;
-  private Throwable failure;
-  private boolean done;
-  private boolean abandoned;
-
-  private ThreadedCall(UCallback callback, Object[] arguments, Job job) {
-    this.callback = callback;
-    this.arguments = arguments;
-    this.job = job;
-  }
+  private ThreadedCall() {}
 
   /**
    * Calls the function, and waits for its end.
@@ -32,40 +20,23 @@ final class ThreadedCall {
    */
   static Object await(PluggedContext context, Frame caller, UCallback callback, Object[] arguments)
       throws Throwable {
-    ThreadedCall call = new ThreadedCall(callback, arguments, caller.job());
-    Scheduler scheduler = caller.job().scheduler();
-    if (!callback.execute(context, () -> call.run(scheduler))) {
+    PendingAnswer answer = new PendingAnswer(caller.job());
+    if (!callback.execute(context, () -> answer.post(run(callback, arguments)))) {
+      answer.arrived(null);
       return null;
     }
-    scheduler.pace().begin();
-    try {
-      while (!call.done) {
-        call.job.waitForWake();
-      }
-    } finally {
-      call.abandoned = true;
+    Outcome outcome = answer.await();
+    if (outcome.failure() != null) {
+      throw outcome.failure();
     }
-    if (call.failure != null) {
-      throw call.failure;
-    }
-    return call.result;
+    return outcome.value();
   }
 
-  private void run(Scheduler scheduler) {
+  private static Outcome run(UCallback callback, Object[] arguments) {
     try {
-      result = callback.call(arguments);
+      return new Outcome(callback.call(arguments), null);
     } catch (Throwable e) {
-      failure = e;
-    } finally {
-      scheduler
-          .inbox()
-          .post(() -> {
-            scheduler.pace().end();
-            done = true;
-            if (!abandoned) {
-              job.wake();
-            }
-          });
+      return new Outcome(null, e);
     }
   }
 }

@@ -68,7 +68,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
   public void handlerAdded(ChannelHandlerContext added) {
     context = added;
     heard = added.executor().ticker().nanoTime();
-    output = new FrameOutput(added, () -> peer.drained());
+    output = new FrameOutput(added, () -> peer.behind(), () -> peer.drained());
     datagrams = new FrameDatagrams(added.executor(), port, output::writeAndFlush, this::value);
     peer = peers.apply(String.valueOf(added.channel().id().asShortText()), this);
     watch = added.executor().scheduleWithFixedDelay(this::watch, 1, 1, TimeUnit.SECONDS);
@@ -109,7 +109,6 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
     } finally {
       keep(in);
     }
-    peer.received();
     if (unconsumed.get() > MOST_INPUT) {
       from.channel().config().setAutoRead(false);
       consumed(0);
@@ -162,7 +161,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
 
   private void receive(byte[] frame) {
     unconsumed.addAndGet(frame.length);
-    peer.receive(frame.length, new WireInput(frame, 0, frame.length));
+    peer.receive(frame);
   }
 
   private void aboutDatagrams(WireInput in) {
@@ -241,7 +240,6 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
         heard = context.executor().ticker().nanoTime();
         space.flip();
         receiveAll(space);
-        peer.received();
         if (size < 0 || space.hasRemaining() || unconsumed.get() > MOST_INPUT) {
           byte[] rest = new byte[space.remaining()];
           space.get(rest);
@@ -290,12 +288,14 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
       return;
     }
     try {
-      peer.receive(frame.length, new WireInput(frame, 0, frame.length));
-      unconsumed.addAndGet(frame.length);
-      peer.received();
+      WireInput in = new WireInput(frame, 1, frame.length);
+      in.size();
+      in.value();
     } catch (WireException e) {
       trace.debug("a datagram makes no sense: " + e.getMessage());
+      return;
     }
+    receive(frame);
   }
 
   /** Keeps the beginning of a frame for later. */
@@ -304,7 +304,8 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
       in.release();
       return;
     }
-    if (in.refCnt() == 1 && !in.isReadOnly()) {
+    // A part of another buffer cannot grow.
+    if (in.refCnt() == 1 && !in.isReadOnly() && in.maxCapacity() == Integer.MAX_VALUE) {
       partial = in.discardReadBytes();
     } else {
       partial = context.alloc().buffer(in.readableBytes()).writeBytes(in);
@@ -376,11 +377,6 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
   @Override
   public void closeDatagrams() {
     datagrams.close();
-  }
-
-  @Override
-  public long pending() {
-    return output.unsent();
   }
 
   @Override

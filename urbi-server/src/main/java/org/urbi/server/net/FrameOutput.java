@@ -20,24 +20,31 @@ import java.util.concurrent.locks.ReentrantLock;
 final class FrameOutput {
   private static final long LITTLE = 1L << 20;
 
+  /** When more waits, values of variables wait until they can be the latest. */
+  private static final long MUCH = 8L << 20;
+
   private final ChannelHandlerContext context;
   private final SocketChannel socket;
+  private final Runnable behind;
   private final Runnable drained;
   private final ReentrantLock lock = new ReentrantLock();
 
   /** What the kernel has sent and the network thread has not taken yet. */
   private final Queue<ByteBuf> waiting = new ArrayDeque<>();
 
+  private boolean late;
   private boolean scheduled;
   private int taken;
   private volatile long unsent;
 
   /**
+   * @param behind told when much waits
    * @param drained told, by the network thread, when much has waited and little is left
    */
-  FrameOutput(ChannelHandlerContext context, Runnable drained) {
+  FrameOutput(ChannelHandlerContext context, Runnable behind, Runnable drained) {
     this.context = context;
     this.socket = context.channel() instanceof ConsoleChannel own ? own.bare() : null;
+    this.behind = behind;
     this.drained = drained;
   }
 
@@ -56,6 +63,10 @@ final class FrameOutput {
       }
       if (written < frames.length) {
         unsent += frames.length - written;
+        if (unsent > MUCH && !late) {
+          late = true;
+          behind.run();
+        }
         waiting.add(Unpooled.wrappedBuffer(frames, written, frames.length - written));
         if (!scheduled) {
           scheduled = true;
@@ -118,13 +129,13 @@ final class FrameOutput {
     lock.unlock();
     written.addListener(done -> {
       lock.lock();
-      long before = unsent;
-      unsent = before - size;
+      unsent -= size;
       taken--;
-      lock.unlock();
-      if (before > LITTLE && before - size <= LITTLE) {
+      if (late && unsent <= LITTLE) {
+        late = false;
         drained.run();
       }
+      lock.unlock();
     });
   }
 }

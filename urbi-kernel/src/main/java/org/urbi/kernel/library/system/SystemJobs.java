@@ -98,11 +98,7 @@ final class SystemJobs {
   static void redefinitionMode(Frame frame, CallSite site, UrbiObject self) {
     Job job = frame.job();
     int before = job.redefinitions();
-    endWithFunction(
-        frame,
-        site,
-        "redefinitionMode",
-        () -> job.endRedefinitions(before));
+    endWithFunction(frame, site, "redefinitionMode", () -> job.endRedefinitions(before));
     job.allowRedefinition();
   }
 
@@ -127,11 +123,7 @@ final class SystemJobs {
   static void nonInterruptible(Frame frame, CallSite site, UrbiObject self) {
     Job job = frame.job();
     int before = job.nonInterruptible();
-    endWithFunction(
-        frame,
-        site,
-        "nonInterruptible",
-        () -> job.endNonInterruptible(before));
+    endWithFunction(frame, site, "nonInterruptible", () -> job.endNonInterruptible(before));
     job.refuseInterruption();
   }
 

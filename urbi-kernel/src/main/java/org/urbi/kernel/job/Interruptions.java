@@ -1,0 +1,45 @@
+package org.urbi.kernel.job;
+
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import org.urbi.kernel.object.UrbiObject;
+
+/**
+ * The lobbies whose running code is to end although it never lets others run, so that no message
+ * can reach them. A flag only: who wants that posts a message besides, which {@linkplain #clear
+ * takes the flag back} when its turn comes.
+ */
+public final class Interruptions {
+  private final Set<UrbiObject> lobbies = ConcurrentHashMap.newKeySet();
+  private volatile boolean wanted;
+
+  /** Has the job end that is running for that lobby, if there is one; from any thread. */
+  public void want(UrbiObject lobby) {
+    lobbies.add(lobby);
+    wanted = true;
+  }
+
+  /** Whether there is any; code looks at this in each turn of a loop. */
+  boolean areWanted() {
+    return wanted;
+  }
+
+  /** Whether the job that is running for that lobby is to end; that is so once. */
+  boolean take(UrbiObject lobby) {
+    if (lobby == null || !lobbies.contains(lobby)) {
+      return false;
+    }
+    clear(lobby);
+    return true;
+  }
+
+  /** Nobody is to be interrupted any more; on the kernel thread. */
+  public void clear(UrbiObject lobby) {
+    lobbies.remove(lobby);
+    wanted = false;
+    if (!lobbies.isEmpty()) {
+      // Others wait, or one has come between the two.
+      wanted = true;
+    }
+  }
+}

@@ -1,0 +1,43 @@
+package org.urbi.kernel.message;
+
+import java.io.IOException;
+
+/**
+ * What has become of something that was done outside the kernel thread.
+ *
+ * @param value the result, if there is no failure: what {@link DataForm} can write, or a live thing
+ *     that a replay has to do without
+ * @param failure what was thrown, or null
+ */
+public record Outcome(Object value, Throwable failure) {
+  /** Something that can be done. */
+  @FunctionalInterface
+  public interface Work<T> {
+    T run() throws Exception;
+  }
+
+  /** Does something, and keeps what comes of it. */
+  public static Outcome of(Work<?> work) {
+    try {
+      return new Outcome(work.run(), null);
+    } catch (Throwable e) {
+      return new Outcome(null, e);
+    }
+  }
+
+  /**
+   * The result.
+   *
+   * @throws IOException as the work did, or because of what else it threw
+   */
+  @SuppressWarnings("unchecked")
+  public <T> T get() throws IOException {
+    return switch (failure) {
+      case null -> (T) value;
+      case IOException e -> throw e;
+      case RuntimeException e -> throw e;
+      case Error e -> throw e;
+      default -> throw new IOException(failure);
+    };
+  }
+}
