@@ -66,6 +66,8 @@ public final class Sequences {
           group.start(frame, statement);
         }
         group.join();
+      } catch (UrbiException e) {
+        throw frame.located(e, span());
       }
       return frame.interpreter.values().voidObject;
     }

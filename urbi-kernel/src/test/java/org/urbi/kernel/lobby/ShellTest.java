@@ -1,0 +1,168 @@
+package org.urbi.kernel.lobby;
+
+import org.junit.jupiter.api.Test;
+import org.urbi.kernel.Dialogue;
+
+/** What a console is told of what it is sent (manual, "Lobby"). */
+class ShellTest {
+  @Test
+  void valuesAreShownAndNothingIsNot() {
+    Dialogue.hold(
+        """
+        1;
+        [00000000] 1
+        "a";
+        [00000000] "a"
+        void;
+        nil;
+        1|;
+        var x = 2;
+        [00000000] 2
+        var y;
+        { 3 };
+        [00000000] 3
+        {};
+        1, 2;
+        [00000000] 2
+        sleep(1ms);
+        """);
+  }
+
+  @Test
+  void statementsInTheBackgroundGoOn() {
+    Dialogue.hold(
+        """
+        { sleep(1s); echo("background") }, echo("foreground");
+        [00000000] *** foreground
+        sleep(2s);
+        [00001000] *** background
+        5,
+        sleep(1ms);
+        """);
+  }
+
+  @Test
+  void anErrorEndsItsStatementAndNoOther() {
+    Dialogue.hold(
+        """
+        echo(1); missing; echo(2);
+        [00000000] *** 1
+        [00000000:error] !!! 1.10-16: lookup failed: missing
+        [00000000] *** 2
+        { echo(3); missing; echo("never") };
+        [00000000] *** 3
+        [00000000:error] !!! 2.12-18: lookup failed: missing
+        missing, echo(4);
+        [00000000:error] !!! 3.1-7: lookup failed: missing
+        [00000000] *** 4
+        sleep(1ms);
+        """);
+  }
+
+  @Test
+  void aStatementMayTakeSeveralLines() {
+    Dialogue.hold(
+        """
+        echo(
+          1 +
+          2
+        );
+        [00000000] *** 3
+        "one
+        two";
+        [00000000] "one\\ntwo"
+        /* a comment
+           of lines */ 3;
+        [00000000] 3
+        """);
+  }
+
+  @Test
+  void echoesHaveAChannelAndAPrefix() {
+    Dialogue.hold(
+        """
+        echo("plain");
+        [00000000] *** plain
+        echo("tagged", "tag");
+        [00000000:tag] *** tagged
+        Channel.new("mine") << 5;
+        [00000000:mine] 5
+        Channel.warning << "careful";
+        [00000000:warning] careful
+        cout << "out"; cerr << "err"; clog << "log";
+        [00000000:output] "out"
+        [00000000:error] err
+        [00000000:clog] "log"
+        lobby.send("raw");
+        [00000000] raw
+        lobby.send("labelled", "label");
+        [00000000:label] labelled
+        lobby.write("[00000000:direct] bytes\\n");
+        [00000000:direct] bytes
+        """);
+  }
+
+  @Test
+  void textsOfSeveralLinesAreContinued() {
+    Dialogue.hold(
+        """
+        echo("one\\ntwo");
+        [00000000] *** one
+        [:]two
+        "a\\nb";
+        [00000000] "a\\nb"
+        """);
+  }
+
+  @Test
+  void whatIsLeftWithNothingToLeaveIsNothing() {
+    Dialogue.hold(
+        """
+        return;
+        { return 3 };
+        [00000000] 3
+        break;
+        [00000000:error] !!! 3.1-5: syntax error: unexpected break
+        function f() { return }|;
+        f;
+        echo("on");
+        [00000000] *** on
+        """);
+  }
+
+  @Test
+  void aLobbyKnowsItself() {
+    Dialogue.hold(
+        """
+        lobby === Lobby.lobby;
+        [00000000] true
+        lobby.isA(Lobby);
+        [00000000] true
+        lobby.connected;
+        [00000000] true
+        var Global.mine = 1|;
+        var here = 2|;
+        lobby.hasLocalSlot("here");
+        [00000000] true
+        lobby.hasLocalSlot("mine");
+        [00000000] false
+        lobby.bytesReceived > 100;
+        [00000000] true
+        """);
+  }
+
+  @Test
+  void aLobbyIsMadeForOutputElsewhere() {
+    Dialogue.hold(
+        """
+        var l = Lobby.create|;
+        l.receive("echo(1);");
+        [00000000] *** 1
+        sleep(1ms);
+        l.connected;
+        [00000001] true
+        Lobby.new;
+        [00000001:error] !!! 5.1-9: new: `Lobby' objects cannot be cloned
+        """);
+  }
+}
