@@ -6,39 +6,53 @@ import urbi.wire.Protocol;
 
 /** Looks after a connection: notices when the other side is silent for too long. */
 final class LinkWatch implements AutoCloseable {
+  private final Stopwatch silence;
+  private final Runnable look;
+  private final Runnable ask;
+  private final Runnable giveUp;
   private final Thread thread;
-  private final Stopwatch silence = new Stopwatch();
 
   /**
+   * @param silence since the last sign of life
    * @param look is called once a second
    * @param ask asks for a sign of life
    * @param giveUp is called once
    */
-  LinkWatch(Runnable look, Runnable ask, Runnable giveUp) {
-    thread =
-        // A virtual thread that writes would have the socket ask the system more often from then
-        // on.
-        Thread.ofPlatform()
-            .daemon()
-            .name("urbi-remote-keep-alive")
-            .start(() -> {
-              try {
-                while (silence() < Protocol.PATIENCE_SECONDS) {
-                  TimeUnit.SECONDS.sleep(1);
-                  look.run();
-                  if (silence() >= Protocol.SILENCE_SECONDS) {
-                    ask.run();
-                  }
-                }
-                giveUp.run();
-              } catch (InterruptedException | RuntimeException e) {
-                // The connection has ended otherwise.
-              }
-            });
+  LinkWatch(Stopwatch silence, Runnable look, Runnable ask, Runnable giveUp) {
+    this.silence = silence;
+    this.look = look;
+    this.ask = ask;
+    this.giveUp = giveUp;
+    // A virtual thread that writes would have the socket ask the system more often from then on.
+    thread = Thread.ofPlatform().daemon().name("urbi-remote-keep-alive").unstarted(this::watch);
   }
 
-  private long silence() {
-    return silence.elapsed(TimeUnit.SECONDS);
+  void start() {
+    thread.start();
+  }
+
+  private void watch() {
+    try {
+      do {
+        TimeUnit.SECONDS.sleep(1);
+      } while (goesOn());
+    } catch (InterruptedException | RuntimeException e) {
+      // The connection has ended otherwise.
+    }
+  }
+
+  /** To be called once a second; whether there is still something to look after. */
+  boolean goesOn() {
+    long seconds = silence.elapsed(TimeUnit.SECONDS);
+    if (seconds >= Protocol.PATIENCE_SECONDS) {
+      giveUp.run();
+      return false;
+    }
+    look.run();
+    if (seconds >= Protocol.SILENCE_SECONDS) {
+      ask.run();
+    }
+    return true;
   }
 
   /** There has been a sign of life. */

@@ -39,6 +39,7 @@ import urbi.spi.ArgumentException;
 import urbi.spi.ArgumentTypes;
 import urbi.spi.Failure;
 import urbi.spi.ThreadPool;
+import urbi.time.Stopwatch;
 import urbi.wire.Frame;
 import urbi.wire.WireException;
 import urbi.wire.WireInput;
@@ -80,14 +81,23 @@ public final class RemoteContext implements UContext, AutoCloseable {
    * @throws UClientException if nobody answers, or somebody who does not speak the protocol
    */
   public RemoteContext(String host, int port) {
+    this(host, port, new Stopwatch());
+  }
+
+  /**
+   * @param silence measures that of the server
+   */
+  RemoteContext(String host, int port, Stopwatch silence) {
     link = new Link(host, port, CONNECT_MILLISECONDS);
     watch =
         new LinkWatch(
+            silence,
             turn::complain,
             () -> sendNow(out -> out.begin(Frame.PING).end()),
             () -> end("the server does not answer any more"));
     datagrams = new RemoteDatagrams(this, link.address());
     dispatcher.start();
+    watch.start();
   }
 
   /** Has what the server shows to this connection passed on, in pieces as they come. */

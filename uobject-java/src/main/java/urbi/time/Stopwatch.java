@@ -1,10 +1,23 @@
 package urbi.time;
 
 import java.util.concurrent.TimeUnit;
+import java.util.function.LongSupplier;
 
 /** How long ago something was. May be read and started again by any thread. */
 public final class Stopwatch {
-  private volatile long start = nanoseconds();
+  private final LongSupplier clock;
+  private volatile long start;
+
+  /** Goes by the machine's time. */
+  public Stopwatch() {
+    this(Stopwatch::nanoseconds);
+  }
+
+  /** Goes by another clock, in nanoseconds from some beginning. */
+  public Stopwatch(LongSupplier clock) {
+    this.clock = clock;
+    restart();
+  }
 
   /** The machine's time in nanoseconds, from some beginning that does not change. */
   public static long nanoseconds() {
@@ -13,11 +26,11 @@ public final class Stopwatch {
 
   /** Begins again from zero. */
   public void restart() {
-    start = nanoseconds();
+    start = clock.getAsLong();
   }
 
   /** Time that has passed since the start, in whole units. */
   public long elapsed(TimeUnit unit) {
-    return unit.convert(nanoseconds() - start, TimeUnit.NANOSECONDS);
+    return unit.convert(clock.getAsLong() - start, TimeUnit.NANOSECONDS);
   }
 }
