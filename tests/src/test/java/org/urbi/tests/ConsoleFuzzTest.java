@@ -7,7 +7,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.IntFunction;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.urbi.tests.KernelSession.BackEnd;
@@ -17,11 +16,9 @@ import org.urbi.tests.KernelSession.Console;
  * Feeds consoles with nonsense, and with programs cut or damaged at random; whatever one console
  * was fed, the next one still answers. Seeds are fixed and counts bounded.
  */
-@Timeout(value = 15, unit = TimeUnit.MINUTES, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class ConsoleFuzzTest {
   private static final int PROGRAMS = Integer.getInteger("urbi.fuzz.programs", 120);
   private static final int PROGRAMS_PER_KERNEL = 20;
-  private static final long LIMIT_SECONDS = 60;
 
   /** What would end the session, and is no news, or would never give way to the next console. */
   static final Pattern UNFIT = Pattern.compile("shutdown|quit|(?:while|loop|for) ?\\|");
@@ -80,7 +77,7 @@ class ConsoleFuzzTest {
   private static void answers(Console console, String program) {
     try {
       console.send("1+1;\n");
-      console.receives("] 2\n").get(LIMIT_SECONDS, TimeUnit.SECONDS);
+      console.receives("] 2\n").get(Patience.LONG.toSeconds(), TimeUnit.SECONDS);
       console.end();
     } catch (Exception e) {
       throw new AssertionError(

@@ -14,7 +14,6 @@ import org.urbi.tests.KernelSession.Console;
  */
 class ConsoleJazzerTest {
   private static final int LONGEST_INPUT = 4_000;
-  private static final long LIMIT_SECONDS = 30;
 
   @FuzzTest(maxDuration = "5m")
   void consoleSurvives(byte[] bytes) throws Exception {
@@ -34,7 +33,7 @@ class ConsoleJazzerTest {
 
   private static void answer(Console console) throws InterruptedException, ExecutionException {
     try {
-      console.receives("] 2\n").get(LIMIT_SECONDS, TimeUnit.SECONDS);
+      console.receives("] 2\n").get(Patience.LONG.toSeconds(), TimeUnit.SECONDS);
     } catch (TimeoutException e) {
       throw new AssertionError("no answer but:\n" + console.output(), e);
     }

@@ -15,13 +15,11 @@ import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.embed.UrbiError;
 
 /** Modules that are loaded, replaced and unloaded while the kernel runs (manual, "loadModule"). */
-@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class ModuleTest {
   private static final String COUNTER =
       """

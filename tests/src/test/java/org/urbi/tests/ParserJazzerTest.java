@@ -15,7 +15,6 @@ import org.urbi.tests.KernelSession.Console;
 class ParserJazzerTest {
   private static final int LONGEST_INPUT = 4_000;
   private static final int PROGRAMS_PER_KERNEL = 1_000;
-  private static final long LIMIT_SECONDS = 30;
 
   private static KernelSession session;
   private static int fed;
@@ -36,7 +35,7 @@ class ParserJazzerTest {
     Console next = session.connect();
     next.send("1+1;\n");
     try {
-      next.receives("] 2\n").get(LIMIT_SECONDS, TimeUnit.SECONDS);
+      next.receives("] 2\n").get(Patience.LONG.toSeconds(), TimeUnit.SECONDS);
     } catch (TimeoutException e) {
       throw new AssertionError("no answer but:\n" + next.output(), e);
     }

@@ -2,8 +2,6 @@ package org.urbi.tests;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.concurrent.TimeUnit;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.urbi.tests.KernelSession.BackEnd;
@@ -11,7 +9,6 @@ import org.urbi.tests.KernelSession.Console;
 import org.urbi.tests.KernelSession.Feeding;
 
 /** Input beyond all measure is answered by a value or an error, and the kernel goes on. */
-@Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class RobustnessTest {
   private static final int DEPTH = 100_000;
   private static final int MEGA = 1_000_000;
@@ -139,11 +136,11 @@ class RobustnessTest {
         Console console = session.connect();
         console.send(start);
         console.end();
-        console.whenClosed().get(60, TimeUnit.SECONDS);
+        console.whenClosed().get();
       }
       Console next = session.connect();
       next.send("1+1;\n");
-      next.receives("] 2\n").get(60, TimeUnit.SECONDS);
+      next.receives("] 2\n").get();
     }
   }
 

@@ -3,15 +3,12 @@ package org.urbi.tests;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.concurrent.TimeUnit;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.urbi.tests.KernelSession.BackEnd;
 import org.urbi.tests.KernelSession.Console;
 
 /** Several sessions with one kernel (manual, "Getting Started"). */
-@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class SessionTest {
 
   @ParameterizedTest
@@ -21,9 +18,9 @@ class SessionTest {
       Console first = session.connect();
       Console second = session.connect();
       first.send("quit;\n");
-      first.whenClosed().get(30, TimeUnit.SECONDS);
+      first.whenClosed().get();
       second.send("20+3;\n");
-      second.receives("] 23\n").get(30, TimeUnit.SECONDS);
+      second.receives("] 23\n").get();
       assertFalse(second.whenClosed().isDone());
     }
   }
@@ -46,7 +43,7 @@ class SessionTest {
       Console console = session.connect();
       console.send("sleep(5s);\necho(\"after all\");\n");
       console.end();
-      console.whenClosed().get(30, TimeUnit.SECONDS);
+      console.whenClosed().get();
       assertTrue(console.output().contains("[00005000] *** after all"), console.output());
     }
   }
@@ -58,9 +55,9 @@ class SessionTest {
       Console first = session.connect();
       Console second = session.connect();
       first.send("var mine = 11;\nvar Global.ours = 12;\n");
-      first.receives("] 12\n").get(30, TimeUnit.SECONDS);
+      first.receives("] 12\n").get();
       second.send("mine;\nours;\n");
-      second.receives("] 12\n").get(30, TimeUnit.SECONDS);
+      second.receives("] 12\n").get();
       assertTrue(second.output().contains("lookup failed: mine"), second.output());
     }
   }
@@ -73,7 +70,7 @@ class SessionTest {
       busy.send("loop {};\n");
       Console other = session.connect();
       other.send("20+3;\n");
-      other.receives("] 23\n").get(30, TimeUnit.SECONDS);
+      other.receives("] 23\n").get();
     }
   }
 }

@@ -9,7 +9,6 @@ import static org.junit.jupiter.api.DynamicContainer.dynamicContainer;
 import static org.junit.jupiter.api.DynamicTest.dynamicTest;
 
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -27,8 +26,6 @@ import org.urbi.tests.KernelSession.Feeding;
  * both back ends, fed at once and byte by byte. One file is one behaviour and one test.
  */
 class TranscriptTest {
-  private static final Duration LIMIT = Duration.ofSeconds(60);
-
   /** The folders that must not be empty. */
   private static final Set<String> CHAPTERS =
       Set.of(
@@ -95,9 +92,9 @@ class TranscriptTest {
         String mode = backEnd + ", " + feeding;
         String output =
             assertTimeoutPreemptively(
-                LIMIT,
+                Patience.LONG,
                 () -> KernelSession.run(backEnd, feeding, transcript.input()),
-                () -> mode + ": no end after " + LIMIT);
+                () -> mode + ": no end after " + Patience.LONG);
         List<String> expected = transcript.expectedLines();
         List<String> answered = transcript.answeredLines(output);
         if (!expected.equals(answered)) {

@@ -9,7 +9,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
 /** Compiles C++ code for tests, as the manual says to do it by hand. */
@@ -27,8 +26,7 @@ final class CxxCompiler {
       Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
       process.getOutputStream().close();
       String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-      process.waitFor(1, TimeUnit.MINUTES);
-      return new Run(process.exitValue(), output);
+      return new Run(process.waitFor(), output);
     } catch (IOException e) {
       return new Run(127, String.valueOf(e.getMessage()));
     } catch (InterruptedException e) {

@@ -5,7 +5,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
@@ -29,7 +28,7 @@ final class Dialogue {
       Connection connection = kernel.connect(output);
       connection.send(program + "\nsleep(1ms)|;\nshutdown;\n");
       CompletableFuture<Void> ended = CompletableFuture.runAsync(kernel::awaitTermination);
-      CompletableFuture.anyOf(ended, output.closed).orTimeout(1, TimeUnit.MINUTES).join();
+      CompletableFuture.anyOf(ended, output.closed).join();
     }
     loaded.forEach(NativeModule::close);
     return output.text + log.toString();

@@ -14,14 +14,12 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.urbi.kernel.embed.UrbiError;
 
 /** What a confined kernel refuses, and what it does all the same. */
-@Timeout(60)
 class ConfinedKernelTest {
   private static final String ELSEWHERE = ": outside of the directory of this kernel: ";
 

@@ -31,7 +31,6 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.urbi.sim.SimulationException;
 import org.urbi.sim.geometry.Pose;
 import org.urbi.sim.vision.Blob;
@@ -41,10 +40,8 @@ import org.urbi.sim.world.WorldReader;
 import urbi.UImage;
 import urbi.UImageFormat;
 
-@Timeout(120)
 class PageServerTest {
   private static final String LOCAL = "127.0.0.1";
-  private static final int PATIENCE_SECONDS = 30;
   private static final byte[] JPEG = {(byte) 0xff, (byte) 0xd8, 1, 2, 3, (byte) 0xff, (byte) 0xd9};
 
   private static final String WORLD =
@@ -122,11 +119,7 @@ class PageServerTest {
     }
 
     Object next() throws InterruptedException {
-      Object next = received.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
-      if (next == null) {
-        throw new AssertionError("nothing is sent");
-      }
-      return next;
+      return received.take();
     }
   }
 
@@ -148,7 +141,6 @@ class PageServerTest {
   /** Sends a request as it stands, and returns the first line of the answer. */
   private String ask(String... lines) throws IOException {
     try (Socket socket = new Socket(InetAddress.getByName(LOCAL), server.port())) {
-      socket.setSoTimeout((int) TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS));
       String request = String.join("\r\n", lines) + "\r\n\r\n";
       socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
       StringBuilder first = new StringBuilder();
@@ -229,8 +221,8 @@ class PageServerTest {
     server.describe("{\"type\":\"setting\"}");
     assertEquals("{\"type\":\"setting\"}", first.next());
     server.close();
-    first.closed.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
-    second.closed.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+    first.closed.get();
+    second.closed.get();
   }
 
   @Test
@@ -290,7 +282,6 @@ class PageServerTest {
         crowd.add(new Socket(InetAddress.getByName(LOCAL), server.port()));
       }
       Socket last = crowd.getLast();
-      last.setSoTimeout((int) TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS));
       assertEquals(-1, last.getInputStream().read(), "closed at once");
     } finally {
       for (Socket each : crowd) {
@@ -298,7 +289,7 @@ class PageServerTest {
       }
     }
     String first = "";
-    for (int i = 0; i < 100 && first.isEmpty(); i++) {
+    while (first.isEmpty()) {
       Thread.sleep(20);
       first = ask("GET / HTTP/1.1", "Host: localhost");
     }
@@ -333,10 +324,9 @@ class PageServerTest {
     int port = server.port();
     server.close();
     assertFalse(isOpen(port));
-    for (int i = 0; i < 1000 && pageThreads() > 0; i++) {
+    while (pageThreads() > 0) {
       Thread.sleep(10);
     }
-    assertEquals(0, pageThreads());
     server.show(moment(1, JPEG));
     assertEquals(0, server.viewers(), "nobody looks, and nobody is hurt");
   }

@@ -13,21 +13,19 @@ import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.urbi.tests.Patience;
 
 /**
  * A Chromium without a window, in an empty profile of its own, that is told what to do by
  * chromedriver (W3C WebDriver).
  */
 final class Browser implements AutoCloseable {
-  private static final Duration PATIENCE = Duration.ofSeconds(JavaProcess.PATIENCE_SECONDS);
   private static final int POLL_MILLISECONDS = 150;
   private static final Pattern STARTED = Pattern.compile("started successfully on port (\\d+)");
   private static final Pattern SESSION = Pattern.compile("\"sessionId\":\"([^\"]+)\"");
@@ -126,7 +124,7 @@ final class Browser implements AutoCloseable {
   private String send(HttpRequest.Builder request) throws IOException {
     try {
       HttpRequest built =
-          request.header("content-type", "application/json").timeout(PATIENCE).build();
+          request.header("content-type", "application/json").timeout(Patience.LONG).build();
       return client.send(built, HttpResponse.BodyHandlers.ofString()).body();
     } catch (InterruptedException e) {
       throw new AssertionError(e);
@@ -148,7 +146,7 @@ final class Browser implements AutoCloseable {
   /** Evaluates until the result is as wanted, and returns that. */
   String await(String what, String body, Predicate<String> wanted)
       throws IOException, InterruptedException {
-    long deadline = System.nanoTime() + PATIENCE.toNanos();
+    long deadline = System.nanoTime() + Patience.LONG.toNanos();
     while (true) {
       String result = evaluate(body);
       if (wanted.test(result)) {
@@ -170,9 +168,9 @@ final class Browser implements AutoCloseable {
       List<ProcessHandle> children = driver.descendants().toList();
       children.forEach(ProcessHandle::destroyForcibly);
       driver.destroy();
-      driver.waitFor(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+      driver.waitFor(Patience.LONG);
       for (ProcessHandle child : children) {
-        child.onExit().orTimeout(PATIENCE.toSeconds(), TimeUnit.SECONDS).join();
+        child.onExit().join();
       }
     } catch (IOException | InterruptedException e) {
       driver.destroyForcibly();

@@ -14,13 +14,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
  * A server whose file descriptors run out goes on, and lets clients in when there are some again.
  */
-@Timeout(240)
 class DescriptorsTest {
   private static final int DESCRIPTORS = 100;
 

@@ -13,12 +13,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
+import org.urbi.tests.Patience;
 
 /** A Java program in a process of its own, whose output can be waited for. */
 final class JavaProcess implements AutoCloseable {
-  /** How long anything may take on a machine that has much else to do. */
-  static final int PATIENCE_SECONDS = 40;
-
   private static final List<String> FLAGS =
       List.of(
           "--add-opens=java.base/java.lang=ALL-UNNAMED",
@@ -127,7 +125,7 @@ final class JavaProcess implements AutoCloseable {
 
   /** Waits for a line, from either of its outputs, and returns it. */
   synchronized String awaitLine(Predicate<String> wanted) throws InterruptedException {
-    long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+    long deadline = System.nanoTime() + Patience.LONG.toNanos();
     for (int seen = 0; ; seen++) {
       while (seen == lines.size()) {
         long left = TimeUnit.NANOSECONDS.toMillis(deadline - System.nanoTime());
@@ -155,11 +153,11 @@ final class JavaProcess implements AutoCloseable {
 
   /** Waits for its end, and returns its exit status. */
   int awaitEnd() throws InterruptedException {
-    if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+    if (!process.waitFor(Patience.LONG)) {
       throw new AssertionError(name + " does not end:\n" + text());
     }
     for (Thread reader : readers) {
-      reader.join(TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS));
+      reader.join(Patience.LONG);
     }
     return process.exitValue();
   }

@@ -11,16 +11,14 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.server.make.UmakeJava;
+import org.urbi.tests.Patience;
 import org.urbi.tests.process.JavaProcess.Setting;
 
 /** The simulated robot as its user meets it: real processes, real time, a real browser. */
-@Timeout(300)
 class SimulatedRobotTest {
   private static final Path ROOT = Path.of("..").toAbsolutePath().normalize();
   private static final String URBI = "org.urbi.server.cli.UrbiCommand";
@@ -269,7 +267,7 @@ class SimulatedRobotTest {
   /** Asks until an expression is as expected. */
   private static void awaitAnswer(ConsoleClient client, String expression, String expected)
       throws Exception {
-    long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(JavaProcess.PATIENCE_SECONDS);
+    long deadline = System.nanoTime() + Patience.LONG.toNanos();
     String last = answer(client, expression);
     while (!last.equals(expected)) {
       assertTrue(System.nanoTime() < deadline, expression + " is still " + last);

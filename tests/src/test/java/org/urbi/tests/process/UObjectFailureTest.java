@@ -17,12 +17,10 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.server.make.UmakeJava;
 
 /** Modules that are broken, or replaced, in a server that goes on whatever they do. */
-@Timeout(120)
 class UObjectFailureTest {
   private static final String COUNTER =
       """
@@ -235,10 +233,7 @@ class UObjectFailureTest {
       assertEquals("[] 2", answer("Stubborn.threaded;"), "another thread");
       answer("Stubborn.never, Stubborn.plain,");
       String told = "Stubborn.forever has not returned for 10 s";
-      for (int i = 0; i < 300 && !server.text().contains(told); i++) {
-        Thread.sleep(100);
-      }
-      assertTrue(server.text().contains(told), server::text);
+      server.awaitText(told);
       process.close();
       answer("while (uobjects.hasLocalSlot(\"Stubborn\")) sleep(5ms);");
     }

@@ -19,7 +19,6 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedClass;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.urbi.kernel.Kernel;
@@ -28,7 +27,6 @@ import org.urbi.kernel.job.JobThreads;
 /** Evaluation, calls, values and errors, seen from one thread. */
 @ParameterizedClass
 @EnumSource(names = {"TICK_LOOP", "BATON"})
-@Timeout(60)
 class EmbeddingTest {
   private final JobThreads jobThreads;
   private final StringBuffer output = new StringBuffer();

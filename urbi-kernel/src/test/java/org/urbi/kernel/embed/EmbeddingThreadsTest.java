@@ -18,14 +18,12 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.job.JobThreads;
 
 /** Several threads, several kernels, listeners of all sorts, and the end of it all. */
-@Timeout(60)
 class EmbeddingThreadsTest {
   private static Kernel.Builder builder(JobThreads jobThreads) {
     return Kernel.builder().jobThreads(jobThreads).output(text -> {});

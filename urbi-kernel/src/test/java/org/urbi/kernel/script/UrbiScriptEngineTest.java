@@ -21,11 +21,9 @@ import javax.script.SimpleBindings;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.urbi.kernel.embed.UrbiError;
 import org.urbi.kernel.embed.UrbiValue;
 
-@Timeout(60)
 class UrbiScriptEngineTest {
   private final ScriptEngineManager manager = new ScriptEngineManager();
   private UrbiScriptEngine engine;

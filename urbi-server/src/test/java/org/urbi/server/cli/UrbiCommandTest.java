@@ -11,12 +11,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.server.cli.UrbiProcess.Result;
 
 /** The command line as a user sees it: what is printed, and how it ends. */
-@Timeout(120)
 class UrbiCommandTest {
   @TempDir Path folder;
 

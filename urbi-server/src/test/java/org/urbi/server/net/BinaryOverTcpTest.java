@@ -17,12 +17,10 @@ import java.util.Random;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.urbi.kernel.Kernel;
 import org.urbi.server.Trace;
 
 /** Binaries to and from a kernel over TCP: every byte arrives, and none is taken for something. */
-@Timeout(120)
 class BinaryOverTcpTest {
   private Kernel kernel;
   private ConsoleServer server;

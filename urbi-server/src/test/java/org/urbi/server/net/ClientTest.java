@@ -21,12 +21,11 @@ import java.util.Random;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.urbi.kernel.Kernel;
+import org.urbi.server.Patience;
 import org.urbi.server.Trace;
 import urbi.UBinary;
 import urbi.UCallbackAction;
@@ -42,9 +41,7 @@ import urbi.USyncClient;
 import urbi.UValue;
 
 /** The clients of the SDK and a server. */
-@Timeout(60)
 class ClientTest {
-  private static final Duration PATIENCE = Duration.ofSeconds(20);
   private static final String HOST = "127.0.0.1";
 
   private Kernel kernel;
@@ -71,13 +68,13 @@ class ClientTest {
   }
 
   private USyncClient syncClient() {
-    USyncClient client = USyncClient.connect(HOST, server.port(), PATIENCE);
-    client.setDefaultTimeout(PATIENCE);
+    USyncClient client = USyncClient.connect(HOST, server.port(), Patience.LONG);
+    client.setDefaultTimeout(Patience.LONG);
     return client;
   }
 
   private UMessage next() throws InterruptedException {
-    UMessage message = messages.poll(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+    UMessage message = messages.take();
     assertNotEquals(null, message);
     return message;
   }
@@ -149,7 +146,7 @@ class ClientTest {
       client.send("class Global.servo { var val = 1.5; var valn = 0.25; };");
       assertEquals(1.5, client.syncGetDevice("servo"));
       assertEquals(0.25, client.syncGetNormalizedDevice("servo"));
-      assertTrue(client.ping(PATIENCE).toNanos() > 0);
+      assertTrue(client.ping(Patience.LONG).toNanos() > 0);
     }
   }
 
@@ -164,8 +161,8 @@ class ClientTest {
           },
           "ask");
       client.send("Channel.new(\"ask\") << 21;");
-      assertEquals(42, answers.poll(20, TimeUnit.SECONDS));
-      UClient plain = UClient.connect(HOST, server.port(), PATIENCE);
+      assertEquals(42, answers.take());
+      UClient plain = UClient.connect(HOST, server.port(), Patience.LONG);
       plain.setCallback(
           message -> {
             try {
@@ -205,7 +202,7 @@ class ClientTest {
       client.send("camera.val = ");
       client.sendBinary(data, "rgb 640 480");
       client.send(";");
-      UImage image = client.syncGetImage("camera", UImageFormat.IMAGE_RGB, PATIENCE);
+      UImage image = client.syncGetImage("camera", UImageFormat.IMAGE_RGB, Patience.LONG);
       assertEquals(640, image.getWidth());
       assertArrayEquals(data, image.getData());
       UBinary odd = new UBinary("what, ever: (this)", data);
@@ -224,7 +221,7 @@ class ClientTest {
       client.send(
           "var Global.micro = Object.new | var micro.val = 0 |"
               + " every (10ms) micro.val = Binary.new(\"raw 1 8000 8 2\", \"ab\"),");
-      var sound = client.syncGetSound("micro", 200, PATIENCE);
+      var sound = client.syncGetSound("micro", 200, Patience.LONG);
       assertEquals(8000, sound.getRate());
       assertTrue(sound.getSize() >= 4 && sound.getSize() % 2 == 0, sound.toString());
     }
@@ -232,7 +229,7 @@ class ClientTest {
 
   @Test
   void versions() {
-    try (UClient client = UClient.connect(HOST, server.port(), PATIENCE)) {
+    try (UClient client = UClient.connect(HOST, server.port(), Patience.LONG)) {
       assertTrue(client.kernelVersion().matches("\\d+\\.\\d+.*"), client.kernelVersion());
       assertTrue(client.kernelMajor() >= 2);
       assertTrue(client.connectionID().startsWith("0x"), client.connectionID());
@@ -248,7 +245,7 @@ class ClientTest {
     assertNotEquals(0, client.error());
     assertEquals(1, client.send("1;"));
     assertTrue(client.errorMessage().startsWith("cannot connect to 127.0.0.1:" + port + ": "));
-    assertThrows(UClientException.class, () -> UClient.connect(HOST, port, PATIENCE));
+    assertThrows(UClientException.class, () -> UClient.connect(HOST, port, Patience.LONG));
     USyncClient asking = new USyncClient(HOST, port);
     assertThrows(UClientException.class, () -> asking.syncEval("1"));
   }
@@ -273,7 +270,7 @@ class ClientTest {
     assertEquals(
         "the server has closed the connection before the answer to: sleep(inf)", lost.getMessage());
     assertEquals("the server has closed the connection", next().getMessage());
-    client.onClosed().get(20, TimeUnit.SECONDS);
+    client.onClosed().get();
     assertEquals(1, client.error());
     assertThrows(UClientException.class, () -> client.syncEval("1"));
     killer.join();
@@ -282,13 +279,13 @@ class ClientTest {
   @Test
   void aServerThatIsSilentIsNoticed() throws Exception {
     try (ServerSocket silent = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      UClient client = UClient.connect(HOST, silent.getLocalPort(), PATIENCE);
+      UClient client = UClient.connect(HOST, silent.getLocalPort(), Patience.LONG);
       client.setClientErrorCallback(this::keep);
       client.setKeepAliveCheck(20, 50);
       assertEquals("the server does not answer within 50 ms", next().getMessage());
-      client.onClosed().get(20, TimeUnit.SECONDS);
+      client.onClosed().get();
     }
-    try (UClient client = UClient.connect(HOST, server.port(), PATIENCE)) {
+    try (UClient client = UClient.connect(HOST, server.port(), Patience.LONG)) {
       client.setKeepAliveCheck(10, 10_000);
       Thread.sleep(100);
       assertEquals(0, client.error());
@@ -298,7 +295,7 @@ class ClientTest {
   @Test
   void whatIsNoServerIsNoticed() throws Exception {
     try (ServerSocket other = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      UClient client = UClient.connect(HOST, other.getLocalPort(), PATIENCE);
+      UClient client = UClient.connect(HOST, other.getLocalPort(), Patience.LONG);
       client.setClientErrorCallback(this::keep);
       try (Socket peer = other.accept()) {
         peer.getOutputStream()

@@ -14,12 +14,10 @@ import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.urbi.kernel.Kernel;
 import org.urbi.server.Trace;
 
 /** A kernel, the network console, and clients on real sockets. */
-@Timeout(60)
 class ConsoleServerTest {
   private static final Trace QUIET =
       new Trace(

@@ -13,13 +13,12 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
-import java.time.Duration;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.job.JobThreads;
+import org.urbi.server.Patience;
 import org.urbi.server.Trace;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
@@ -36,9 +35,7 @@ import urbi.wire.Frame;
 import urbi.wire.Protocol;
 
 /** Calls one after the other, whose answers the kernel thread itself reads before long. */
-@Timeout(60)
 class RemoteAnswersTest {
-  private static final Duration PATIENCE = Duration.ofSeconds(20);
   private static final String HOST = "127.0.0.1";
 
   private Kernel kernel;
@@ -61,8 +58,8 @@ class RemoteAnswersTest {
             kernel::connectRemote,
             Limits.DEFAULT,
             new Trace(Trace.Level.NONE, nowhere));
-    client = USyncClient.connect(HOST, server.port(), PATIENCE);
-    client.setDefaultTimeout(PATIENCE);
+    client = USyncClient.connect(HOST, server.port(), Patience.LONG);
+    client.setDefaultTimeout(Patience.LONG);
   }
 
   @AfterEach

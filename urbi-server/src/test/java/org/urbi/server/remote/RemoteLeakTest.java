@@ -11,10 +11,9 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.urbi.kernel.Kernel;
+import org.urbi.server.Patience;
 import org.urbi.server.Trace;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
@@ -27,9 +26,7 @@ import urbi.remote.RemoteContext;
 import urbi.rtp.RtpOptions;
 
 /** Nothing is left of processes that came with objects, and went. */
-@Timeout(120)
 class RemoteLeakTest {
-  private static final Duration PATIENCE = Duration.ofSeconds(20);
   private static final String HOST = "127.0.0.1";
   private static final int CYCLES = 1000;
   private static final int WARM_UP = 300;
@@ -75,7 +72,7 @@ class RemoteLeakTest {
     try (RemoteContext passing = new RemoteContext(HOST, server.port())) {
       if (number % 10 == 0) {
         RtpOptions options = new RtpOptions(0, 0, Duration.ofSeconds(10));
-        assertTrue(passing.useRtp(options).get(20, TimeUnit.SECONDS));
+        assertTrue(passing.useRtp(options).get());
       }
       passing.start(new UClass("Machine", new UModule("test"), Machine::new));
       assertEquals(6, eval("{ var m = Machine.new(1) | m.speed = 3 | m.twice(3) }"));
@@ -129,10 +126,10 @@ class RemoteLeakTest {
         new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
     try (Kernel kernel = Kernel.builder().start();
         ConsoleServer opened = open(kernel, nowhere);
-        USyncClient asking = USyncClient.connect(HOST, opened.port(), PATIENCE)) {
+        USyncClient asking = USyncClient.connect(HOST, opened.port(), Patience.LONG)) {
       server = opened;
       client = asking;
-      client.setDefaultTimeout(PATIENCE);
+      client.setDefaultTimeout(Patience.LONG);
       client.send("loadModule(\"urbi/rtp\");");
       cycles(WARM_UP);
       Left before = settled(null);

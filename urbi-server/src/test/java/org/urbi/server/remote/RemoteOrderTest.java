@@ -10,7 +10,6 @@ import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import urbi.USlot;
 import urbi.UValue;
 import urbi.remote.RemoteContext;
@@ -18,7 +17,6 @@ import urbi.wire.Frame;
 import urbi.wire.WireOutput;
 
 /** What a process makes of frames that come at once. */
-@Timeout(60)
 class RemoteOrderTest {
   /** Agrees; answers whoever opens a variable that it is 1, and tells at once that it became 2. */
   private static void serve(ServerSocket listener) {

@@ -29,8 +29,8 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.urbi.kernel.Kernel;
+import org.urbi.server.Patience;
 import org.urbi.server.Trace;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
@@ -45,9 +45,7 @@ import urbi.remote.RemoteContext;
 import urbi.rtp.RtpOptions;
 
 /** Values in datagrams, by real sockets, through a relay that loses what it is told to. */
-@Timeout(60)
 class RemoteRtpTest {
-  private static final Duration PATIENCE = Duration.ofSeconds(20);
   private static final String HOST = "127.0.0.1";
   private static final int IMAGE = 640 * 480 * 3;
   private static final int SMALL = 3 * 1000;
@@ -74,8 +72,8 @@ class RemoteRtpTest {
             new Trace(Trace.Level.NONE, nowhere));
     relay = new UdpRelay(server.port());
     remote = new RemoteContext(HOST, server.port());
-    client = USyncClient.connect(HOST, server.port(), PATIENCE);
-    client.setDefaultTimeout(PATIENCE);
+    client = USyncClient.connect(HOST, server.port(), Patience.LONG);
+    client.setDefaultTimeout(Patience.LONG);
     client.syncEval("var Global.image = 0");
     remote.start(new UClass("Camera", new UModule("test"), Camera::new));
   }
@@ -134,7 +132,7 @@ class RemoteRtpTest {
   private void use(int datagram) throws Exception {
     eval("loadModule(\"urbi/rtp\")");
     RtpOptions options = new RtpOptions(datagram, relay.port(), Duration.ofSeconds(5));
-    assertTrue(remote.useRtp(options).get(20, TimeUnit.SECONDS));
+    assertTrue(remote.useRtp(options).get());
   }
 
   private void awaitImage(int seed) {
@@ -145,7 +143,7 @@ class RemoteRtpTest {
   }
 
   private static UImage seen() throws InterruptedException {
-    return Camera.SEEN.poll(20, TimeUnit.SECONDS);
+    return Camera.SEEN.take();
   }
 
   /** The sequence numbers of datagrams, from the first on. */
@@ -163,7 +161,7 @@ class RemoteRtpTest {
     for (int i = 0; i < 20; i++) {
       remote.useRtp(options);
     }
-    assertTrue(remote.useRtp(options).get(20, TimeUnit.SECONDS));
+    assertTrue(remote.useRtp(options).get());
     eval("Camera.shoot(1, 3000)");
     awaitImage(1);
     assertEquals(1, relay.toServer().size());
@@ -358,7 +356,7 @@ class RemoteRtpTest {
     eval("loadModule(\"urbi/rtp\")");
     try (DatagramSocket hole = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
       RtpOptions options = new RtpOptions(0, hole.getLocalPort(), Duration.ofMillis(200));
-      assertFalse(remote.useRtp(options).get(20, TimeUnit.SECONDS));
+      assertFalse(remote.useRtp(options).get());
     }
     eval("Camera.shoot(4, " + IMAGE + ")");
     awaitImage(4);
@@ -380,7 +378,7 @@ class RemoteRtpTest {
   @Test
   void theKernelMayLoadTheModuleLater() throws Exception {
     RtpOptions options = new RtpOptions(0, relay.port(), Duration.ofSeconds(5));
-    assertFalse(remote.useRtp(options).get(20, TimeUnit.SECONDS));
+    assertFalse(remote.useRtp(options).get());
     eval("loadModule(\"urbi/rtp\")");
     eval("loadModule(\"urbi/rtp\")");
     for (int i = 1; relay.toServer().isEmpty(); i++) {

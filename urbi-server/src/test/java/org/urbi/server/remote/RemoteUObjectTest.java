@@ -15,18 +15,16 @@ import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
-import java.time.Duration;
 import java.util.Random;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.urbi.kernel.Kernel;
+import org.urbi.server.Patience;
 import org.urbi.server.Trace;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
@@ -45,9 +43,7 @@ import urbi.remote.RemoteContext;
 import urbi.wire.Protocol;
 
 /** UObjects that are connected to a kernel, and not plugged into it. */
-@Timeout(60)
 class RemoteUObjectTest {
-  private static final Duration PATIENCE = Duration.ofSeconds(20);
   private static final String HOST = "127.0.0.1";
 
   private Kernel kernel;
@@ -68,8 +64,8 @@ class RemoteUObjectTest {
             Limits.DEFAULT,
             new Trace(Trace.Level.NONE, nowhere));
     remote = new RemoteContext(HOST, server.port());
-    client = USyncClient.connect(HOST, server.port(), PATIENCE);
-    client.setDefaultTimeout(PATIENCE);
+    client = USyncClient.connect(HOST, server.port(), Patience.LONG);
+    client.setDefaultTimeout(Patience.LONG);
   }
 
   @AfterEach
@@ -282,7 +278,7 @@ class RemoteUObjectTest {
   }
 
   private static String seen() throws InterruptedException {
-    return Watcher.SEEN.poll(20, TimeUnit.SECONDS);
+    return Watcher.SEEN.take();
   }
 
   @Test
@@ -440,17 +436,16 @@ class RemoteUObjectTest {
     client.syncEval("var Global.a = Adder.new(5)");
     CompletableFuture<String> error =
         CompletableFuture.supplyAsync(() -> {
-          try (USyncClient other = USyncClient.connect(HOST, server.port(), PATIENCE)) {
+          try (USyncClient other = USyncClient.connect(HOST, server.port(), Patience.LONG)) {
             return assertThrows(
-                    UClientException.class, () -> other.syncEval("Stuck.hang", PATIENCE))
+                    UClientException.class, () -> other.syncEval("Stuck.hang", Patience.LONG))
                 .getMessage();
           }
         });
-    assertTrue(Stuck.CALLED.await(20, TimeUnit.SECONDS));
+    Stuck.CALLED.await();
     assertEquals("3", eval("1 + 2"));
     remote.close();
-    assertTrue(
-        error.get(20, TimeUnit.SECONDS).contains("the remote process has gone"), error.get());
+    assertTrue(error.get().contains("the remote process has gone"), error.get());
     eval("while (uobjects.hasLocalSlot(\"Adder\")) sleep(1ms)");
     assertTrue(error("a.add(1)").contains("the remote process has gone"), error("a.add(1)"));
     assertEquals("0", eval("if (uobjects.hasLocalSlot(\"Adder\")) 1 else 0"));
@@ -463,7 +458,7 @@ class RemoteUObjectTest {
   void aKernelThatEndsIsNoticed() throws Exception {
     remote.start(type("Adder", Adder::new));
     kernel.close();
-    assertNotEquals(null, remote.onClosed().get(20, TimeUnit.SECONDS));
+    assertNotEquals(null, remote.onClosed().get());
     assertThrows(UClientException.class, () -> remote.variable("Global.x"));
     assertThrows(UClientException.class, () -> remote.send("1;"));
   }
@@ -577,7 +572,7 @@ class RemoteUObjectTest {
     byte[] expected = new byte[921600];
     new Random(921600).nextBytes(expected);
     eval("{ Global.image = Camera.val | 0 }");
-    UImage image = Camera.SEEN.poll(20, TimeUnit.SECONDS);
+    UImage image = Camera.SEEN.take();
     assertEquals(640, image.getWidth());
     assertArrayEquals(expected, image.getData());
   }

@@ -21,13 +21,11 @@ import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import urbi.UConversion;
 import urbi.UImage;
 import urbi.UImageFormat;
 
-@Timeout(60)
 class UrbiImageTest {
   private static final int WIDTH = 32;
   private static final int HEIGHT = 16;

@@ -5,9 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(60)
 class UrbiPingTest {
   /** What a server answers to {@code lobby.send("N", "ping");}, after a banner. */
   private static final UnaryOperator<String> PONG =

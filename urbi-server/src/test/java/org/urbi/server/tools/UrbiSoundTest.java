@@ -16,10 +16,8 @@ import javax.sound.sampled.AudioSystem;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-@Timeout(60)
 class UrbiSoundTest {
   /** 16 samples of two bytes. */
   private static final String SAMPLES = "0123456789abcdefghijklmnopqrstuv";
