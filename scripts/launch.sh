@@ -1,4 +1,4 @@
-# Sourced by ./urbi and its sister tools, which set `root` and `main`: starts Java on the distribution
+# Sourced by ./urbi and its sister tools in bin/, which set `root` and `main`: starts Java on the distribution
 # in .build, and builds that first where there is none or where another commit was checked out.
 # Nothing is run but shell built-ins: starting a tool costs its JVM and no more.
 
@@ -33,7 +33,7 @@ cache=
 typing=false
 [ -t 0 ] && typing=true
 # Programs that urbi starts find its sister tools, after all others.
-PATH=${PATH:+$PATH:}$root
+PATH=${PATH:+$PATH:}$root:$root/bin
 export PATH
 # shellcheck disable=SC2086
 exec "$java" $jvm_flags ${cache:+"$cache"} ${URBI_JAVA_OPTS:-} -Durbi.root="${URBI_ROOT:-$root}" \

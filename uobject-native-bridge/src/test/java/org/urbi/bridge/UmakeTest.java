@@ -28,7 +28,8 @@ class UmakeTest {
   }
 
   private static Run umake(String program, String... words) {
-    List<String> command = new ArrayList<>(List.of(ROOT.resolve(program).toString()));
+    List<String> command =
+        new ArrayList<>(List.of(ROOT.resolve("bin").resolve(program).toString()));
     command.addAll(List.of(words));
     return CxxCompiler.run(command);
   }
@@ -229,7 +230,7 @@ class UmakeTest {
             List.of(
                 "env",
                 "CXX=" + compiler,
-                ROOT.resolve("umake-shared").toString(),
+                ROOT.resolve("bin/umake-shared").toString(),
                 "--jobs=2",
                 sources.toString(),
                 "-o",
@@ -249,7 +250,7 @@ class UmakeTest {
     String made = folder.resolve("remote").toString();
     succeeds(
         umake("umake", "-DANSWER=1", "-k", folder.toString(), "-C", "engine", source, "-o", made));
-    Path launch = folder.resolve("urbi-launch");
+    Path launch = Files.createDirectory(folder.resolve("bin")).resolve("urbi-launch");
     Files.writeString(launch, "#!/bin/sh\necho \"$@\"\n");
     assertTrue(launch.toFile().setExecutable(true));
     assertEquals(

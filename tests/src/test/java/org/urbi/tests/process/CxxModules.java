@@ -53,7 +53,7 @@ final class CxxModules {
       Path library = MADE.resolve(name + ".so");
       String output =
           output(
-              ROOT.resolve("umake-shared").toString(),
+              ROOT.resolve("bin/umake-shared").toString(),
               "-q",
               "EXTRA_CXXFLAGS=-O0 -Wall -Wextra -Werror",
               sources.toString(),
