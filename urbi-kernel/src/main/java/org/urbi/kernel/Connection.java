@@ -20,6 +20,14 @@ public interface Connection {
   /** Ends the statement being executed, and forgets the input behind it. */
   void interrupt();
 
+  /**
+   * What carries the text between client and lobby has failed by a fault of our own: the log keeps
+   * the stack trace, the client is told of an internal error.
+   *
+   * @param where what has failed
+   */
+  void failed(String where, Throwable failure);
+
   /** How many bytes have been sent and not yet been taken. */
   int pendingInput();
 

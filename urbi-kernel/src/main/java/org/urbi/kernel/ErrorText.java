@@ -5,6 +5,7 @@ import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
@@ -14,6 +15,14 @@ import org.urbi.lang.source.Span;
 /** Shows errors that no code has caught, as the manual does. */
 final class ErrorText {
   private ErrorText() {}
+
+  /** Whether something is a failure of our own: of nobody's code, nor of what it may use up. */
+  static boolean isInternal(Throwable failure) {
+    return !(failure instanceof UrbiException
+        || failure instanceof Unwinding
+        || failure instanceof StackOverflowError
+        || failure instanceof OutOfMemoryError);
+  }
 
   /** Sends an error to a lobby. */
   static void report(Interpreter interpreter, Job job, UrbiLobby lobby, Throwable failure) {
@@ -33,7 +42,7 @@ final class ErrorText {
       case Unwinding e -> {
         // A return or a break that had nothing to leave.
       }
-      default -> output.send("error", "!!! internal error: " + failure);
+      default -> output.send("error", "!!! " + FailureLog.text(failure));
     }
   }
 

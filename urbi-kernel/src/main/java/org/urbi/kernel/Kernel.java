@@ -27,6 +27,7 @@ import org.urbi.kernel.job.Inbox;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.JobThreads;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.library.Library;
 import org.urbi.kernel.library.LibraryTables;
 import org.urbi.kernel.library.code.LoadedFiles;
@@ -38,6 +39,7 @@ import org.urbi.kernel.library.system.CommandLine;
 import org.urbi.kernel.library.system.KernelEnd;
 import org.urbi.kernel.library.system.SearchPath;
 import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.message.Message;
@@ -286,7 +288,12 @@ public final class Kernel implements AutoCloseable {
 
   /** What a message has brought about is our mistake, and no reason for the kernel to end. */
   private void failed(Message message, Throwable failure) {
-    log.write("internal error: " + message.getClass().getSimpleName() + ": " + failure);
+    FailureLog.internal("a message, " + message.getClass().getSimpleName(), failure);
+    for (KernelConnection connection : connections()) {
+      if (connection.number() == message.to()) {
+        connection.tell(FailureLog.text(failure));
+      }
+    }
   }
 
   // ------------------------------------------------------------------ life
@@ -555,9 +562,28 @@ public final class Kernel implements AutoCloseable {
 
   // ------------------------------------------------------------------ errors
 
+  /**
+   * Tells of what nobody has caught.
+   *
+   * @param job null if it was thrown between the turns of the jobs
+   */
   private void report(Job job, Throwable failure) {
+    if (job == null) {
+      FailureLog.internal("the kernel thread", failure);
+      return;
+    }
+    if (ErrorText.isInternal(failure)) {
+      FailureLog.internal("job " + job.name(), failure);
+    }
     if (job.lobby() instanceof UrbiLobby lobby && lobby.output() != null) {
-      ErrorText.report(interpreter, job, lobby, failure);
+      try {
+        ErrorText.report(interpreter, job, lobby, failure);
+      } catch (Unwinding unwinding) {
+        throw unwinding;
+      } catch (Throwable unable) {
+        FailureLog.internal("showing an error", unable);
+        lobby.output().send("error", "!!! " + FailureLog.text(unable));
+      }
     }
   }
 }

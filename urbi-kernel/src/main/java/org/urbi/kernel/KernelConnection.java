@@ -9,6 +9,7 @@ import org.urbi.kernel.lobby.Completion;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Receiver;
 import org.urbi.kernel.object.UrbiObject;
@@ -65,6 +66,12 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
     kernel.inbox().post(new Message.Interrupted(number));
   }
 
+  @Override
+  public void failed(String where, Throwable failure) {
+    FailureLog.internal(where, failure);
+    kernel.inbox().post(new Message.ConnectionFailed(number, FailureLog.text(failure)));
+  }
+
   /** Code that never lets others run cannot wait for the inbox. */
   private void interruptRunning() {
     UrbiObject of = lobby;
@@ -119,6 +126,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
       case Message.ConsoleBytes sent -> received(sent.bytes());
       case Message.InputEnded end -> inputEnded();
       case Message.Interrupted wish -> interrupted();
+      case Message.ConnectionFailed failed -> tell(failed.error());
       case Message.CompletionAsked asked -> complete(asked.question(), asked.text());
       case Message.ConnectionClosed news -> {
         kernel.scheduler().interruptions().clear(lobby);
@@ -152,6 +160,17 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
     if (!finished) {
       lobby.shell().interrupt();
       consumed();
+    }
+  }
+
+  int number() {
+    return number;
+  }
+
+  /** Tells the client of an error; on the kernel thread. */
+  void tell(String error) {
+    if (!finished && lobby != null) {
+      lobby.output().send("error", "!!! " + error);
     }
   }
 

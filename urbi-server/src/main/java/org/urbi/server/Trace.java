@@ -10,11 +10,22 @@ import java.util.Locale;
 public final class Trace {
   /** How much is said, in increasing verbosity. */
   public enum Level {
-    NONE,
-    LOG,
-    TRACE,
-    DEBUG,
-    DUMP;
+    NONE("off"),
+    LOG("info"),
+    TRACE("info"),
+    DEBUG("debug"),
+    DUMP("trace");
+
+    private final String inLibraries;
+
+    Level(String inLibraries) {
+      this.inLibraries = inLibraries;
+    }
+
+    /** The name of the level in the log of the libraries: that of slf4j-simple. */
+    public String inLibraries() {
+      return inLibraries;
+    }
 
     /**
      * Reads a name or the number of its place.
@@ -39,6 +50,11 @@ public final class Trace {
   public Trace(Level level, PrintStream out) {
     this.level = level;
     this.out = out;
+  }
+
+  /** How much is said. */
+  public Level level() {
+    return level;
   }
 
   /** Says what every administrator wants to know. */

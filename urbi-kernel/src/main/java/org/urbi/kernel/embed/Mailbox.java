@@ -10,11 +10,12 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.log.FailureLog;
 
 /**
  * What the kernel has to say to one listener: handed over one by one, in order, on a thread that is
  * not the kernel's. A listener that blocks holds up nobody but itself; what it throws goes to the
- * {@linkplain Thread#getUncaughtExceptionHandler() handler} of that thread.
+ * log, and to the {@linkplain Thread#getDefaultUncaughtExceptionHandler() handler} of the program.
  */
 final class Mailbox<T> {
   /** A listener that is further behind misses what comes. */
@@ -110,12 +111,19 @@ final class Mailbox<T> {
     try {
       call.run();
     } catch (Throwable failure) {
-      Thread thread = Thread.currentThread();
-      try {
-        thread.getUncaughtExceptionHandler().uncaughtException(thread, failure);
-      } catch (Throwable ignored) {
-        // As the Java virtual machine does with what a handler throws.
+      FailureLog.component("delivering to a listener", failure);
+      Thread.UncaughtExceptionHandler handler = Thread.getDefaultUncaughtExceptionHandler();
+      if (handler != null) {
+        tell(handler, failure);
       }
+    }
+  }
+
+  private static void tell(Thread.UncaughtExceptionHandler handler, Throwable failure) {
+    try {
+      handler.uncaughtException(Thread.currentThread(), failure);
+    } catch (Throwable ignored) {
+      // As the Java virtual machine does with what a handler throws.
     }
   }
 

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
@@ -27,7 +28,10 @@ final class UrbiErrors {
       case UrbiException e -> thrown(embedding, frame, e);
       case StackOverflowError e -> simple("stack exhausted", e);
       case OutOfMemoryError e -> simple("memory exhausted", e);
-      default -> simple("internal error: " + failure, failure);
+      default -> {
+        FailureLog.internal("an evaluation", failure);
+        yield simple(FailureLog.text(failure), failure);
+      }
     };
   }
 

@@ -253,7 +253,7 @@ public final class Job implements Runnable {
       scheduler.report(this, failure);
     }
     if (endListeners != null) {
-      endListeners.forEach(Runnable::run);
+      endListeners.forEach(scheduler::attempt);
     }
   }
 

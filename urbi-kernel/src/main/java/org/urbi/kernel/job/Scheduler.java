@@ -63,7 +63,8 @@ public final class Scheduler {
   private final CycleStatistics statistics = new CycleStatistics();
 
   /**
-   * @param uncaught told what a job, which nobody waits for, was left by
+   * @param uncaught told what a job, which nobody waits for, was left by; without a job, what was
+   *     thrown between their turns
    */
   public Scheduler(
       World world, Clock clock, JobThreads threads, BiConsumer<Job, Throwable> uncaught) {
@@ -253,6 +254,8 @@ public final class Scheduler {
       loop = Thread.currentThread();
       try {
         loop();
+      } catch (Throwable failure) {
+        report(null, failure);
       } finally {
         whenEnded.run();
       }
@@ -307,7 +310,7 @@ public final class Scheduler {
     now = Math.max(now, clock.now());
     statistics.add(now - before);
     inbox.take();
-    timers.fire(now);
+    fireTimers();
     while (!ahead.isEmpty()) {
       runnable.addFirst(ahead.poll());
     }
@@ -327,6 +330,29 @@ public final class Scheduler {
       busyTicks = 0;
       clock.advanceTo(now + BUSY_STEP);
     }
+  }
+
+  /** Does something that is nobody's code: should it fail, the kernel goes on. */
+  void attempt(Runnable action) {
+    try {
+      action.run();
+    } catch (Throwable failure) {
+      report(null, failure);
+    }
+  }
+
+  /** What a timer throws keeps none of the others from being fired. */
+  private void fireTimers() {
+    boolean failed;
+    do {
+      failed = false;
+      try {
+        timers.fire(now);
+      } catch (Throwable failure) {
+        failed = true;
+        report(null, failure);
+      }
+    } while (failed);
   }
 
   private void runOnce(boolean last) {
@@ -358,7 +384,7 @@ public final class Scheduler {
     while (!endOfTick.isEmpty()) {
       List<Runnable> actions = List.copyOf(endOfTick);
       endOfTick.clear();
-      actions.forEach(Runnable::run);
+      actions.forEach(this::attempt);
     }
   }
 

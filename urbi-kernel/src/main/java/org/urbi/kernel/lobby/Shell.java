@@ -6,6 +6,7 @@ import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.TagStop;
 import org.urbi.kernel.job.Unwinding;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Imports;
 import org.urbi.kernel.node.Interpreter;
@@ -125,7 +126,15 @@ public final class Shell {
   private void run(Job shell) {
     try {
       while (!closed) {
-        Item item = nextItem(shell);
+        Item item;
+        try {
+          item = nextItem(shell);
+        } catch (Unwinding unwinding) {
+          throw unwinding;
+        } catch (Throwable failure) {
+          failed("the reader", failure);
+          continue;
+        }
         if (item == null) {
           break;
         }
@@ -185,6 +194,9 @@ public final class Shell {
     } catch (UrbiException e) {
       interpreter.report(shell, e);
       return;
+    } catch (Throwable failure) {
+      failed("the compiler", failure);
+      return;
     }
     if (statement.separator() == Ast.Flavor.COMMA) {
       TagScope scope = shell.enter(lobby.connectionTag().state());
@@ -219,8 +231,8 @@ public final class Shell {
         }
       } catch (Unwinding unwinding) {
         // A return or a break that has nothing to leave.
-      } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
-        interpreter.report(shell, e);
+      } catch (Throwable failure) {
+        interpreter.report(shell, failure);
       } finally {
         shell.leave(scope);
       }
@@ -228,6 +240,12 @@ public final class Shell {
       busy = false;
       shell.endNonInterruptible(0);
     }
+  }
+
+  /** A failure of our own, which is no code's: the client is told, and goes on. */
+  public void failed(String where, Throwable failure) {
+    FailureLog.internal(where, failure);
+    lobby.output().send("error", "!!! " + FailureLog.text(failure));
   }
 
   private void runAndShow(Job shell, Compilation.Compiled compiled) {

@@ -76,6 +76,9 @@ public sealed interface Message {
   /** A client has gone. */
   record ConnectionClosed(int to) implements Message {}
 
+  /** What carries the text of a client has failed, by a fault of our own. */
+  record ConnectionFailed(int to, String error) implements Message {}
+
   /** A client wants to know how a text can go on. */
   record CompletionAsked(int to, int question, String text) implements Message {}
 

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
 
 /** Notices the files that are created in directories and deleted from them. */
@@ -82,7 +83,11 @@ public final class DirectoryWatch implements Closeable {
       while (true) {
         WatchKey key = service.take();
         List<WatchEvent<?>> events = key.pollEvents();
-        tell(key, events);
+        try {
+          tell(key, events);
+        } catch (RuntimeException | Error e) {
+          FailureLog.internal("watching a directory", e);
+        }
         if (!key.reset()) {
           synchronized (watched) {
             watched.remove(key);

@@ -6,6 +6,7 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.util.Arrays;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
 
 /** An open connection: a thread reads what comes, another one writes what is to be sent. */
@@ -104,6 +105,9 @@ public final class Link implements Closeable {
       outside.inbox().post(new Message.BytesEnded(number, null));
     } catch (IOException e) {
       outside.inbox().post(new Message.BytesEnded(number, closed ? null : e.getMessage()));
+    } catch (Throwable e) {
+      FailureLog.internal("reading a connection", e);
+      outside.inbox().post(new Message.BytesEnded(number, FailureLog.text(e)));
     }
   }
 

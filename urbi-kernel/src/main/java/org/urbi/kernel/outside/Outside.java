@@ -17,6 +17,7 @@ import org.urbi.kernel.job.Inbox;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.PendingAnswer;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Outcome;
 
 /**
@@ -67,7 +68,7 @@ public final class Outside implements Closeable {
   /** Runs something that may wait for long inside the operating system. */
   public void start(Runnable task) {
     try {
-      threads.execute(task);
+      threads.execute(FailureLog.guarding("a thread for the outside", task));
     } catch (RejectedExecutionException e) {
       // The kernel has ended.
     }
@@ -78,7 +79,8 @@ public final class Outside implements Closeable {
    * on the kernel thread; hence the detour.
    */
   public void startVirtual(Runnable task) {
-    start(() -> Thread.ofVirtual().start(task));
+    Runnable guarded = FailureLog.guarding("a thread for the network", task);
+    start(() -> Thread.ofVirtual().start(guarded));
   }
 
   /**

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
 
 /**
@@ -53,6 +54,9 @@ public final class PipeSink implements ByteSink {
       outside.inbox().post(new Message.WritingFailed(number, Outside.reason(e)));
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+    } catch (Throwable e) {
+      FailureLog.internal("writing a connection", e);
+      outside.inbox().post(new Message.WritingFailed(number, FailureLog.text(e)));
     }
   }
 

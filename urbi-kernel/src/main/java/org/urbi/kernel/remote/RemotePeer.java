@@ -13,6 +13,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.outside.SocketWatch;
 import org.urbi.kernel.uobject.ArgumentFailure;
@@ -324,6 +325,9 @@ public final class RemotePeer {
       } catch (RuntimeException e) {
         String reason = describe.apply(e);
         write(o -> o.begin(Frame.REFUSAL).size(number).text(reason).end());
+      } catch (Error e) {
+        FailureLog.internal("an answer to a remote process", e);
+        write(o -> o.begin(Frame.REFUSAL).size(number).text(FailureLog.text(e)).end());
       }
     };
   }

@@ -7,6 +7,7 @@ import java.util.function.Supplier;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.Unwinding;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
@@ -95,8 +96,9 @@ final class RemoteTasks {
       throw e;
     } catch (RuntimeException e) {
       failed.accept(e);
-    } catch (Error e) {
-      failed.accept(new IllegalStateException(e));
+    } catch (Throwable e) {
+      FailureLog.internal("a task of a remote process", e);
+      failed.accept(new IllegalStateException(FailureLog.text(e), e));
     }
   }
 

@@ -58,7 +58,7 @@ public final class Creation {
     prototypes.put(type.name(), prototype);
     try {
       create(frame, instance, type);
-    } catch (RuntimeException e) {
+    } catch (RuntimeException | Error e) {
       prototypes.remove(type.name());
       end(frame, instance);
       throw e;
@@ -95,7 +95,7 @@ public final class Creation {
     try {
       create(frame, instance, parent.type());
       initialize(frame, site, instance, made, arguments);
-    } catch (RuntimeException e) {
+    } catch (RuntimeException | Error e) {
       end(frame, instance);
       throw e;
     }
@@ -151,20 +151,18 @@ public final class Creation {
         default ->
             interpreter
                 .errors()
-                .primitive(
-                    Texts.toUrbi(name),
-                    Texts.toUrbi("exception caught while constructing " + name + ": " + text(e)));
+                .primitive(Texts.toUrbi(name), Texts.toUrbi(caught("constructing " + name, e)));
       };
     } finally {
       context.back(frame, outer);
     }
   }
 
-  private static String text(Throwable e) {
-    if (e instanceof NoClassDefFoundError && e.getMessage() != null) {
-      return "missing class " + e.getMessage().replace('/', '.');
-    }
-    return Failures.text(e);
+  private static String caught(String doing, Throwable e) {
+    String told = Failures.caught(doing, e);
+    return e instanceof NoClassDefFoundError && e.getMessage() != null
+        ? "exception caught while " + doing + ": missing class " + e.getMessage().replace('/', '.')
+        : told;
   }
 
   /** A Java object is being constructed: for an urbiscript object, or for one to be made. */

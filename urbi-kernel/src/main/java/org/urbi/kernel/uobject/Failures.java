@@ -5,6 +5,7 @@ import java.util.concurrent.ExecutionException;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Unwinding;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -47,7 +48,7 @@ final class Failures {
       default ->
           errors.primitive(
               site.calledName() == null ? function : site.calledName(),
-              Texts.toUrbi("exception caught while calling " + function + ": " + text(failure)));
+              Texts.toUrbi(caught("calling " + function, failure)));
     };
   }
 
@@ -79,6 +80,18 @@ final class Failures {
         expected == null ? context.interpreter().values().nil : expected);
   }
 
+  /**
+   * What people are told of what a component has thrown, whose stack trace goes to the log.
+   *
+   * @param doing what was being done for the component
+   */
+  static String caught(String doing, Throwable failure) {
+    if (!(failure instanceof ConversionFailure)) {
+      FailureLog.component(doing, failure);
+    }
+    return "exception caught while " + doing + ": " + text(failure);
+  }
+
   /** What went wrong, for people. */
   static String text(Throwable failure) {
     Throwable cause = failure;
@@ -88,6 +101,9 @@ final class Failures {
     }
     if (cause instanceof StackOverflowError) {
       return "stack exhausted";
+    }
+    if (cause instanceof Error) {
+      return FailureLog.text(cause);
     }
     String message = cause.getMessage();
     boolean plain =

@@ -105,12 +105,12 @@ final class JavaHook implements Hook {
   }
 
   private String message(Throwable e) {
-    return "exception caught while calling " + callback.name() + ": " + reason(e);
-  }
-
-  private static String reason(Throwable e) {
+    String doing = "calling " + callback.name();
     return e instanceof ConversionFailure failure && failure.getMessage() == null
-        ? new UCastException("the value is no " + failure.expected()).getMessage()
-        : Failures.text(e);
+        ? "exception caught while "
+            + doing
+            + ": "
+            + new UCastException("the value is no " + failure.expected()).getMessage()
+        : Failures.caught(doing, e);
   }
 }

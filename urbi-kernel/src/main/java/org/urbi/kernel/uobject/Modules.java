@@ -134,7 +134,7 @@ public final class Modules {
   private void start(Frame frame, UModule module, Loaded before) {
     try {
       module.startIn(context);
-    } catch (RuntimeException e) {
+    } catch (RuntimeException | Error e) {
       if (before == null) {
         end(frame, module);
       } else {

@@ -303,8 +303,7 @@ public final class PluggedContext implements UContext {
                 .errors()
                 .primitive(
                     Texts.toUrbi(function),
-                    Texts.toUrbi(
-                        "exception caught while calling " + function + ": " + Failures.text(e)));
+                    Texts.toUrbi(Failures.caught("calling " + function, e)));
     interpreter.report(job, shown);
   }
 

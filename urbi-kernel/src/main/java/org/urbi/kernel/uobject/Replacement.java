@@ -77,7 +77,7 @@ final class Replacement {
       if (instance.initArguments() != null) {
         creation.initialize(frame, SITE, instance, object, instance.initArguments());
       }
-    } catch (RuntimeException e) {
+    } catch (RuntimeException | Error e) {
       undo(frame, instance, object, before);
       throw e;
     }

@@ -20,7 +20,7 @@ import org.urbi.lang.text.Splitter;
  */
 public final class StatementReader {
   private final LineTable lines;
-  private final Splitter splitter;
+  private Splitter splitter;
   private final int maximumSize;
   private final StringBuilder buffer = new StringBuilder();
   private int start;
@@ -62,10 +62,13 @@ public final class StatementReader {
     ended = true;
   }
 
-  /** The next statement or its errors; null when more input is needed. */
+  /**
+   * The next statement or its errors; null when more input is needed. What it throws is a fault of
+   * the reader, and has cost the statement in which it is.
+   */
   public Item next() {
     while (position < buffer.length()) {
-      position = splitter.scan(buffer, position, buffer.length(), start);
+      position = scan();
       boolean complete = splitter.separator() != null;
       if (discarding) {
         discarding = !complete;
@@ -78,6 +81,18 @@ public final class StatementReader {
       }
     }
     return null;
+  }
+
+  private int scan() {
+    try {
+      return splitter.scan(buffer, position, buffer.length(), start);
+    } catch (RuntimeException | Error failure) {
+      // A fault of the splitter must not meet the same text again.
+      position = buffer.length();
+      drop();
+      splitter = new Splitter(lines);
+      throw failure;
+    }
   }
 
   /** Whether the input stops in the middle of a statement or of a comment. */

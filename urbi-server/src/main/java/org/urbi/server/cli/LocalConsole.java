@@ -82,8 +82,17 @@ final class LocalConsole implements AutoCloseable {
     return settings.input() == Settings.Input.SESSION && console.isOpen();
   }
 
-  private static void read(Runnable reader) {
-    Thread.ofPlatform().daemon().name("urbi-input").start(reader);
+  private void read(Runnable reader) {
+    Runnable guarded =
+        () -> {
+          try {
+            reader.run();
+          } catch (Throwable failure) {
+            connection.failed("the reading of the input", failure);
+            inputEnded();
+          }
+        };
+    Thread.ofPlatform().daemon().name("urbi-input").start(guarded);
   }
 
   private void readStream() {

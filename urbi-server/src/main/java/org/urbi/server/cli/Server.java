@@ -9,6 +9,7 @@ import java.nio.file.StandardCopyOption;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
+import org.urbi.kernel.log.LogLevel;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
 import org.urbi.server.options.Failure;
@@ -52,6 +53,7 @@ final class Server {
             .library(SearchPath.library(SearchPath.root()))
             .moduleSearchPath(settings.moduleSearchPath().directories())
             .stackSize(settings.stackSize())
+            .logLevel(LogLevel.of(settings.trace().level().name()))
             .commandLine(settings.program(), settings.arguments())
             .onHalt(this::halt)
             .onReboot(() -> reboot = true)

@@ -138,11 +138,16 @@ public final class UrbiCommand {
     return arguments.number("--stack-size", otherwise, 1, Integer.MAX_VALUE);
   }
 
+  /** How much of the log is shown: of the kernel's, of urbiscript's loggers, of the libraries'. */
   private Trace trace(Arguments arguments) {
     String level = arguments.value("--debug", System.getenv("GD_LEVEL"));
     try {
-      return new Trace(
-          level == null || level.isEmpty() ? Trace.Level.LOG : Trace.Level.parse(level), err);
+      Trace trace =
+          new Trace(
+              level == null || level.isEmpty() ? Trace.Level.LOG : Trace.Level.parse(level), err);
+      // Read when something is logged for the first time, if ever.
+      System.setProperty("org.slf4j.simpleLogger.defaultLogLevel", trace.level().inLibraries());
+      return trace;
     } catch (IllegalArgumentException e) {
       throw Failure.usage(e.getMessage());
     }

@@ -7,6 +7,7 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
+import org.urbi.kernel.log.FailureLog;
 
 /**
  * Writes what lobbies say to a stream from a thread of its own, so that the kernel does not wait
@@ -85,6 +86,10 @@ public final class StandardOutput implements Screen {
       }
     } catch (IOException e) {
       broken = true;
+    } catch (Throwable failure) {
+      // Nobody may wait for room that will never be there.
+      broken = true;
+      FailureLog.internal("the standard output", failure);
     }
   }
 }

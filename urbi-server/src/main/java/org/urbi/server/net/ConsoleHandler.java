@@ -1,13 +1,17 @@
 package org.urbi.server.net;
 
 import io.netty.buffer.ByteBuf;
+import io.netty.buffer.Unpooled;
+import io.netty.channel.ChannelFutureListener;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.channel.socket.ChannelInputShutdownEvent;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.function.Function;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.server.Trace;
 
 /**
@@ -43,7 +47,7 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
     over = false;
     try {
       connection = lobbies.apply(this);
-    } catch (RuntimeException e) {
+    } catch (RuntimeException | Error e) {
       over = true;
       throw e;
     }
@@ -91,8 +95,23 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
 
   @Override
   public void exceptionCaught(ChannelHandlerContext context, Throwable cause) {
-    trace.debug("client lost: " + name() + ": " + cause);
-    context.close();
+    if (cause instanceof IOException) {
+      trace.debug("client lost: " + name() + ": " + cause);
+      context.close();
+    } else if (connection != null) {
+      connection.failed("the connection of " + name(), cause);
+    } else {
+      refuse(context, cause);
+    }
+  }
+
+  /** A client for which there is no lobby, by a fault of our own: it is told, and let go. */
+  static void refuse(ChannelHandlerContext context, Throwable failure) {
+    FailureLog.internal("the connection of " + context.channel().remoteAddress(), failure);
+    String told = "[00000000:error] !!! " + FailureLog.text(failure) + "\n";
+    context
+        .writeAndFlush(Unpooled.copiedBuffer(told, StandardCharsets.ISO_8859_1))
+        .addListener(ChannelFutureListener.CLOSE);
   }
 
   @Override

@@ -3,6 +3,7 @@ package org.urbi.server.net;
 import io.netty.bootstrap.ServerBootstrap;
 import io.netty.channel.Channel;
 import io.netty.channel.ChannelFuture;
+import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInitializer;
 import io.netty.channel.ChannelOption;
 import io.netty.channel.EventLoopGroup;
@@ -104,6 +105,11 @@ public final class ConsoleServer implements AutoCloseable {
                     client
                         .pipeline()
                         .addLast(new TelnetDecoder(), new ConsoleHandler(lobbies, limits, trace));
+                  }
+
+                  @Override
+                  public void exceptionCaught(ChannelHandlerContext context, Throwable failure) {
+                    ConsoleHandler.refuse(context, failure);
                   }
                 })
             .bind(address)

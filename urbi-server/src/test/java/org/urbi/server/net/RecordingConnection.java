@@ -26,6 +26,11 @@ final class RecordingConnection implements Connection {
   }
 
   @Override
+  public void failed(String where, Throwable failure) {
+    throw new AssertionError(where, failure);
+  }
+
+  @Override
   public void interrupt() {
     calls.add("interrupt");
   }

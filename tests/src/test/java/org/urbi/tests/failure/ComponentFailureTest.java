@@ -1,0 +1,155 @@
+package org.urbi.tests.failure;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.urbi.kernel.Kernel;
+import org.urbi.kernel.embed.UrbiError;
+import urbi.LockMode;
+import urbi.UObject;
+
+/** Components and embedding programs that throw whatever there is. */
+@Timeout(60)
+class ComponentFailureTest {
+  private final BlockingQueue<String> output = new LinkedBlockingQueue<>();
+  private final ByteArrayOutputStream log = new ByteArrayOutputStream();
+  private final PrintStream before = System.err;
+  private Kernel kernel;
+
+  /** Fails in every way. */
+  public static class Breaker extends UObject {
+    public Breaker(String name) {
+      super(name);
+      UBindFunctions("assertion", "missing", "exception");
+      UBindThreadedFunction("later", LockMode.LOCK_NONE);
+      UBindFunctions("begin");
+    }
+
+    public int assertion() {
+      throw new AssertionError("broken");
+    }
+
+    public int missing() {
+      throw new NoClassDefFoundError("org/nowhere/Thing");
+    }
+
+    public int exception() {
+      throw new UnsupportedOperationException("no arm");
+    }
+
+    public int later() {
+      throw new AssertionError("broken");
+    }
+
+    public int begin() {
+      USetTimer(1, this, "assertion");
+      return 0;
+    }
+  }
+
+  @BeforeEach
+  void start() {
+    System.setErr(new PrintStream(log, true, StandardCharsets.UTF_8));
+    kernel = Kernel.builder().output(output::add).start();
+    kernel.start(Breaker.class);
+  }
+
+  @AfterEach
+  void end() {
+    kernel.close();
+    System.setErr(before);
+  }
+
+  private String log() {
+    return log.toString(StandardCharsets.UTF_8);
+  }
+
+  private void assertLogged(String... parts) {
+    for (String part : parts) {
+      assertTrue(log().contains(part), this::log);
+    }
+  }
+
+  private String thrownBy(String code) {
+    String message = assertThrows(UrbiError.class, () -> kernel.eval(code)).getMessage();
+    assertEquals(3.0, kernel.eval("1 + 2"), "the kernel goes on");
+    return message;
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"assertion", "later"})
+  void errorOfAComponentIsInternal(String function) {
+    String told = thrownBy("Breaker." + function);
+    assertTrue(told.endsWith("internal error: java.lang.AssertionError: broken"), told);
+    assertLogged("java.lang.AssertionError: broken", "\tat " + Breaker.class.getName());
+  }
+
+  @Test
+  void exceptionOfAComponentIsToldByItsMessage() {
+    String told = thrownBy("Breaker.exception");
+    assertTrue(told.endsWith("UnsupportedOperationException: no arm"), told);
+    assertLogged(
+        "exception caught while calling Breaker.exception",
+        "java.lang.UnsupportedOperationException: no arm",
+        "\tat " + Breaker.class.getName());
+  }
+
+  @Test
+  void missingClassOfAComponentIsInternal() {
+    String told = thrownBy("Breaker.missing");
+    assertTrue(
+        told.endsWith("internal error: java.lang.NoClassDefFoundError: org/nowhere/Thing"), told);
+    assertLogged("\tat " + Breaker.class.getName());
+  }
+
+  @Test
+  void timerThatFailsIsToldAndLogged() throws Exception {
+    kernel.eval("var Global.breaker = Breaker.new; breaker.begin");
+    String told = output.poll(30, TimeUnit.SECONDS);
+    assertTrue(
+        told != null && told.contains("internal error: java.lang.AssertionError: broken"), told);
+    assertLogged("java.lang.AssertionError: broken", "\tat " + Breaker.class.getName());
+    assertEquals(3.0, kernel.eval("1 + 2"));
+  }
+
+  @Test
+  void errorOfTheEmbeddingProgramIsInternal() {
+    kernel.define("assertion", arguments -> fail(() -> new AssertionError("broken")));
+    assertEquals("internal error: java.lang.AssertionError: broken", thrownBy("assertion"));
+    assertLogged("internal error in an evaluation", "java.lang.AssertionError: broken");
+  }
+
+  @Test
+  void listenerThatFailsIsLogged() throws Exception {
+    kernel.eval("var e = Event.new");
+    var heard = new LinkedBlockingQueue<Object>();
+    kernel.onEvent(
+        "e",
+        payload -> {
+          heard.add(payload);
+          throw new AssertionError("deaf");
+        });
+    kernel.eval("e!(1); e!(2)");
+    assertTrue(heard.poll(30, TimeUnit.SECONDS) != null);
+    assertTrue(heard.poll(30, TimeUnit.SECONDS) != null, "it is told of what follows");
+    assertLogged("exception caught while delivering to a listener", "AssertionError: deaf");
+  }
+
+  private static Object fail(Supplier<? extends Error> failure) {
+    throw failure.get();
+  }
+}
