@@ -2,6 +2,7 @@ package org.urbi.kernel;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -10,7 +11,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.regex.Pattern;
-import org.urbi.kernel.builtin.Primitive;
+import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.UrbiException;
@@ -18,13 +19,16 @@ import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagStop;
 import org.urbi.kernel.job.Timers;
 import org.urbi.kernel.job.Unwinding;
+import org.urbi.kernel.library.Library;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
@@ -105,6 +109,12 @@ final class WrongCallKernel implements AutoCloseable {
   private final Kernel kernel;
   private final Interpreter interpreter;
   private final Map<String, Compilation.Compiled> compiled = new LinkedHashMap<>();
+
+  /**
+   * The functions of the library as this kernel has them; calls may remove them from their types.
+   */
+  private final Map<String, Code> primitives = new HashMap<>();
+
   private final StringBuffer heard = new StringBuffer();
   private UrbiLobby lobby;
   private volatile Job judge;
@@ -133,9 +143,29 @@ final class WrongCallKernel implements AutoCloseable {
             .start();
     interpreter = kernel.interpreter();
     within((run, job) -> {
+      collectPrimitives();
       checkConfined(top(job), directory);
       evaluate(top(job), WrongValues.PREPARATION);
     });
+  }
+
+  private void collectPrimitives() {
+    for (BuiltinTable table : Library.declarations()) {
+      UrbiObject type = interpreter.world().prototype(table.type());
+      for (int i = 0; i < table.size(); i++) {
+        Symbol name = interpreter.world().symbol(table.name(i));
+        UrbiObject found = table.isSetter(i) ? type.slotData(name).setter : type.localSlot(name);
+        if (found instanceof Code code) {
+          primitives.put(nameOf(table, i), code);
+        } else {
+          throw new Defect("no function: " + nameOf(table, i));
+        }
+      }
+    }
+  }
+
+  private static String nameOf(BuiltinTable table, int index) {
+    return (table.isSetter(index) ? "set " : "") + table.type() + "." + table.name(index);
   }
 
   /** Nothing that is called here may do any harm, whatever its arguments are. */
@@ -393,8 +423,7 @@ final class WrongCallKernel implements AutoCloseable {
       UrbiObject target = evaluate(frame, call.target());
       List<UrbiObject> arguments = new ArrayList<>();
       call.arguments().forEach(argument -> arguments.add(evaluate(frame, argument)));
-      var primitive =
-          new Primitive(interpreter.prototypes().primitiveShape(), call.table(), call.index());
+      Code primitive = primitives.get(nameOf(call.table(), call.index()));
       try {
         UrbiObject value =
             interpreter.call(
