@@ -5,12 +5,12 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 
 /**
- * Reads, and runs what comes, one after the other, on whichever of a few threads has it in hand.
- * The thread that has read a call executes it at once, so that a call costs no change of threads;
- * when that takes long, or asks for something that has to be read, another thread goes on reading.
+ * Reads frames, and executes tasks one after the other on one thread, which never changes. That
+ * thread reads, too, while it has nothing to do, so that a call costs no change of threads. When a
+ * task takes long, or asks for something that has to be read, a helper reads meanwhile.
  */
 final class Dispatcher {
-  /** How long a task takes at least that another thread reads for, in nanoseconds. */
+  /** How long a task takes at least that the helper reads meanwhile, in nanoseconds. */
   private static final long LONG_NANOSECONDS = 5_000_000;
 
   /** Reads one frame: executes it, or hands it to {@link Dispatcher#run}. */
@@ -21,119 +21,197 @@ final class Dispatcher {
 
   private final Reading reading;
   private final Consumer<Runnable> guard;
+  private final Runnable wake;
 
-  private final Object tasksLock = new Object();
+  private final Object lock = new Object();
   private final ArrayDeque<Runnable> tasks = new ArrayDeque<>();
-  private boolean executing;
-  private volatile Thread executor;
 
-  private final Object readers = new Object();
-  private Thread reader;
-  private boolean readerExecutes;
-  private boolean somebodyReads = true;
-  private int idle;
+  /** What the thread that executes does now. */
+  private enum State {
+    EXECUTES,
+    READS,
+    WAITS
+  }
+
+  private State state = State.EXECUTES;
+  private boolean helperReads;
+  private boolean neverReads;
+  private boolean woken;
   private boolean ended;
 
+  private final Thread executor;
+  private final Thread helper;
   private final Thread watch;
-  private volatile long begun;
+  private volatile long begun; // written by the executor alone
   private volatile boolean watchSleeps;
 
   /**
    * @param guard executes a task, and never throws
+   * @param wake has something sent soon that can be read
    */
-  Dispatcher(Reading reading, Consumer<Runnable> guard) {
+  Dispatcher(Reading reading, Consumer<Runnable> guard, Runnable wake) {
     this.reading = reading;
     this.guard = guard;
-    this.watch = Thread.ofPlatform().daemon().name("urbi-remote-watch").unstarted(this::watch);
+    this.wake = wake;
+    this.executor = thread("urbi-remote", this::work);
+    this.helper = thread("urbi-remote-reader", this::help);
+    this.watch = thread("urbi-remote-watch", this::watch);
+  }
+
+  private static Thread thread(String name, Runnable work) {
+    return Thread.ofPlatform().daemon().name(name).unstarted(work);
   }
 
   void start() {
-    newThread(true);
+    executor.start();
+    helper.start();
     watch.start();
   }
 
-  // ------------------------------------------------------------------ who reads
-
-  private void newThread(boolean reads) {
-    Thread.ofPlatform()
-        .daemon()
-        .name("urbi-remote")
-        .start(() -> {
-          if (reads) {
-            read();
-          }
-          while (awaitTurn()) {
-            read();
-          }
-        });
-  }
-
-  private boolean awaitTurn() {
-    synchronized (readers) {
-      idle++;
-      while (somebodyReads && !ended) {
-        try {
-          readers.wait();
-        } catch (InterruptedException e) {
-          // Code that was called on this thread: that is over.
-        }
-      }
-      idle--;
-      somebodyReads = true;
-      return !ended;
+  private void await() {
+    try {
+      lock.wait();
+    } catch (InterruptedException e) {
+      // Code that was called on this thread: that is over.
     }
   }
 
-  /** Reads, and executes what it has read, until somebody else reads instead; or to the end. */
-  private void read() {
-    Thread self = Thread.currentThread();
-    synchronized (readers) {
-      reader = self;
-    }
+  // ------------------------------------------------------------------ who executes
+
+  private void work() {
     while (true) {
-      if (!reading.next()) {
-        end();
-        return;
-      }
-      if (mayExecute()) {
-        synchronized (readers) {
-          readerExecutes = true;
-          begun++;
-        }
+      Runnable task = next();
+      if (task != null) {
+        begun++;
         if (watchSleeps) {
           LockSupport.unpark(watch);
         }
-        execute();
-        synchronized (readers) {
-          if (reader != self) {
-            return;
+        guard.accept(task);
+      } else if (!hasEnded()) {
+        boolean more = reading.next();
+        synchronized (lock) {
+          state = State.EXECUTES;
+          if (!more) {
+            end();
           }
-          readerExecutes = false;
         }
+      } else {
+        return;
       }
+    }
+  }
+
+  /** The next task; null when this thread is to read, or when all has ended. */
+  private Runnable next() {
+    synchronized (lock) {
+      while (true) {
+        Runnable task = tasks.poll();
+        if (task != null) {
+          state = State.EXECUTES;
+          return task;
+        }
+        if (ended) {
+          return null;
+        }
+        if (neverReads && !helperReads) {
+          helperReads = true;
+          lock.notifyAll();
+        }
+        if (!helperReads) {
+          state = State.READS;
+          woken = false;
+          return null;
+        }
+        state = State.WAITS;
+        await();
+      }
+    }
+  }
+
+  private boolean hasEnded() {
+    synchronized (lock) {
+      return ended;
     }
   }
 
   private void end() {
-    synchronized (readers) {
-      ended = true;
-      readers.notifyAll();
-    }
+    ended = true;
+    lock.notifyAll();
     LockSupport.unpark(watch);
   }
 
-  /** Has another thread read when the one that should executes something for long. */
+  /** Has something executed in turn. */
+  void run(Runnable task) {
+    boolean asleep;
+    synchronized (lock) {
+      tasks.add(task);
+      if (state == State.WAITS) {
+        lock.notifyAll();
+      }
+      asleep = state == State.READS && !woken && Thread.currentThread() != executor;
+      woken |= asleep;
+    }
+    if (asleep) {
+      wake.run();
+    }
+  }
+
+  /**
+   * From now on tasks come from elsewhere than the connection, and do not wait until something can
+   * be read.
+   */
+  void expectTasks() {
+    boolean asleep;
+    synchronized (lock) {
+      asleep = !neverReads && state == State.READS && Thread.currentThread() != executor;
+      neverReads = true;
+    }
+    if (asleep) {
+      wake.run();
+    }
+  }
+
+  /** Whether this thread executes a task. */
+  boolean isExecuting() {
+    return Thread.currentThread() == executor;
+  }
+
+  // ------------------------------------------------------------------ the helper
+
+  private void help() {
+    while (true) {
+      synchronized (lock) {
+        while (!helperReads && !ended) {
+          await();
+        }
+        if (ended) {
+          return;
+        }
+      }
+      boolean more = reading.next();
+      synchronized (lock) {
+        if (!more) {
+          end();
+        } else if (state == State.WAITS) {
+          helperReads = neverReads;
+          if (!helperReads) {
+            lock.notifyAll();
+          }
+        }
+      }
+    }
+  }
+
+  /** Has the helper read when the thread that should executes something for long. */
   private void watch() {
     long last = 0;
     while (true) {
       long now = begun;
-      if (now == last && !promote(now)) {
+      if (now == last && !callHelper(now)) {
         watchSleeps = true;
         while (begun == now) {
-          synchronized (readers) {
-            if (ended) {
-              return;
-            }
+          if (hasEnded()) {
+            return;
           }
           LockSupport.park(this);
         }
@@ -144,81 +222,22 @@ final class Dispatcher {
     }
   }
 
-  /** Has another thread read, if the one that should still executes that task. */
-  private boolean promote(long task) {
-    boolean another;
-    synchronized (readers) {
-      if (begun != task || !readerExecutes || ended) {
+  /** Has the helper read, if that task is still executed and nobody reads. */
+  private boolean callHelper(long task) {
+    synchronized (lock) {
+      if (begun != task || state != State.EXECUTES || helperReads || ended) {
         return false;
       }
-      reader = null;
-      readerExecutes = false;
-      somebodyReads = false;
-      another = idle == 0;
-      readers.notify();
-    }
-    if (another) {
-      newThread(false);
-    }
-    return true;
-  }
-
-  /** What this thread executes is about to wait for something that has to be read. */
-  void letRead() {
-    boolean reads;
-    synchronized (readers) {
-      reads = reader == Thread.currentThread();
-    }
-    if (reads) {
-      promote(begun);
-    }
-  }
-
-  // ------------------------------------------------------------------ who executes
-
-  private boolean mayExecute() {
-    synchronized (tasksLock) {
-      if (executing || tasks.isEmpty()) {
-        return false;
-      }
-      executing = true;
+      helperReads = true;
+      lock.notifyAll();
       return true;
     }
   }
 
-  private void execute() {
-    executor = Thread.currentThread();
-    while (true) {
-      Runnable task;
-      synchronized (tasksLock) {
-        task = tasks.poll();
-        if (task == null) {
-          executor = null;
-          executing = false;
-          return;
-        }
-      }
-      guard.accept(task);
+  /** What this thread executes is about to wait for something that has to be read. */
+  void letRead() {
+    if (isExecuting()) {
+      callHelper(begun);
     }
-  }
-
-  /** Has something executed in turn; by the reading, when it has read a call. */
-  void run(Runnable task) {
-    synchronized (tasksLock) {
-      tasks.add(task);
-    }
-  }
-
-  /** Has something executed in turn, by the thread that asks if it is nobody's turn. */
-  void runHere(Runnable task) {
-    run(task);
-    if (mayExecute()) {
-      execute();
-    }
-  }
-
-  /** Whether this thread executes a task. */
-  boolean isExecuting() {
-    return Thread.currentThread() == executor;
   }
 }

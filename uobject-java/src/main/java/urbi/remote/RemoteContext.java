@@ -19,6 +19,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import urbi.Log;
 import urbi.UCallback;
 import urbi.UCast;
 import urbi.UCastException;
@@ -38,6 +39,7 @@ import urbi.rtp.RtpOptions;
 import urbi.spi.ArgumentException;
 import urbi.spi.ArgumentTypes;
 import urbi.spi.Failure;
+import urbi.spi.FailureLog;
 import urbi.spi.ThreadPool;
 import urbi.time.Stopwatch;
 import urbi.wire.Frame;
@@ -48,14 +50,15 @@ import urbi.wire.WireOutput;
 /**
  * The context of UObjects in a process that is connected to a kernel.
  *
- * <p>UObjects are called by one thread at a time. What they ask for and need no answer to is sent
- * and not waited for; the connection keeps the order.
+ * <p>One thread makes UObjects and calls their functions, timers and notifications, unless they are
+ * threaded. What they ask for and need no answer to is sent and not waited for; the connection
+ * keeps the order.
  */
 public final class RemoteContext implements UContext, AutoCloseable {
   private static final int CONNECT_MILLISECONDS = 10_000;
 
   private final Link link;
-  private final Dispatcher dispatcher = new Dispatcher(this::readOne, this::execute);
+  private final Dispatcher dispatcher = new Dispatcher(this::readOne, this::execute, this::ping);
   private final Requests requests = new Requests();
   private final ThreadPool threads = new ThreadPool("urbi-remote-function-");
   private final RemoteTimers timers = new RemoteTimers(dispatcher);
@@ -71,6 +74,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   private final List<Consumer<byte[]>> listeners = new CopyOnWriteArrayList<>();
   private final KernelTime time = new KernelTime();
   private volatile Consumer<String> trace;
+  private final FailureLog failureLog = new FailureLog(Log::error);
   private final LongTurn turn = new LongTurn(this::complain);
   private final LinkWatch watch;
   private final RemoteDatagrams datagrams;
@@ -93,7 +97,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
         new LinkWatch(
             silence,
             turn::complain,
-            () -> sendNow(out -> out.begin(Frame.PING).end()),
+            this::ping,
             () -> end("the server does not answer any more"));
     datagrams = new RemoteDatagrams(this, link.address());
     dispatcher.start();
@@ -108,6 +112,15 @@ public final class RemoteContext implements UContext, AutoCloseable {
   /** Has each call of a function told of, and each failure; null for none. */
   public void trace(Consumer<String> told) {
     trace = told;
+  }
+
+  /** Has the server say something. */
+  private void ping() {
+    try {
+      sendNow(out -> out.begin(Frame.PING).end());
+    } catch (UClientException e) {
+      // There is no connection any more: who reads notices it.
+    }
   }
 
   /** Microseconds since the kernel was started. */
@@ -224,7 +237,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   void changedInDatagram(WireInput frame) throws InterruptedException {
     var told = new CountDownLatch(1);
     changed(frame);
-    dispatcher.runHere(told::countDown);
+    dispatcher.run(told::countDown);
     told.await();
   }
 
@@ -299,7 +312,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
     if (dispatcher.isExecuting()) {
       task.run();
     } else {
-      dispatcher.runHere(task);
+      dispatcher.run(task);
     }
     try {
       done.join();
@@ -316,6 +329,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
       }
       type.create(name);
     } catch (Throwable e) {
+      failureLog.log(className, e);
       failures.put(name, "exception caught while making a " + className + ": " + Failure.text(e));
       objects.remove(name);
       functions.remove(name);
@@ -412,6 +426,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
           if (failure == null) {
             result(number, value);
           } else {
+            failureLog.log(function.name(), failure);
             error(number, Failure.text(failure));
           }
         });
@@ -422,6 +437,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
       sendNow(out ->
           out.begin(Frame.ARGUMENT_ERROR).size(number).size(e.place()).text(e.expected()).end());
     } catch (Throwable e) {
+      failureLog.log(function.name(), e);
       error(number, Failure.text(e));
     }
   }
@@ -490,6 +506,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
     try {
       invoke(callback, arguments);
     } catch (Throwable e) {
+      failureLog.log(callback.name(), e);
       complain("exception caught while calling " + callback.name() + ": " + Failure.text(e));
     }
   }
@@ -539,6 +556,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
    * @return told whether datagrams get through, when that is known
    */
   public CompletableFuture<Boolean> useRtp(RtpOptions options) {
+    dispatcher.expectTasks();
     return datagrams.use(options);
   }
 

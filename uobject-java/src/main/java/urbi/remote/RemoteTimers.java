@@ -34,13 +34,14 @@ final class RemoteTimers implements AutoCloseable {
    * @param guard executes a task, and never throws
    */
   Runnable every(Object owner, double milliseconds, Runnable action, Consumer<Runnable> guard) {
+    dispatcher.expectTasks();
     long period = Math.max(SHORTEST, (long) (milliseconds * 1000));
     var waiting = new AtomicBoolean();
     ScheduledFuture<?> future =
         clock.scheduleAtFixedRate(
             () -> {
               if (waiting.compareAndSet(false, true)) {
-                dispatcher.runHere(() -> {
+                dispatcher.run(() -> {
                   waiting.set(false);
                   guard.accept(action);
                 });

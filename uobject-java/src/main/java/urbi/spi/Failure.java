@@ -10,7 +10,7 @@ public final class Failure {
   private Failure() {}
 
   /** What a UObject threw, without what it was wrapped in. */
-  public static String text(Throwable failure) {
+  public static Throwable cause(Throwable failure) {
     Throwable cause = failure;
     while (cause.getCause() != null
         && (cause instanceof CompletionException
@@ -18,6 +18,12 @@ public final class Failure {
             || cause instanceof InvocationTargetException)) {
       cause = cause.getCause();
     }
+    return cause;
+  }
+
+  /** What a UObject threw, for people. */
+  public static String text(Throwable failure) {
+    Throwable cause = cause(failure);
     if (cause instanceof StackOverflowError) {
       return "stack exhausted";
     }

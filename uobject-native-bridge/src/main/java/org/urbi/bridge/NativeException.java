@@ -7,4 +7,10 @@ public final class NativeException extends IllegalStateException {
   NativeException(String message) {
     super(message);
   }
+
+  /** Where the Java code was tells nothing: it was thrown in C++. */
+  @Override
+  public Throwable fillInStackTrace() {
+    return this;
+  }
 }

@@ -57,6 +57,10 @@ public final class RemotePeer {
   private final RemoteTasks tasks;
   private final Function<RuntimeException, String> describe;
   private final Map<String, UClass> classes = new LinkedHashMap<>();
+
+  /** What shows the classes to everybody that are being constructed. */
+  private final List<Runnable> unseen = new ArrayList<>();
+
   private final Map<String, RemoteObject> objects = new LinkedHashMap<>();
   private final Map<Integer, RemoteVariable> variables = new HashMap<>();
   private final Map<String, UEmitter> events = new HashMap<>();
@@ -186,10 +190,17 @@ public final class RemotePeer {
     int call = in.size();
     switch (type) {
       case Frame.RESULT -> complete(call, in.value(), null);
-      case Frame.ERROR -> complete(call, null, new RuntimeException(in.text()));
+      case Frame.ERROR -> complete(call, null, thrownThere(in.text()));
       case Frame.ARGUMENT_ERROR -> complete(call, null, new ArgumentFailure(in.size(), in.text()));
       default -> complete(call, new UValue(), null);
     }
+  }
+
+  /** What was thrown in the process, in the log of which its stack trace is. */
+  private static RuntimeException thrownThere(String text) {
+    RuntimeException thrown = new RuntimeException(text);
+    thrown.setStackTrace(new StackTraceElement[0]);
+    return thrown;
   }
 
   private void complete(int number, UValue value, RuntimeException error) {
@@ -221,7 +232,7 @@ public final class RemotePeer {
         RtpTerms terms = RtpTerms.read(in);
         yield () -> openDatagrams(terms);
       }
-      case Frame.FENCE -> answering(in.size(), UValue::new);
+      case Frame.FENCE -> answering(in.size(), this::showClasses);
       case Frame.ATTACH -> {
         int number = in.size();
         String className = in.text();
@@ -341,10 +352,17 @@ public final class RemotePeer {
     classes.put(name, type);
     making = true;
     try {
-      context.start(type);
+      unseen.add(context.startUnseen(type));
     } finally {
       making = false;
     }
+    return new UValue();
+  }
+
+  /** The constructors of the classes that were started have bound all they bind. */
+  private UValue showClasses() {
+    unseen.forEach(Runnable::run);
+    unseen.clear();
     return new UValue();
   }
 

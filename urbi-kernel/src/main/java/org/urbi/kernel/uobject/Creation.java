@@ -46,11 +46,15 @@ public final class Creation {
 
   // ------------------------------------------------------------------ classes
 
-  /** Makes a class known; one of the same name gets new objects behind its own. */
-  void start(Frame frame, UClass type) {
+  /**
+   * Makes a class known; one of the same name gets new objects behind its own.
+   *
+   * @return what shows it to everybody
+   */
+  Runnable start(Frame frame, UClass type) {
     if (prototypes.containsKey(type.name())) {
       replacement.replace(frame, type);
-      return;
+      return () -> {};
     }
     UrbiObject prototype = world.prototype("UObject").cloned();
     ClassNodes.nameType(interpreter, prototype, Texts.toUrbi(type.name()));
@@ -63,7 +67,7 @@ public final class Creation {
       end(frame, instance);
       throw e;
     }
-    objects().publishClass(instance);
+    return () -> objects().publishClass(instance);
   }
 
   /** Ends a class with all its objects, which stay in urbiscript without their functions. */
@@ -94,6 +98,7 @@ public final class Creation {
     Instance instance = add(parent.type(), made, frame);
     try {
       create(frame, instance, parent.type());
+      objects().publish(instance);
       initialize(frame, site, instance, made, arguments);
     } catch (RuntimeException | Error e) {
       end(frame, instance);
@@ -104,9 +109,7 @@ public final class Creation {
 
   private Instance add(UClass type, UrbiObject object, Frame frame) {
     String name = type.name() + "_0x" + Long.toHexString(object.uid());
-    Instance instance = objects().add(name, type, object, frame.job().lobby());
-    objects().publish(instance);
-    return instance;
+    return objects().add(name, type, object, frame.job().lobby());
   }
 
   /** Calls {@code init}, and looks at what it returns. */
@@ -173,6 +176,7 @@ public final class Creation {
       UrbiObject prototype = prototypes.getOrDefault(type.name(), world.prototype("UObject"));
       instance = add(type, prototype.cloned(), frame);
       instance.keepAlive(true);
+      objects().publish(instance);
     }
     instance.setJava(object);
     return instance.name();

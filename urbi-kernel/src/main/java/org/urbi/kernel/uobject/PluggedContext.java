@@ -331,10 +331,16 @@ public final class PluggedContext implements UContext {
 
   @Override
   public void start(UClass type) {
-    inKernel(frame -> {
-      creation.start(frame, type);
-      return null;
-    });
+    startUnseen(type).run();
+  }
+
+  /**
+   * Makes a class known, as {@link #start} does, but shows it to nobody yet.
+   *
+   * @return what makes its object a slot of {@code uobjects}
+   */
+  public Runnable startUnseen(UClass type) {
+    return inKernel(frame -> creation.start(frame, type));
   }
 
   /** Ends a class with all its objects, which stay in urbiscript without their functions. */

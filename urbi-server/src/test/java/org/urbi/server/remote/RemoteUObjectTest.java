@@ -16,8 +16,10 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.Random;
+import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.AfterEach;
@@ -358,6 +360,81 @@ class RemoteUObjectTest {
         eval(
             "{ while (!Global.hasSlot(\"sent\") || !Global.hasSlot(\"called\")) sleep(5ms);"
                 + " [Global.sent, Global.called] }"));
+  }
+
+  static class OneThread extends UObject {
+    final UVar v = new UVar();
+    final Set<Thread> seen = ConcurrentHashMap.newKeySet();
+
+    OneThread(String name) {
+      super(name);
+      see();
+      UBindVar(v, "v");
+      UNotifyChange(v, "see");
+      UNotifyAccess(v, "see");
+      USetTimer(5, this, "see");
+      UBindFunctions("see", "slow", "asks", "threads");
+    }
+
+    public int see() {
+      return seen.add(Thread.currentThread()) ? 1 : 0;
+    }
+
+    /** Takes so long that another thread reads meanwhile. */
+    public void slow() throws InterruptedException {
+      see();
+      Thread.sleep(50);
+    }
+
+    /** Waits for what another thread has to read. */
+    public void asks() {
+      see();
+      v.syncValue();
+    }
+
+    public int threads() {
+      see();
+      return seen.size();
+    }
+  }
+
+  @Test
+  void allButThreadedCallsRunsOnOneThread() {
+    remote.start(type("OneThread", OneThread::new));
+    assertEquals(
+        "1",
+        eval(
+            "{ for (var i : 20) { OneThread.v = i | OneThread.asks | OneThread.see }"
+                + " | OneThread.slow | OneThread.v | OneThread.new.slow | sleep(30ms)"
+                + " | OneThread.threads }"));
+  }
+
+  static class LateBinder extends UObject {
+    static final CountDownLatch BEGUN = new CountDownLatch(1);
+    static final CountDownLatch SEEN = new CountDownLatch(1);
+
+    LateBinder(String name) throws InterruptedException {
+      super(name);
+      BEGUN.countDown();
+      SEEN.await();
+      UBindFunction("late");
+    }
+
+    public int late() {
+      return 42;
+    }
+  }
+
+  @Test
+  void anObjectIsSeenWhenItsConstructorHasBoundAll() throws InterruptedException {
+    Thread starter =
+        Thread.ofPlatform().start(() -> remote.start(type("LateBinder", LateBinder::new)));
+    LateBinder.BEGUN.await();
+    assertEquals("[0, 0]", eval("[uobjects.hasSlot(\"LateBinder\"), isdef(LateBinder)]"));
+    LateBinder.SEEN.countDown();
+    starter.join();
+    assertEquals("42", eval("LateBinder.late"));
+    assertEquals("42", eval("LateBinder.new.late"));
   }
 
   static class Accessed extends UObject {
