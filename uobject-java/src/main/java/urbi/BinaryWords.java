@@ -17,6 +17,11 @@ final class BinaryWords {
     return header.substring(0, end);
   }
 
+  /** Passes over the next word. */
+  void skip() {
+    next++;
+  }
+
   /** The next word as a number; 0 when there is none. */
   int number() {
     if (next >= words.length) {

@@ -1,14 +1,26 @@
 package urbi;
 
+import java.util.Objects;
+
 /** A timer that {@link UObject#USetTimer} has set, to be given to {@link UObject#removeTimer}. */
 public final class TimerHandle {
-  private final Runnable end;
+  private final String name;
 
-  TimerHandle(Runnable end) {
-    this.end = end;
+  private TimerHandle(String name) {
+    this.name = Objects.requireNonNull(name, "name");
   }
 
-  void end() {
-    end.run();
+  /** The timer of a name that {@link UObject#USetTimer} has returned. */
+  public static TimerHandle create(String name) {
+    return new TimerHandle(name);
+  }
+
+  String name() {
+    return name;
+  }
+
+  @Override
+  public String toString() {
+    return name;
   }
 }

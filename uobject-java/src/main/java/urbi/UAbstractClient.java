@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -89,6 +90,16 @@ public abstract class UAbstractClient {
     bytes.writeBytes(TextCoding.encode(text));
     bytes.writeBytes(data);
     return effectiveSend(bytes.toByteArray());
+  }
+
+  /** Sends text, and the first bytes of some after it. */
+  public int sendBin(byte[] data, int size, String header) {
+    return sendBin(Arrays.copyOf(data, size), header);
+  }
+
+  /** Sends the first bytes of some. */
+  public int sendBin(byte[] data, int size) {
+    return effectiveSend(Arrays.copyOf(data, size));
   }
 
   /** What this thread {@linkplain #pack packs} is kept until {@link #endPack}. */

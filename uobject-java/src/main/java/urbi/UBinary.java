@@ -13,6 +13,7 @@ import java.util.function.Supplier;
  */
 public final class UBinary {
   private static final byte[] NOTHING = {};
+  private static final UBinaryType UNKNOWN = UBinaryType.BINARY_UNKNOWN;
 
   private String message;
   private byte[] data;
@@ -21,6 +22,9 @@ public final class UBinary {
   private Supplier<byte[]> source;
 
   private int size;
+
+  /** What somebody says it is; null to leave it to the header. */
+  private UBinaryType given;
 
   public UBinary() {
     this("", NOTHING);
@@ -66,16 +70,21 @@ public final class UBinary {
 
   /** What the header says it is. */
   public UBinaryType getType() {
-    if (message.isEmpty() && getSize() == 0) {
-      return UBinaryType.BINARY_NONE;
+    if (message.isEmpty()) {
+      return given != null ? given : getSize() == 0 ? UBinaryType.BINARY_NONE : UNKNOWN;
     }
     String word = BinaryWords.first(message);
     if (UImageFormat.parse(word) != UImageFormat.IMAGE_UNKNOWN) {
       return UBinaryType.BINARY_IMAGE;
     }
     return USoundFormat.parse(word) == USoundFormat.SOUND_UNKNOWN
-        ? UBinaryType.BINARY_UNKNOWN
+        ? UNKNOWN
         : UBinaryType.BINARY_SOUND;
+  }
+
+  /** Says what it is as long as it has no header, which tells better. */
+  public void setType(UBinaryType type) {
+    given = Objects.requireNonNull(type, "type");
   }
 
   /** The header: all that is between the size and the data. */
@@ -124,9 +133,15 @@ public final class UBinary {
     return data == null ? size : data.length;
   }
 
+  /** Forgets the bytes: whatever else has them keeps them. */
+  public void deleteData() {
+    setData(NOTHING);
+  }
+
   /** Makes it empty. */
   public void clear() {
     message = "";
+    given = null;
     setData(NOTHING);
   }
 

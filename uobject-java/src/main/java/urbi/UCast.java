@@ -38,6 +38,11 @@ public final class UCast {
 
   private record Caster(Function<Object, UValue> toUValue, Function<UValue, Object> fromUValue) {}
 
+  static {
+    register(UVector.class, UVector::toUValue, UVector::of);
+    register(UMatrix.class, UMatrix::toUValue, UMatrix::of);
+  }
+
   private UCast() {}
 
   /**

@@ -23,6 +23,11 @@ public final class UDictionary extends LinkedHashMap<String, UValue> {
     return this;
   }
 
+  /** Puts what is made a value by {@link UCast#toUValue}; the one that was there before. */
+  public UValue put(String name, Object value) {
+    return put(name, UCast.toUValue(value));
+  }
+
   /** The dictionary as an urbiscript literal. */
   @Override
   public String toString() {

@@ -27,6 +27,11 @@ public final class UImage {
     setData(data);
   }
 
+  /** The same image, with the same data. */
+  public UImage(UImage other) {
+    this(other.format, other.width, other.height, other.data);
+  }
+
   static UImage of(UBinary binary) {
     String header = binary.getMessage();
     UImageFormat format = UImageFormat.parse(BinaryWords.first(header));
@@ -49,6 +54,11 @@ public final class UImage {
   /** Sets the bytes; not copied. */
   public void setData(byte[] bytes) {
     data = Objects.requireNonNull(bytes, "data");
+  }
+
+  /** Forgets the bytes: whatever else has them keeps them. */
+  public void deleteData() {
+    data = NOTHING;
   }
 
   /** How many bytes there are. */

@@ -9,15 +9,16 @@ import java.util.RandomAccess;
 
 /** A list of values. What is no {@link UValue} yet is made one by {@link UCast#toUValue}. */
 public final class UList extends AbstractList<UValue> implements RandomAccess {
-  private final ArrayList<UValue> array;
+  private final UValueVector array;
 
   public UList() {
-    array = new ArrayList<>();
+    array = new UValueVector();
   }
 
   /** The values of a collection, made with {@link UCast#toUValue}. */
   public UList(Collection<?> values) {
-    array = new ArrayList<>(values.size());
+    array = new UValueVector();
+    array.ensureCapacity(values.size());
     for (Object value : values) {
       array.add(UCast.toUValue(value));
     }
@@ -29,13 +30,17 @@ public final class UList extends AbstractList<UValue> implements RandomAccess {
   }
 
   /** The contents themselves. */
-  public List<UValue> getArray() {
+  public UValueVector getArray() {
     return array;
   }
 
   @Override
   public UValue get(int index) {
     return array.get(index);
+  }
+
+  public UValue get(long index) {
+    return array.get(Math.toIntExact(index));
   }
 
   @Override

@@ -493,6 +493,14 @@ public abstract non-sealed class UObject extends UResident {
   // ------------------------------------------------------------------ the end
 
   /**
+   * Called once, when the urbiscript object has gone. Programs of Urbi 2.7 override it; {@link
+   * AutoCloseable} is for others. The launchers have the garbage collector leave it alone.
+   */
+  @Override
+  @SuppressWarnings("removal")
+  protected void finalize() {}
+
+  /**
    * Ends all that the object has bound. The context calls it when the urbiscript object has gone; a
    * second time does nothing.
    */
@@ -506,12 +514,21 @@ public abstract non-sealed class UObject extends UResident {
     hubs.forEach(hub -> hub.delMember(this));
     getUContext().detach(this);
     variables.values().forEach(UVar::close);
+    ended("finalizing", this::finalize);
     if (this instanceof AutoCloseable resource) {
-      try {
-        resource.close();
-      } catch (Exception e) {
-        getUContext().report("exception caught while closing " + name + ": " + e);
-      }
+      ended("closing", resource::close);
+    }
+  }
+
+  private interface Ending {
+    void run() throws Exception;
+  }
+
+  private void ended(String how, Ending ending) {
+    try {
+      ending.run();
+    } catch (Exception e) {
+      getUContext().report("exception caught while " + how + " " + name + ": " + e);
     }
   }
 

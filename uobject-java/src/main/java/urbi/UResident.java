@@ -4,6 +4,9 @@ import java.lang.reflect.Method;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.Arrays;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 
 /** Who lives in a context, {@link UObject}s and {@link UObjectHub}s: what both can do. */
@@ -11,6 +14,8 @@ public abstract sealed class UResident permits UObject, UObjectHub {
   private static final double MILLISECOND_NANOSECONDS = 1e6;
 
   private final UContext context;
+  private final Map<String, Runnable> timers = new ConcurrentHashMap<>();
+  private final AtomicInteger lastTimer = new AtomicInteger();
   private final AtomicReference<Runnable> updates = new AtomicReference<>();
 
   UResident(UContext context) {
@@ -126,39 +131,54 @@ public abstract sealed class UResident permits UObject, UObjectHub {
    *
    * @param period in milliseconds
    * @param object which has the method
-   * @return what {@link #removeTimer} wants
+   * @return its name, which {@link #removeTimer} wants
    */
-  public TimerHandle USetTimer(double period, Object object, String methodName) {
+  public String USetTimer(double period, Object object, String methodName) {
     return setTimer(period, object, Methods.find(object.getClass(), methodName));
   }
 
   /** The same, for a method that has namesakes. */
-  public TimerHandle USetTimer(
-      double period, Object object, String methodName, String[] argumentTypes) {
+  public String USetTimer(double period, Object object, String methodName, String[] argumentTypes) {
     return setTimer(period, object, Methods.find(object.getClass(), methodName, argumentTypes));
   }
 
+  /** The same, for a method that was found by other means. */
+  public String USetTimer(double period, Object object, Method method) {
+    return setTimer(period, object, method);
+  }
+
   /** Runs an action periodically, just before a pass of urbiscript code. */
-  public TimerHandle USetTimer(Duration period, Runnable action) {
+  public String USetTimer(Duration period, Runnable action) {
     return USetTimer(period.toNanos() / MILLISECOND_NANOSECONDS, action, "run");
   }
 
-  TimerHandle setTimer(double period, Object object, Method method) {
+  private String setTimer(double period, Object object, Method method) {
     return setTimer(period, object, method, false);
   }
 
-  TimerHandle setTimer(double period, Object object, Method method, boolean afterPass) {
+  String setTimer(double period, Object object, Method method, boolean afterPass) {
     String name = shownName() + "." + method.getName();
     if (method.getParameterCount() > 0) {
       throw new IllegalArgumentException(name + " is for a timer, but has arguments");
     }
     UCallback callback = Methods.callback(name, object, method);
-    return new TimerHandle(context.every(this, period, callback, afterPass));
+    String handle = shownName() + ".timer" + lastTimer.incrementAndGet();
+    timers.put(handle, context.every(this, period, callback, afterPass));
+    return handle;
   }
 
-  /** Ends a timer. */
+  /** Ends a timer; false if it has none of that name, or no longer. */
   public boolean removeTimer(TimerHandle handle) {
-    handle.end();
+    return removeTimer(handle.name());
+  }
+
+  /** Ends a timer; false if it has none of that name, or no longer. */
+  public boolean removeTimer(String handle) {
+    Runnable end = timers.remove(handle);
+    if (end == null) {
+      return false;
+    }
+    end.run();
     return true;
   }
 }

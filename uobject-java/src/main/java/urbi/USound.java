@@ -41,6 +41,12 @@ public final class USound {
     setData(data);
   }
 
+  /** The same sound, with the same data. */
+  public USound(USound other) {
+    this(
+        other.format, other.channels, other.rate, other.sampleSize, other.sampleFormat, other.data);
+  }
+
   static USound of(UBinary binary) {
     String header = binary.getMessage();
     USoundFormat format = USoundFormat.parse(BinaryWords.first(header));
@@ -77,6 +83,11 @@ public final class USound {
   /** Sets the bytes; not copied. */
   public void setData(byte[] bytes) {
     data = Objects.requireNonNull(bytes, "data");
+  }
+
+  /** Forgets the bytes: whatever else has them keeps them. */
+  public void deleteData() {
+    data = NOTHING;
   }
 
   /** How many bytes there are. */

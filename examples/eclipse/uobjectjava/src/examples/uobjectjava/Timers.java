@@ -1,6 +1,5 @@
 package examples.uobjectjava;
 
-import urbi.TimerHandle;
 import urbi.UObject;
 import urbi.UVar;
 
@@ -17,7 +16,7 @@ public class Timers extends UObject {
 
   private final UVar updates = new UVar();
   private final UVar ticks = new UVar();
-  private TimerHandle timer;
+  private String timer;
 
   public Timers(String name) {
     super(name);

@@ -268,4 +268,48 @@ class ModuleTest {
     }
     assertTrue(loader.refersTo(null), "the classes of the module are still there");
   }
+
+  private static final String MORTAL =
+      """
+      public class Mortal extends urbi.UObject {
+        static { UStart(Mortal.class); }
+        private static int destroyed;
+        private static int ticks;
+        public Mortal(String name) {
+          super(name);
+          UBindFunctions("destroyed", "ticks", "set", "unset");
+        }
+        @Override
+        protected void finalize() {
+          ++destroyed;
+          super.finalize();
+        }
+        public int destroyed() { return destroyed; }
+        public int ticks() { return ticks; }
+        public String set() { return USetTimer(10, this, "tick"); }
+        public boolean unset(String timer) { return removeTimer(urbi.TimerHandle.create(timer)); }
+        public int tick() { return ++ticks; }
+      }
+      """;
+
+  @Test
+  void whatIsDestroyedIsFinalizedOnce() throws Exception {
+    UObjectJars.make("Mortal", MORTAL, folder.resolve("mortal.jar"));
+    kernel.eval("loadModule(\"mortal\"); var Global.m = Mortal.new|;");
+    assertEquals(0.0, kernel.eval("Mortal.destroyed;"));
+    kernel.eval("m.destroy|; m = nil|;");
+    assertEquals(1.0, kernel.eval("Mortal.destroyed;"));
+  }
+
+  @Test
+  void aTimerIsRemovedByItsName() throws Exception {
+    UObjectJars.make("Mortal", MORTAL, folder.resolve("mortal.jar"));
+    kernel.eval("loadModule(\"mortal\"); var Global.t = Mortal.set|;");
+    kernel.eval("while (Mortal.ticks < 3) sleep(5ms);");
+    assertEquals(true, kernel.eval("Mortal.unset(t);"));
+    assertEquals(false, kernel.eval("Mortal.unset(t);"));
+    Object ticks = kernel.eval("Mortal.ticks;");
+    kernel.eval("sleep(50ms);");
+    assertEquals(ticks, kernel.eval("Mortal.ticks;"));
+  }
 }

@@ -18,7 +18,6 @@ import org.urbi.sim.world.Engines;
 import org.urbi.sim.world.Mount;
 import org.urbi.sim.world.SimulatedWorld;
 import org.urbi.sim.world.WorldReader;
-import urbi.TimerHandle;
 import urbi.UImage;
 import urbi.UImageFormat;
 import urbi.UObject;
@@ -52,7 +51,7 @@ public final class SimWorld extends UObject implements AutoCloseable {
   private final ProcessTime processTime = new ProcessTime();
   private final Renderer renderer = new Renderer();
   private SimulatedWorld world;
-  private TimerHandle timer;
+  private String timer;
   private long beats;
   private double origin;
   private double lost;

@@ -1,0 +1,4 @@
+/**
+ * Two classes that Java had until version 8, and that programs of Urbi 2.7 read JPEG images with.
+ */
+package com.sun.image.codec.jpeg;

@@ -1,0 +1,55 @@
+package urbi;
+
+import java.awt.FileDialog;
+import java.io.IOException;
+import javax.swing.JButton;
+import javax.swing.JFrame;
+
+/** A window with a button that has a server play a file. */
+public class SendSoundSampler extends JFrame {
+  private static final long serialVersionUID = 1;
+
+  private transient volatile UClient client;
+
+  /** Shows the window; {@link #setClient} says where the sound goes. */
+  public SendSoundSampler() {
+    this(null);
+  }
+
+  /** Shows the window. */
+  public SendSoundSampler(UClient client) {
+    super("Send a sound");
+    this.client = client;
+    setDefaultCloseOperation(EXIT_ON_CLOSE);
+    JButton play = new JButton("Play");
+    play.addActionListener(event -> choose());
+    add(play);
+    pack();
+    setVisible(true);
+  }
+
+  private void choose() {
+    FileDialog dialog = new FileDialog(this);
+    dialog.setVisible(true);
+    if (dialog.getFile() != null) {
+      String path = dialog.getDirectory() + dialog.getFile();
+      Thread.ofPlatform().daemon().name("urbi-sound").start(() -> send(path));
+    }
+  }
+
+  private void send(String path) {
+    try {
+      SoundUtilities.sendSound(path, client);
+    } catch (IOException e) {
+      Log.error("cannot send " + path + ": " + e.getMessage());
+    }
+  }
+
+  public void setClient(UClient other) {
+    client = other;
+  }
+
+  public UClient getClient() {
+    return client;
+  }
+}

@@ -1,0 +1,68 @@
+package urbi;
+
+import java.awt.FileDialog;
+import java.awt.FlowLayout;
+import javax.swing.JButton;
+import javax.swing.JFrame;
+
+/** A window with buttons to record a sound, to play it, and to save it. */
+public class SoundSampler extends JFrame {
+  private static final long serialVersionUID = 1;
+
+  private final JButton capture = new JButton("Capture");
+  private final JButton stop = new JButton("Stop");
+  private final JButton play = new JButton("Play");
+  private final JButton save = new JButton("Save");
+  private transient volatile SoundAction action;
+
+  /** Shows the window. */
+  public SoundSampler() {
+    super("Sound sampler");
+    setDefaultCloseOperation(EXIT_ON_CLOSE);
+    setLayout(new FlowLayout());
+    capture.addActionListener(event -> {
+      recording(true);
+      run(() -> action.captureAudio());
+    });
+    stop.addActionListener(event -> {
+      recording(false);
+      action.stopAudio();
+    });
+    play.addActionListener(event -> run(() -> action.playAudio()));
+    save.addActionListener(event -> save());
+    add(capture);
+    add(stop);
+    add(play);
+    add(save);
+    stop.setEnabled(false);
+    play.setEnabled(false);
+    save.setEnabled(false);
+    pack();
+    setVisible(true);
+  }
+
+  /** Says what the buttons do. */
+  public void setAction(SoundAction other) {
+    action = other;
+  }
+
+  private void recording(boolean now) {
+    capture.setEnabled(!now);
+    stop.setEnabled(now);
+    play.setEnabled(!now);
+    save.setEnabled(!now);
+  }
+
+  private void save() {
+    FileDialog dialog = new FileDialog(this, "Save the sound", FileDialog.SAVE);
+    dialog.setVisible(true);
+    if (dialog.getFile() != null) {
+      String path = dialog.getDirectory() + dialog.getFile();
+      run(() -> action.saveAudio(path));
+    }
+  }
+
+  private static void run(Runnable task) {
+    Thread.ofPlatform().daemon().name("urbi-sound").start(task);
+  }
+}
