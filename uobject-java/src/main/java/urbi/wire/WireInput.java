@@ -67,6 +67,19 @@ public final class WireInput {
     return text;
   }
 
+  /** The next so many octets. */
+  public byte[] bytes(int length) {
+    require(length);
+    byte[] copy = Arrays.copyOfRange(bytes, at, at + length);
+    at += length;
+    return copy;
+  }
+
+  /** Whether anything is left. */
+  public boolean hasMore() {
+    return at < end;
+  }
+
   /** All that is left. */
   public byte[] rest() {
     byte[] rest = Arrays.copyOfRange(bytes, at, end);

@@ -229,6 +229,9 @@ class ArchitectureTest {
           .resideInAPackage("org.urbi.kernel..")
           .and()
           .resideOutsideOfPackage("org.urbi.kernel.outside..")
+          .and()
+          // It makes addresses of their numbers, and looks nothing up.
+          .doNotHaveFullyQualifiedName("org.urbi.kernel.journal.DataReader")
           .should()
           .dependOnClassesThat(MACHINE)
           .orShould()
@@ -358,6 +361,7 @@ class ArchitectureTest {
               ".error",
               ".log",
               ".message",
+              ".journal",
               ".job",
               ".outside",
               ".node",

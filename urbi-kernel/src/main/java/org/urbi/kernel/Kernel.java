@@ -1,6 +1,7 @@
 package org.urbi.kernel;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
@@ -14,6 +15,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.IntConsumer;
+import java.util.function.IntFunction;
 import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.embed.Embedding;
 import org.urbi.kernel.embed.JavaValues;
@@ -28,6 +30,14 @@ import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.JobThreads;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.Unwinding;
+import org.urbi.kernel.journal.Entry;
+import org.urbi.kernel.journal.Journal;
+import org.urbi.kernel.journal.Recorder;
+import org.urbi.kernel.journal.RecordingException;
+import org.urbi.kernel.journal.RecordingReader;
+import org.urbi.kernel.journal.RecordingWriter;
+import org.urbi.kernel.journal.Replay;
+import org.urbi.kernel.journal.ReplayClock;
 import org.urbi.kernel.library.Library;
 import org.urbi.kernel.library.LibraryTables;
 import org.urbi.kernel.library.code.LoadedFiles;
@@ -50,9 +60,11 @@ import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.outside.Confinement;
 import org.urbi.kernel.outside.Outside;
+import org.urbi.kernel.outside.RecordingFile;
 import org.urbi.kernel.remote.AnswerReading;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.remote.RemoteWire;
+import org.urbi.kernel.remote.SilentWire;
 import org.urbi.kernel.tag.UrbiTag;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
@@ -73,6 +85,12 @@ public final class Kernel implements AutoCloseable {
   private final Embedding embedding;
   private final PluggedContext uobjects;
   private final Outside outside;
+  private final Journal journal;
+
+  /** The recording that this kernel runs again, or null. */
+  private final Replay replay;
+
+  private final IntFunction<Client> replayed;
   private final IntConsumer onHalt;
   private final Runnable onReboot;
   private final Set<KernelConnection> connections = new LinkedHashSet<>();
@@ -103,6 +121,10 @@ public final class Kernel implements AutoCloseable {
     private LogLevel logLevel = LogLevel.of(System.getenv("GD_LEVEL"));
     private Consumer<String> log = System.err::println;
     private Confinement confinement = Confinement.none();
+    private OutputStream recording;
+    private String recordingName;
+    private Replay replay;
+    private IntFunction<Client> replayed;
 
     private Builder() {}
 
@@ -208,6 +230,82 @@ public final class Kernel implements AutoCloseable {
       return this;
     }
 
+    /**
+     * Writes down the run, so that it can be {@linkplain #replay replayed}: docs/tools.md,
+     * "Recording a run". When that becomes impossible the log is told, and the run goes on.
+     *
+     * @param file made, or emptied
+     * @throws UncheckedIOException if it cannot be written
+     */
+    public Builder record(Path file) {
+      try {
+        recording = RecordingFile.create(file);
+        recordingName = file.toString();
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
+      return this;
+    }
+
+    /**
+     * Runs a recording again instead of something new: everything that comes from the outside comes
+     * from there, and how the kernel was configured. It ends where the recording does; {@link
+     * Kernel#replayDifference} says whether it went as it did.
+     *
+     * @param clients makes the clients that hear the output, of the numbers of the connections
+     * @throws UncheckedIOException if the file cannot be read
+     * @throws RecordingException if it is no recording, or damaged
+     */
+    public Builder replay(Path file, IntFunction<Client> clients) {
+      try {
+        replay = new Replay(new RecordingReader(RecordingFile.open(file)));
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
+      replayed = clients;
+      Entry.Begun begun = replay.beginning();
+      seed = begun.seed();
+      stackSize = begun.stackSize();
+      searchPath = paths(begun.searchPath());
+      library = begun.library() == null ? null : Path.of(begun.library());
+      moduleSearchPath = paths(begun.modulePath());
+      commandLine(begun.programName(), begun.arguments());
+      logLevel = LogLevel.of(begun.logLevel());
+      confinement = Confinement.recorded(begun.confinedTo(), begun.workingDirectory());
+      onReboot = begun.reboots() ? () -> {} : null;
+      return this;
+    }
+
+    private static List<Path> paths(List<String> names) {
+      return names.stream().map(Path::of).toList();
+    }
+
+    private Journal journal(Clock clock, Consumer<String> trouble) {
+      if (replay != null) {
+        return replay;
+      }
+      if (recording == null) {
+        return Journal.NONE;
+      }
+      return new Recorder(
+          new Entry.Begun(
+              String.valueOf(Kernel.class.getPackage().getImplementationVersion()),
+              virtualTime,
+              clock.startTime(),
+              seed,
+              stackSize,
+              searchPath.stream().map(Path::toString).toList(),
+              library == null ? null : library.toString(),
+              moduleSearchPath.stream().map(Path::toString).toList(),
+              programName,
+              arguments,
+              logLevel.name(),
+              confinement.isConfined() ? confinement.workingDirectory().toString() : null,
+              confinement.workingDirectory().toString(),
+              onReboot != null),
+          new RecordingWriter(recordingName, recording, trouble));
+    }
+
     /** Starts the kernel. */
     public Kernel start() {
       Kernel kernel = new Kernel(this);
@@ -223,9 +321,13 @@ public final class Kernel implements AutoCloseable {
 
   private Kernel(Builder builder) {
     this.log = new KernelLog(builder.logLevel, builder.log);
-    Clock clock = builder.virtualTime ? new VirtualClock() : new SystemClock();
+    this.replay = builder.replay;
+    this.replayed = builder.replayed;
+    Clock clock = clock(builder);
+    this.journal = builder.journal(clock, builder.log);
     World world = new World();
-    this.scheduler = new Scheduler(world, clock, builder.jobThreads, this::report);
+    world.randomness().seed(builder.seed);
+    this.scheduler = new Scheduler(world, clock, journal, builder.jobThreads, this::report);
     Inbox inbox = scheduler.inbox();
     inbox.register(Message.KERNEL, this::take);
     inbox.setFailures(this::failed);
@@ -255,7 +357,7 @@ public final class Kernel implements AutoCloseable {
     Path library = builder.library == null ? null : builder.library.toAbsolutePath().normalize();
     return LibraryTables.all(
         new CommandLine(builder.programName, builder.arguments),
-        new Environment(),
+        new Environment(environmentAtStart()),
         new FileAccess(outside),
         new End(),
         log,
@@ -266,6 +368,21 @@ public final class Kernel implements AutoCloseable {
         new SearchPath(builder.searchPath, library),
         stackFrames,
         new WorkingDirectory(builder.confinement.workingDirectory()));
+  }
+
+  private static Clock clock(Builder builder) {
+    if (builder.replay != null) {
+      return new ReplayClock(builder.replay);
+    }
+    return builder.virtualTime ? new VirtualClock() : new SystemClock();
+  }
+
+  private Map<String, String> environmentAtStart() {
+    try {
+      return journal.look(System::getenv);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   /** How many nested calls a kibibyte of stack stands for. */
@@ -280,10 +397,28 @@ public final class Kernel implements AutoCloseable {
   private void take(Message message) {
     switch (message) {
       case Message.Shutdown wish -> shutDown(wish.status());
-      case Message.ConnectionOpened opened -> arriving.remove(opened.connection()).open();
-      case Message.RemoteOpened opened -> arrivingPeers.remove(opened.peer()).open();
+      case Message.ConnectionOpened opened -> open(opened);
+      case Message.RemoteOpened opened -> open(opened);
       default -> throw new IllegalArgumentException(message.toString());
     }
+  }
+
+  private void open(Message.ConnectionOpened opened) {
+    int number = opened.connection();
+    KernelConnection connection = arriving.remove(number);
+    if (connection == null) {
+      connection = new KernelConnection(this, number, replayed.apply(number), opened.holdsTime());
+    }
+    connection.open(opened.address());
+  }
+
+  private void open(Message.RemoteOpened opened) {
+    RemotePeer peer = arrivingPeers.remove(opened.peer());
+    (peer == null ? peer(opened.peer(), opened.name(), new SilentWire()) : peer).open();
+  }
+
+  private RemotePeer peer(int number, String name, RemoteWire wire) {
+    return new RemotePeer(number, name, scheduler, uobjects, this::describe, answers, wire);
   }
 
   /** What a message has brought about is our mistake, and no reason for the kernel to end. */
@@ -325,6 +460,7 @@ public final class Kernel implements AutoCloseable {
     uobjects.close();
     outside.close();
     embedding.kernelEnded();
+    journal.end();
     try {
       onTermination.forEach(Runnable::run);
     } finally {
@@ -345,6 +481,14 @@ public final class Kernel implements AutoCloseable {
   /** Whether {@link Builder#confinedTo} keeps it away from the machine around it. */
   public boolean isConfined() {
     return outside.confinement().isConfined();
+  }
+
+  /**
+   * How the replay differed from the recorded run, or why it could not go on; null if it did not.
+   * Known when the kernel has ended.
+   */
+  public String replayDifference() {
+    return replay == null ? null : replay.difference();
   }
 
   public boolean isRunning() {
@@ -498,6 +642,10 @@ public final class Kernel implements AutoCloseable {
     return scheduler;
   }
 
+  Journal journal() {
+    return journal;
+  }
+
   Interpreter interpreter() {
     return interpreter;
   }
@@ -519,8 +667,7 @@ public final class Kernel implements AutoCloseable {
    */
   public RemotePeer connectRemote(String name, RemoteWire wire) {
     int number = scheduler.inbox().reserve();
-    RemotePeer peer =
-        new RemotePeer(number, name, scheduler, uobjects, this::describe, answers, wire);
+    RemotePeer peer = peer(number, name, wire);
     arrivingPeers.put(number, peer);
     scheduler.inbox().post(new Message.RemoteOpened(number, name));
     return peer;
@@ -546,6 +693,7 @@ public final class Kernel implements AutoCloseable {
 
     @Override
     public void halt(int exitStatus) {
+      journal.end();
       onHalt.accept(exitStatus);
     }
 

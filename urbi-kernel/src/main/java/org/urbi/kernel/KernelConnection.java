@@ -1,5 +1,6 @@
 package org.urbi.kernel;
 
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
@@ -105,19 +106,26 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
 
   // ------------------------------------------------------------------ on the kernel thread
 
-  void open() {
+  void open(String address) {
     if (kernel.isStopping()) {
       finished = true;
       client.closed();
       return;
     }
     kernel.inbox().register(number, this);
-    Output output = new Output(kernel.scheduler(), client::output);
+    Output output = new Output(kernel.scheduler(), this::show);
     UrbiLobby made = UrbiLobby.start(kernel.interpreter(), output, this);
-    made.setRemoteAddress(client.remoteAddress());
+    made.setRemoteAddress(address);
     lobby = made;
     kernel.add(this);
     made.shell().start();
+  }
+
+  private void show(String bytes) {
+    kernel.journal().sent(number, bytes.getBytes(StandardCharsets.ISO_8859_1));
+    if (!kernel.journal().isOver()) {
+      client.output(bytes);
+    }
   }
 
   @Override

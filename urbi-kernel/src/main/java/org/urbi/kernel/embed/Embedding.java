@@ -82,6 +82,8 @@ public final class Embedding {
         Request<?> request = pending.get(call.number());
         if (request != null) {
           request.begin();
+        } else {
+          scheduler.journal().missing(call);
         }
       }
       case Message.EmbeddingCancel cancel -> cancel(cancel.number());

@@ -91,11 +91,11 @@ public final class CallGate {
       body.run(job);
       return;
     }
-    long started = job.scheduler().clock().now();
+    long started = job.scheduler().measure();
     try {
       body.run(job);
     } finally {
-      times.add(job.scheduler().clock().now() - started);
+      times.add(job.scheduler().measure() - started);
     }
   }
 }

@@ -6,6 +6,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BiConsumer;
+import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Receiver;
 
@@ -21,6 +22,7 @@ public final class Inbox {
   /** How many messages one tick takes at most: a flood must not keep the jobs from running. */
   private static final int MOST_PER_TICK = 1 << 16;
 
+  private final Journal journal;
   private final ConcurrentLinkedQueue<Message> messages = new ConcurrentLinkedQueue<>();
   private final AtomicInteger reserved = new AtomicInteger();
   private volatile boolean filled;
@@ -34,10 +36,17 @@ public final class Inbox {
   private Listening listening = Listening.NOWHERE;
   private BiConsumer<Message, Throwable> failures = (message, failure) -> {};
 
+  public Inbox(Journal journal) {
+    this.journal = journal;
+  }
+
   // ------------------------------------------------------------------ from any thread
 
-  /** Leaves a message. */
+  /** Leaves a message. In a replay, only what was recorded is taken. */
   public void post(Message message) {
+    if (journal.isReplay()) {
+      return;
+    }
     messages.add(message);
     filled = true;
     Thread sleeper = waiting;
@@ -89,8 +98,11 @@ public final class Inbox {
 
   /** Gives the messages that are there to their receivers. */
   void take() {
+    if (!filled && !journal.isReplay()) {
+      return;
+    }
     for (int left = MOST_PER_TICK; left > 0; left--) {
-      Message message = next();
+      Message message = journal.next(this::next);
       if (message == null) {
         return;
       }

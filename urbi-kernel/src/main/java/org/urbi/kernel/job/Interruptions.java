@@ -2,6 +2,7 @@ package org.urbi.kernel.job;
 
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
@@ -11,7 +12,15 @@ import org.urbi.kernel.object.UrbiObject;
  */
 public final class Interruptions {
   private final Set<UrbiObject> lobbies = ConcurrentHashMap.newKeySet();
+  private final Journal journal;
+  private final boolean counted;
   private volatile boolean wanted;
+
+  Interruptions(Journal journal) {
+    this.journal = journal;
+    this.counted = journal.counts();
+    this.wanted = counted;
+  }
 
   /** Has the job end that is running for that lobby, if there is one; from any thread. */
   public void want(UrbiObject lobby) {
@@ -19,14 +28,17 @@ public final class Interruptions {
     wanted = true;
   }
 
-  /** Whether there is any; code looks at this in each turn of a loop. */
+  /**
+   * Whether there is any, or it counts how often that is asked; code looks at this in each turn of
+   * a loop.
+   */
   boolean areWanted() {
     return wanted;
   }
 
   /** Whether the job that is running for that lobby is to end; that is so once. */
   boolean take(UrbiObject lobby) {
-    if (lobby == null || !lobbies.contains(lobby)) {
+    if (!journal.stops(lobby != null && lobbies.contains(lobby))) {
       return false;
     }
     clear(lobby);
@@ -36,7 +48,7 @@ public final class Interruptions {
   /** Nobody is to be interrupted any more; on the kernel thread. */
   public void clear(UrbiObject lobby) {
     lobbies.remove(lobby);
-    wanted = false;
+    wanted = counted;
     if (!lobbies.isEmpty()) {
       // Others wait, or one has come between the two.
       wanted = true;

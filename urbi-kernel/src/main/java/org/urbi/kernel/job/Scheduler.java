@@ -1,12 +1,15 @@
 package org.urbi.kernel.job;
 
+import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.BiConsumer;
+import java.util.function.BooleanSupplier;
 import java.util.function.Function;
+import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
@@ -36,10 +39,12 @@ public final class Scheduler {
   private final World world;
   private final Clock clock;
   private volatile Thread loop;
-  private final Inbox inbox = new Inbox();
+  private final Inbox inbox;
+  private final Journal journal;
+  private final boolean counted;
   private final Timers timers = new Timers();
   private final Pace pace;
-  private final Interruptions interruptions = new Interruptions();
+  private final Interruptions interruptions;
   private final JobThread.Factory threads;
   private final ArrayDeque<Job> runnable = new ArrayDeque<>();
   private final ArrayDeque<Job> ahead = new ArrayDeque<>();
@@ -63,12 +68,21 @@ public final class Scheduler {
   private final CycleStatistics statistics = new CycleStatistics();
 
   /**
+   * @param journal told of all that comes from the outside
    * @param uncaught told what a job, which nobody waits for, was left by; without a job, what was
    *     thrown between their turns
    */
   public Scheduler(
-      World world, Clock clock, JobThreads threads, BiConsumer<Job, Throwable> uncaught) {
+      World world,
+      Clock clock,
+      Journal journal,
+      JobThreads threads,
+      BiConsumer<Job, Throwable> uncaught) {
     this.world = world;
+    this.journal = journal;
+    this.counted = journal.counts();
+    this.inbox = new Inbox(journal);
+    this.interruptions = new Interruptions(journal);
     this.clock = clock;
     this.pace = new Pace(clock);
     this.threads = threads.factory(inbox);
@@ -89,6 +103,23 @@ public final class Scheduler {
 
   public Clock clock() {
     return clock;
+  }
+
+  /** What is told of all that comes from the outside. */
+  public Journal journal() {
+    return journal;
+  }
+
+  /** The time right now, which may be later than that of the tick; for whoever measures. */
+  public long measure() {
+    if (!counted) {
+      return clock.now();
+    }
+    try {
+      return journal.look(clock::now);
+    } catch (IOException e) {
+      throw new IllegalStateException(e);
+    }
   }
 
   /** The number of ticks so far, with those that had nobody else to run and were left out. */
@@ -112,6 +143,15 @@ public final class Scheduler {
   /** Who wants code ended that never lets others run. */
   public Interruptions interruptions() {
     return interruptions;
+  }
+
+  /** Whether something can be begun outside; in a replay nothing is, but it could be then. */
+  public boolean attempt(BooleanSupplier beginning) {
+    try {
+      return journal.look(beginning::getAsBoolean);
+    } catch (IOException e) {
+      throw new IllegalStateException(e);
+    }
   }
 
   /** How a simulated time passes while something real goes on. */
@@ -210,7 +250,7 @@ public final class Scheduler {
         || !born.isEmpty()
         || !ahead.isEmpty()
         || !behind.isEmpty()
-        || inbox.isFilled()) {
+        || ((inbox.isFilled() || counted) && journal.notices(spins, inbox.isFilled()))) {
       spins = 0;
       return true;
     }
@@ -307,7 +347,11 @@ public final class Scheduler {
   private void tick() {
     cycle++;
     long before = now;
-    now = Math.max(now, clock.now());
+    now = Math.max(now, journal.tick(Math.max(now, clock.now())));
+    if (journal.isOver()) {
+      stop();
+      return;
+    }
     statistics.add(now - before);
     inbox.take();
     fireTimers();
@@ -389,6 +433,10 @@ public final class Scheduler {
   }
 
   private void idle() {
+    if (journal.isReplay()) {
+      return;
+    }
+    journal.idle();
     long next = timers.next();
     if (clock.isReal()) {
       inbox.listen(next == Long.MAX_VALUE ? Long.MAX_VALUE : next - clock.now());

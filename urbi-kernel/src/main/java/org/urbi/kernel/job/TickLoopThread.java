@@ -10,6 +10,7 @@ import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import org.urbi.kernel.message.Message;
 
 /**
@@ -136,6 +137,8 @@ final class TickLoopThread implements JobThread, Executor {
 
     private static final int MAXIMUM_DEPTH = 200_000;
 
+    private static final long PATIENCE = 100_000;
+
     private static final long SECONDS_BEFORE_LATE_THREAD_ENDS = 1;
 
     private final Inbox inbox;
@@ -180,7 +183,13 @@ final class TickLoopThread implements JobThread, Executor {
 
     @Override
     public void take(Message message) {
-      awakened.remove(((Message.Resumed) message).job()).awaken();
+      long job = ((Message.Resumed) message).job();
+      TickLoopThread waiting;
+      // In a replay it may take longer than it did.
+      while ((waiting = awakened.remove(job)) == null) {
+        LockSupport.parkNanos(this, PATIENCE);
+      }
+      waiting.awaken();
     }
 
     /**

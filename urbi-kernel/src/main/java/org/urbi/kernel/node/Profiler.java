@@ -6,8 +6,8 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.object.UrbiObject;
-import org.urbi.kernel.time.Clock;
 
 /** What a piece of code calls, how often, and for how long (manual, "Profile"). */
 public final class Profiler {
@@ -36,7 +36,7 @@ public final class Profiler {
   }
 
   private final Interpreter interpreter;
-  private final Clock clock;
+  private final Scheduler clock;
   private final Map<Object, Calls> calls = new IdentityHashMap<>();
   private final List<Calls> order = new ArrayList<>();
   private final long begin;
@@ -46,8 +46,8 @@ public final class Profiler {
 
   public Profiler(Interpreter interpreter) {
     this.interpreter = interpreter;
-    this.clock = interpreter.scheduler().clock();
-    this.begin = clock.now();
+    this.clock = interpreter.scheduler();
+    this.begin = clock.measure();
   }
 
   /** Begins to observe a job, and the jobs that it starts. */
@@ -58,7 +58,7 @@ public final class Profiler {
 
   /** The code has been executed; what it has started is still observed. */
   public void finished(Job job) {
-    wallClock = clock.now() - begin;
+    wallClock = clock.measure() - begin;
     job.observe(null);
   }
 
@@ -135,7 +135,7 @@ public final class Profiler {
   /** The calls that are going on in one job. */
   public final class Stack implements Job.Observer {
     private final ArrayDeque<Calls> going = new ArrayDeque<>();
-    private long since = clock.now();
+    private long since = clock.measure();
 
     private Profiler profiler() {
       return Profiler.this;
@@ -161,7 +161,7 @@ public final class Profiler {
     }
 
     private void account() {
-      long now = clock.now();
+      long now = clock.measure();
       if (!going.isEmpty()) {
         going.peek().self += now - since;
       }
@@ -176,7 +176,7 @@ public final class Profiler {
 
     @Override
     public void switchedIn() {
-      since = clock.now();
+      since = clock.measure();
     }
 
     @Override

@@ -58,7 +58,7 @@ final class Arrivals {
   private void take(Message message) {
     switch (message) {
       case Message.Accepted made -> {
-        SocketChannel channel = accepted.remove();
+        SocketChannel channel = accepted.poll();
         try {
           listener.accept(
               new Network.Connected(Network.link(outside, channel), made.local(), made.remote()));

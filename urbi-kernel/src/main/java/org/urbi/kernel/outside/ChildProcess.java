@@ -16,7 +16,10 @@ public final class ChildProcess {
   private static final int LAST_SIGNAL = 64;
 
   private final Waiters waiters = new Waiters();
+
+  /** Null in a replay. */
   private final Process process;
+
   private final PipeSink in;
   private final PipeSource out;
   private final PipeSource err;
@@ -24,14 +27,18 @@ public final class ChildProcess {
 
   private ChildProcess(Outside outside, Process process) {
     this.process = process;
-    in = new PipeSink(outside, process.getOutputStream(), false);
-    out = new PipeSource(outside, process.getInputStream());
-    err = new PipeSource(outside, process.getErrorStream());
+    boolean live = process != null;
+    in = new PipeSink(outside, live ? process.getOutputStream() : null, false);
+    out = new PipeSource(outside, live ? process.getInputStream() : null);
+    err = new PipeSource(outside, live ? process.getErrorStream() : null);
     outside.scheduler().pace().begin();
     int number = outside.inbox().register(message -> ended(outside, message));
-    process
-        .onExit()
-        .thenRun(() -> outside.inbox().post(new Message.ProcessEnded(number, process.exitValue())));
+    if (live) {
+      process
+          .onExit()
+          .thenRun(
+              () -> outside.inbox().post(new Message.ProcessEnded(number, process.exitValue())));
+    }
   }
 
   private void ended(Outside outside, Message message) {
@@ -102,7 +109,9 @@ public final class ChildProcess {
 
   /** Ends the program; it is not asked. */
   public void kill() {
-    process.destroyForcibly();
+    if (process != null) {
+      process.destroyForcibly();
+    }
   }
 
   /** The status with which it ended; 0 for one that was ended by a signal. */

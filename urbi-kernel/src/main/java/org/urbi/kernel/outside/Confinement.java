@@ -17,13 +17,26 @@ public final class Confinement {
   /** Null when all is allowed. */
   private final Path directory;
 
-  private Confinement(Path directory) {
+  private final Path working;
+
+  private Confinement(Path directory, Path working) {
     this.directory = directory;
+    this.working = working;
+  }
+
+  /**
+   * What was allowed to a kernel that was recorded.
+   *
+   * @param directory the one to which it was confined, or null
+   * @param working where relative paths started from
+   */
+  public static Confinement recorded(String directory, String working) {
+    return new Confinement(directory == null ? null : Path.of(directory), Path.of(working));
   }
 
   /** All is allowed that the operating system allows. */
   public static Confinement none() {
-    return new Confinement(null);
+    return new Confinement(null, Path.of("").toAbsolutePath());
   }
 
   /**
@@ -36,7 +49,7 @@ public final class Confinement {
     if (!Files.isDirectory(real)) {
       throw new IOException("not a directory: " + directory);
     }
-    return new Confinement(real);
+    return new Confinement(real, real);
   }
 
   /** Whether anything is forbidden. */
@@ -46,7 +59,7 @@ public final class Confinement {
 
   /** Where relative paths start from in the beginning. */
   public Path workingDirectory() {
-    return directory == null ? Path.of("").toAbsolutePath() : directory;
+    return working;
   }
 
   /**

@@ -5,6 +5,7 @@ import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -20,157 +21,198 @@ import java.util.concurrent.TimeUnit;
  */
 public final class Disk {
   private final Confinement confinement;
+  private final Outside outside;
 
-  Disk(Confinement confinement) {
+  Disk(Confinement confinement, Outside outside) {
     this.confinement = confinement;
+    this.outside = outside;
+  }
+
+  /** Something that is done, without a result. */
+  private interface Change {
+    void make() throws IOException;
+  }
+
+  private void change(Change change) throws IOException {
+    outside.look(() -> {
+      change.make();
+      return null;
+    });
   }
 
   // ------------------------------------------------------------------ looking
 
   /** Whether there is something of that name; a link to nowhere is nothing. */
   public boolean exists(Path path) throws IOException {
-    return Files.exists(confinement.followed(path));
+    return outside.look(() -> Files.exists(confinement.followed(path)));
   }
 
   /** Whether there is something of that name, be it a link to nowhere. */
   public boolean hasEntry(Path path) throws IOException {
-    return Files.exists(confinement.entry(path), LinkOption.NOFOLLOW_LINKS);
+    return outside.look(() -> Files.exists(confinement.entry(path), LinkOption.NOFOLLOW_LINKS));
   }
 
   public boolean isDirectory(Path path) throws IOException {
-    return Files.isDirectory(confinement.followed(path));
+    return outside.look(() -> Files.isDirectory(confinement.followed(path)));
   }
 
   public boolean isRegularFile(Path path) throws IOException {
-    return Files.isRegularFile(confinement.followed(path));
+    return outside.look(() -> Files.isRegularFile(confinement.followed(path)));
   }
 
   public boolean isReadable(Path path) throws IOException {
-    return Files.isReadable(confinement.followed(path));
+    return outside.look(() -> Files.isReadable(confinement.followed(path)));
   }
 
   public boolean isWritable(Path path) throws IOException {
-    return Files.isWritable(confinement.followed(path));
+    return outside.look(() -> Files.isWritable(confinement.followed(path)));
   }
 
   /** By what a file is known, whatever the links that lead there. */
   public Path real(Path path) throws IOException {
-    return confinement.followed(path).toRealPath();
+    return outside.look(() -> confinement.followed(path).toRealPath());
   }
 
   /** The size of a file, in bytes. */
   public long size(Path path) throws IOException {
-    return Files.size(confinement.followed(path));
+    return outside.look(() -> Files.size(confinement.followed(path)));
   }
 
   /** When it was last modified, in microseconds since 1970. */
   public long lastModified(Path path) throws IOException {
-    return Files.getLastModifiedTime(confinement.followed(path)).to(TimeUnit.MICROSECONDS);
+    return outside.look(
+        () -> Files.getLastModifiedTime(confinement.followed(path)).to(TimeUnit.MICROSECONDS));
   }
 
   // ------------------------------------------------------------------ content
 
   /** All bytes of a file. */
   public byte[] read(Path path) throws IOException {
-    return Files.readAllBytes(confinement.followed(path));
+    return outside.look(() -> Files.readAllBytes(confinement.followed(path)));
   }
 
   /** Gives a file that content; it is made if there is none. */
   public void write(Path path, byte[] bytes) throws IOException {
-    Files.write(
-        confinement.followed(path),
-        bytes,
-        StandardOpenOption.CREATE,
-        StandardOpenOption.WRITE,
-        StandardOpenOption.TRUNCATE_EXISTING);
+    change(() -> {
+      Files.write(
+          confinement.followed(path),
+          bytes,
+          StandardOpenOption.CREATE,
+          StandardOpenOption.WRITE,
+          StandardOpenOption.TRUNCATE_EXISTING);
+    });
   }
 
   /** The bytes of a regular file, one after the other. */
   public FileSource source(Path path) throws IOException {
-    return new FileSource(confinement.followed(path));
+    return new FileSource(
+        outside,
+        outside.look(() -> FileChannel.open(confinement.followed(path), StandardOpenOption.READ)));
   }
 
   /** The end of a regular file, to write there. */
   public FileSink sink(Path path) throws IOException {
-    return new FileSink(confinement.followed(path));
+    return new FileSink(
+        outside,
+        outside.look(() ->
+            FileChannel.open(
+                confinement.followed(path), StandardOpenOption.WRITE, StandardOpenOption.APPEND)));
   }
 
   /** The bytes of what may let its readers wait. */
   public InputStream input(Path path) throws IOException {
-    return new FileInputStream(confinement.followed(path).toFile());
+    return outside.look(() -> new FileInputStream(confinement.followed(path).toFile()));
   }
 
   /** The end of what may let its writers wait. */
   public OutputStream output(Path path) throws IOException {
-    return new FileOutputStream(confinement.followed(path).toFile(), true);
+    return outside.look(() -> new FileOutputStream(confinement.followed(path).toFile(), true));
   }
 
   // ------------------------------------------------------------------ files
 
   /** Copies a file; there must not be anything of the new name. */
   public void copy(Path from, Path to) throws IOException {
-    Files.copy(confinement.followed(from), confinement.changed(to));
+    change(() -> {
+      Files.copy(confinement.followed(from), confinement.changed(to));
+    });
   }
 
   /** Gives a file another name; what has that name is replaced. */
   public void replace(Path from, Path to) throws IOException {
-    Files.move(
-        confinement.changed(from), confinement.changed(to), StandardCopyOption.REPLACE_EXISTING);
+    change(() -> {
+      Files.move(
+          confinement.changed(from), confinement.changed(to), StandardCopyOption.REPLACE_EXISTING);
+    });
   }
 
   /** Gives a file or directory another name, which nothing must have. */
   public void move(Path from, Path to) throws IOException {
-    Files.move(confinement.changed(from), confinement.changed(to));
+    change(() -> {
+      Files.move(confinement.changed(from), confinement.changed(to));
+    });
   }
 
   /** Deletes a file, or a directory in which there is nothing. */
   public void delete(Path path) throws IOException {
-    Files.delete(confinement.changed(path));
+    change(() -> {
+      Files.delete(confinement.changed(path));
+    });
   }
 
   // ------------------------------------------------------------------ directories
 
   /** Creates a directory; there must not be anything of that name. */
   public void createDirectory(Path path) throws IOException {
-    Files.createDirectory(confinement.changed(path));
+    change(() -> {
+      Files.createDirectory(confinement.changed(path));
+    });
   }
 
   /** Creates a directory and those around it, if they are missing. */
   public void createDirectories(Path path) throws IOException {
-    Files.createDirectories(confinement.followed(path));
+    change(() -> {
+      Files.createDirectories(confinement.followed(path));
+    });
   }
 
   /** The names of what is in a directory, in no order. */
   public List<Path> names(Path path) throws IOException {
-    return DirectoryTree.names(confinement.followed(path));
+    return outside.look(() -> DirectoryTree.names(confinement.followed(path)));
   }
 
   public boolean isEmpty(Path path) throws IOException {
-    return DirectoryTree.isEmpty(confinement.followed(path));
+    return outside.look(() -> DirectoryTree.isEmpty(confinement.followed(path)));
   }
 
   /** The sizes of all files in it and its directories together, in bytes. */
   public long treeSize(Path path) throws IOException {
-    return DirectoryTree.size(confinement.entry(path));
+    return outside.look(() -> DirectoryTree.size(confinement.entry(path)));
   }
 
   /** Copies a directory and all that is in it; there must not be anything of the new name. */
   public void copyTree(Path from, Path to) throws IOException {
-    DirectoryTree.copy(confinement.entry(from), confinement.changed(to));
+    change(() -> {
+      DirectoryTree.copy(confinement.entry(from), confinement.changed(to));
+    });
   }
 
   /** Removes all that is in a directory, which must not be the root. */
   public void clear(Path path) throws IOException {
-    Path directory = confinement.followed(path).toRealPath();
-    checkNotRoot(directory);
-    DirectoryTree.clear(directory);
+    change(() -> {
+      Path directory = confinement.followed(path).toRealPath();
+      checkNotRoot(directory);
+      DirectoryTree.clear(directory);
+    });
   }
 
   /** Removes a directory, which must not be the root, and all that is in it. */
   public void removeTree(Path path) throws IOException {
-    Path directory = confinement.changed(path);
-    checkNotRoot(directory.toRealPath());
-    DirectoryTree.remove(directory);
+    change(() -> {
+      Path directory = confinement.changed(path);
+      checkNotRoot(directory.toRealPath());
+      DirectoryTree.remove(directory);
+    });
   }
 
   private static void checkNotRoot(Path directory) throws IOException {

@@ -3,24 +3,27 @@ package org.urbi.kernel.outside;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
-import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import org.urbi.kernel.job.Job;
 
 /** The end of a regular file. What is written is there for everybody at once. */
 public final class FileSink implements ByteSink {
+  private final Outside outside;
   private final FileChannel channel;
 
-  FileSink(Path file) throws IOException {
-    channel = FileChannel.open(file, StandardOpenOption.WRITE, StandardOpenOption.APPEND);
+  FileSink(Outside outside, FileChannel channel) {
+    this.outside = outside;
+    this.channel = channel;
   }
 
   @Override
   public void write(Job job, byte[] bytes) throws IOException {
-    ByteBuffer rest = ByteBuffer.wrap(bytes);
-    while (rest.hasRemaining()) {
-      channel.write(rest);
-    }
+    outside.look(() -> {
+      ByteBuffer rest = ByteBuffer.wrap(bytes);
+      while (rest.hasRemaining()) {
+        channel.write(rest);
+      }
+      return null;
+    });
   }
 
   @Override
@@ -28,6 +31,8 @@ public final class FileSink implements ByteSink {
 
   @Override
   public void close() throws IOException {
-    channel.close();
+    if (channel != null) {
+      channel.close();
+    }
   }
 }

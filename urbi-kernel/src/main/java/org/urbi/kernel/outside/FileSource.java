@@ -3,36 +3,42 @@ package org.urbi.kernel.outside;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
-import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
+import java.util.Arrays;
 import org.urbi.kernel.job.Job;
 
 /** The bytes of a regular file. */
 public final class FileSource implements ByteSource {
   private static final int BUFFER = 1 << 13;
 
+  private final Outside outside;
   private final FileChannel channel;
-  private final ByteBuffer buffer = ByteBuffer.allocate(BUFFER).limit(0);
+  private byte[] bytes = new byte[0];
+  private int position;
 
-  FileSource(Path file) throws IOException {
-    channel = FileChannel.open(file, StandardOpenOption.READ);
+  FileSource(Outside outside, FileChannel channel) {
+    this.outside = outside;
+    this.channel = channel;
   }
 
   @Override
   public int read(Job job) throws IOException {
-    if (!buffer.hasRemaining()) {
-      buffer.clear();
-      int read = channel.read(buffer);
-      buffer.flip();
-      if (read <= 0) {
-        return -1;
-      }
+    if (position == bytes.length) {
+      bytes = outside.look(this::readSome);
+      position = 0;
     }
-    return buffer.get() & 0xff;
+    return bytes.length == 0 ? -1 : bytes[position++] & 0xff;
+  }
+
+  private byte[] readSome() throws IOException {
+    ByteBuffer buffer = ByteBuffer.allocate(BUFFER);
+    channel.read(buffer);
+    return Arrays.copyOf(buffer.array(), buffer.position());
   }
 
   @Override
   public void close() throws IOException {
-    channel.close();
+    if (channel != null) {
+      channel.close();
+    }
   }
 }

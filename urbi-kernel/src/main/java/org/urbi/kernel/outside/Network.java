@@ -47,11 +47,14 @@ public final class Network {
   private static Connected connected(Outside outside, SocketChannel channel) throws IOException {
     return new Connected(
         link(outside, channel),
-        internet(channel.getLocalAddress()),
-        internet(channel.getRemoteAddress()));
+        outside.look(() -> internet(channel.getLocalAddress())),
+        outside.look(() -> internet(channel.getRemoteAddress())));
   }
 
   static Link link(Outside outside, SocketChannel channel) throws IOException {
+    if (outside.isReplay()) {
+      return new Link(outside, null, null, () -> {}, true);
+    }
     channel.socket().setTcpNoDelay(true);
     return new Link(
         outside,
@@ -92,7 +95,7 @@ public final class Network {
     outside.scheduler().pace().begin();
     Arrivals arrivals = new Arrivals(outside, place, listener);
     outside.startVirtual(arrivals::accept);
-    return new Listening(internet(place.getLocalAddress()), place);
+    return new Listening(outside.look(() -> internet(place.getLocalAddress())), place);
   }
 
   private static InetSocketAddress address(String host, String port) throws IOException {
@@ -151,32 +154,45 @@ public final class Network {
   public static Link serial(Outside outside, Job job, Path device, int baudRate)
       throws IOException {
     outside.confinement().checkConnections();
-    return outside.await(
-        job,
-        () -> {
-          // The line has to be raw before the first byte comes.
-          Process stty =
-              new ProcessBuilder(
-                      "stty", "-F", device.toString(), "raw", "-echo", Integer.toString(baudRate))
-                  .redirectErrorStream(true)
-                  .start();
-          stty.getOutputStream().close();
-          String message = new String(stty.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-          try {
-            if (stty.waitFor() != 0) {
-              throw new IOException(message.strip());
-            }
-          } catch (InterruptedException e) {
-            throw new IOException(e);
-          }
-          FileInputStream in = new FileInputStream(device.toFile());
-          FileOutputStream out = new FileOutputStream(device.toFile(), true);
-          Closeable both =
-              () -> {
-                out.close();
-                in.close();
-              };
-          return new Link(outside, in, out, both, false);
-        });
+    SerialLine line =
+        outside.await(
+            job,
+            () -> {
+              // The line has to be raw before the first byte comes.
+              Process stty =
+                  new ProcessBuilder(
+                          "stty",
+                          "-F",
+                          device.toString(),
+                          "raw",
+                          "-echo",
+                          Integer.toString(baudRate))
+                      .redirectErrorStream(true)
+                      .start();
+              stty.getOutputStream().close();
+              String message =
+                  new String(stty.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+              try {
+                if (stty.waitFor() != 0) {
+                  throw new IOException(message.strip());
+                }
+              } catch (InterruptedException e) {
+                throw new IOException(e);
+              }
+              FileInputStream in = new FileInputStream(device.toFile());
+              FileOutputStream out = new FileOutputStream(device.toFile(), true);
+              return new SerialLine(in, out);
+            });
+    return line == null
+        ? new Link(outside, null, null, () -> {}, false)
+        : new Link(outside, line.in, line.out, line, false);
+  }
+
+  private record SerialLine(FileInputStream in, FileOutputStream out) implements Closeable {
+    @Override
+    public void close() throws IOException {
+      out.close();
+      in.close();
+    }
   }
 }

@@ -44,7 +44,7 @@ public final class Outside implements Closeable {
   public Outside(Scheduler scheduler, Confinement confinement) {
     this.scheduler = scheduler;
     this.confinement = confinement;
-    disk = new Disk(confinement);
+    disk = new Disk(confinement, this);
   }
 
   /** What is allowed. */
@@ -65,8 +65,31 @@ public final class Outside implements Closeable {
     return scheduler.inbox();
   }
 
-  /** Runs something that may wait for long inside the operating system. */
+  /** Whether the rest of the machine is only a recording, and its live things are null. */
+  boolean isReplay() {
+    return scheduler.journal().isReplay();
+  }
+
+  /**
+   * What a look at the machine shows, which does not wait: from the kernel thread it is written
+   * down, from another one its answer will be.
+   *
+   * @throws IOException as the work does
+   */
+  public <T> T look(Outcome.Work<T> work) throws IOException {
+    return scheduler.isKernelThread() ? scheduler.journal().look(work) : seen(work);
+  }
+
+  @SuppressWarnings("unchecked")
+  private static <T> T seen(Outcome.Work<T> work) throws IOException {
+    return (T) Outcome.of(work).get();
+  }
+
+  /** Runs something that may wait for long inside the operating system; in a replay it does not. */
   public void start(Runnable task) {
+    if (isReplay()) {
+      return;
+    }
     try {
       threads.execute(FailureLog.guarding("a thread for the outside", task));
     } catch (RejectedExecutionException e) {
@@ -139,15 +162,14 @@ public final class Outside implements Closeable {
       early.set(outcome);
       answer.post(outcome);
     });
-    for (int i = 0; i < spins && early.get() == null; i++) {
+    for (int i = 0; i < spins && early.get() == null && !isReplay(); i++) {
       Thread.onSpinWait();
     }
-    Outcome outcome = spins > 0 ? early.get() : null;
-    if (outcome == null) {
+    if (spins == 0 || !look(() -> early.get() != null)) {
       return answer.await().get();
     }
     answer.abandon();
-    return outcome.get();
+    return look(() -> early.get().get());
   }
 
   /** What went wrong, in a word. */
@@ -159,6 +181,9 @@ public final class Outside implements Closeable {
 
   /** Something is open: it is closed with the kernel, unless nobody knows it any more. */
   public void opened(Closeable resource) {
+    if (resource == null) {
+      return;
+    }
     synchronized (open) {
       if (!closed) {
         open.add(resource);
@@ -191,7 +216,9 @@ public final class Outside implements Closeable {
   /** Closes what nobody can be told of any more. */
   static void closeQuietly(Closeable resource) {
     try {
-      resource.close();
+      if (resource != null) {
+        resource.close();
+      }
     } catch (IOException e) {
       // There is nobody to tell.
     }

@@ -79,6 +79,9 @@ public final class AnswerReading implements Listening {
 
   /** The network has left a connection to the kernel. */
   void begin(RemotePeer peer) {
+    if (peer.socket() == null) {
+      return;
+    }
     try {
       if (watch == null) {
         watch = new SocketWatch<>();

@@ -320,7 +320,7 @@ public final class RemotePeer {
 
   /** The process tells from it when it sets variables itself. */
   private void tellTime() {
-    write(o -> o.begin(Frame.TIME).number(scheduler.clock().now() / 1000).end());
+    write(o -> o.begin(Frame.TIME).number(scheduler.measure() / 1000).end());
   }
 
   /** Has something done in turn. */
@@ -642,6 +642,10 @@ public final class RemotePeer {
     byte[] frames = out.toBytes();
     out.reset();
     if (lost == null) {
+      if (!context.rtp().isOn()) {
+        // What travels in datagrams instead depends on the network.
+        scheduler.journal().sent(number, frames);
+      }
       wire.send(frames);
     }
   }

@@ -3,8 +3,8 @@ package org.urbi.kernel.uobject;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import org.urbi.kernel.event.CallTimes;
-import org.urbi.kernel.time.Clock;
 
 /**
  * How often functions of UObjects are called and how long they take, while somebody asks for it.
@@ -24,7 +24,7 @@ public final class CallStatistics {
       if (trace != null) {
         trace.accept("uobjects: " + function);
       }
-      return enabled ? clock.now() : 0;
+      return enabled ? clock.getAsLong() : 0;
     }
 
     /** A call ends that began then. */
@@ -33,17 +33,17 @@ public final class CallStatistics {
         if (times == null) {
           times = called.computeIfAbsent(function, name -> new CallTimes());
         }
-        times.add(clock.now() - started);
+        times.add(clock.getAsLong() - started);
       }
     }
   }
 
-  private final Clock clock;
+  private final LongSupplier clock;
   private final Map<String, CallTimes> called = new LinkedHashMap<>();
   private Consumer<String> trace;
   private boolean enabled;
 
-  CallStatistics(Clock clock) {
+  CallStatistics(LongSupplier clock) {
     this.clock = clock;
   }
 

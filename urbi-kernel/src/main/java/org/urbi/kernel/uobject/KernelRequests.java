@@ -43,6 +43,9 @@ final class KernelRequests {
    * @throws CancellationException if the thread is interrupted
    */
   <T> T ask(Function<Frame, T> task) {
+    if (interpreter.scheduler().journal().isReplay()) {
+      throw new IllegalStateException("in a replay, threads of components have no say");
+    }
     CompletableFuture<T> future = new CompletableFuture<>();
     int number = last.incrementAndGet();
     pending.put(number, new Request<>(task, future));
@@ -65,11 +68,11 @@ final class KernelRequests {
     }
   }
 
-  /** Starts a job that does what was asked for, if somebody still waits for it. */
-  void start(int number, UrbiObject lobby) {
+  /** Starts a job that does what was asked for; false if nobody waits for it any more. */
+  boolean start(int number, UrbiObject lobby) {
     Request<?> request = pending.get(number);
     if (request == null) {
-      return;
+      return false;
     }
     Scheduler scheduler = interpreter.scheduler();
     scheduler
@@ -79,6 +82,7 @@ final class KernelRequests {
             "uobject",
             job -> request.perform(Frame.top(interpreter, job, lobby, new FrameLayout())))
         .onEnd(() -> request.future().completeExceptionally(new CancellationException("stopped")));
+    return true;
   }
 
   private static IllegalStateException ended() {

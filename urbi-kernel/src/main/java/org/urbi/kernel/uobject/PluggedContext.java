@@ -81,7 +81,7 @@ public final class PluggedContext implements UContext {
     this.objects = new Instances(interpreter.world(), scheduler.inbox(), this::gone);
     this.variables = new Variables(interpreter.world(), objects);
     this.exchange = new ValueExchange(this);
-    this.statistics = new CallStatistics(scheduler.clock());
+    this.statistics = new CallStatistics(scheduler::measure);
     this.periods = new Periods(this);
     this.creation = new Creation(this);
     this.modules = new Modules(this, moduleSearchPath, outside);
@@ -249,15 +249,16 @@ public final class PluggedContext implements UContext {
   /** Runs a threaded call of which nobody waits for the result; on the kernel thread. */
   void runThreaded(UCallback callback, Runnable call) {
     boolean started =
-        callback.execute(
-            this,
-            () -> {
-              try {
-                call.run();
-              } finally {
-                scheduler.inbox().post(new Message.ComponentDone());
-              }
-            });
+        scheduler.attempt(() ->
+            callback.execute(
+                this,
+                () -> {
+                  try {
+                    call.run();
+                  } finally {
+                    scheduler.inbox().post(new Message.ComponentDone());
+                  }
+                }));
     if (started) {
       scheduler.pace().begin();
     }
@@ -315,7 +316,11 @@ public final class PluggedContext implements UContext {
       case Message.ComponentCall wish -> start(frame -> call(frame, wish));
       case Message.ComponentEvent event ->
           start(frame -> emit(frame, event.name(), event.payload()));
-      case Message.ComponentRequest request -> requests.start(request.number(), lobby());
+      case Message.ComponentRequest request -> {
+        if (!requests.start(request.number(), lobby())) {
+          scheduler.journal().missing(request);
+        }
+      }
       case Message.ComponentDone done -> scheduler.pace().end();
       case Message.ComponentGone object -> objects.gone(object.name());
       default -> throw new IllegalArgumentException(message.toString());

@@ -21,7 +21,8 @@ final class ThreadedCall {
   static Object await(PluggedContext context, Frame caller, UCallback callback, Object[] arguments)
       throws Throwable {
     PendingAnswer answer = new PendingAnswer(caller.job());
-    if (!callback.execute(context, () -> answer.post(run(callback, arguments)))) {
+    Runnable call = () -> answer.post(run(callback, arguments));
+    if (!caller.job().scheduler().attempt(() -> callback.execute(context, call))) {
       answer.arrived(null);
       return null;
     }

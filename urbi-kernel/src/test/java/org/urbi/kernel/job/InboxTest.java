@@ -7,13 +7,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
 /** The one way in, and the flag for those who cannot be reached by it. */
 class InboxTest {
-  private final Inbox inbox = new Inbox();
+  private final Inbox inbox = new Inbox(Journal.NONE);
   private final List<Message> taken = new ArrayList<>();
 
   @Test
@@ -86,7 +87,7 @@ class InboxTest {
 
   @Test
   void whoIsInterruptedIsSoOnce() {
-    Interruptions interruptions = new Interruptions();
+    Interruptions interruptions = new Interruptions(Journal.NONE);
     UrbiObject lobby = new World().values().object.cloned();
     UrbiObject other = new World().values().object.cloned();
     assertFalse(interruptions.areWanted());

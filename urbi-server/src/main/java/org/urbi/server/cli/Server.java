@@ -2,6 +2,7 @@ package org.urbi.server.cli;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.io.UncheckedIOException;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -23,6 +24,7 @@ final class Server {
   private final PrintStream out;
   private final PrintStream err;
   private final StartFiles startFiles;
+  private int runs;
   private Kernel kernel;
   private volatile LocalConsole console;
   private volatile boolean reboot;
@@ -47,7 +49,7 @@ final class Server {
 
   private int runOnce() {
     kernel =
-        Kernel.builder()
+        recorded(Kernel.builder())
             .virtualTime(settings.fast())
             .searchPath(settings.searchPath().directories())
             .library(SearchPath.library(SearchPath.root()))
@@ -74,6 +76,20 @@ final class Server {
       if (console != null) {
         console.close();
       }
+    }
+  }
+
+  /** Each kernel of the process has a recording of its own: FILE, and after a reboot FILE.2. */
+  private Kernel.Builder recorded(Kernel.Builder builder) {
+    runs++;
+    if (settings.record() == null) {
+      return builder;
+    }
+    String file = runs == 1 ? settings.record() : settings.record() + "." + runs;
+    try {
+      return builder.record(Path.of(file));
+    } catch (UncheckedIOException e) {
+      throw Failure.of("cannot write the recording " + file + ": " + e.getCause().getMessage());
     }
   }
 

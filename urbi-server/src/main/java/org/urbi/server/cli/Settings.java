@@ -14,6 +14,7 @@ import org.urbi.server.Trace;
  * @param port where to listen; 0 for any, {@link #NO_PORT} for nowhere
  * @param portFile where to write the port's number, or null
  * @param maxConnections how many clients of the port there may be at a time; 0: any number
+ * @param record where to record the run, or null
  * @param modules whether UObjects were asked for, which may have a life of their own
  * @param text what the console's lobby is sent first
  * @param input where more of it comes from
@@ -30,6 +31,7 @@ record Settings(
     String host,
     int port,
     Path portFile,
+    String record,
     int maxConnections,
     boolean modules,
     String text,

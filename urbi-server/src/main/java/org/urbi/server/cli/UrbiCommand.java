@@ -72,7 +72,10 @@ public final class UrbiCommand {
             "Serve so many clients of the port at a time; 0 (the default): any number.",
             "--max-connections")
         .option(
-            "FILE", "Write the number of the port to FILE once it is open.", "-w", "--port-file");
+            "FILE", "Write the number of the port to FILE once it is open.", "-w", "--port-file")
+        .option("FILE", "Record the run to FILE, so that it can be replayed.", "--record")
+        .option(
+            "FILE", "Replay the run that FILE is a recording of, and do nothing else.", "--replay");
     inputs.declare(program);
     program
         .flag("Read a session from the terminal; the default without input.", "-i", "--interactive")
@@ -86,6 +89,13 @@ public final class UrbiCommand {
     if (arguments.has("--print-root")) {
       out.println(SearchPath.root());
       return 0;
+    }
+    String replay = arguments.value("--replay", null);
+    if (replay != null) {
+      if (!arguments.rest().isEmpty() || !inputs.isEmpty() || arguments.has("--record")) {
+        throw Failure.usage("--replay runs what is recorded, and nothing else");
+      }
+      return new ReplayedRun(replay, out, err).run();
     }
     return new Server(settings(arguments), out, err).run();
   }
@@ -121,6 +131,7 @@ public final class UrbiCommand {
         arguments.value("--host", "127.0.0.1"),
         port,
         portFile == null ? null : Path.of(portFile),
+        arguments.value("--record", null),
         arguments.number("--max-connections", 0, 0, Integer.MAX_VALUE),
         !modules.isEmpty(),
         text.toString(),

@@ -83,6 +83,23 @@ class UrbiCommandTest {
   }
 
   @Test
+  void aRecordedRunIsReplayedWithoutItsFiles() throws Exception {
+    Path script = folder.resolve("script.u");
+    Files.writeString(
+        script, "echo(System.arguments); sleep(10ms); echo(1000.random); shutdown(7);");
+    Result run = urbi("-q", "--record", "run", script.toString(), "word");
+    assertEquals(7, run.status());
+    Files.delete(script);
+    assertEquals(run, urbi("--replay", "run"));
+    assertEquals(2, urbi("--replay", "run", "-e", "1;").status());
+    assertEquals(
+        new Result(1, "", "urbi: cannot read the recording no: no"), urbi("--replay", "no"));
+    Files.writeString(folder.resolve("text"), "echo(1);");
+    assertEquals(new Result(1, "", "urbi: text is no recording of urbi"), urbi("--replay", "text"));
+    assertEquals(1, urbi("--record", "no/such/run", "-e", "1;").status());
+  }
+
+  @Test
   void startFilesAreFoundInThePath() throws Exception {
     file("global.u", "var Global.everywhere = 1|; echo(\"loading\");");
     file("local.u", "var here = 2|;");

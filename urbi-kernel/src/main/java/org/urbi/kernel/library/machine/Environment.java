@@ -6,7 +6,14 @@ import java.util.TreeMap;
 
 /** The variables of the environment, of one kernel and of the programs that it runs. */
 public final class Environment {
-  private final Map<String, String> variables = new TreeMap<>(System.getenv());
+  private final Map<String, String> variables;
+
+  /**
+   * @param variables at the start of the kernel
+   */
+  public Environment(Map<String, String> variables) {
+    this.variables = new TreeMap<>(variables);
+  }
 
   /** The variables by their names, to be read. */
   public Map<String, String> variables() {

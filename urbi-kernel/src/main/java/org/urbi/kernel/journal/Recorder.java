@@ -1,0 +1,97 @@
+package org.urbi.kernel.journal;
+
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.function.Supplier;
+import java.util.zip.CRC32C;
+import org.urbi.kernel.message.Message;
+import org.urbi.kernel.message.Outcome;
+
+/** Writes down a run. */
+public final class Recorder implements Journal {
+  /** So many bytes of what goes out at once are written down; of more, a checksum of all. */
+  private static final int HEAD = 1 << 12;
+
+  private final RecordingWriter file;
+  private long safepoints;
+  private boolean ended;
+
+  public Recorder(Entry.Begun beginning, RecordingWriter file) {
+    this.file = file;
+    file.write(beginning);
+  }
+
+  @Override
+  public boolean counts() {
+    return true;
+  }
+
+  @Override
+  public long tick(long now) {
+    safepoints = 0;
+    file.write(new Entry.Tick(now));
+    return now;
+  }
+
+  @Override
+  public Message next(Supplier<Message> inbox) {
+    Message message = inbox.get();
+    if (message != null) {
+      file.write(new Entry.Taken(message));
+    }
+    return message;
+  }
+
+  @Override
+  public <T> T look(Outcome.Work<T> work) throws IOException {
+    Outcome outcome = Outcome.of(work);
+    file.write(new Entry.Looked(outcome));
+    return outcome.get();
+  }
+
+  @Override
+  public boolean notices(int turns, boolean news) {
+    if (news) {
+      file.write(new Entry.Noticed(turns));
+    }
+    return news;
+  }
+
+  @Override
+  public boolean stops(boolean wanted) {
+    safepoints++;
+    if (wanted) {
+      file.write(new Entry.Stopped(safepoints));
+    }
+    return wanted;
+  }
+
+  @Override
+  public void sent(int from, byte[] bytes) {
+    file.write(sending(from, bytes));
+  }
+
+  static Entry.Sent sending(int from, byte[] bytes) {
+    CRC32C checksum = new CRC32C();
+    checksum.update(bytes);
+    return new Entry.Sent(
+        from,
+        bytes.length,
+        Arrays.copyOf(bytes, Math.min(bytes.length, HEAD)),
+        (int) checksum.getValue());
+  }
+
+  @Override
+  public void idle() {
+    file.flush();
+  }
+
+  @Override
+  public void end() {
+    if (!ended) {
+      ended = true;
+      file.write(new Entry.Ended());
+      file.close();
+    }
+  }
+}

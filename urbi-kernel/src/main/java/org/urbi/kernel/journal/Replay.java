@@ -1,0 +1,210 @@
+package org.urbi.kernel.journal;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.function.Supplier;
+import org.urbi.kernel.message.Message;
+import org.urbi.kernel.message.Outcome;
+
+/**
+ * Runs a recording again: what came from the outside comes from there, and what goes out is
+ * compared. Where the run is another than the recorded one, it ends.
+ */
+public final class Replay implements Journal {
+  /** Ends a job of a run that has left its recording. */
+  private static final class Left extends RuntimeException {
+    private static final long serialVersionUID = 1;
+
+    Left() {
+      super("the run has left its recording", null, false, false);
+    }
+  }
+
+  private final RecordingReader recording;
+  private final Entry.Begun beginning;
+  private Entry next;
+  private long now;
+  private long ticks;
+  private long safepoints;
+  private boolean over;
+  private String difference;
+
+  /**
+   * @throws RecordingException if the file is damaged
+   */
+  public Replay(RecordingReader recording) {
+    this.recording = recording;
+    if (!(recording.next() instanceof Entry.Begun begun)) {
+      throw new RecordingException("has no beginning");
+    }
+    beginning = begun;
+    advance();
+  }
+
+  /** How the recorded kernel was started. */
+  public Entry.Begun beginning() {
+    return beginning;
+  }
+
+  /** How the run differed from the recorded one, or why it could not go on; null if it did not. */
+  public String difference() {
+    return difference;
+  }
+
+  /** The time of the tick, in nanoseconds. */
+  public long now() {
+    return now;
+  }
+
+  private void advance() {
+    try {
+      next = recording.next();
+    } catch (RecordingException e) {
+      next = null;
+      over = true;
+      difference = "the recording " + e.getMessage();
+      return;
+    }
+    if (next == null && recording.isCutOff()) {
+      difference = "the recording is cut off after tick " + ticks;
+    }
+  }
+
+  private Left differs(String how) {
+    if (!over) {
+      over = true;
+      difference =
+          "in tick "
+              + ticks
+              + ", at "
+              + now / 1_000_000
+              + " ms, "
+              + how
+              + "; recorded: "
+              + described(next);
+    }
+    return new Left();
+  }
+
+  private static String described(Entry entry) {
+    return switch (entry) {
+      case null -> "nothing";
+      case Entry.Sent sent -> "sent " + text(sent);
+      default -> entry.toString();
+    };
+  }
+
+  private static String text(Entry.Sent sent) {
+    return "from " + sent.from() + ": " + new String(sent.head(), StandardCharsets.ISO_8859_1);
+  }
+
+  /** The recording has no end: all that there was has been run. */
+  private boolean ranOut() {
+    if (next == null) {
+      over = true;
+    }
+    return over;
+  }
+
+  @Override
+  public boolean isReplay() {
+    return true;
+  }
+
+  @Override
+  public boolean isOver() {
+    return over;
+  }
+
+  @Override
+  public boolean counts() {
+    return true;
+  }
+
+  @Override
+  public long tick(long unused) {
+    if (!ranOut()) {
+      if (next instanceof Entry.Tick tick) {
+        now = tick.now();
+        ticks++;
+        safepoints = 0;
+        advance();
+      } else {
+        differs("the tick is over");
+      }
+    }
+    return now;
+  }
+
+  @Override
+  public Message next(Supplier<Message> unused) {
+    if (next instanceof Entry.Taken taken && !over) {
+      advance();
+      return taken.message();
+    }
+    return null;
+  }
+
+  @Override
+  @SuppressWarnings("unchecked")
+  public <T> T look(Outcome.Work<T> unused) throws IOException {
+    if (ranOut()) {
+      throw new Left();
+    }
+    if (next instanceof Entry.Looked looked) {
+      advance();
+      return (T) looked.outcome().get();
+    }
+    throw differs("the run looks at the outside");
+  }
+
+  @Override
+  public boolean notices(int turns, boolean news) {
+    if (next instanceof Entry.Noticed noticed && noticed.turns() == turns) {
+      advance();
+      return true;
+    }
+    return over;
+  }
+
+  @Override
+  public boolean stops(boolean wanted) {
+    safepoints++;
+    if (next instanceof Entry.Stopped stopped && stopped.safepoint() == safepoints) {
+      advance();
+      return true;
+    }
+    return over;
+  }
+
+  @Override
+  public void sent(int from, byte[] bytes) {
+    if (ranOut()) {
+      return;
+    }
+    Entry.Sent made = Recorder.sending(from, bytes);
+    if (next instanceof Entry.Sent sent
+        && sent.from() == from
+        && sent.length() == bytes.length
+        && sent.checksum() == made.checksum()
+        && Arrays.equals(sent.head(), made.head())) {
+      advance();
+    } else {
+      differs("the run sends " + text(made));
+    }
+  }
+
+  @Override
+  public void missing(Message message) {
+    differs("a replay cannot do " + message);
+  }
+
+  @Override
+  public void end() {
+    if (!over && next != null && !(next instanceof Entry.Ended)) {
+      differs("the run ends");
+    }
+    over = true;
+  }
+}

@@ -1,0 +1,5 @@
+/**
+ * A run written down, and run again: what the kernel thread gets to know of the outside, in the one
+ * order (docs/tools.md, "Recording a run").
+ */
+package org.urbi.kernel.journal;

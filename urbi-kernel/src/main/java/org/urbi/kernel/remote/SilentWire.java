@@ -1,0 +1,42 @@
+package org.urbi.kernel.remote;
+
+import java.nio.ByteBuffer;
+import urbi.rtp.RtpSession;
+import urbi.rtp.RtpTerms;
+
+/** The way to a process that is only a recording. */
+public final class SilentWire implements RemoteWire {
+  @Override
+  public void send(byte[] frames) {}
+
+  @Override
+  public void close(String reason) {}
+
+  @Override
+  public void openDatagrams(RtpTerms terms) {}
+
+  @Override
+  public RtpSession datagrams() {
+    return null;
+  }
+
+  @Override
+  public void closeDatagrams() {}
+
+  @Override
+  public void consumed(int bytes) {}
+
+  @Override
+  public void wantToRead() {}
+
+  @Override
+  public boolean read(ByteBuffer space) {
+    return false;
+  }
+
+  @Override
+  public void stopReading() {}
+
+  @Override
+  public void attended() {}
+}

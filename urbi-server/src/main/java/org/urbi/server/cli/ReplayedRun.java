@@ -1,0 +1,55 @@
+package org.urbi.server.cli;
+
+import java.io.PrintStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import org.urbi.kernel.Client;
+import org.urbi.kernel.Kernel;
+import org.urbi.kernel.journal.RecordingException;
+import org.urbi.server.options.Failure;
+
+/** One run of {@code urbi --replay}: shows what the recorded run has shown to all its clients. */
+final class ReplayedRun {
+  private static final int DIFFERS = 1;
+
+  private final String file;
+  private final PrintStream out;
+  private final PrintStream err;
+
+  ReplayedRun(String file, PrintStream out, PrintStream err) {
+    this.file = file;
+    this.out = out;
+    this.err = err;
+  }
+
+  /** Replays; returns the status of the recorded run, or 1 if the replay is another run. */
+  int run() {
+    Kernel kernel;
+    try {
+      kernel = Kernel.builder().replay(Path.of(file), number -> new Shown()).start();
+    } catch (RecordingException e) {
+      throw Failure.of(file + " " + e.getMessage());
+    } catch (UncheckedIOException e) {
+      throw Failure.of("cannot read the recording " + file + ": " + e.getCause().getMessage());
+    }
+    int status = kernel.awaitTermination();
+    out.flush();
+    String difference = kernel.replayDifference();
+    if (difference == null) {
+      return status;
+    }
+    err.println("urbi: " + file + ": " + difference);
+    return DIFFERS;
+  }
+
+  private final class Shown implements Client {
+    @Override
+    public void output(String bytes) {
+      out.writeBytes(bytes.getBytes(StandardCharsets.ISO_8859_1));
+    }
+
+    @Override
+    public void closed() {}
+  }
+}

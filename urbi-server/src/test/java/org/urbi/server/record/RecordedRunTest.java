@@ -1,0 +1,314 @@
+package org.urbi.server.record;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.function.UnaryOperator;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.urbi.kernel.Client;
+import org.urbi.kernel.Connection;
+import org.urbi.kernel.Kernel;
+import org.urbi.kernel.journal.Entry;
+import org.urbi.kernel.journal.RecordingException;
+import org.urbi.kernel.journal.RecordingReader;
+import org.urbi.kernel.journal.RecordingWriter;
+import org.urbi.kernel.message.Message;
+import org.urbi.server.Trace;
+import org.urbi.server.net.ConsoleServer;
+import org.urbi.server.net.Limits;
+import urbi.UClass;
+import urbi.UModule;
+import urbi.UObject;
+import urbi.UVar;
+import urbi.remote.RemoteContext;
+
+/**
+ * A run is recorded that has two clients, a remote component, a process, a file, real time and
+ * random numbers; and replayed where there is none of them.
+ */
+@Timeout(value = 120, unit = TimeUnit.SECONDS)
+class RecordedRunTest {
+  private static final String HOST = "127.0.0.1";
+
+  @TempDir Path folder;
+  private Path recording;
+
+  @BeforeEach
+  void chooseFile() {
+    recording = folder.resolve("run");
+  }
+
+  /** The user's end of a connection. */
+  private static final class Console implements Client {
+    private final StringBuilder output = new StringBuilder();
+    private final CompletableFuture<Void> over = new CompletableFuture<>();
+    private Connection connection;
+
+    @Override
+    public synchronized void output(String bytes) {
+      output.append(bytes);
+      if (bytes.contains("is over")) {
+        over.complete(null);
+      }
+    }
+
+    @Override
+    public void closed() {
+      over.complete(null);
+    }
+
+    synchronized String text() {
+      return output.toString();
+    }
+  }
+
+  private static Console connect(Kernel kernel) {
+    Console console = new Console();
+    console.connection = kernel.connect(console, false);
+    return console;
+  }
+
+  /** A component of another process: it adds, and tells what it has added. */
+  static final class Adder extends UObject {
+    private final UVar last = new UVar();
+
+    Adder(String name) {
+      super(name);
+      UBindVar(last, "last");
+      UBindFunction("add");
+    }
+
+    double add(double a, double b) {
+      last.setValue(a + b);
+      return a + b;
+    }
+  }
+
+  private static ConsoleServer serve(Kernel kernel) throws IOException {
+    return new ConsoleServer(
+        new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
+        each -> kernel.connect(each, false),
+        kernel::connectRemote,
+        Limits.DEFAULT,
+        new Trace(
+            Trace.Level.NONE,
+            new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8)));
+  }
+
+  private String program(Path file) {
+    return """
+    var turns = 0;
+    every (3ms) { turns++ },
+    echo("random: " + 1000000.random());
+    echo("time: " + System.time + " of " + Date.now);
+    echo("file: " + File.new("%1$s").content.data);
+    var input = InputStream.new(File.new("%1$s"));
+    echo("line: " + input.getLine());
+    input.close();
+    try { File.new("%1$s/nothing").content } catch (var e) { echo(e.message) };
+    var process = Process.new("sh", ["-c", "echo from $HOME; sleep 0.05; exit 3"])|;
+    process.run();
+    echo("process: " + process.stdout().getLine());
+    process.join();
+    echo("status: " + process.status());
+    var adder = uobjects.Adder.new()|;
+    at (adder.last->changed?) echo("last: " + adder.last);
+    for (var i = 0; i < 40; i++) { echo("sum: " + adder.add(i, 1)) };
+    for (var i = 0; i < 100000; i++) {};
+    echo("turns: " + turns + " in " + System.cycle);
+    echo("is over");
+    """
+        .formatted(file);
+  }
+
+  /** What each of the connections has shown, by its number. */
+  private Map<Integer, String> record() throws Exception {
+    Path file = folder.resolve("text");
+    Files.writeString(file, "first\nsecond\n");
+    Map<Integer, String> shown = new TreeMap<>();
+    try (Kernel kernel = Kernel.builder().record(recording).start();
+        ConsoleServer server = serve(kernel)) {
+      Console one = connect(kernel);
+      Console two = connect(kernel);
+      RemoteContext remote = new RemoteContext(HOST, server.port());
+      remote.start(new UClass("Adder", new UModule("test"), Adder::new));
+      two.connection.send("every (10ms) echo(\"tick \" + System.time),\n");
+      one.connection.send(program(file));
+      one.over.get(100, TimeUnit.SECONDS);
+      two.connection.send("echo(40 + 2);\n");
+      two.connection.send("loop|{},\n");
+      // A loop that never lets others run ends by an interruption alone.
+      Thread.sleep(50);
+      two.connection.interrupt();
+      two.connection.send("echo(\"is over\");\n");
+      two.over.get(100, TimeUnit.SECONDS);
+      kernel.requestShutdown(5);
+      assertEquals(5, kernel.awaitTermination());
+      remote.close();
+      shown.put(-1, one.text());
+      shown.put(-2, two.text());
+    }
+    Files.delete(file);
+    return shown;
+  }
+
+  private record Replayed(Map<Integer, String> shown, int status, String difference) {}
+
+  private static Replayed replay(Path recording) {
+    Map<Integer, Console> consoles = new TreeMap<>();
+    Kernel kernel =
+        Kernel.builder()
+            .replay(recording, number -> consoles.computeIfAbsent(number, n -> new Console()))
+            .start();
+    int status = kernel.awaitTermination();
+    Map<Integer, String> shown = new TreeMap<>();
+    for (int number : new int[] {-1, -2}) {
+      shown.put(number, consoles.containsKey(number) ? consoles.get(number).text() : "");
+    }
+    return new Replayed(shown, status, kernel.replayDifference());
+  }
+
+  /** The recording with other entries. */
+  private Path changed(UnaryOperator<Entry> change) throws IOException {
+    Path other = folder.resolve("changed");
+    try (RecordingReader in = new RecordingReader(Files.newInputStream(recording));
+        RecordingWriter out =
+            new RecordingWriter("changed", Files.newOutputStream(other), trouble -> {})) {
+      for (Entry entry = in.next(); entry != null; entry = in.next()) {
+        out.write(change.apply(entry));
+      }
+    }
+    return other;
+  }
+
+  @Test
+  void aReplayIsTheRunToTheByte() throws Exception {
+    Map<Integer, String> shown = record();
+    String one = shown.get(-1);
+    for (String word :
+        new String[] {
+          "random: ", "file: first", "line: first", "from /", "status: ", "last: 40", "sum: 40"
+        }) {
+      assertTrue(one.contains(word), word + " in " + one);
+    }
+    assertTrue(shown.get(-2).contains("42"), shown.get(-2));
+    Replayed replayed = replay(recording);
+    assertNull(replayed.difference());
+    assertEquals(shown, replayed.shown());
+    assertEquals(5, replayed.status());
+
+    Replayed other =
+        replay(
+            changed(entry ->
+                entry instanceof Entry.Taken(Message.ConsoleBytes(int to, String bytes))
+                        && bytes.contains("40 + 2")
+                    ? new Entry.Taken(new Message.ConsoleBytes(to, bytes.replace('2', '3')))
+                    : entry));
+    assertNotNull(other.difference());
+    assertTrue(other.difference().contains("43"), other.difference());
+  }
+
+  // ------------------------------------------------------------------ bad days
+
+  private void recordLittle() {
+    try (Kernel kernel = Kernel.builder().virtualTime(true).record(recording).start()) {
+      Console console = connect(kernel);
+      console.connection.send("for (var i = 0; i < 5; i++) { echo(i); sleep(1h) };\n");
+      console.connection.send("echo(\"is over\");\n");
+      console.over.join();
+    }
+  }
+
+  @Test
+  void whatWasCutOffIsReplayedSoFar() throws IOException {
+    recordLittle();
+    byte[] bytes = Files.readAllBytes(recording);
+    Files.write(recording, Arrays.copyOf(bytes, bytes.length - 3));
+    Replayed replayed = replay(recording);
+    assertTrue(replayed.difference().startsWith("the recording is cut off"), replayed.difference());
+  }
+
+  @Test
+  void aDamagedRecordingIsRefused() throws IOException {
+    recordLittle();
+    byte[] bytes = Files.readAllBytes(recording);
+    bytes[40] ^= 1;
+    Files.write(recording, bytes);
+    RecordingException refused = assertThrows(RecordingException.class, () -> replay(recording));
+    assertEquals("is damaged at byte 8", refused.getMessage());
+  }
+
+  @Test
+  void anotherFileIsRefused() throws IOException {
+    Files.writeString(recording, "echo(1);\n");
+    assertEquals(
+        "is no recording of urbi",
+        assertThrows(RecordingException.class, () -> replay(recording)).getMessage());
+    Files.write(recording, new byte[0]);
+    assertEquals(
+        "is no recording of urbi",
+        assertThrows(RecordingException.class, () -> replay(recording)).getMessage());
+  }
+
+  @Test
+  void anotherVersionOfTheFormatIsRefused() throws IOException {
+    recordLittle();
+    byte[] bytes = Files.readAllBytes(recording);
+    bytes[7] = 9;
+    Files.write(recording, bytes);
+    String message = assertThrows(RecordingException.class, () -> replay(recording)).getMessage();
+    assertTrue(message.startsWith("has version 9 of the format, not 1"), message);
+  }
+
+  /** A full disk is told of once, and the run goes on. */
+  @Test
+  void aFullDiskEndsTheRecordingAlone() throws Exception {
+    CompletableFuture<String> told = new CompletableFuture<>();
+    OutputStream full =
+        new OutputStream() {
+          private final ByteArrayOutputStream kept = new ByteArrayOutputStream();
+
+          @Override
+          public void write(int b) throws IOException {
+            write(new byte[] {(byte) b}, 0, 1);
+          }
+
+          @Override
+          public void write(byte[] bytes, int from, int length) throws IOException {
+            if (kept.size() + length > 100) {
+              throw new IOException("No space left on device");
+            }
+            kept.write(bytes, from, length);
+          }
+        };
+    try (RecordingWriter writer = new RecordingWriter("run", full, told::complete)) {
+      for (int i = 0; i < 1000; i++) {
+        writer.write(new Entry.Tick(i));
+        writer.flush();
+      }
+    }
+    assertEquals(
+        "the run is not recorded any more: run: No space left on device",
+        told.get(10, TimeUnit.SECONDS));
+  }
+}
