@@ -25,7 +25,7 @@ public final class Failure {
   public static String text(Throwable failure) {
     Throwable cause = cause(failure);
     if (cause instanceof StackOverflowError) {
-      return "stack exhausted";
+      return "stack space exhausted";
     }
     String message = cause.getMessage();
     if (cause instanceof NoClassDefFoundError && message != null) {

@@ -37,7 +37,7 @@ final class ErrorText {
           }
         }
       }
-      case StackOverflowError e -> output.send("error", "!!! stack exhausted");
+      case StackOverflowError e -> output.send("error", "!!! stack space exhausted");
       case OutOfMemoryError e -> output.send("error", "!!! memory exhausted");
       case Unwinding e -> {
         // A return or a break that had nothing to leave.
@@ -46,10 +46,11 @@ final class ErrorText {
     }
   }
 
-  /** Errors of syntax tell where in the text they are, and what is no exception has no place. */
+  /** What is no exception has no place; an exception may tell its own. */
   private static boolean isPlaced(Interpreter interpreter, UrbiObject value) {
     return value.isA(interpreter.world().prototype("Exception"))
-        && !value.isA(interpreter.errors().prototype("Syntax"));
+        && !value.isA(interpreter.errors().prototype("Syntax"))
+        && !interpreter.errors().tellsPlace(value);
   }
 
   private static String place(Span span) {

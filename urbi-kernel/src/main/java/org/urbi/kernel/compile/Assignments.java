@@ -76,6 +76,7 @@ final class Assignments {
     }
     return new Slots.Assign(
         span,
+        message.span(),
         compilation.receivers.target(message.target(), message.name(), message.span(), block),
         interpreter().world().symbol(message.name()),
         operand(value, block));

@@ -79,7 +79,7 @@ final class Expressions {
     Node target =
         message.target() == null
             ? compilation.receivers.implicit(message.name(), span, block)
-            : operand(message.target(), block);
+            : operand(spread(message), block);
     Node[] arguments = message.arguments() == null ? null : all(message, block);
     var sent = new Message(span, Slots.lookup(interpreter(), message.name()), target, arguments);
     if (target != null && arguments != null && arguments.length == 1) {
@@ -91,6 +91,16 @@ final class Expressions {
     return sent;
   }
 
+  /** The target of a message; a name that is subscripted is told of with its subscript. */
+  private static Ast spread(Ast.Message message) {
+    return message.name().equals("[]")
+            && message.target() instanceof Ast.Message name
+            && name.target() == null
+            && name.arguments() == null
+        ? new Ast.Message(message.span(), null, name.name(), null, name.nameSpan())
+        : message.target();
+  }
+
   /**
    * The arguments; those which may become jobs share the variables that they use. Who is given a
    * scope evaluates it later, or elsewhere.
@@ -99,11 +109,10 @@ final class Expressions {
     boolean detaching = DETACHING.contains(message.name());
     return message.arguments().stream()
         .map(argument ->
-            operand(
-                argument,
-                detaching || argument instanceof Ast.Scope
-                    ? block.job(compilation.newRegion())
-                    : block))
+            argument instanceof Ast.Scope
+                ? new Sequences.Placed(
+                    argument.span(), operand(argument, block.job(compilation.newRegion())))
+                : operand(argument, detaching ? block.job(compilation.newRegion()) : block))
         .toArray(Node[]::new);
   }
 

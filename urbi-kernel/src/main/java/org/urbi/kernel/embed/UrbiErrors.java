@@ -14,9 +14,6 @@ import org.urbi.lang.source.Location;
 
 /** From what leaves the kernel's code to what Java code catches; on the kernel thread. */
 final class UrbiErrors {
-  /** The innermost calls are the ones that matter, when a recursion went too deep. */
-  private static final int LONGEST_BACKTRACE = 1_000;
-
   private static final Pattern LOCATION =
       Pattern.compile("(?:(.*):)?(\\d{1,9})\\.(\\d{1,9})(?:-(?:(\\d{1,9})\\.)?(\\d{1,9}))?");
 
@@ -26,7 +23,7 @@ final class UrbiErrors {
   static UrbiError of(Embedding embedding, Frame frame, Throwable failure) {
     return switch (failure) {
       case UrbiException e -> thrown(embedding, frame, e);
-      case StackOverflowError e -> simple("stack exhausted", e);
+      case StackOverflowError e -> simple("stack space exhausted", e);
       case OutOfMemoryError e -> simple("memory exhausted", e);
       default -> {
         FailureLog.internal("an evaluation", failure);
@@ -45,13 +42,14 @@ final class UrbiErrors {
     Location location = exception.span() == null ? null : exception.span().location();
     List<UrbiError.Call> calls = new ArrayList<>();
     for (UrbiException.Call call : exception.backtrace()) {
-      if (call.name() != null && calls.size() < LONGEST_BACKTRACE) {
+      if (call.name() != null) {
         calls.add(
             new UrbiError.Call(
                 JavaValues.text(call.name()), call.span() == null ? null : call.span().location()));
       }
     }
-    String message = (location == null ? "" : location + ": ") + text(frame, exception);
+    boolean placed = location == null || frame.interpreter().errors().tellsPlace(exception.value());
+    String message = (placed ? "" : location + ": ") + text(frame, exception);
     return new UrbiError(
         message,
         location == null ? placeOfSyntaxError(frame, exception.value()) : location,

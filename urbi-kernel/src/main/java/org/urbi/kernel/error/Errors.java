@@ -31,6 +31,16 @@ public final class Errors {
     return prototypes.get(type);
   }
 
+  /**
+   * Whether the text of an exception tells where it was thrown: it does once it has been caught. An
+   * error of syntax tells its place in the source.
+   */
+  public boolean tellsPlace(UrbiObject exception) {
+    UrbiObject syntax = prototypes.get("Syntax");
+    return exception.localSlot(world.symbol("location")) != null
+        && !(syntax != null && exception.isA(syntax));
+  }
+
   /** An exception of that type, with that message. */
   public Builder of(String type, String message) {
     return of(type).with("message", values.string(message));

@@ -9,8 +9,17 @@ import org.urbi.lang.source.Span;
  * the urbiscript calls that led there (manual, "Exceptions").
  */
 public final class UrbiException extends RuntimeException {
-  /** A call on the way to the error: the name called, and where. */
-  public record Call(String name, Span span) {}
+  /**
+   * A call on the way to the error: the name called, and where.
+   *
+   * @param span null when it is not known
+   */
+  public record Call(String name, Span span) {
+    /** What stands for that many calls which are not shown. */
+    public static Call leftOut(int count) {
+      return new Call("(" + count + " more calls)", null);
+    }
+  }
 
   private final transient UrbiObject value;
   private transient Span span;

@@ -172,7 +172,8 @@ public final class ForEach extends Node implements CallSite {
     try {
       frame.interpreter.send(frame, this, over, each, action);
     } catch (UrbiException e) {
-      throw frame.located(e, range.span());
+      // What has no such function is told of where it would be called: at the body.
+      throw frame.located(e, over.lookup(each) == null ? body.span() : range.span());
     }
     return frame.interpreter.values().voidObject;
   }

@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.kernel.error.UrbiException;
@@ -17,6 +18,9 @@ public final class Frame {
   }
 
   static final UrbiObject[] NO_ARGUMENTS = {};
+
+  private static final int INNERMOST_CALLS = 100;
+  private static final int OUTERMOST_CALLS = 50;
 
   /** The kernel, for those who need more than objects. */
   final Interpreter interpreter;
@@ -263,18 +267,38 @@ public final class Frame {
     return site == null ? null : site.calledName();
   }
 
-  /** The calls that are going on, innermost first. */
+  /**
+   * The calls that are going on, innermost first. Of a recursion that ran away both ends are told,
+   * and how many calls are between them.
+   */
   public List<UrbiException.Call> backtrace() {
     List<UrbiException.Call> calls = new ArrayList<>();
+    ArrayDeque<CallSite> outermost = new ArrayDeque<>();
+    int leftOut = 0;
     for (Frame frame = this; frame != null; frame = frame.caller) {
-      if (frame.site != null && frame.site.isTraced()) {
-        calls.add(new UrbiException.Call(frame.site.calledName(), frame.site.calledSpan()));
+      CallSite from = frame.site;
+      if (from == null || !from.isTraced()) {
+        continue;
       }
-      if (calls.size() >= 10_000) {
-        break;
+      if (calls.size() < INNERMOST_CALLS) {
+        calls.add(call(from));
+        continue;
+      }
+      outermost.add(from);
+      if (outermost.size() > OUTERMOST_CALLS) {
+        outermost.remove();
+        leftOut++;
       }
     }
+    if (leftOut > 0) {
+      calls.add(UrbiException.Call.leftOut(leftOut));
+    }
+    outermost.forEach(from -> calls.add(call(from)));
     return calls;
+  }
+
+  private static UrbiException.Call call(CallSite from) {
+    return new UrbiException.Call(from.calledName(), from.calledSpan());
   }
 
   /** Says where an exception was thrown, if that is not known yet. */

@@ -43,7 +43,7 @@ public final class InPlace extends Node implements CallSite {
   /** A slot. */
   public record Slot(Node target, SlotLookup lookup, Slots.Assign writer) implements Access {
     public Slot(Node target, SlotLookup lookup, Span span) {
-      this(target, lookup, new Slots.Assign(span, target, lookup.name(), null));
+      this(target, lookup, new Slots.Assign(span, span, target, lookup.name(), null));
     }
 
     @Override

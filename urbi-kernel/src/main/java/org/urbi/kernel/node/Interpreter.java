@@ -166,7 +166,7 @@ public final class Interpreter {
    */
   public UrbiObject send(Frame caller, UrbiObject target, String message, UrbiObject... arguments) {
     if (!caller.job.beginSend(Math.min(MAXIMUM_NESTED_SENDS, maximumDepth))) {
-      throw errors.scheduling("stack exhausted");
+      throw errors.scheduling("stack space exhausted");
     }
     try {
       return send(caller, new JavaSite(message), target, world.symbol(message), arguments);

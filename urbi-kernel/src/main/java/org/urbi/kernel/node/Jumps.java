@@ -75,7 +75,7 @@ public final class Jumps {
     @Override
     public UrbiObject execute(Frame frame) {
       if (value != null) {
-        throw frame.located(new UrbiException(Arguments.notVoid(frame, value, span())), span());
+        throw frame.located(new UrbiException(value.execute(frame)), span());
       }
       if (frame.caught == null) {
         throw frame.located(

@@ -117,6 +117,21 @@ public final class Sequences {
     }
   }
 
+  /** Code that has a place of its own: braces and all. */
+  public static final class Placed extends Node {
+    private final Node code;
+
+    public Placed(Span span, Node code) {
+      super(span);
+      this.code = code;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      return code.execute(frame);
+    }
+  }
+
   /** {@code do (target) {…}}; its value is that of the body, or the target. */
   public static final class Do extends Node {
     private final Node target;

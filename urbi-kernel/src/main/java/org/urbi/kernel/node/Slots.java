@@ -65,11 +65,16 @@ public final class Slots {
     private final Node target;
     private final Symbol name;
     private final Node value;
+    private final Span place;
     private Shape knownShape;
     private int knownIndex;
 
-    public Assign(Span span, Node target, Symbol name, Node value) {
+    /**
+     * @param place where what is assigned to is written: where errors are told
+     */
+    public Assign(Span span, Span place, Node target, Symbol name, Node value) {
       super(span);
+      this.place = place;
       this.target = target;
       this.name = name;
       this.value = value;
@@ -94,7 +99,7 @@ public final class Slots {
         }
         SlotUpdate.assign(frame, object, name, assigned);
       } catch (UrbiException e) {
-        throw frame.located(e, span());
+        throw frame.located(e, place);
       }
       Shape shape = object.shape();
       int index = shape.indexOf(name);

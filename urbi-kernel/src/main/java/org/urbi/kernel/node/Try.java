@@ -55,7 +55,7 @@ public final class Try extends Node {
     } catch (UrbiException e) {
       return handle(frame, e);
     } catch (StackOverflowError e) {
-      return handle(frame, exhausted(frame, "stack exhausted"));
+      return handle(frame, exhausted(frame, "stack space exhausted"));
     } catch (OutOfMemoryError e) {
       return handle(frame, exhausted(frame, "memory exhausted"));
     }

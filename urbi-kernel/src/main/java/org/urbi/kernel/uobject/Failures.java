@@ -100,7 +100,7 @@ final class Failures {
       cause = cause.getCause();
     }
     if (cause instanceof StackOverflowError) {
-      return "stack exhausted";
+      return "stack space exhausted";
     }
     if (cause instanceof Error) {
       return FailureLog.text(cause);

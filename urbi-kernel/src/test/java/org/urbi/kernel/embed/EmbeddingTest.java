@@ -184,7 +184,7 @@ class EmbeddingTest {
   void runawayRecursionIsAnError() {
     kernel.eval("function down(n) { down(n + 1) + 1 }");
     UrbiError error = assertThrows(UrbiError.class, () -> kernel.call("down", 0));
-    assertTrue(error.getMessage().contains("stack exhausted"), error.getMessage());
+    assertTrue(error.getMessage().contains("stack space exhausted"), error.getMessage());
     assertEquals(3.0, kernel.eval("1 + 2"));
   }
 

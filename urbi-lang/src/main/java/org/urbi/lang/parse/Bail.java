@@ -9,11 +9,6 @@ import org.antlr.v4.runtime.misc.ParseCancellationException;
 
 /** Stops at the first token that fits nowhere: what follows would be guesswork. */
 final class Bail extends DefaultErrorStrategy {
-  /** The token that did not fit. */
-  static Token offender(ParseCancellationException stop) {
-    return ((RecognitionException) stop.getCause()).getOffendingToken();
-  }
-
   @Override
   public void recover(Parser recognizer, RecognitionException e) {
     throw new ParseCancellationException(e);

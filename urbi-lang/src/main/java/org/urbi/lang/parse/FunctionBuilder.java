@@ -55,6 +55,8 @@ final class FunctionBuilder {
   private Ast.Scope body(ScopeContext context, boolean closure) {
     builder.enclosingFunctions++;
     int loops = builder.enclosingLoops;
+    int catches = builder.enclosingCatches;
+    builder.enclosingCatches = 0;
     // A closure may be what a loop calls.
     builder.enclosingLoops = closure ? 1 : 0;
     try {
@@ -62,6 +64,7 @@ final class FunctionBuilder {
     } finally {
       builder.enclosingFunctions--;
       builder.enclosingLoops = loops;
+      builder.enclosingCatches = catches;
     }
   }
 

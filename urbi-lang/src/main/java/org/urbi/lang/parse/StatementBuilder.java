@@ -202,16 +202,21 @@ final class StatementBuilder {
         yield new Ast.FreezeIf(span, condition, body(freeze.body()));
       }
       case UrbiscriptParser.RULE_tryStatement -> attempt((TryStatementContext) child);
-      case UrbiscriptParser.RULE_throwStatement ->
-          new Ast.Throw(span, optional(((ThrowStatementContext) child).expression()));
-      case UrbiscriptParser.RULE_returnStatement ->
-          new Ast.Return(span, optional(((ReturnStatementContext) child).expression()));
+      case UrbiscriptParser.RULE_throwStatement -> {
+        Ast value = optional(((ThrowStatementContext) child).expression());
+        within(value == null ? builder.enclosingCatches : 1, span, "throw", "a catch");
+        yield new Ast.Throw(span, value);
+      }
+      case UrbiscriptParser.RULE_returnStatement -> {
+        within(builder.enclosingFunctions, span, "return", "a function");
+        yield new Ast.Return(span, optional(((ReturnStatementContext) child).expression()));
+      }
       case UrbiscriptParser.RULE_breakStatement -> {
-        inLoop(context.getStart());
+        within(builder.enclosingLoops, span, "break", "a loop");
         yield new Ast.Break(span);
       }
       case UrbiscriptParser.RULE_continueStatement -> {
-        inLoop(context.getStart());
+        within(builder.enclosingLoops, span, "continue", "a loop");
         yield new Ast.Continue(span);
       }
       case UrbiscriptParser.RULE_assertStatement -> claim((AssertStatementContext) child);
@@ -295,10 +300,14 @@ final class StatementBuilder {
     }
   }
 
-  /** A jump that has no loop to leave or to go on with is an error. */
-  private void inLoop(Token jump) {
-    if (builder.enclosingLoops == 0) {
-      throw builder.unexpected(jump);
+  /**
+   * A jump that has nothing to leave or to go on with is an error.
+   *
+   * @param around how many of what it needs are around
+   */
+  private void within(int around, Span span, String jump, String what) {
+    if (around == 0) {
+      throw builder.failure(span, jump + ": outside " + what);
     }
   }
 
@@ -417,7 +426,9 @@ final class StatementBuilder {
       }
       Ast pattern = one.LPAREN() == null ? null : pattern(one.expression(0));
       Ast guard = one.IF() == null ? null : builder.expressions.value(one.expression(1));
+      builder.enclosingCatches++;
       catches.add(new Ast.Catch(span, pattern, guard, scope(one.scope())));
+      builder.enclosingCatches--;
     }
     return new Ast.Try(
         builder.span(context),

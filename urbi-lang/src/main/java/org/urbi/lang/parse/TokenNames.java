@@ -22,7 +22,7 @@ final class TokenNames {
     return new Span(source, begin, Math.max(begin, token.getStopIndex() + 1));
   }
 
-  private static String name(Token token) {
+  static String name(Token token) {
     return switch (token.getType()) {
       case Token.EOF -> "end of file";
       case UrbiscriptLexer.WORD, UrbiscriptLexer.QUOTED -> "identifier";

@@ -29,6 +29,9 @@ final class TreeBuilder {
   /** How many loops are around, in the function that is being built. */
   int enclosingLoops;
 
+  /** How many catch clauses are around, in the function that is being built. */
+  int enclosingCatches;
+
   private final Source source;
   private final List<SyntaxWarning> warnings;
   private int height;

@@ -79,7 +79,7 @@ public final class UrbiParser {
         } catch (NestingException tooDeep) {
           errors.add(TokenNames.failure(source, tooDeep.token(), tooDeep.getMessage()).error());
         } catch (ParseCancellationException stop) {
-          errors.add(TokenNames.unexpected(source, Bail.offender(stop)).error());
+          errors.add(Misfit.error(source, stop));
         }
       }
       return new Parsed(tree, separator, List.copyOf(errors), List.copyOf(warnings));

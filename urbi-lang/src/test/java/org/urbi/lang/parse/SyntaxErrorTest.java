@@ -22,7 +22,17 @@ class SyntaxErrorTest {
       value = {
         "*;                              @ 1.1: unexpected *",
         "1.;                             @ 1.3: unexpected ;",
-        "bar qux;                        @ 1.8: unexpected ;",
+        "bar qux;                        @ 1.5-7: unexpected identifier",
+        "{} )                            @ 1.4: unexpected ), expecting end of command or \",\" or"
+            + " ;",
+        "function 1() {}                 @ 1.10: unexpected float, expecting { or ( or identifier"
+            + " or this",
+        "&|                              @ 1.2: unexpected |, expecting identifier or new",
+        "try 1                           @ 1.5: unexpected float, expecting {",
+        "return 3;                       @ 1.1-8: return: outside a function",
+        "if (true) break                 @ 1.11-15: break: outside a loop",
+        "continue;                       @ 1.1-8: continue: outside a loop",
+        "throw;                          @ 1.1-5: throw: outside a catch",
         "if (a) b; else c                @ 1.11-14: unexpected else",
         "f(1 + if (a) 3)                 @ 1.7-8: unexpected if",
         "1 in l in [false];              @ 1.8-9: unexpected in",

@@ -109,6 +109,6 @@ final class ExceptionTable extends BuiltinTable {
       init.action.run(caller, site, self, arguments);
       return values.voidObject;
     }
-    return values.string(shown.text.of(caller, self));
+    return values.string(ExceptionType.placed(caller, self, shown.text.of(caller, self)));
   }
 }

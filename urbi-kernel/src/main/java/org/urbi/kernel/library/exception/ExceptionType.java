@@ -31,10 +31,20 @@ public final class ExceptionType {
     }
   }
 
-  @Builtin(doc = "The message.")
+  @Builtin(doc = "The message; once it has been caught, with the place where it was thrown.")
   static String asString(Frame frame, UrbiObject self) {
     UrbiObject message = self.lookup(self.world().symbol("message"));
-    return message instanceof UrbiString text ? text.value() : text(frame, self, "message");
+    return placed(
+        frame,
+        self,
+        message instanceof UrbiString text ? text.value() : text(frame, self, "message"));
+  }
+
+  /** The text of an exception, behind the place where it was thrown if that is known. */
+  static String placed(Frame frame, UrbiObject self, String text) {
+    return frame.interpreter().errors().tellsPlace(self)
+        ? text(frame, self, "location") + ": " + text
+        : text;
   }
 
   @Builtin(doc = "The type and the message, as the console shows it.")

@@ -6,7 +6,7 @@ import java.util.List;
 /** How alike words are (manual, "String.distance", "String.closest"). */
 public final class Spelling {
   private static final int MOST_EDITS = 2;
-  private static final int LONG_WORD = 5;
+  private static final int SHORT_WORD = 3;
 
   /** Nobody mistypes what is longer. */
   private static final int LONGEST_NAME = 100;
@@ -71,8 +71,11 @@ public final class Spelling {
   }
 
   /**
-   * The first of the most alike candidates which somebody may have meant by a name: long words with
-   * two mistakes, short ones with one; null when there is none, or the name itself is one.
+   * The last of the most alike candidates which somebody may have meant by a name, with two
+   * mistakes at most; null when there is none, or the name itself is one. The case of letters
+   * counts for nothing, unless it is all that differs.
+   *
+   * @param candidates in alphabetical order
    */
   public static String meant(String name, Collection<String> candidates) {
     int least = MOST_EDITS + 1;
@@ -82,10 +85,11 @@ public final class Spelling {
     }
     for (String candidate : candidates) {
       int shorter = Math.min(name.length(), candidate.length());
-      int most = shorter < 2 ? 0 : shorter < LONG_WORD ? 1 : MOST_EDITS;
+      int most = shorter < 2 ? 0 : shorter < SHORT_WORD ? 1 : MOST_EDITS;
       if (Math.abs(candidate.length() - name.length()) <= most) {
-        int distance = distance(name, candidate, () -> {});
-        if (distance <= most && distance < least) {
+        int distance =
+            Math.max(1, distance(Characters.lower(name), Characters.lower(candidate), () -> {}));
+        if (distance <= most && distance <= least) {
           meant = candidate;
           least = distance;
         }

@@ -1,0 +1,51 @@
+package org.urbi.lang.parse;
+
+import org.antlr.v4.runtime.RecognitionException;
+import org.antlr.v4.runtime.Token;
+import org.antlr.v4.runtime.TokenStream;
+import org.antlr.v4.runtime.misc.ParseCancellationException;
+import org.urbi.lang.grammar.UrbiscriptParser;
+import org.urbi.lang.source.Source;
+
+/**
+ * What is told of the first token that fits nowhere: which it is and, where few could have stood in
+ * its place, which these are.
+ */
+final class Misfit {
+  private Misfit() {}
+
+  static SyntaxError error(Source source, ParseCancellationException stop) {
+    var cause = (RecognitionException) stop.getCause();
+    Token token = cause.getOffendingToken();
+    Token before = before(cause, token);
+    int rule = cause.getCtx() == null ? -1 : cause.getCtx().getRuleIndex();
+    if (rule == UrbiscriptParser.RULE_modifier && before != null) {
+      // Two names in a row: the second would be the modifier of a trajectory, but no colon follows.
+      return TokenNames.unexpected(source, before).error();
+    }
+    String expected = before == null ? null : expected(before.getType(), rule);
+    String told = "unexpected " + TokenNames.name(token);
+    return TokenNames.failure(
+            source, token, expected == null ? told : told + ", expecting " + expected)
+        .error();
+  }
+
+  private static Token before(RecognitionException cause, Token token) {
+    return token.getTokenIndex() > 0 && cause.getInputStream() instanceof TokenStream tokens
+        ? tokens.get(token.getTokenIndex() - 1)
+        : null;
+  }
+
+  /** What may follow a token; null when that is a lot. */
+  private static String expected(int before, int rule) {
+    return switch (before) {
+      case UrbiscriptParser.RBRACE ->
+          rule == UrbiscriptParser.RULE_item ? "end of command or \",\" or ;" : null;
+      case UrbiscriptParser.AND -> rule == UrbiscriptParser.RULE_name ? "identifier or new" : null;
+      case UrbiscriptParser.FUNCTION -> "{ or ( or identifier or this";
+      case UrbiscriptParser.CLOSURE, UrbiscriptParser.DO -> "{ or (";
+      case UrbiscriptParser.TRY, UrbiscriptParser.FINALLY -> "{";
+      default -> null;
+    };
+  }
+}
