@@ -31,6 +31,7 @@ public final class EntryForm {
     add(25, Message.Interrupted.class);
     add(26, Message.ConnectionClosed.class);
     add(27, Message.CompletionAsked.class);
+    add(28, Message.ConnectionFailed.class);
     add(40, Message.RemoteOpened.class);
     add(41, Message.RemoteFrame.class);
     add(42, Message.RemoteBehind.class);
