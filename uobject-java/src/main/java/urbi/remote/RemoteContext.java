@@ -95,10 +95,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
     link = new Link(host, port, CONNECT_MILLISECONDS);
     watch =
         new LinkWatch(
-            silence,
-            turn::complain,
-            this::ping,
-            () -> end("the server does not answer any more"));
+            silence, turn::complain, this::ping, () -> end("the server does not answer any more"));
     datagrams = new RemoteDatagrams(this, link.address());
     dispatcher.start();
     watch.start();

@@ -15,6 +15,7 @@ public final class Interruptions {
   private final Journal journal;
   private final boolean counted;
   private volatile boolean wanted;
+  private volatile Runnable changed = () -> {};
 
   Interruptions(Journal journal) {
     this.journal = journal;
@@ -26,13 +27,22 @@ public final class Interruptions {
   public void want(UrbiObject lobby) {
     lobbies.add(lobby);
     wanted = true;
+    changed.run();
+  }
+
+  /**
+   * Sets who is told, on whatever thread, when there may be some where there were none, or back.
+   */
+  public void whenChanged(Runnable listener) {
+    changed = listener;
+    listener.run();
   }
 
   /**
    * Whether there is any, or it counts how often that is asked; code looks at this in each turn of
-   * a loop.
+   * a loop, and at each call.
    */
-  boolean areWanted() {
+  public boolean areWanted() {
     return wanted;
   }
 
@@ -53,5 +63,6 @@ public final class Interruptions {
       // Others wait, or one has come between the two.
       wanted = true;
     }
+    changed.run();
   }
 }

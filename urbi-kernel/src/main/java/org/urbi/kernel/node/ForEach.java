@@ -114,6 +114,8 @@ public final class ForEach extends Node implements CallSite {
       }
       if (flavor == Flavor.SEMICOLON) {
         frame.job.yield();
+      } else {
+        frame.job.checkInterrupted();
       }
     }
     return values.voidObject;
@@ -137,7 +139,9 @@ public final class ForEach extends Node implements CallSite {
       if (value != null) {
         return value;
       }
-      if (flavor == Flavor.SEMICOLON && i < last) {
+      if (flavor != Flavor.SEMICOLON) {
+        frame.job.checkInterrupted();
+      } else if (i < last) {
         frame.job.yield();
       }
     }

@@ -138,9 +138,7 @@ public final class Function extends Code {
 
   private UrbiObject execute(Frame caller, CallSite site, UrbiObject self, UrbiObject[] locals) {
     Frame frame = caller.call(site, boundSelf == null ? self : boundSelf, this, locals);
-    if (frame.depth > caller.interpreter.maximumDepth()) {
-      throw caller.interpreter.errors().scheduling("stack space exhausted");
-    }
+    caller.interpreter.enter(frame);
     if (!body.plain) {
       prepare(frame);
     }

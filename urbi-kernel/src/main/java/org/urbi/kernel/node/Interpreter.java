@@ -53,7 +53,13 @@ public final class Interpreter {
   private boolean assertionsDisabled;
   private boolean assertionsShowValues = true;
   boolean profiling;
-  int maximumDepth;
+  private int maximumDepth;
+
+  /**
+   * The deepest call that need not look at anything: as deep as calls may be, or none while some
+   * code is to be interrupted. So calls that never end can be interrupted at no cost.
+   */
+  private volatile int callLimit;
 
   public Interpreter(World world, Scheduler scheduler, Errors errors, CorePrototypes prototypes) {
     this.world = world;
@@ -64,6 +70,7 @@ public final class Interpreter {
     this.prototypes = prototypes;
     this.maximumDepth = scheduler.maximumDepth();
     scheduler.setRefusals(errors::scheduling);
+    scheduler.interruptions().whenChanged(this::setCallLimit);
   }
 
   public World world() {
@@ -95,6 +102,22 @@ public final class Interpreter {
   /** Limits the number of nested calls. */
   public void limitDepth(int calls) {
     maximumDepth = Math.min(calls, scheduler.maximumDepth());
+    setCallLimit();
+  }
+
+  /** Called by several threads: the last one sees what all have done. */
+  private synchronized void setCallLimit() {
+    callLimit = scheduler.interruptions().areWanted() ? -1 : maximumDepth;
+  }
+
+  /** What every function does when it is called. */
+  void enter(Frame frame) {
+    if (frame.depth > callLimit) {
+      frame.job.checkInterrupted();
+      if (frame.depth > maximumDepth) {
+        throw errors.scheduling("stack space exhausted");
+      }
+    }
   }
 
   /** How many nested calls there may be. */
@@ -165,6 +188,7 @@ public final class Interpreter {
    * one when both are their own elements, has exhausted the stack.
    */
   public UrbiObject send(Frame caller, UrbiObject target, String message, UrbiObject... arguments) {
+    caller.job.checkInterrupted();
     if (!caller.job.beginSend(Math.min(MAXIMUM_NESTED_SENDS, maximumDepth))) {
       throw errors.scheduling("stack space exhausted");
     }

@@ -223,7 +223,7 @@ class JobTest {
         """
         function f(n) { f(n + 1) }|;
         try { f(0) } catch (var e) { e.message };
-        [00000000] "stack exhausted"
+        [00000000] "stack space exhausted"
         echo("on");
         [00000000] *** on
         """);

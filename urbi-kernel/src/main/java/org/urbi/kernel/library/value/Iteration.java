@@ -28,6 +28,7 @@ public final class Iteration {
   public static void tightly(
       Frame caller, CallSite site, UrbiObject self, List<UrbiObject> elements, UrbiObject fun) {
     for (UrbiObject element : List.copyOf(elements)) {
+      caller.job().checkInterrupted();
       caller.interpreter().call(caller, site, fun, self, element);
     }
   }

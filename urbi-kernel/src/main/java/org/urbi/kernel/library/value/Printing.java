@@ -56,6 +56,7 @@ public final class Printing {
   }
 
   private void append(UrbiObject value) {
+    caller.job().checkInterrupted();
     if (value instanceof UrbiFloat number && value.shape() == values.floatShape && isPlain(value)) {
       out.append(FloatFormat.format(number.value()));
     } else if (value instanceof UrbiString text && isPlain(value)) {

@@ -1,0 +1,98 @@
+package org.urbi.kernel;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Code that never lets others run ends when its client interrupts it, or leaves. */
+class InterruptionTest {
+  private static final long PATIENCE_SECONDS = 60;
+
+  private final Kernel kernel = Kernel.builder().log(line -> {}).start();
+
+  /** Called by urbiscript when the code that holds the kernel is about to begin. */
+  private final CountDownLatch begun = new CountDownLatch(1);
+
+  @AfterEach
+  void close() {
+    kernel.close();
+  }
+
+  /** A client that counts down when it is answered "alive". */
+  private Connection client(CountDownLatch alive) {
+    return kernel.connect(
+        new Client() {
+          @Override
+          public void output(String bytes) {
+            if (bytes.contains("alive")) {
+              alive.countDown();
+            }
+          }
+
+          @Override
+          public void closed() {}
+        });
+  }
+
+  private static void await(CountDownLatch what) throws InterruptedException {
+    assertTrue(what.await(PATIENCE_SECONDS, TimeUnit.SECONDS));
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "function f(n) { if (n < 2) n else f(n - 1) + f(n - 2) }; begun; f(60);",
+        "function f(n) { if (n < 2) n else f(n - 1) | f(n - 2) }; begun; try { f(60) } catch {};",
+        "begun; while| (true) {};",
+        "begun; loop| 1;",
+        "begun; for| (var i: 100000000) i;",
+        "begun; for| (var i = 0; true; i++) i;",
+        "begun; 100000000.'each|'(function (i) { i });",
+        "var l = [1]; for| (40) l = [l, l]; begun; l.hash;",
+        "var l = [1]; for| (40) l = [l, l]; begun; l == l.asList + [];",
+        "var l = [1]; for| (40) l = [l, l]; begun; l.asString;",
+        "function z() { try { z } catch { z } }; begun; z;",
+      })
+  void theInterruptKeyEndsWhateverRuns(String program) throws Exception {
+    kernel.define(
+        "begun",
+        nothing -> {
+          begun.countDown();
+          return null;
+        });
+    CountDownLatch judged = new CountDownLatch(1);
+    CountDownLatch answered = new CountDownLatch(1);
+    Connection judge = client(judged);
+    Connection busy = client(answered);
+    busy.send(program + "\n");
+    await(begun);
+    judge.send("echo(\"alive\");\n");
+    busy.interrupt();
+    await(judged);
+    busy.send("echo(\"alive\");\n");
+    await(answered);
+  }
+
+  @Test
+  void whatRunsEndsWhenItsClientLeaves() throws Exception {
+    kernel.define(
+        "begun",
+        nothing -> {
+          begun.countDown();
+          return null;
+        });
+    CountDownLatch judged = new CountDownLatch(1);
+    Connection judge = client(judged);
+    Connection busy = client(new CountDownLatch(1));
+    busy.send("function f(n) { if (n < 2) n else f(n - 1) + f(n - 2) }; begun; f(60);\n");
+    await(begun);
+    judge.send("echo(\"alive\");\n");
+    busy.close();
+    await(judged);
+  }
+}
