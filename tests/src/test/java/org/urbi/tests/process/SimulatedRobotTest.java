@@ -134,9 +134,10 @@ class SimulatedRobotTest {
 
   private static void connectsAgain(Browser browser, JavaProcess urbi) throws Exception {
     String connections = "return document.querySelector('#connection').dataset.connections";
-    assertEquals("1", browser.evaluate(connections));
+    // A page that is served late, on a machine with much else to do, has connected again already.
+    String first = browser.evaluate(connections);
     urbi.send("simulation.page.host = \"localhost\" | {};\n");
-    browser.await("the second connection", connections, "2"::equals);
+    browser.await("another connection", connections, now -> number(now) > number(first));
     String time = "return document.querySelector('#time').textContent";
     String before = browser.evaluate(time);
     browser.await("the time", time, now -> !now.equals(before));
