@@ -40,7 +40,9 @@ final class Misfit {
   private static String expected(int before, int rule) {
     return switch (before) {
       case UrbiscriptParser.RBRACE ->
-          rule == UrbiscriptParser.RULE_item ? "end of command or \",\" or ;" : null;
+          rule == UrbiscriptParser.RULE_item || rule == UrbiscriptParser.RULE_program
+              ? "end of command or \",\" or ;"
+              : null;
       case UrbiscriptParser.AND -> rule == UrbiscriptParser.RULE_name ? "identifier or new" : null;
       case UrbiscriptParser.FUNCTION -> "{ or ( or identifier or this";
       case UrbiscriptParser.CLOSURE, UrbiscriptParser.DO -> "{ or (";
