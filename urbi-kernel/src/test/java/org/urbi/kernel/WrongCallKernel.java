@@ -236,9 +236,12 @@ final class WrongCallKernel implements AutoCloseable {
                         try {
                           body.run(this, job);
                           over.complete(null);
-                        } catch (Throwable e) {
+                        } catch (Unwinding e) {
                           over.completeExceptionally(e);
                           throw e;
+                        } catch (Throwable e) {
+                          // Who waits is told; nobody else need be.
+                          over.completeExceptionally(e);
                         }
                       });
           judge.onEnd(() -> over.completeExceptionally(new Defect("the judge was stopped")));

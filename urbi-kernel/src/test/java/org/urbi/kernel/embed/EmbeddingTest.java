@@ -159,7 +159,7 @@ class EmbeddingTest {
   @Test
   void errorsAreExceptions() {
     UrbiError lookup = assertThrows(UrbiError.class, () -> kernel.eval("1;\n  foo"));
-    assertEquals("2.3-5: lookup failed: foo", lookup.getMessage());
+    assertEquals("2.3-5: lookup failed: foo (possible misspelling of log)", lookup.getMessage());
     assertEquals(2, lookup.location().line());
     assertEquals("foo", ((UrbiValue) lookup.value()).get("name"));
 
@@ -217,7 +217,7 @@ class EmbeddingTest {
         all -> {
           throw new IllegalStateException("não");
         });
-    assertEquals("fail: não", kernel.eval("try { fail } catch (var e) { e.asString }"));
+    assertEquals("1.7-10: fail: não", kernel.eval("try { fail } catch (var e) { e.asString }"));
     UrbiError error = assertThrows(UrbiError.class, () -> kernel.eval("fail"));
     assertTrue(error.getMessage().endsWith("fail: não"), error.getMessage());
     kernel.define("cast", all -> new Object());
@@ -252,7 +252,7 @@ class EmbeddingTest {
     assertEquals("[00000000] *** 1\n[00001000] *** 2\n", output.toString());
     kernel.eval("foo,");
     kernel.eval("sleep(1s)");
-    assertTrue(output.toString().contains("[00001000:error] !!! 1.1-3: lookup failed: foo\n"));
+    assertTrue(output.toString().contains("[00001000:error] !!! 1.1-3: lookup failed: foo "));
   }
 
   @Test

@@ -115,7 +115,7 @@ class LocationTest {
         [00000000:error] !!! 3.3-29: mine
         [00000000:error] !!!    called from: 9.7: f
         try { f } catch (var e) { throw e };
-        [00000000:error] !!! 10.27-33: mine
+        [00000000:error] !!! 3.3-29: mine
         """);
   }
 
@@ -196,13 +196,13 @@ class LocationTest {
         """
         var o = Object.new|;
         o.x = 1;
-        [00000000:error] !!! 2.1-7: lookup failed: x
+        [00000000:error] !!! 2.1-3: lookup failed: x
         var o.x = 1|;
         var o.x = 2;
         [00000000:error] !!! 4.7: slot redefinition: x
         o.x->constant = true|;
         o.x = 3;
-        [00000000:error] !!! 6.1-7: cannot modify const slot
+        [00000000:error] !!! 6.1-3: cannot modify const slot
         o.missing += 1;
         [00000000:error] !!! 7.1-14: lookup failed: missing
         o.missing++;

@@ -270,7 +270,7 @@ class AtEventTest {
         loud!;
         [00000000] *** emit []
         1!;
-        [00000000:error] !!! 5.1-2: lookup failed: emit
+        [00000000:error] !!! 5.1-2: lookup failed: emit (possible misspelling of min)
         """);
   }
 

@@ -115,14 +115,15 @@ class ShellTest {
   }
 
   @Test
-  void whatIsLeftWithNothingToLeaveIsNothing() {
+  void whatIsLeftWithNothingToLeaveIsRefused() {
     Dialogue.hold(
         """
         return;
+        [00000000:error] !!! 1.1-6: syntax error: return: outside a function
         { return 3 };
-        [00000000] 3
+        [00000000:error] !!! 2.3-10: syntax error: return: outside a function
         break;
-        [00000000:error] !!! 3.1-5: syntax error: unexpected break
+        [00000000:error] !!! 3.1-5: syntax error: break: outside a loop
         function f() { return }|;
         f;
         echo("on");

@@ -122,7 +122,7 @@ class LookupCacheTest {
         [00000000:error] !!! 6.16-18: lookup failed: x
         [00000000:error] !!!    called from: 17.1: f
         o.protos = [B, A]|;
-        [00000000:error] !!! 18.1-17: lookup failed: protos
+        [00000000:error] !!! 18.1-8: lookup failed: protos
         f;
         [00000000:error] !!! 6.16-18: lookup failed: x
         [00000000:error] !!!    called from: 19.1: f
@@ -200,7 +200,7 @@ class LookupCacheTest {
         var o.y = 1|;
         o.x->constant = true|;
         f(4);
-        [00000000:error] !!! 3.17-23: cannot modify const slot
+        [00000000:error] !!! 3.17-19: cannot modify const slot
         [00000000:error] !!!    called from: 7.1-4: f
         o.x;
         [00000000] 3
@@ -261,7 +261,7 @@ class LookupCacheTest {
         """
         function f(o) { o.twice }|;
         f(3);
-        [00000000:error] !!! 1.17-23: lookup failed: twice
+        [00000000:error] !!! 1.17-23: lookup failed: twice (possible misspelling of time)
         [00000000:error] !!!    called from: 2.1-4: f
         function Float.twice() { this * 2 }|;
         function String.twice() { this + this }|;
@@ -271,7 +271,7 @@ class LookupCacheTest {
         [00000000] 8
         Float.removeLocalSlot("twice")|;
         f(3); f("b");
-        [00000000:error] !!! 1.17-23: lookup failed: twice
+        [00000000:error] !!! 1.17-23: lookup failed: twice (possible misspelling of time)
         [00000000:error] !!!    called from: 7.1-4: f
         [00000000] "bb"
         """);

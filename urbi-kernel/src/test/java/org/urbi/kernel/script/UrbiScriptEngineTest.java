@@ -97,7 +97,8 @@ class UrbiScriptEngineTest {
   void errorsHaveAPlace() {
     engine.put(ScriptEngine.FILENAME, "dir/input.u");
     ScriptException lookup = assertThrows(ScriptException.class, () -> engine.eval("\n foo"));
-    assertEquals("dir/input.u:2.2-4: lookup failed: foo", lookup.getMessage());
+    assertEquals(
+        "dir/input.u:2.2-4: lookup failed: foo (possible misspelling of log)", lookup.getMessage());
     assertEquals("dir/input.u", lookup.getFileName());
     assertEquals(2, lookup.getLineNumber());
     assertEquals(2, lookup.getColumnNumber());

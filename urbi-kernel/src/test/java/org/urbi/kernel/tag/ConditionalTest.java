@@ -207,12 +207,12 @@ class ConditionalTest {
         [00000000] *** in
         [00000000] Tag<mine>
         baz;
-        [00000000:error] !!! 2.1-3: lookup failed: baz
+        [00000000:error] !!! 2.1-3: lookup failed: baz (possible misspelling of tan)
         var o = Object.new|;
         o.bar: echo(2);
-        [00000000:error] !!! 4.1-5: lookup failed: bar
+        [00000000:error] !!! 4.1-5: lookup failed: bar (possible misspelling of warn)
         bar;
-        [00000000:error] !!! 5.1-3: lookup failed: bar
+        [00000000:error] !!! 5.1-3: lookup failed: bar (possible misspelling of warn)
         class C { var mine = Tag.new("slot"); function f() { mine: { sleep(1s); echo("never") } } }|;
         var c = C.new|;
         c.f,
