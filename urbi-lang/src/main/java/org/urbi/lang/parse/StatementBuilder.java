@@ -202,23 +202,11 @@ final class StatementBuilder {
         yield new Ast.FreezeIf(span, condition, body(freeze.body()));
       }
       case UrbiscriptParser.RULE_tryStatement -> attempt((TryStatementContext) child);
-      case UrbiscriptParser.RULE_throwStatement -> {
-        Ast value = optional(((ThrowStatementContext) child).expression());
-        within(value == null ? builder.enclosingCatches : 1, span, "throw", "a catch");
-        yield new Ast.Throw(span, value);
-      }
-      case UrbiscriptParser.RULE_returnStatement -> {
-        within(builder.enclosingFunctions, span, "return", "a function");
-        yield new Ast.Return(span, optional(((ReturnStatementContext) child).expression()));
-      }
-      case UrbiscriptParser.RULE_breakStatement -> {
-        within(builder.enclosingLoops, span, "break", "a loop");
-        yield new Ast.Break(span);
-      }
-      case UrbiscriptParser.RULE_continueStatement -> {
-        within(builder.enclosingLoops, span, "continue", "a loop");
-        yield new Ast.Continue(span);
-      }
+      case UrbiscriptParser.RULE_throwStatement,
+          UrbiscriptParser.RULE_returnStatement,
+          UrbiscriptParser.RULE_breakStatement,
+          UrbiscriptParser.RULE_continueStatement ->
+          jump((ParserRuleContext) child, span);
       case UrbiscriptParser.RULE_assertStatement -> claim((AssertStatementContext) child);
       case UrbiscriptParser.RULE_classDefinition ->
           builder.functions.classDefinition((ClassDefinitionContext) child);
@@ -233,6 +221,22 @@ final class StatementBuilder {
       case UrbiscriptParser.RULE_accessor -> builder.functions.accessor((AccessorContext) child);
       default -> builder.events.emit((EmitStatementContext) child);
     };
+  }
+
+  /** A jump; in a method of its own, since the one above is on the stack once for each level. */
+  private Ast jump(ParserRuleContext context, Span span) {
+    if (context instanceof ThrowStatementContext raised) {
+      Ast value = optional(raised.expression());
+      within(value == null ? builder.enclosingCatches : 1, span, "throw", "a catch");
+      return new Ast.Throw(span, value);
+    }
+    if (context instanceof ReturnStatementContext returned) {
+      within(builder.enclosingFunctions, span, "return", "a function");
+      return new Ast.Return(span, optional(returned.expression()));
+    }
+    boolean over = context.getRuleIndex() == UrbiscriptParser.RULE_breakStatement;
+    within(builder.enclosingLoops, span, over ? "break" : "continue", "a loop");
+    return over ? new Ast.Break(span) : new Ast.Continue(span);
   }
 
   private Ast optional(ExpressionContext context) {
