@@ -170,7 +170,7 @@ class BinaryOverTcpTest {
   @Test
   void aHeaderThatIsNoneIsAnError() throws IOException {
     send("BIN x;1;\n".getBytes(StandardCharsets.US_ASCII));
-    expectLine("[:error] !!! 1.6: syntax error: unexpected ;");
+    expectLine("[:error] !!! 1.5: syntax error: unexpected identifier");
     expectLine("[] 1");
   }
 }

@@ -112,9 +112,9 @@ class ClientTest {
     client.setErrorCallback(this::keep);
     client.send("tag << 8; foo;");
     UMessage error = next();
-    assertEquals("1.69-71: lookup failed: foo", error.getMessage());
+    assertEquals("1.69-71: lookup failed: foo (possible misspelling of log)", error.getMessage());
     assertEquals(UMessageType.MESSAGE_ERROR, error.getType());
-    assertTrue(error.toString().matches("\\[\\d{8}:error] !!! 1.*foo"), error.toString());
+    assertTrue(error.toString().matches("\\[\\d{8}:error] !!! 1.*foo .*"), error.toString());
     client.setWildcardCallback(this::keep);
     client.send("echo(\"héllo\");");
     UMessage echo = next();
@@ -131,7 +131,7 @@ class ClientTest {
       assertEquals(new UValue(), client.syncEval("void"));
       assertEquals(42, client.syncGet("%s * 2;", 21).getValue().intValue());
       assertEquals(
-          "9.20-22: lookup failed: foo",
+          "9.20-22: lookup failed: foo (possible misspelling of log)",
           assertThrows(UClientException.class, () -> client.syncEval("foo")).getMessage());
       assertTrue(
           assertThrows(UClientException.class, () -> client.syncEval("1 +"))

@@ -57,7 +57,8 @@ class ConsoleServerTest {
         TestClient two = client()) {
       assertEquals("[] 1", one.ask("var own = 1; var Global.shared = 1 |;"));
       assertEquals("[] 1", two.ask("shared;"));
-      assertEquals("[:error] !!! 1.8-10: lookup failed: own", two.ask("own;"));
+      assertEquals(
+          "[:error] !!! 1.8-10: lookup failed: own (possible misspelling of tan)", two.ask("own;"));
     }
   }
 
@@ -70,7 +71,9 @@ class ConsoleServerTest {
               + "\n*/}])>;\n;var Global.taken = 1;\n");
       assertTrue(page.line().endsWith("which does not speak HTTP: closing"));
       assertNull(page.line());
-      assertEquals("[:error] !!! 1.1-5: lookup failed: taken", judge.ask("taken;"));
+      assertEquals(
+          "[:error] !!! 1.1-5: lookup failed: taken (possible misspelling of tan)",
+          judge.ask("taken;"));
     }
   }
 
