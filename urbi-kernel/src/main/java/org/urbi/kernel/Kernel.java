@@ -395,11 +395,15 @@ public final class Kernel implements AutoCloseable {
   // ------------------------------------------------------------------ messages
 
   private void take(Message message) {
-    switch (message) {
-      case Message.Shutdown wish -> shutDown(wish.status());
-      case Message.ConnectionOpened opened -> open(opened);
-      case Message.RemoteOpened opened -> open(opened);
-      default -> throw new IllegalArgumentException(message.toString());
+    // As in a connection, no switch over types: every script comes by here.
+    if (message instanceof Message.Shutdown wish) {
+      shutDown(wish.status());
+    } else if (message instanceof Message.ConnectionOpened opened) {
+      open(opened);
+    } else if (message instanceof Message.RemoteOpened opened) {
+      open(opened);
+    } else {
+      throw new IllegalArgumentException(message.toString());
     }
   }
 

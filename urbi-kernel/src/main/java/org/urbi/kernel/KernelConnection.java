@@ -130,21 +130,31 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
 
   @Override
   public void take(Message message) {
-    switch (message) {
-      case Message.ConsoleBytes sent -> received(sent.bytes());
-      case Message.InputEnded end -> inputEnded();
-      case Message.Interrupted wish -> interrupted();
-      case Message.ConnectionFailed failed -> tell(failed.error());
-      case Message.CompletionAsked asked -> complete(asked.question(), asked.text());
-      case Message.ConnectionClosed news -> {
-        kernel.scheduler().interruptions().clear(lobby);
-        kernel.inbox().forget(number);
-        gone = true;
-        finish();
-        completions.values().forEach(names -> names.complete(List.of()));
-      }
-      default -> throw new IllegalArgumentException(message.toString());
+    // No switch over types: the JDK builds those anew in each process, which a short script would
+    // feel.
+    if (message instanceof Message.ConsoleBytes sent) {
+      received(sent.bytes());
+    } else if (message instanceof Message.InputEnded) {
+      inputEnded();
+    } else if (message instanceof Message.Interrupted) {
+      interrupted();
+    } else if (message instanceof Message.ConnectionFailed failed) {
+      tell(failed.error());
+    } else if (message instanceof Message.CompletionAsked asked) {
+      complete(asked.question(), asked.text());
+    } else if (message instanceof Message.ConnectionClosed) {
+      closed();
+    } else {
+      throw new IllegalArgumentException(message.toString());
     }
+  }
+
+  private void closed() {
+    kernel.scheduler().interruptions().clear(lobby);
+    kernel.inbox().forget(number);
+    gone = true;
+    finish();
+    completions.values().forEach(names -> names.complete(List.of()));
   }
 
   private void received(String bytes) {

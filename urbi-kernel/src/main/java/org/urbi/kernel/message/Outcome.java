@@ -32,12 +32,18 @@ public record Outcome(Object value, Throwable failure) {
    */
   @SuppressWarnings("unchecked")
   public <T> T get() throws IOException {
-    return switch (failure) {
-      case null -> (T) value;
-      case IOException e -> throw e;
-      case RuntimeException e -> throw e;
-      case Error e -> throw e;
-      default -> throw new IOException(failure);
-    };
+    if (failure == null) {
+      return (T) value;
+    }
+    if (failure instanceof IOException e) {
+      throw e;
+    }
+    if (failure instanceof RuntimeException e) {
+      throw e;
+    }
+    if (failure instanceof Error e) {
+      throw e;
+    }
+    throw new IOException(failure);
   }
 }
