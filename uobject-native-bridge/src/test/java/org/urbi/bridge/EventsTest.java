@@ -84,6 +84,13 @@ class EventsTest {
   }
 
   @Test
+  void codeThatAConstructorSendsFindsTheObject() {
+    for (int run = 0; run < 30; run++) {
+      assertEquals(List.of("[Listener]"), answers("Listeners.asList;"));
+    }
+  }
+
+  @Test
   void groups() {
     assertEquals(
         List.of("[[Listener], [Listener]]"), answers("[Listeners.asList, everybody.asList];"));

@@ -336,7 +336,11 @@ public final class PluggedContext implements UContext {
 
   @Override
   public void start(UClass type) {
-    startUnseen(type).run();
+    inKernel(frame -> {
+      // At once: code that a constructor sends refers to the object.
+      creation.start(frame, type).run();
+      return null;
+    });
   }
 
   /**
