@@ -26,6 +26,7 @@ import urbi.media.ImageFiles;
  * A window with the images that come, and one with a list of effects: the one that is chosen is
  * applied to the image that is there. The program ends when the list is closed.
  */
+@SuppressWarnings("this-escape") // It shows itself as soon as it is constructed.
 public class ImageSampler extends Frame {
   private static final long serialVersionUID = 1;
   private static final float NINTH = 1 / 9f;

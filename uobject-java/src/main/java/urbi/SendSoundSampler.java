@@ -6,6 +6,7 @@ import javax.swing.JButton;
 import javax.swing.JFrame;
 
 /** A window with a button that has a server play a file. */
+@SuppressWarnings("this-escape") // It shows itself as soon as it is constructed.
 public class SendSoundSampler extends JFrame {
   private static final long serialVersionUID = 1;
 

@@ -6,6 +6,7 @@ import javax.swing.JButton;
 import javax.swing.JFrame;
 
 /** A window with buttons to record a sound, to play it, and to save it. */
+@SuppressWarnings("this-escape") // It shows itself as soon as it is constructed.
 public class SoundSampler extends JFrame {
   private static final long serialVersionUID = 1;
 

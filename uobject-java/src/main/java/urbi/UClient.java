@@ -22,6 +22,8 @@ import java.util.concurrent.locks.ReentrantLock;
  * the server takes has to wait. Callbacks are called one after the other by another thread: none of
  * them waits for something that another has to bring, see {@link USyncClient}.
  */
+// It is connected when it has been constructed: its threads know it before a subclass is complete.
+@SuppressWarnings("this-escape")
 public class UClient extends UAbstractClient implements AutoCloseable {
   /** How long the constructors wait for a connection. */
   public static final Duration CONNECT_TIMEOUT = Duration.ofSeconds(10);

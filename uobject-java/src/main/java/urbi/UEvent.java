@@ -1,6 +1,8 @@
 package urbi;
 
 /** An event of urbiscript (manual, "Emitting events"). */
+// Constructors call the same methods to bind as users do, who may redefine them as in 2.7.
+@SuppressWarnings("this-escape")
 public class UEvent {
   private String name = "";
   private UEmitter emitter;

@@ -17,6 +17,10 @@ import java.util.concurrent.atomic.AtomicBoolean;
  *
  * <p>One that implements {@link AutoCloseable} is closed when its urbiscript object has gone.
  */
+// An object is known to its context while it is being constructed: that is how it can bind. A
+// lambda
+// given to bind() either returns something or does not, which tells the overloads apart.
+@SuppressWarnings({"this-escape", "overloads"})
 public abstract non-sealed class UObject extends UResident {
   private final String name;
   private final UClass type;

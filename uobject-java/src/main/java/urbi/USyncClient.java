@@ -19,6 +19,8 @@ import urbi.time.Stopwatch;
  * <p>All methods that wait throw {@link UClientException}: with the server's words when what it was
  * asked is an error, and when the connection ends or the time is over. A time of zero is no limit.
  */
+// It is connected when it has been constructed: its threads know it before a subclass is complete.
+@SuppressWarnings("this-escape")
 public class USyncClient extends UClient {
   private static final UMessage END = new UMessage(null, 0, "", null, new byte[0], false);
   private static final Duration FOREVER = Duration.ZERO;

@@ -6,6 +6,8 @@ package urbi;
  *
  * <p>Where it says so in {@link UObject#UOwned}, what this UVar reads and what it writes differ.
  */
+// Constructors call the same methods to bind as users do, who may redefine them as in 2.7.
+@SuppressWarnings("this-escape")
 public class UVar {
   /** The least value; writing less writes this. */
   public final UProp rangemin = new UProp(this, UProperty.PROP_RANGEMIN);

@@ -9,6 +9,7 @@ final class LibraryLoader {
   private LibraryLoader() {}
 
   /** Loads the library in a file. */
+  @SuppressWarnings("restricted") // To load it is what this class is for.
   static void load(String file) {
     System.load(file);
   }

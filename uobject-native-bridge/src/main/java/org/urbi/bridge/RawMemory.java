@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
  * Memory that C++ code reads and writes too, by its address; numbers in the machine's byte order.
  */
 final class RawMemory {
+  @SuppressWarnings("restricted") // C++ says where it is, and nobody else knows how large.
   private static final MemorySegment ALL = MemorySegment.NULL.reinterpret(Long.MAX_VALUE);
 
   private RawMemory() {}

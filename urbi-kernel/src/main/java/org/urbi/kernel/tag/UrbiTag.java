@@ -15,6 +15,7 @@ public class UrbiTag extends UrbiObject {
   private UrbiEvent enter;
   private UrbiEvent leave;
 
+  @SuppressWarnings("this-escape") // The state only keeps the tag that it is of.
   public UrbiTag(Shape shape) {
     super(shape);
     this.state = new TagState(this);

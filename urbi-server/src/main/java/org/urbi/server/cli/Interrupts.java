@@ -4,7 +4,6 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
-import sun.misc.Signal;
 
 /**
  * What {@code Ctrl-C} does (manual, section 21.3.2). In a session the first kills the foreground
@@ -52,7 +51,7 @@ final class Interrupts {
 
   /** Listens to the signal of the interrupt key; a terminal session tells of it by itself. */
   void install() {
-    Signal.handle(new Signal("INT"), signal -> interrupted());
+    InterruptKey.whenHit(this::interrupted);
   }
 
   /** The interrupt key was hit. */

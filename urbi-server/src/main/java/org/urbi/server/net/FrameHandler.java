@@ -315,7 +315,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
       // Not more at once than may be wasted on somebody who only says that there will be more.
       long missing =
           HEADER + (long) partial.getInt(partial.readerIndex()) - partial.readableBytes();
-      partial.ensureWritable((int) Math.clamp(missing, 0, MOST_AHEAD));
+      partial.ensureWritable(Math.clamp(missing, 0, MOST_AHEAD));
     }
   }
 

@@ -27,6 +27,7 @@ final class NearCallback {
   private final MemorySegment stub;
   private Throwable failure;
 
+  @SuppressWarnings("restricted") // The type is that of ODE's header.
   NearCallback(Pairs pairs) {
     this.pairs = pairs;
     try {

@@ -44,6 +44,7 @@ final class StepCalls {
     // The class has been initialized when this is called.
   }
 
+  @SuppressWarnings("restricted") // The types are those of ODE's headers.
   private static MethodHandle function(String name, FunctionDescriptor type) {
     long address = Pointer.nativeValue(OdeLibrary.function(name));
     return Linker.nativeLinker().downcallHandle(MemorySegment.ofAddress(address), type);
