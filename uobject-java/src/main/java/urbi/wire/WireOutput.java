@@ -3,32 +3,18 @@ package urbi.wire;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
-import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import java.util.Map;
-import urbi.UBinary;
 import urbi.UValue;
 
 /** Writes frames one after the other into a growing array. */
-public final class WireOutput {
+public final class WireOutput extends ValueEncoder {
   private static final VarHandle INT =
       MethodHandles.byteArrayViewVarHandle(int[].class, ByteOrder.BIG_ENDIAN);
   private static final VarHandle LONG =
       MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.BIG_ENDIAN);
-  private static final int DEEPEST = 500;
-
-  static final int VOID = 0;
-  static final int DOUBLE = 1;
-  static final int STRING = 2;
-  static final int LIST = 3;
-  static final int DICTIONARY = 4;
-  static final int BINARY = 5;
-  static final int SLOT_NAME = 6;
-
   private byte[] bytes;
   private int size;
   private int start;
-  private int depth;
 
   public WireOutput(int capacity) {
     bytes = new byte[capacity];
@@ -66,39 +52,59 @@ public final class WireOutput {
   /** Forgets the frame that has been begun. */
   public void abandon() {
     size = start;
-    depth = 0;
+    abandonValue();
+  }
+
+  @Override
+  protected void putByte(int value) {
+    ensure(1);
+    bytes[size++] = (byte) value;
+  }
+
+  @Override
+  protected void putInt(int value) {
+    ensure(4);
+    INT.set(bytes, size, value);
+    size += 4;
+  }
+
+  @Override
+  protected void putLong(long value) {
+    ensure(8);
+    LONG.set(bytes, size, value);
+    size += 8;
+  }
+
+  @Override
+  protected void putBytes(byte[] value, int from, int length) {
+    ensure(length);
+    System.arraycopy(value, from, bytes, size, length);
+    size += length;
   }
 
   public WireOutput octet(int value) {
-    ensure(1);
-    bytes[size++] = (byte) value;
+    putByte(value);
     return this;
   }
 
   public WireOutput size(int value) {
-    ensure(4);
-    INT.set(bytes, size, value);
-    size += 4;
+    putInt(value);
     return this;
   }
 
   public WireOutput number(long value) {
-    ensure(8);
-    LONG.set(bytes, size, value);
-    size += 8;
+    putLong(value);
     return this;
   }
 
   public WireOutput bytes(byte[] value, int from, int length) {
-    ensure(length);
-    System.arraycopy(value, from, bytes, size, length);
-    size += length;
+    putBytes(value, from, length);
     return this;
   }
 
   public WireOutput text(String value) {
-    byte[] utf8 = value.getBytes(StandardCharsets.UTF_8);
-    return size(utf8.length).bytes(utf8, 0, utf8.length);
+    putText(value);
+    return this;
   }
 
   public WireOutput values(UValue... values) {
@@ -110,31 +116,7 @@ public final class WireOutput {
   }
 
   public WireOutput value(UValue value) {
-    if (++depth > DEEPEST) {
-      throw new WireException("a value is nested too deeply");
-    }
-    switch (value.getType()) {
-      case DATA_VOID -> octet(VOID);
-      case DATA_DOUBLE -> octet(DOUBLE).number(Double.doubleToRawLongBits(value.doubleValue()));
-      case DATA_STRING -> octet(STRING).text(value.stringValue());
-      case DATA_SLOTNAME -> octet(SLOT_NAME).text(value.stringValue());
-      case DATA_LIST -> {
-        octet(LIST).size(value.ulistValue().size());
-        value.ulistValue().forEach(this::value);
-      }
-      case DATA_DICTIONARY -> {
-        octet(DICTIONARY).size(value.udictionaryValue().size());
-        for (Map.Entry<String, UValue> entry : value.udictionaryValue().entrySet()) {
-          text(entry.getKey()).value(entry.getValue());
-        }
-      }
-      case DATA_BINARY -> {
-        UBinary binary = value.ubinaryValue();
-        octet(BINARY).text(binary.getMessage()).size(binary.getSize());
-        bytes(binary.getData(), 0, binary.getSize());
-      }
-    }
-    depth--;
+    putValue(value);
     return this;
   }
 
@@ -155,7 +137,7 @@ public final class WireOutput {
   /** Starts again, and gives back what a large value has needed. */
   public void reset() {
     size = 0;
-    depth = 0;
+    abandonValue();
     if (bytes.length > 1 << 20) {
       bytes = new byte[1 << 16];
     }

@@ -55,8 +55,8 @@ final class RawMemory {
     ALL.set(ValueLayout.JAVA_DOUBLE_UNALIGNED, address, value);
   }
 
-  static void putBytes(long address, byte[] bytes) {
-    MemorySegment.copy(bytes, 0, ALL, ValueLayout.JAVA_BYTE, address, bytes.length);
+  static void putBytes(long address, byte[] bytes, int from, int length) {
+    MemorySegment.copy(bytes, from, ALL, ValueLayout.JAVA_BYTE, address, length);
   }
 
   static void move(long from, long to, long length) {

@@ -1,12 +1,12 @@
 package org.urbi.bridge;
 
 import urbi.UBinary;
-import urbi.UDictionary;
-import urbi.UList;
 import urbi.UValue;
+import urbi.wire.ValueDecoder;
+import urbi.wire.WireException;
 
 /** Reads texts and values that C++ code has written, see {@code urbi/detail/wire.hh}. */
-final class ValueReader {
+final class ValueReader extends ValueDecoder {
   private long at;
   private final long end;
 
@@ -19,10 +19,15 @@ final class ValueReader {
     return at >= end;
   }
 
-  private long take(long bytes) {
+  @Override
+  protected void require(long bytes) {
     if (bytes < 0 || end - at < bytes) {
-      throw new IllegalStateException("truncated value");
+      throw new WireException("a value is cut off");
     }
+  }
+
+  private long take(long bytes) {
+    require(bytes);
     long start = at;
     at += bytes;
     return start;
@@ -36,13 +41,48 @@ final class ValueReader {
     return RawMemory.getDouble(take(Double.BYTES));
   }
 
-  private int count() {
+  @Override
+  protected int takeByte() {
+    return RawMemory.getByte(take(1));
+  }
+
+  @Override
+  protected int takeInt() {
     return RawMemory.getInt(take(Integer.BYTES));
   }
 
-  String text() {
-    int length = count();
+  @Override
+  protected long takeLong() {
+    return rawLong();
+  }
+
+  @Override
+  protected byte[] takeBytes(int length) {
+    return RawMemory.getBytes(take(length), length);
+  }
+
+  @Override
+  protected String takeText(int length) {
     return RawMemory.getText(take(length), length);
+  }
+
+  @Override
+  protected int takeDataSize() {
+    return Math.toIntExact(rawLong());
+  }
+
+  @Override
+  protected UValue takeOther(int kind) {
+    if (kind != ValueWriter.POINTER) {
+      return super.takeOther(kind);
+    }
+    String header = takeText();
+    int size = takeDataSize();
+    return new UValue(new UBinary(header, RawMemory.getBytes(rawLong(), size)));
+  }
+
+  String text() {
+    return takeText();
   }
 
   /**
@@ -51,7 +91,7 @@ final class ValueReader {
    * @param before the header of the one before
    */
   SharedBinary shared(SharedHeader before) {
-    if (ended() || RawMemory.getByte(at) != ValueWriter.MARK_POINTER) {
+    if (ended() || RawMemory.getByte(at) != ValueWriter.POINTER) {
       return null;
     }
     take(1);
@@ -61,7 +101,7 @@ final class ValueReader {
   }
 
   private SharedHeader header(SharedHeader before) {
-    int length = count();
+    int length = takeInt();
     long start = take(length);
     return before.isAt(start, length)
         ? before
@@ -69,38 +109,6 @@ final class ValueReader {
   }
 
   UValue value() {
-    byte mark = RawMemory.getByte(take(1));
-    return switch (mark) {
-      case ValueWriter.MARK_VOID -> new UValue();
-      case ValueWriter.MARK_NUMBER -> new UValue(rawDouble());
-      case ValueWriter.MARK_STRING -> new UValue(text());
-      case ValueWriter.MARK_SLOTNAME -> UValue.slotName(text());
-      case ValueWriter.MARK_LIST -> {
-        UList list = new UList();
-        for (int left = count(); left > 0; left--) {
-          list.add(value());
-        }
-        yield new UValue(list);
-      }
-      case ValueWriter.MARK_DICTIONARY -> {
-        UDictionary dictionary = new UDictionary();
-        for (int left = count(); left > 0; left--) {
-          String name = text();
-          dictionary.put(name, value());
-        }
-        yield new UValue(dictionary);
-      }
-      case ValueWriter.MARK_BINARY -> {
-        String header = text();
-        int size = Math.toIntExact(rawLong());
-        yield new UValue(new UBinary(header, RawMemory.getBytes(take(size), size)));
-      }
-      case ValueWriter.MARK_POINTER -> {
-        String header = text();
-        int size = Math.toIntExact(rawLong());
-        yield new UValue(new UBinary(header, RawMemory.getBytes(rawLong(), size)));
-      }
-      default -> throw new IllegalStateException("malformed value");
-    };
+    return takeValue();
   }
 }

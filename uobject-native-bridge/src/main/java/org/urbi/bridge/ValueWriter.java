@@ -2,21 +2,14 @@ package org.urbi.bridge;
 
 import com.sun.jna.Native;
 import java.nio.charset.StandardCharsets;
-import java.util.Map;
 import urbi.UBinary;
-import urbi.UDataType;
 import urbi.UValue;
+import urbi.wire.ValueEncoder;
 
 /** Writes texts and values for C++ code, see {@code urbi/detail/wire.hh}. */
-final class ValueWriter {
-  static final byte MARK_VOID = 0;
-  static final byte MARK_NUMBER = 1;
-  static final byte MARK_STRING = 2;
-  static final byte MARK_LIST = 3;
-  static final byte MARK_DICTIONARY = 4;
-  static final byte MARK_BINARY = 5;
-  static final byte MARK_SLOTNAME = 6;
-  static final byte MARK_POINTER = 7;
+final class ValueWriter extends ValueEncoder {
+  /** A binary of which only the address is written: the kind that no other process understands. */
+  static final int POINTER = 7;
 
   private final long given;
   private long begin;
@@ -44,6 +37,7 @@ final class ValueWriter {
   /** Forgets what was written. */
   void restart() {
     length = 0;
+    abandonValue();
   }
 
   /** Frees what was allocated. */
@@ -75,81 +69,68 @@ final class ValueWriter {
     capacity = bytes;
   }
 
-  void rawLong(long value) {
+  @Override
+  protected void putByte(int value) {
+    RawMemory.putByte(room(1), (byte) value);
+  }
+
+  @Override
+  protected void putInt(int value) {
+    RawMemory.putInt(room(Integer.BYTES), value);
+  }
+
+  @Override
+  protected void putLong(long value) {
     RawMemory.putLong(room(Long.BYTES), value);
+  }
+
+  @Override
+  protected void putBytes(byte[] value, int from, int size) {
+    RawMemory.putBytes(room(size), value, from, size);
+  }
+
+  @Override
+  protected void putNumber(double value) {
+    long at = room(1 + Double.BYTES);
+    RawMemory.putByte(at, (byte) DOUBLE);
+    RawMemory.putDouble(at + 1, value);
+  }
+
+  @Override
+  protected void putDataSize(int size) {
+    putLong(size);
+  }
+
+  @Override
+  protected void putBinary(UBinary binary) {
+    SharedBinary shared = SharedBinary.of(binary);
+    if (shared == null) {
+      super.putBinary(binary);
+      return;
+    }
+    byte[] header = shared.header().bytes();
+    putByte(POINTER);
+    putInt(header.length);
+    putBytes(header, 0, header.length);
+    putLong(binary.getSize());
+    putLong(shared.address());
   }
 
   void rawDouble(double value) {
     RawMemory.putDouble(room(Double.BYTES), value);
   }
 
-  private void bytes(byte[] bytes) {
-    RawMemory.putBytes(room(bytes.length), bytes);
-  }
-
-  private void mark(byte mark) {
-    RawMemory.putByte(room(1), mark);
-  }
-
-  private void count(int number) {
-    RawMemory.putInt(room(Integer.BYTES), number);
-  }
-
   /** A text that is no value: of an error. */
   void plain(String text) {
-    bytes(text.getBytes(StandardCharsets.UTF_8));
+    byte[] utf8 = text.getBytes(StandardCharsets.UTF_8);
+    putBytes(utf8, 0, utf8.length);
   }
 
   void text(String text) {
-    text(text.getBytes(StandardCharsets.UTF_8));
-  }
-
-  private void text(byte... bytes) {
-    count(bytes.length);
-    bytes(bytes);
+    putText(text);
   }
 
   void value(UValue value) {
-    switch (value.getType()) {
-      case DATA_VOID -> mark(MARK_VOID);
-      case DATA_DOUBLE -> {
-        long at = room(1 + Double.BYTES);
-        RawMemory.putByte(at, MARK_NUMBER);
-        RawMemory.putDouble(at + 1, value.doubleValue());
-      }
-      case DATA_STRING, DATA_SLOTNAME -> {
-        mark(value.getType() == UDataType.DATA_STRING ? MARK_STRING : MARK_SLOTNAME);
-        text(value.stringValue());
-      }
-      case DATA_LIST -> {
-        mark(MARK_LIST);
-        count(value.ulistValue().size());
-        value.ulistValue().forEach(this::value);
-      }
-      case DATA_DICTIONARY -> {
-        mark(MARK_DICTIONARY);
-        count(value.udictionaryValue().size());
-        for (Map.Entry<String, UValue> entry : value.udictionaryValue().entrySet()) {
-          text(entry.getKey());
-          value(entry.getValue());
-        }
-      }
-      case DATA_BINARY -> binary(value.ubinaryValue());
-    }
-  }
-
-  private void binary(UBinary binary) {
-    SharedBinary shared = SharedBinary.of(binary);
-    if (shared != null) {
-      mark(MARK_POINTER);
-      text(shared.header().bytes());
-      rawLong(binary.getSize());
-      rawLong(shared.address());
-      return;
-    }
-    mark(MARK_BINARY);
-    text(binary.getMessage());
-    rawLong(binary.getSize());
-    bytes(binary.getData());
+    putValue(value);
   }
 }
