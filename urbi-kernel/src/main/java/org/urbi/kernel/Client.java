@@ -11,6 +11,22 @@ public interface Client {
   /** Some of the input that was sent has been taken: {@link Connection#pendingInput} went down. */
   default void inputConsumed() {}
 
+  /**
+   * Whether the run is this client's: when it has no more input, its lobby stays, and the kernel
+   * ends when nothing can wake it.
+   */
+  default boolean isProgram() {
+    return false;
+  }
+
+  /** Whether it may send something that nobody expects, so that the kernel waits for it. */
+  default boolean isAwaited() {
+    return true;
+  }
+
+  /** It has been told of a syntax error in its input, or of an exception that nobody caught. */
+  default void failed() {}
+
   /** The Internet address at the other end; empty when there is none. */
   default String remoteAddress() {
     return "";

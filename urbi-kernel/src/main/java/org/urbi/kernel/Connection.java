@@ -11,7 +11,10 @@ public interface Connection {
   /** Sends text, cut anywhere: every {@code char} is one byte. */
   void send(String bytes);
 
-  /** There will be no more input: the connection closes when all of its jobs are over. */
+  /**
+   * There will be no more input: the connection closes when all of its jobs are over; that of
+   * {@linkplain Client#isProgram the program} when nothing can wake the kernel any more.
+   */
   void end();
 
   /** The client has gone: all its jobs end. */

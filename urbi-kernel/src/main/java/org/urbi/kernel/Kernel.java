@@ -342,6 +342,7 @@ public final class Kernel implements AutoCloseable {
             new UrbiEvent(world.values().object.cloneShape()),
             new UrbiTag(world.values().object.cloneShape()));
     this.interpreter = new Interpreter(world, scheduler, new Errors(world), core);
+    scheduler.whenQuiet(this::endIfNothingCanWakeIt);
     this.uobjects = new PluggedContext(interpreter, builder.moduleSearchPath, outside, log);
     if (builder.stackSize > 0) {
       interpreter.limitDepth(builder.stackSize * CALLS_PER_KIBIBYTE);
@@ -454,6 +455,22 @@ public final class Kernel implements AutoCloseable {
         connection.finish();
       }
       scheduler.stop();
+    }
+  }
+
+  /**
+   * The program has no more input, and nothing is going to happen: no job, no deadline, nothing
+   * outside, nobody connected, and no component whose variables and events somebody listens to.
+   */
+  private void endIfNothingCanWakeIt() {
+    for (KernelConnection connection : connections) {
+      if (connection.isAwaited()) {
+        return;
+      }
+    }
+    boolean resting = scheduler.jobs().stream().allMatch(Job::isResting);
+    if (resting && !uobjects.isListenedTo()) {
+      connections().forEach(KernelConnection::finishProgram);
     }
   }
 
@@ -728,6 +745,9 @@ public final class Kernel implements AutoCloseable {
       FailureLog.internal("job " + job.name(), failure);
     }
     if (job.lobby() instanceof UrbiLobby lobby && lobby.output() != null) {
+      if (lobby.shell() != null && !(failure instanceof Unwinding)) {
+        lobby.shell().failed();
+      }
       try {
         ErrorText.report(interpreter, job, lobby, failure);
       } catch (Unwinding unwinding) {

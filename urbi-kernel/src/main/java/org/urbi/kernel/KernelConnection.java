@@ -234,6 +234,28 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
     finish();
   }
 
+  @Override
+  public void failed() {
+    client.failed();
+  }
+
+  @Override
+  public boolean stays() {
+    return client.isProgram();
+  }
+
+  /** Whether more may come from it: input, or what code does for it besides its jobs. */
+  boolean isAwaited() {
+    return client.isAwaited() && !(client.isProgram() && ended);
+  }
+
+  /** The end of the program's connection, once nothing can wake the kernel. */
+  void finishProgram() {
+    if (client.isProgram() && ended && lobby.shell().isResting()) {
+      finish();
+    }
+  }
+
   /** The end, whoever brought it about. */
   void finish() {
     if (!finished) {

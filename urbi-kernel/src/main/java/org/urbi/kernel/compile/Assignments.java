@@ -71,15 +71,20 @@ final class Assignments {
       Variable variable = block.find(message.name());
       if (variable != null) {
         return new Variables.Assign(
-            span, compilation.place(variable, block), operand(value, block));
+            message.span(), compilation.place(variable, block), operand(value, block));
       }
     }
-    return new Slots.Assign(
-        span,
-        message.span(),
-        compilation.receivers.target(message.target(), message.name(), message.span(), block),
-        interpreter().world().symbol(message.name()),
-        operand(value, block));
+    Node assigned = operand(value, block);
+    Node plain =
+        new Slots.Assign(
+            span,
+            message.span(),
+            compilation.receivers.target(message.target(), message.name(), message.span(), block),
+            interpreter().world().symbol(message.name()),
+            assigned);
+    return Expressions.isNormalized(message, block)
+        ? compilation.expressions.normalized(message, plain, assigned, block)
+        : plain;
   }
 
   /** In a pattern that is assigned, a local variable is assigned, not compared. */

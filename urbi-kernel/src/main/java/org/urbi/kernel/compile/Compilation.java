@@ -122,12 +122,18 @@ public final class Compilation {
 
   /** Where a variable is, seen from a block. */
   Variables.Place place(Variable variable, Block block) {
-    return new Variables.Place(indexFrom(variable, block), variable.shared());
+    return place(variable, block, false);
   }
 
   /** Where a variable is that has been begun elsewhere, seen from the block that declares it. */
   Variables.Place placeBegun(Variable variable, Block block) {
-    return new Variables.Place(indexFrom(variable, block), variable.shared(), true);
+    return place(variable, block, true);
+  }
+
+  private Variables.Place place(Variable variable, Block block, boolean begun) {
+    boolean constant =
+        variable.key() instanceof Ast.Declaration declaration && declaration.constant();
+    return new Variables.Place(indexFrom(variable, block), variable.shared(), begun, constant);
   }
 
   /** Reads a variable from a block. */

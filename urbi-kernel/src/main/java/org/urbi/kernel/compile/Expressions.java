@@ -8,6 +8,7 @@ import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.node.Literals;
 import org.urbi.kernel.node.Message;
 import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.Normalized;
 import org.urbi.kernel.node.Operator;
 import org.urbi.kernel.node.Pattern;
 import org.urbi.kernel.node.Sequences;
@@ -59,6 +60,33 @@ final class Expressions {
   // ------------------------------------------------------------------ messages
 
   Node message(Ast.Message message, Block block) {
+    if (isNormalized(message, block)) {
+      return normalized(message, plain(message, block), null, block);
+    }
+    return plain(message, block);
+  }
+
+  /** Whether it is {@code o.x'n}, for a slot x. */
+  static boolean isNormalized(Ast.Message message, Block block) {
+    return message.name().equals("'n")
+        && message.arguments() == null
+        && message.target() instanceof Ast.Message slot
+        && slot.arguments() == null
+        && (slot.target() != null || block.find(slot.name()) == null);
+  }
+
+  /** {@code o.x'n}, or an assignment to it. */
+  Node normalized(Ast.Message message, Node plain, Node value, Block block) {
+    Ast.Message slot = (Ast.Message) message.target();
+    return new Normalized(
+        message.span(),
+        compilation.receivers.target(slot.target(), slot.name(), slot.span(), block),
+        symbol(slot.name()),
+        plain,
+        value);
+  }
+
+  private Node plain(Ast.Message message, Block block) {
     Span span = message.span();
     Block scope = block.nearestScope();
     if (scope != null && MODES.contains(message.name())) {

@@ -23,6 +23,7 @@ final class Functions {
     Unit unit = new Unit(block.unit());
     // In a closure, "call" is that of the function around, as "this" is.
     unit.callKey = function.closure() ? null : function.body();
+    unit.closure = function.closure();
     Block parameters = block.function(unit, compilation.newRegion());
     Formals formals = null;
     int[] cells = null;
@@ -43,7 +44,8 @@ final class Functions {
             unit.layout(),
             formals,
             allPlain(cells) ? null : cells,
-            unit.usesCall || formals == null);
+            unit.usesCall || formals == null,
+            unit.closure && unit.returns);
     body.setCode(code);
     return new Literals.Closure(function.span(), body, unit.capturedFrom(), function.closure());
   }

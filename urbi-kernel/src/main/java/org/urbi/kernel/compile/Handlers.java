@@ -48,9 +48,12 @@ final class Handlers {
     if (tag instanceof Ast.Message message && message.arguments() == null) {
       boolean local = message.target() == null && block.find(message.name()) != null;
       if (!local) {
-        Node target = compile(message.target(), block);
         return new ImplicitTag(
-            tag.span(), compilation.interpreter(), target, message.name(), compile(tag, block));
+            tag.span(),
+            compilation.interpreter(),
+            message.target() == null ? null : tag(message.target(), block),
+            message.name(),
+            compile(tag, block));
       }
     }
     return compile(tag, block);

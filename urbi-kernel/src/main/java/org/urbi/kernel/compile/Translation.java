@@ -233,7 +233,9 @@ final class Translation implements AstVisitor<Node> {
 
   @Override
   public Node visit(Ast.Return jump) {
-    return new Jumps.Return(jump.span(), optional(jump.value()), seen == Seen.ALL);
+    block.unit().addReturn();
+    return new Jumps.Return(
+        jump.span(), optional(jump.value()), block.unit().closure, seen == Seen.ALL);
   }
 
   @Override

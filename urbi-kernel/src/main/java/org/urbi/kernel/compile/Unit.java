@@ -14,11 +14,25 @@ final class Unit {
   private final List<Integer> capturedFrom = new ArrayList<>();
   boolean usesCall;
 
+  /** Whether it is a closure. */
+  boolean closure;
+
+  /** Whether there is a {@code return} in it, or in a closure in it. */
+  boolean returns;
+
   /** By what the variable of the call message is known; null where there is no call message. */
   Object callKey;
 
   Unit(Unit parent) {
     this.parent = parent;
+  }
+
+  /** A {@code return} stands in it: it leaves the function around all the closures. */
+  void addReturn() {
+    returns = true;
+    if (closure && parent != null) {
+      parent.addReturn();
+    }
   }
 
   FrameLayout layout() {

@@ -11,6 +11,7 @@ import java.util.Map;
 import org.urbi.kernel.embed.JavaValues.Maker;
 import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
@@ -100,7 +101,7 @@ final class FromJava {
       makers.add(read(element));
     }
     return frame -> {
-      ArrayList<UrbiObject> made = new ArrayList<>(makers.size());
+      Elements made = new Elements(makers.size());
       makers.forEach(maker -> made.add(maker.make(frame)));
       return values(frame).listOf(made);
     };

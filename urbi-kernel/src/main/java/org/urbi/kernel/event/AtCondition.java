@@ -45,7 +45,7 @@ public final class AtCondition extends Node {
       ready = true;
     } finally {
       if (!ready) {
-        armed.stopped();
+        armed.stopped(null);
       }
     }
     return frame.interpreter().values().voidObject;
@@ -115,12 +115,16 @@ public final class AtCondition extends Node {
     }
 
     @Override
-    public void stopped() {
+    public void stopped(TagScope by) {
       watch.close();
       if (timer != null) {
         timer.cancel();
       }
       handler.scope().remove(this);
+      if (entered) {
+        entered = false;
+        handler.leaveStopped(handler.home(), by);
+      }
     }
   }
 }

@@ -112,7 +112,7 @@ public final class AtEvent extends Node {
     }
 
     @Override
-    public void stopped() {
+    public void stopped(TagScope by) {
       stopped = true;
       source.unsubscribe(this);
       handler.scope().remove(this);

@@ -29,32 +29,6 @@ public final class Durations {
         expression.span());
   }
 
-  /**
-   * The value of an expression in nanoseconds.
-   *
-   * @param routine what it is the period of
-   * @throws org.urbi.kernel.error.UrbiException unless it is positive: time would stand still
-   */
-  static long positive(Frame frame, Node expression, String routine) {
-    long nanoseconds = nanoseconds(frame, expression);
-    if (nanoseconds > 0) {
-      return nanoseconds;
-    }
-    UrbiObject value = expression.execute(frame);
-    throw frame.located(
-        frame
-            .interpreter()
-            .errors()
-            .badNumber(
-                "NonPositiveNumber",
-                routine,
-                "unexpected "
-                    + frame.interpreter().asString(frame, value)
-                    + ", expected positive number",
-                value),
-        expression.span());
-  }
-
   /** Seconds in nanoseconds, to the nearest; infinite ones are very long. */
   public static long nanoseconds(double seconds) {
     double limited = Math.max(0, Math.min(seconds, MAXIMUM));

@@ -26,20 +26,29 @@ public final class Every extends Node {
 
   @Override
   public UrbiObject execute(Frame frame) {
-    var pause = new Pause();
+    boolean overlapping = flavor != Flavor.PIPE && flavor != Flavor.SEMICOLON;
+    var pause = new Pause(overlapping);
     Node loop =
-        flavor == Flavor.PIPE || flavor == Flavor.SEMICOLON
-            ? new Loops.Sequential(span(), Flavor.PIPE, null, pause, null, body)
-            : new Loops.Concurrent(span(), null, pause, null, body);
+        overlapping
+            ? new Loops.Concurrent(span(), null, pause, null, body)
+            : new Loops.Sequential(span(), Flavor.PIPE, null, pause, null, body);
     return loop.execute(frame);
   }
 
-  /** Waits for the next turn, as the condition of a loop which is always true. */
+  /**
+   * Waits for the next turn, as the condition of a loop which is always true. Turns are due at the
+   * multiples of the period: one that comes late, because the machine was busy, does not move the
+   * others. Only where a turn waits for the one before, and that one lasted longer than the period,
+   * they are counted from its end.
+   */
   private final class Pause extends Node {
+    private final boolean overlapping;
     private long due = -1;
+    private long begun;
 
-    Pause() {
+    Pause(boolean overlapping) {
       super(Every.this.span());
+      this.overlapping = overlapping;
     }
 
     @Override
@@ -50,18 +59,21 @@ public final class Every extends Node {
     @Override
     public boolean test(Frame frame) {
       Job job = frame.job();
-      long interval = Durations.positive(frame, period, "every");
+      long interval = Durations.nanoseconds(frame, period);
       if (due < 0) {
-        due = now(job) + interval;
-        return true;
-      }
-      if (due > now(job)) {
-        job.sleepUntil(due + job.timeShift());
+        due = now(job);
       } else {
-        job.yieldNow();
+        if (!overlapping && now(job) - begun > interval) {
+          due = now(job);
+        }
+        if (due > now(job)) {
+          job.sleepUntil(due + job.timeShift());
+        } else {
+          job.yieldNow();
+        }
       }
-      // A turn that is late moves the ones after it.
-      due = Math.max(due, now(job)) + interval;
+      begun = now(job);
+      due += interval;
       return true;
     }
 

@@ -103,7 +103,7 @@ public final class FunctionHandler implements Subscription, TagScope.Attachment 
   }
 
   @Override
-  public void stopped() {
+  public void stopped(TagScope by) {
     stopped = true;
     event.unsubscribe(this);
     scope.remove(this);

@@ -55,6 +55,21 @@ final class Handler {
     }
   }
 
+  /**
+   * Executes the {@code onleave} clause because the {@code at} has been stopped: outside the tag
+   * that did it.
+   *
+   * @param by the scope that was stopped; null when nothing is to be executed any more
+   */
+  void leaveStopped(Frame frame, TagScope by) {
+    if (onLeave != null && by != null) {
+      Detached detached = new Detached(onLeave);
+      Job job =
+          home.job().scheduler().startDetached(home.job().lobby(), by.parent(), "at", detached);
+      detached.frame = frame.fork(job, false);
+    }
+  }
+
   private void run(Frame frame, Job trigger, Node code, boolean wait) {
     if (sync || wait) {
       code.execute(frame.fork(trigger, false));

@@ -72,7 +72,7 @@ public final class Persistence implements Watch.Listener, TagScope.Attachment {
   }
 
   @Override
-  public void stopped() {
+  public void stopped(TagScope by) {
     cancel();
     watch.close();
     scope.remove(this);

@@ -59,7 +59,7 @@ public class UrbiSubscription extends UrbiObject {
   /** Listens no more. */
   public void disconnect() {
     if (subscription instanceof TagScope.Attachment attached) {
-      attached.stopped();
+      attached.stopped(null);
     } else if (subscription != null) {
       event.unsubscribe(subscription);
     }

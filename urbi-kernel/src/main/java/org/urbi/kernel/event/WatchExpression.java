@@ -34,7 +34,7 @@ public final class WatchExpression extends Node {
     scope.add(
         new TagScope.Attachment() {
           @Override
-          public void stopped() {
+          public void stopped(TagScope by) {
             watch.close();
             scope.remove(this);
           }

@@ -66,7 +66,7 @@ public final class Whenever extends Node {
         ready = true;
       } finally {
         if (!ready) {
-          armed.stopped();
+          armed.stopped(null);
         }
       }
     }
@@ -155,7 +155,7 @@ public final class Whenever extends Node {
     }
 
     @Override
-    public void stopped() {
+    public void stopped(TagScope by) {
       stopped = true;
       watch.close();
       if (timer != null) {
@@ -232,7 +232,7 @@ public final class Whenever extends Node {
     }
 
     @Override
-    public void stopped() {
+    public void stopped(TagScope by) {
       stopped = true;
       source.unsubscribe(this);
       scope.remove(this);

@@ -45,6 +45,7 @@ public final class Job implements Runnable {
   private UrbiObject lobby;
   private final JobGroup group;
   private final JobThread thread;
+  private boolean resting;
   private TagScope scope;
   private State state = State.RUNNABLE;
   private Unwinding injected;
@@ -129,6 +130,16 @@ public final class Job implements Runnable {
   /** From now on it runs for another lobby. */
   public void runFor(UrbiObject other) {
     lobby = other;
+  }
+
+  /** Whether it only waits for somebody to send something, so that it keeps no run going. */
+  public boolean isResting() {
+    return resting;
+  }
+
+  /** See {@link #isResting}. */
+  public void setResting(boolean on) {
+    resting = on;
   }
 
   public State state() {

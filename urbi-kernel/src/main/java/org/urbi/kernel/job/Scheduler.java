@@ -44,6 +44,7 @@ public final class Scheduler {
   private final boolean counted;
   private final Timers timers = new Timers();
   private final Pace pace;
+  private Runnable whenQuiet = () -> {};
   private final Interruptions interruptions;
   private final JobThread.Factory threads;
   private final ArrayDeque<Job> runnable = new ArrayDeque<>();
@@ -152,6 +153,14 @@ public final class Scheduler {
     } catch (IOException e) {
       throw new IllegalStateException(e);
     }
+  }
+
+  /**
+   * Has something done each time that there is nothing to run, no deadline, and nothing real going
+   * on that the kernel has started: only a message could bring more; before it starts.
+   */
+  public void whenQuiet(Runnable action) {
+    whenQuiet = action;
   }
 
   /** How a simulated time passes while something real goes on. */
@@ -362,7 +371,12 @@ public final class Scheduler {
       runEndOfTick();
       busyTicks = 0;
       if (!stopped && endOfTick.isEmpty()) {
-        idle();
+        if (timers.next() == Long.MAX_VALUE && !inbox.isFilled() && !pace.isReal()) {
+          whenQuiet.run();
+        }
+        if (!stopped && endOfTick.isEmpty()) {
+          idle();
+        }
       }
       return;
     }

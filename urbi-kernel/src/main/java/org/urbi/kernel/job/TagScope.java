@@ -13,8 +13,12 @@ import java.util.Set;
 public final class TagScope {
   /** What waits under a scope without a job of its own: a handler of events. */
   public interface Attachment {
-    /** The tag was stopped. */
-    void stopped();
+    /**
+     * It waits no more.
+     *
+     * @param by the scope whose tag was stopped; null when nothing more is to happen
+     */
+    void stopped(TagScope by);
   }
 
   private final TagState tag;

@@ -69,7 +69,7 @@ public final class TagState {
   public void stop(UrbiObject value) {
     for (TagScope scope : new ArrayList<>(scopes)) {
       for (TagScope.Attachment attachment : scope.allAttachments()) {
-        attachment.stopped();
+        attachment.stopped(scope);
       }
       for (Job job : scope.allJobs()) {
         job.inject(new TagStop(scope, value));
@@ -81,7 +81,7 @@ public final class TagState {
   public void dismiss() {
     for (TagScope scope : new ArrayList<>(scopes)) {
       for (TagScope.Attachment attachment : scope.allAttachments()) {
-        attachment.stopped();
+        attachment.stopped(null);
       }
     }
   }

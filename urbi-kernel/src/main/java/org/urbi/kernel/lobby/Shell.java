@@ -31,6 +31,14 @@ public final class Shell {
     /** Input has been executed. */
     void consumed();
 
+    /** A syntax error, or an exception that nobody caught, has been shown. */
+    default void failed() {}
+
+    /** Whether the lobby stays when its input and all its jobs are over. */
+    default boolean stays() {
+      return false;
+    }
+
     /** The input is over, and so are all the jobs of the lobby; or the lobby was quit. */
     void finished();
   }
@@ -92,6 +100,16 @@ public final class Shell {
     return received.length();
   }
 
+  /** Whether it has nothing to do but to wait for input, or for the end. */
+  public boolean isResting() {
+    return job.isResting();
+  }
+
+  /** Something went wrong that the lobby has been told of. */
+  public void failed() {
+    listener.failed();
+  }
+
   private void wake() {
     if (waiting) {
       job.wake();
@@ -114,6 +132,8 @@ public final class Shell {
     if (!closed) {
       closed = true;
       received.setLength(0);
+      // Nobody is there any more for whom handlers would have something to do when they end.
+      lobby.connectionTag().state().dismiss();
       lobby.connectionTag().state().stop(interpreter.values().voidObject);
       if (job != null) {
         job.terminate();
@@ -168,11 +188,13 @@ public final class Shell {
         return reader.unfinished();
       } else {
         waiting = true;
+        shell.setResting(true);
         listener.starving(true);
         try {
           shell.waitForWake();
         } finally {
           waiting = false;
+          shell.setResting(false);
           listener.starving(false);
         }
       }
@@ -181,6 +203,11 @@ public final class Shell {
   }
 
   private void awaitJobs(Job shell) {
+    while (!closed && listener.stays()) {
+      shell.setResting(true);
+      shell.waitForWake();
+    }
+    shell.setResting(false);
     while (!closed && !lobby.connectionTag().state().isIdle()) {
       lobby.connectionTag().state().onIdle(shell::wake);
       shell.waitForWake();
@@ -289,6 +316,7 @@ public final class Shell {
   }
 
   private void show(SyntaxError error) {
+    listener.failed();
     lobby.output().send("error", "!!! " + error.span().location() + ": " + error.message());
   }
 }

@@ -1,6 +1,6 @@
 package org.urbi.kernel.node;
 
-import java.util.ArrayList;
+import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -40,7 +40,7 @@ public final class CallMessages {
     Interpreter interpreter = frame.interpreter;
     var world = interpreter.world();
     UrbiObject message = interpreter.prototypes.callMessage.cloned();
-    var arguments = new ArrayList<UrbiObject>();
+    var arguments = new Elements(0);
     if (frame.site != null && frame.site.argumentNodes() != null) {
       for (Node node : frame.site.argumentNodes()) {
         arguments.add(new Lazy(interpreter.prototypes.lazy.cloneShape(), node, frame.caller));

@@ -1,10 +1,11 @@
 package org.urbi.kernel.node;
 
 import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiCode;
 import org.urbi.kernel.object.UrbiObject;
 
 /** What can be called: functions written in urbiscript, and primitives written in Java. */
-public abstract class Code extends UrbiObject {
+public abstract class Code extends UrbiCode {
   protected Code(Shape shape) {
     super(shape);
   }

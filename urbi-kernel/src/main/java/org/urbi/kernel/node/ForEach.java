@@ -78,18 +78,13 @@ public final class ForEach extends Node implements CallSite {
   }
 
   private UrbiObject over(Frame frame, UrbiObject range) {
-    if (range instanceof UrbiFloat number && isCount(number.value()) && isOfLibrary(range)) {
+    if (range instanceof UrbiFloat number && isOfLibrary(range)) {
       return overNumber(frame, number.value());
     }
     if (range instanceof UrbiList list && isOfLibrary(range)) {
       return overList(frame, list);
     }
     return send(frame, range);
-  }
-
-  /** Any other number is no range: its {@code each} says so. */
-  private static boolean isCount(double number) {
-    return number == (int) number;
   }
 
   private boolean isOfLibrary(UrbiObject over) {
@@ -100,14 +95,14 @@ public final class ForEach extends Node implements CallSite {
     var values = frame.interpreter.values();
     if (flavor == Flavor.AND || flavor == Flavor.COMMA) {
       try (Background group = new Background(frame.job)) {
-        for (int i = 0; i < count; i++) {
+        for (long i = 0; i < count; i++) {
           group.start(frame, body, variable, values.number(i), this, entry);
         }
         group.join();
       }
       return values.voidObject;
     }
-    for (int i = 0; i < count; i++) {
+    for (long i = 0; i < count; i++) {
       UrbiObject value = turn(frame, values.number(i));
       if (value != null) {
         return value;

@@ -1,7 +1,7 @@
 package org.urbi.kernel.node;
 
-import java.util.ArrayList;
 import java.util.Arrays;
+import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.UrbiObject;
 
 /** The formal arguments of a strict function. */
@@ -75,7 +75,7 @@ public final class Formals {
     int plain = variadic ? names.length - 1 : names.length;
     System.arraycopy(arguments, 0, locals, 0, Math.min(given, plain));
     if (variadic) {
-      var rest = new ArrayList<UrbiObject>();
+      var rest = new Elements(Math.max(0, given - plain));
       for (int i = plain; i < given; i++) {
         rest.add(arguments[i]);
       }

@@ -213,6 +213,11 @@ public final class Frame {
 
   // ------------------------------------------------------------------ for the library
 
+  /** Whether {@code return}, {@code break} or {@code continue} is leaving the code around. */
+  public boolean isLeaving() {
+    return completion != null;
+  }
+
   public Interpreter interpreter() {
     return interpreter;
   }
@@ -260,6 +265,18 @@ public final class Frame {
       scopeEnd = new ScopeEnd();
     }
     return scopeEnd;
+  }
+
+  /** Whether an activation, null for none, is among those that wait for this one to end. */
+  boolean isCalledWithin(Object other) {
+    if (other != null) {
+      for (Frame frame = caller; frame != null; frame = frame.caller) {
+        if (frame.activation == other) {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   /** The name by which the innermost function was called; null at the top level. */

@@ -18,6 +18,9 @@ public final class Function extends Code {
 
     final boolean usesCall;
 
+    /** Whether it is a closure with a {@code return}, which leaves the function around it. */
+    final boolean leavesHome;
+
     /** Whether the parameters are ready as soon as the arguments are there. */
     final boolean plain;
 
@@ -26,14 +29,17 @@ public final class Function extends Code {
     /**
      * @param formals null for a lazy function
      * @param usesCall whether the code asks for its call message
+     * @param leavesHome whether it is a closure with a {@code return}
      */
     public Body(
         Ast.Function source,
         FrameLayout layout,
         Formals formals,
         int[] parameterCells,
-        boolean usesCall) {
+        boolean usesCall,
+        boolean leavesHome) {
       this.source = source;
+      this.leavesHome = leavesHome;
       this.usesCall = usesCall;
       this.layout = layout;
       this.formals = formals;
@@ -56,9 +62,18 @@ public final class Function extends Code {
   /** The lobby of closures, for which their code runs; null in functions. */
   private final UrbiObject boundLobby;
 
+  /** The activation that a {@code return} in a closure ends; null when there is none. */
+  private final Object home;
+
   public Function(
-      Shape shape, Body body, Cell[] captured, UrbiObject boundSelf, UrbiObject boundLobby) {
+      Shape shape,
+      Body body,
+      Cell[] captured,
+      UrbiObject boundSelf,
+      UrbiObject boundLobby,
+      Object home) {
     super(shape);
+    this.home = home;
     this.body = body;
     this.captured = captured;
     this.boundSelf = boundSelf;
@@ -81,6 +96,14 @@ public final class Function extends Code {
 
   boolean usesCall() {
     return body.usesCall;
+  }
+
+  boolean isClosure() {
+    return body.source.closure();
+  }
+
+  Object home() {
+    return home;
   }
 
   Cell[] captured() {
@@ -173,6 +196,6 @@ public final class Function extends Code {
 
   @Override
   public UrbiObject cloned() {
-    return new Function(cloneShape(), body, captured, boundSelf, boundLobby);
+    return new Function(cloneShape(), body, captured, boundSelf, boundLobby, home);
   }
 }

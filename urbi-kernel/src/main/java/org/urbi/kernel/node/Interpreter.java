@@ -1,6 +1,5 @@
 package org.urbi.kernel.node;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -11,6 +10,7 @@ import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
@@ -169,7 +169,7 @@ public final class Interpreter {
     }
     UrbiObject apply = code.lookup(symbols.apply);
     if (apply instanceof Code own && code.locate(symbols.apply) != values.object) {
-      var all = new ArrayList<UrbiObject>();
+      var all = new Elements(1 + arguments.length);
       all.add(self);
       all.addAll(Arrays.asList(arguments));
       return own.call(caller, site, code, values.listOf(all));

@@ -11,15 +11,18 @@ public final class Jumps {
   /** {@code return value}. */
   public static final class Return extends Node {
     private final Node value;
+    private final boolean inClosure;
     private final boolean seen;
 
     /**
      * @param value null for void
+     * @param inClosure whether it stands in a closure, and leaves the function in which that stands
      * @param seen whether the statements around see how this one ended; otherwise it is thrown
      */
-    public Return(Span span, Node value, boolean seen) {
+    public Return(Span span, Node value, boolean inClosure, boolean seen) {
       super(span);
       this.value = value;
+      this.inClosure = inClosure;
       this.seen = seen;
     }
 
@@ -27,6 +30,9 @@ public final class Jumps {
     public UrbiObject execute(Frame frame) {
       UrbiObject result =
           value == null ? frame.interpreter.values().voidObject : value.execute(frame);
+      if (inClosure && frame.isCalledWithin(frame.function.home())) {
+        throw new Leave.Return(frame.function.home(), result);
+      }
       if (!seen) {
         throw new Leave.Return(frame.activation, result);
       }

@@ -1,8 +1,8 @@
 package org.urbi.kernel.node;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
@@ -63,7 +63,7 @@ public final class Literals {
 
     @Override
     public UrbiObject execute(Frame frame) {
-      var list = new ArrayList<UrbiObject>(elements.length);
+      var list = new Elements(elements.length);
       for (Node element : elements) {
         list.add(Arguments.notVoid(frame, element, span()));
       }
@@ -136,7 +136,16 @@ public final class Literals {
           body,
           captured,
           bound ? frame.self : null,
-          bound ? frame.job.lobby() : null);
+          bound ? frame.job.lobby() : null,
+          body.leavesHome ? home(frame) : null);
+    }
+
+    /** The activation of the function around all the closures; null at the top level. */
+    private static Object home(Frame frame) {
+      if (frame.function == null) {
+        return null;
+      }
+      return frame.function.isClosure() ? frame.function.home() : frame.activation;
     }
   }
 }

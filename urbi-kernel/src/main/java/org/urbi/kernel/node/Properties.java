@@ -62,6 +62,9 @@ public final class Properties {
       case "changed" -> data.changed = value;
       case "get" -> data.getter = value;
       case "set" -> data.setter = value;
+      case "updateHook" -> data.updateHook = value;
+      case "rangemin" -> data.least = value;
+      case "rangemax" -> data.most = value;
       default -> {}
     }
     holder.slotDataChanged(slot);
@@ -92,6 +95,9 @@ public final class Properties {
       case "changed" -> data.changed = null;
       case "get" -> data.getter = null;
       case "set" -> data.setter = null;
+      case "updateHook" -> data.updateHook = null;
+      case "rangemin" -> data.least = null;
+      case "rangemax" -> data.most = null;
       default -> {}
     }
     UrbiObject removed = data.properties.remove(property);

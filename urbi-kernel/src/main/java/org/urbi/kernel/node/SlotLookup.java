@@ -90,7 +90,7 @@ final class SlotLookup {
     UrbiObject holder = target.locate(name);
     Dependencies.Tracker tracker = target.world().tracker;
     if (holder == null) {
-      target.noteStructureRead();
+      target.noteAbsence();
       return null;
     }
     if (tracker != null) {
@@ -113,7 +113,7 @@ final class SlotLookup {
   static UrbiObject findRaw(UrbiObject target, Symbol name) {
     UrbiObject holder = target.locate(name);
     if (holder == null) {
-      target.noteStructureRead();
+      target.noteAbsence();
       return null;
     }
     if (target.world().tracker != null && !(holder.localSlot(name) instanceof Code)) {

@@ -3,6 +3,7 @@ package org.urbi.kernel.node;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.SlotData;
 import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 
 /** Writing slots: creation, assignment with copy on write, and what slots with properties do. */
@@ -35,37 +36,67 @@ public final class SlotUpdate {
   /**
    * {@code updateSlot}: assigns a slot; one that is inherited is created in the object itself.
    *
+   * @return the value that the assignment has: what was given, or what the slot's range or its
+   *     {@code updateHook} made of it
    * @throws org.urbi.kernel.error.UrbiException when there is no such slot, or it is constant
    */
-  public static void assign(Frame frame, UrbiObject target, Symbol name, UrbiObject value) {
+  public static UrbiObject assign(Frame frame, UrbiObject target, Symbol name, UrbiObject value) {
     Shape shape = target.shape();
     int index = shape.indexOf(name);
     if (index >= 0) {
       if (shape.writeSpecial(index)) {
-        assignSpecial(frame, target, target, name, value);
-      } else {
-        target.setSlotAt(index, value);
+        return assignSpecial(frame, target, target, name, value);
       }
-      return;
+      target.setSlotAt(index, value);
+      return value;
     }
     if (target instanceof SlotProxy proxy) {
-      proxy.updateSlot(frame, name, value);
-      return;
+      return proxy.updateSlot(frame, name, value);
     }
     UrbiObject holder = target.locate(name);
     if (holder == null) {
       assignMissing(frame, target, name, value);
-      return;
+      return value;
     }
     int inherited = holder.shape().indexOf(name);
     if (holder.shape().writeSpecial(inherited)) {
       SlotData data = holder.slotData(name);
       if (data.setter != null) {
-        assignSpecial(frame, target, holder, name, value);
-        return;
+        return assignSpecial(frame, target, holder, name, value);
       }
+      UrbiObject accepted = accepted(frame, target, name, data, value);
+      if (target.shape().indexOf(name) >= 0) {
+        // Its hook has made the slot meanwhile.
+        return assign(frame, target, name, accepted);
+      }
+      target.addSlot(name, accepted);
+      return accepted;
     }
     target.addSlot(name, value);
+    return value;
+  }
+
+  /** What the slot's {@code updateHook} and its range make of a value. */
+  private static UrbiObject accepted(
+      Frame frame, UrbiObject target, Symbol name, SlotData data, UrbiObject given) {
+    UrbiObject value = given;
+    if (data.updateHook != null) {
+      var values = frame.interpreter.values();
+      UrbiObject wanted =
+          frame.interpreter.call(frame, data.updateHook, target, values.string(name.name()), given);
+      value = wanted == values.voidObject ? given : wanted;
+    }
+    if (value instanceof UrbiFloat number) {
+      double least = data.least instanceof UrbiFloat min ? min.value() : Double.NEGATIVE_INFINITY;
+      double most = data.most instanceof UrbiFloat max ? max.value() : Double.POSITIVE_INFINITY;
+      if (number.value() < least) {
+        return data.least;
+      }
+      if (number.value() > most) {
+        return data.most;
+      }
+    }
+    return value;
   }
 
   /** What an assignment means that finds no slot: an error, unless the object says otherwise. */
@@ -79,26 +110,33 @@ public final class SlotUpdate {
         frame, own, target, frame.interpreter.values().string(name.name()), value);
   }
 
-  private static void assignSpecial(
-      Frame frame, UrbiObject target, UrbiObject holder, Symbol name, UrbiObject value) {
+  private static UrbiObject assignSpecial(
+      Frame frame, UrbiObject target, UrbiObject holder, Symbol name, UrbiObject given) {
     SlotData data = holder.slotData(name);
     if (data.constant) {
       throw frame.interpreter.errors().constness();
     }
+    // A setter is a UVar's, which knows its range, or a program's, which wants all values.
+    UrbiObject value = data.setter == null ? accepted(frame, target, name, data, given) : given;
+    if (holder.slotData(name) != data) {
+      // Its hook has replaced the slot.
+      return assign(frame, target, name, value);
+    }
     if (data.blending instanceof Blending blending) {
       UrbiObject blended = blending.assigned(frame, value);
       if (blended == null) {
-        return;
+        return value;
       }
       if (holder.slotData(name) != data) {
         // It has waited, and the slot is not any more what it was.
         assign(frame, target, name, blended);
-        return;
+        return value;
       }
       write(frame, target, holder, name, data, blended);
-      return;
+      return value;
     }
     write(frame, target, holder, name, data, value);
+    return value;
   }
 
   private static void write(

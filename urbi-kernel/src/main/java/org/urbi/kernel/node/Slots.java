@@ -93,11 +93,12 @@ public final class Slots {
         object.setSlotAt(knownIndex, assigned);
         return assigned;
       }
+      UrbiObject given;
       try {
         if (object instanceof SlotProxy proxy && object.shape().indexOf(name) < 0) {
           return proxy.updateSlot(frame, name, assigned);
         }
-        SlotUpdate.assign(frame, object, name, assigned);
+        given = SlotUpdate.assign(frame, object, name, assigned);
       } catch (UrbiException e) {
         throw frame.located(e, place);
       }
@@ -107,7 +108,7 @@ public final class Slots {
         knownShape = shape;
         knownIndex = index;
       }
-      return assigned;
+      return given;
     }
   }
 

@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.Dependencies;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
@@ -63,29 +64,28 @@ public final class Variables {
     private final int index;
     private final boolean shared;
     private final boolean begun;
-
-    public Place(int index, boolean shared) {
-      this(index, shared, false);
-    }
+    private final boolean constant;
 
     /**
      * @param begun whether the variable lives already when it is declared: another job declares it
+     * @param constant whether it keeps the value of its declaration
      */
-    public Place(int index, boolean shared, boolean begun) {
+    public Place(int index, boolean shared, boolean begun, boolean constant) {
       this.index = index;
       this.shared = shared;
       this.begun = begun;
+      this.constant = constant;
     }
 
-    /** The index of a plain variable among the locals of its frame; -1 for a shared one. */
+    /** The index of a plain variable that may change among the locals of its frame, or -1. */
     int local() {
-      return shared ? -1 : index;
+      return shared || constant ? -1 : index;
     }
 
     /** Begins the life of the variable. */
     public void declare(Frame frame, UrbiObject value) {
       if (begun) {
-        assign(frame, value);
+        store(frame, value);
       } else if (shared) {
         frame.cells[index] = new Cell(value);
       } else {
@@ -93,8 +93,19 @@ public final class Variables {
       }
     }
 
-    /** Assigns the variable. */
+    /**
+     * Assigns the variable.
+     *
+     * @throws org.urbi.kernel.error.UrbiException when it is constant
+     */
     void assign(Frame frame, UrbiObject value) {
+      if (constant) {
+        throw frame.interpreter.errors().constness();
+      }
+      store(frame, value);
+    }
+
+    private void store(Frame frame, UrbiObject value) {
       if (shared) {
         cell(frame, index).set(value);
       } else {
@@ -176,7 +187,11 @@ public final class Variables {
     @Override
     public UrbiObject execute(Frame frame) {
       UrbiObject assigned = Arguments.notVoid(frame, value, span());
-      place.assign(frame, assigned);
+      try {
+        place.assign(frame, assigned);
+      } catch (UrbiException e) {
+        throw frame.located(e, span());
+      }
       return assigned;
     }
   }

@@ -1,7 +1,7 @@
 package org.urbi.kernel.object;
 
 import java.util.Arrays;
-import java.util.LinkedHashMap;
+import java.util.HashMap;
 import java.util.Map;
 
 /**
@@ -9,8 +9,9 @@ import java.util.Map;
  * their slots in the order of their creation, and which of these slots are special. A lookup site
  * that has seen a shape knows at which index a slot stands.
  *
- * <p>Shapes are immutable and form a tree of transitions, one by each slot added. Objects with very
- * many slots, and those that lose slots, have a shape of their own which nobody else reaches.
+ * <p>Shapes form a tree of transitions, one by each slot added, and do not change. An object with
+ * very many slots has a shape of its own with a table, which changes as slots are added; whatever
+ * would move a slot or change how it is accessed gives the object another shape.
  */
 public final class Shape {
   static final UrbiObject[] NO_PROTOS = {};
@@ -23,22 +24,43 @@ public final class Shape {
 
   private static final int LINEAR_LIMIT = 8;
 
+  /** Objects with more slots have a table. */
+  private static final int SHARED_LIMIT = 64;
+
   final World world;
   final UrbiObject[] protos;
-  final Symbol[] names;
-  final byte[] flags;
-  private Map<Symbol, Integer> index;
-  private Map<Symbol, Shape> additions;
+  private final Symbol[] names;
+  private final byte[] flags;
 
-  private Shape(World world, UrbiObject[] protos, Symbol[] names, byte[] flags) {
+  /** The slots of an object with very many; null for others, whose slots are the names. */
+  private final SlotTable table;
+
+  /** Keeps the shape alive that this one was made from: objects will pass through it again. */
+  private final Shape parent;
+
+  private Map<Symbol, Integer> index;
+  private Transitions additions;
+
+  private Shape(World world, UrbiObject[] protos, Symbol[] names, byte[] flags, Shape parent) {
     this.world = world;
     this.protos = protos;
     this.names = names;
     this.flags = flags;
+    this.table = null;
+    this.parent = parent;
+  }
+
+  private Shape(World world, UrbiObject[] protos, SlotTable table) {
+    this.world = world;
+    this.protos = protos;
+    this.names = null;
+    this.flags = null;
+    this.table = table;
+    this.parent = null;
   }
 
   static Shape root(World world, UrbiObject[] protos) {
-    return new Shape(world, protos, new Symbol[0], new byte[0]);
+    return new Shape(world, protos, new Symbol[0], new byte[0], null);
   }
 
   /** The kernel's shared state. */
@@ -46,12 +68,26 @@ public final class Shape {
     return world;
   }
 
+  /** The index at which the next slot will stand. */
   int size() {
-    return names.length;
+    return table == null ? names.length : table.size();
+  }
+
+  /** The name of the slot at an index; null where one has been removed. */
+  Symbol nameAt(int i) {
+    return table == null ? names[i] : table.nameAt(i);
+  }
+
+  /** The names of the slots, in the order of their creation; not to be modified. */
+  Symbol[] names() {
+    return table == null ? names : table.names();
   }
 
   /** The index of a slot, or -1. */
   public int indexOf(Symbol name) {
+    if (table != null) {
+      return table.indexOf(name);
+    }
     int size = names.length;
     if (size <= LINEAR_LIMIT) {
       for (int i = 0; i < size; i++) {
@@ -62,7 +98,7 @@ public final class Shape {
       return -1;
     }
     if (index == null) {
-      index = LinkedHashMap.newLinkedHashMap(size);
+      index = HashMap.newHashMap(size);
       for (int i = 0; i < size; i++) {
         index.put(names[i], i);
       }
@@ -71,26 +107,40 @@ public final class Shape {
     return found == null ? -1 : found;
   }
 
+  byte flagsAt(int i) {
+    return table == null ? flags[i] : table.flagsAt(i);
+  }
+
   /** Whether writing the slot at this index must go through its {@link SlotData}. */
   public boolean writeSpecial(int i) {
-    return (flags[i] & WRITE_SPECIAL) != 0;
+    return (flagsAt(i) & WRITE_SPECIAL) != 0;
   }
 
   /** Whether reading the slot at this index must go through its {@link SlotData}. */
   public boolean readSpecial(int i) {
-    return (flags[i] & READ_SPECIAL) != 0;
+    return (flagsAt(i) & READ_SPECIAL) != 0;
   }
 
   /** This shape and one more slot, at the end. */
   Shape with(Symbol name) {
+    if (table != null) {
+      table.add(name);
+      // Whoever has found the name elsewhere for objects of this shape must look again.
+      name.epoch++;
+      return this;
+    }
     Shape next = additions == null ? null : additions.get(name);
     if (next == null) {
       int size = names.length;
       Symbol[] moreNames = Arrays.copyOf(names, size + 1);
+      byte[] moreFlags = Arrays.copyOf(flags, size + 1);
       moreNames[size] = name;
-      next = new Shape(world, protos, moreNames, Arrays.copyOf(flags, size + 1));
+      if (size == SHARED_LIMIT) {
+        return new Shape(world, protos, new SlotTable(moreNames, moreFlags));
+      }
+      next = new Shape(world, protos, moreNames, moreFlags, this);
       if (additions == null) {
-        additions = new LinkedHashMap<>();
+        additions = new Transitions();
       }
       additions.put(name, next);
     }
@@ -99,18 +149,31 @@ public final class Shape {
 
   /** This shape with other prototypes, for one object only. */
   Shape withProtos(UrbiObject[] others) {
-    return new Shape(world, others, names, flags);
+    return table == null
+        ? new Shape(world, others, names, flags, null)
+        : new Shape(world, others, table);
   }
 
   /** This shape with other flags at one index, for one object only. */
   Shape withFlags(int i, byte value) {
+    if (table != null) {
+      table.setFlags(i, value);
+      return new Shape(world, protos, table);
+    }
     byte[] others = flags.clone();
     others[i] = value;
-    return new Shape(world, protos, names, others);
+    return new Shape(world, protos, names, others, null);
   }
 
-  /** This shape without one slot, for one object only. */
+  /**
+   * This shape without one slot, for one object only. With a table the other slots stay where they
+   * are; otherwise those behind it move down by one.
+   */
   Shape without(int i) {
+    if (table != null) {
+      table.remove(i);
+      return new Shape(world, protos, table);
+    }
     int size = names.length - 1;
     Symbol[] fewerNames = new Symbol[size];
     byte[] fewerFlags = new byte[size];
@@ -118,6 +181,28 @@ public final class Shape {
     System.arraycopy(names, i + 1, fewerNames, i, size - i);
     System.arraycopy(flags, 0, fewerFlags, 0, i);
     System.arraycopy(flags, i + 1, fewerFlags, i, size - i);
-    return new Shape(world, protos, fewerNames, fewerFlags);
+    return new Shape(world, protos, fewerNames, fewerFlags, null);
+  }
+
+  /** Whether slots keep their index when others are removed. */
+  boolean leavesHoles() {
+    return table != null;
+  }
+
+  /** Whether there are so many holes that {@link #compact} is worth its time. */
+  boolean isSparse() {
+    return table != null && table.isSparse();
+  }
+
+  /** This shape without holes: the slots that there are, in their order. */
+  Shape compact() {
+    Symbol[] there = table.names();
+    byte[] theirs = new byte[there.length];
+    for (int i = 0; i < theirs.length; i++) {
+      theirs[i] = table.flagsAt(table.indexOf(there[i]));
+    }
+    return there.length <= SHARED_LIMIT
+        ? new Shape(world, protos, there, theirs, null)
+        : new Shape(world, protos, new SlotTable(there, theirs));
   }
 }

@@ -22,6 +22,15 @@ public final class SlotData {
   /** A function called with the value that is assigned, or null. */
   public UrbiObject setter;
 
+  /** A function that is asked for the value to assign instead of the one given, or null. */
+  public UrbiObject updateHook;
+
+  /** The least and the greatest number that an assignment leaves; null when there is no limit. */
+  public UrbiObject least;
+
+  /** See {@link #least}. */
+  public UrbiObject most;
+
   /** Conditions that read this slot; null while there are none. */
   public Dependencies dependents;
 
@@ -36,6 +45,9 @@ public final class SlotData {
     if (constant
         || changed != null
         || setter != null
+        || updateHook != null
+        || least != null
+        || most != null
         || dependents != null
         || getter != null
         || blending != null) {

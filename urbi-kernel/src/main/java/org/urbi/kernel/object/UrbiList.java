@@ -1,20 +1,19 @@
 package org.urbi.kernel.object;
 
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 
 /** A list (manual, "List"). */
 public final class UrbiList extends UrbiObject {
-  private final ArrayList<UrbiObject> elements;
+  private final Elements elements;
 
   public UrbiList(Shape shape, Collection<? extends UrbiObject> elements) {
     super(shape);
-    this.elements = new ArrayList<>(elements);
+    this.elements = new Elements(elements);
   }
 
   /** Takes the elements as they are, without a copy. */
-  public UrbiList(Shape shape, ArrayList<UrbiObject> elements) {
+  public UrbiList(Shape shape, Elements elements) {
     super(shape);
     this.elements = elements;
   }
@@ -26,7 +25,7 @@ public final class UrbiList extends UrbiObject {
   }
 
   /** The elements, to be modified; call {@link #noteContentChange} when it is done. */
-  public ArrayList<UrbiObject> modify() {
+  public Elements modify() {
     return elements;
   }
 

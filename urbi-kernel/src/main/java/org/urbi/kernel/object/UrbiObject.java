@@ -109,7 +109,11 @@ public class UrbiObject {
 
   /** Sets the slot at an index which is not {@linkplain Shape#writeSpecial special}. */
   public final void setSlotAt(int index, UrbiObject value) {
-    storage.slots[index] = value;
+    UrbiObject[] slots = storage.slots;
+    if (slots[index] instanceof UrbiCode) {
+      shape.nameAt(index).epoch++;
+    }
+    slots[index] = value;
   }
 
   public final boolean hasLocalSlot(Symbol name) {
@@ -126,7 +130,7 @@ public class UrbiObject {
   /** The names of the object's own slots, in the order of their creation. */
   public final Symbol[] localSlotNames() {
     noteStructureRead();
-    return shape.names;
+    return shape.names();
   }
 
   /** The object where the lookup of a name ends: this one, a prototype, or null. */
@@ -189,14 +193,8 @@ public class UrbiObject {
     if (i < 0) {
       return false;
     }
-    int last = shape.size() - 1;
-    UrbiObject[] fewer = new UrbiObject[Math.max(last, 4)];
-    System.arraycopy(storage.slots, 0, fewer, 0, i);
-    System.arraycopy(storage.slots, i + 1, fewer, i, last - i);
     SlotData data = slotData(name);
-    storage.slots = fewer;
-    Symbol[] names = shape.names;
-    shape = shape.without(i);
+    takeOut(i);
     if (data != null) {
       storage.extra.slotData.remove(name);
       data.removed = true;
@@ -204,14 +202,48 @@ public class UrbiObject {
         data.dependents.changed();
       }
     }
-    if (isInherited()) {
-      // Those behind it have moved.
-      for (int behind = i + 1; behind < names.length; behind++) {
-        names[behind].epoch++;
-      }
-    }
     slotsChanged(name);
     return true;
+  }
+
+  private void takeOut(int i) {
+    Storage s = storage;
+    boolean inherited = isInherited();
+    if (shape.leavesHoles()) {
+      s.slots[i] = null;
+      shape = shape.without(i);
+      if (shape.isSparse()) {
+        s.slots = compacted(shape, s.slots, inherited);
+        shape = shape.compact();
+      }
+      return;
+    }
+    int last = shape.size() - 1;
+    UrbiObject[] fewer = new UrbiObject[Math.max(last, 4)];
+    System.arraycopy(s.slots, 0, fewer, 0, i);
+    System.arraycopy(s.slots, i + 1, fewer, i, last - i);
+    // Those behind it have moved.
+    for (int moved = i + 1; moved <= last && inherited; moved++) {
+      shape.nameAt(moved).epoch++;
+    }
+    s.slots = fewer;
+    shape = shape.without(i);
+  }
+
+  /** The slots without the holes between them; lookups that found them here are forgotten. */
+  private static UrbiObject[] compacted(Shape shape, UrbiObject[] sparse, boolean inherited) {
+    UrbiObject[] dense = new UrbiObject[shape.names().length];
+    int next = 0;
+    for (int i = 0; i < shape.size(); i++) {
+      Symbol name = shape.nameAt(i);
+      if (name != null) {
+        dense[next++] = sparse[i];
+        if (inherited) {
+          name.epoch++;
+        }
+      }
+    }
+    return dense;
   }
 
   /** A slot of that name has come or gone. */
@@ -252,7 +284,7 @@ public class UrbiObject {
     int i = shape.indexOf(name);
     SlotData data = slotData(name);
     byte flags = data == null ? 0 : data.flags();
-    if (i >= 0 && shape.flags[i] != flags) {
+    if (i >= 0 && shape.flagsAt(i) != flags) {
       shape = shape.withFlags(i, flags);
       if (storage.extra.inherited) {
         name.epoch++;
@@ -365,6 +397,22 @@ public class UrbiObject {
   private static void noteStructureChange(Extra x) {
     if (x.structure != null) {
       x.structure.changed();
+    }
+  }
+
+  /** The condition being evaluated, if any, depends on a slot that is nowhere to be found. */
+  public final void noteAbsence() {
+    if (shape.world.tracker != null) {
+      noteAbsence(this, new HashSet<>());
+    }
+  }
+
+  private static void noteAbsence(UrbiObject from, Set<UrbiObject> visited) {
+    if (visited.add(from)) {
+      from.noteStructureRead();
+      for (UrbiObject proto : from.shape.protos) {
+        noteAbsence(proto, visited);
+      }
     }
   }
 

@@ -17,6 +17,9 @@ public final class UrbiString extends UrbiObject {
   /** The buffer that begins with this string, or null. */
   private StringBuilder buffer;
 
+  /** Whether the buffer is no other string's: what is assigned to parts is put there. */
+  private boolean own;
+
   private int length;
 
   public UrbiString(Shape shape, String value) {
@@ -43,6 +46,35 @@ public final class UrbiString extends UrbiObject {
     value = other;
     length = other.length();
     buffer = null;
+    own = false;
+    noteContentChange();
+  }
+
+  /** The number of characters. */
+  public int length() {
+    noteContentRead();
+    return length;
+  }
+
+  /** The characters from an index to another one, which is excluded. */
+  public String part(int begin, int end) {
+    noteContentRead();
+    return value == null ? buffer.substring(begin, end) : value.substring(begin, end);
+  }
+
+  /** Replaces the characters from an index to another one, which is excluded, in place. */
+  public void replace(int begin, int end, String other) {
+    if (!own) {
+      buffer = new StringBuilder(value());
+      own = true;
+    }
+    if (end - begin == 1 && other.length() == 1) {
+      buffer.setCharAt(begin, other.charAt(0));
+    } else {
+      buffer.replace(begin, end, other);
+    }
+    value = null;
+    length = buffer.length();
     noteContentChange();
   }
 
@@ -53,11 +85,12 @@ public final class UrbiString extends UrbiObject {
     }
     noteContentRead();
     StringBuilder shared = buffer;
-    if (shared == null || shared.length() != length) {
+    if (shared == null || own || shared.length() != length) {
       shared = new StringBuilder(value());
     }
     shared.append(other);
     buffer = shared;
+    own = false;
     return new UrbiString(shape, shared);
   }
 

@@ -1,6 +1,5 @@
 package org.urbi.kernel.object;
 
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
@@ -77,8 +76,8 @@ public final class Values {
     return new UrbiList(listShape, elements);
   }
 
-  /** A list which takes this array list over. */
-  public UrbiList listOf(ArrayList<UrbiObject> elements) {
+  /** A list which takes the elements over. */
+  public UrbiList listOf(Elements elements) {
     return new UrbiList(listShape, elements);
   }
 

@@ -9,7 +9,7 @@ import org.urbi.kernel.time.Randomness;
  * in one process have nothing in common.
  */
 public final class World {
-  private final Map<String, Symbol> symbols = new LinkedHashMap<>();
+  private final Symbols symbols = new Symbols();
   private final Randomness randomness = new Randomness();
   private final Map<String, Long> counters = new LinkedHashMap<>();
   private final Shape orphanShape = Shape.root(this, Shape.NO_PROTOS);
@@ -25,12 +25,7 @@ public final class World {
 
   /** The one symbol of that name. */
   public Symbol symbol(String name) {
-    Symbol symbol = symbols.get(name);
-    if (symbol == null) {
-      symbol = new Symbol(name);
-      symbols.put(name, symbol);
-    }
-    return symbol;
+    return symbols.get(name);
   }
 
   /** The constants and the makers of values. */
@@ -67,9 +62,7 @@ public final class World {
 
   /** Forgets every remembered lookup: somebody's prototypes changed. */
   void invalidateLookups() {
-    for (Symbol symbol : symbols.values()) {
-      symbol.epoch++;
-    }
+    symbols.forEach(symbol -> symbol.epoch++);
   }
 
   /** Identifiers in the order in which they are asked for, so that runs repeat to the byte. */

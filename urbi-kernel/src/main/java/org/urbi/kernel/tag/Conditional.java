@@ -2,11 +2,13 @@ package org.urbi.kernel.tag;
 
 import java.util.function.Consumer;
 import org.urbi.kernel.event.Durations;
+import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagState;
 import org.urbi.kernel.job.Timers;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Variables;
+import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
@@ -14,6 +16,11 @@ import org.urbi.lang.source.Span;
 /** Code under a tag of its own, which something else stops or freezes. */
 public final class Conditional {
   private Conditional() {}
+
+  /** Such code has no value, unless it is left by a {@code return}, which has. */
+  private static UrbiObject valueless(Frame frame, UrbiObject value) {
+    return frame.isLeaving() ? value : frame.interpreter().values().voidObject;
+  }
 
   /** {@code timeout (duration) body}. */
   public static final class Timeout extends Node {
@@ -47,7 +54,7 @@ public final class Conditional {
                   scheduler.now() + Durations.nanoseconds(number.value()),
                   () -> tag.state().stop(nothing));
       try {
-        return Tagged.run(frame, tag, body);
+        return valueless(frame, Tagged.run(frame, tag, body));
       } finally {
         timer.cancel();
       }
@@ -73,7 +80,7 @@ public final class Conditional {
 
     @Override
     public UrbiObject execute(Frame frame) {
-      UrbiTag control = (UrbiTag) frame.interpreter().prototypes().tag.cloned();
+      var control = new Controlled(frame.interpreter().prototypes().tag.cloneShape());
       UrbiTag around = (UrbiTag) frame.interpreter().prototypes().tag.cloned();
       place.declare(frame, control);
       Node armed =
@@ -81,6 +88,7 @@ public final class Conditional {
             @Override
             public UrbiObject execute(Frame inner) {
               watchdog.execute(inner);
+              control.begin(inner);
               try {
                 return Tagged.run(inner, control, body);
               } finally {
@@ -88,7 +96,45 @@ public final class Conditional {
               }
             }
           };
-      return Tagged.run(frame, around, armed);
+      return valueless(frame, Tagged.run(frame, around, armed));
+    }
+  }
+
+  /**
+   * The tag of the body. What the watchdog wants before the body has begun, because the condition
+   * holds already, is done when the body lets others run for the first time.
+   */
+  private static final class Controlled extends UrbiTag {
+    private boolean begun;
+    private Consumer<TagState> wanted;
+
+    Controlled(Shape shape) {
+      super(shape);
+    }
+
+    void control(Consumer<TagState> action) {
+      if (begun) {
+        action.accept(state());
+      } else {
+        wanted = action;
+      }
+    }
+
+    void begin(Frame frame) {
+      if (wanted == null) {
+        begun = true;
+      } else {
+        Job job = frame.job();
+        job.scheduler()
+            .startDetached(
+                job.lobby(),
+                job.scope(),
+                "stopif",
+                started -> {
+                  begun = true;
+                  wanted.accept(state());
+                });
+      }
     }
   }
 
@@ -105,7 +151,7 @@ public final class Conditional {
 
     @Override
     public UrbiObject execute(Frame frame) {
-      action.accept(((UrbiTag) tag.execute(frame)).state());
+      ((Controlled) tag.execute(frame)).control(action);
       return frame.interpreter().values().voidObject;
     }
   }

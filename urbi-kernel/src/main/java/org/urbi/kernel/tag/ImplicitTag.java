@@ -1,5 +1,6 @@
 package org.urbi.kernel.tag;
 
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.node.Node;
@@ -8,8 +9,8 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
 /**
- * The tag of {@code name: code} where no such name is known: it is made, among the global tags
- * (manual, "Tag").
+ * The tag of {@code name: code} where no such name is known: it is made, among the global tags;
+ * that of {@code a.b: code} is made in the tag {@code a}, under which it stands (manual, "Tag").
  */
 public final class ImplicitTag extends Node {
   private final Node target;
@@ -17,7 +18,7 @@ public final class ImplicitTag extends Node {
   private final Node tag;
 
   /**
-   * @param target null for a plain name
+   * @param target the tag in which the name is looked up, made if it must be; null for a plain name
    * @param tag the expression as it would be evaluated anyway
    */
   public ImplicitTag(Span span, Interpreter interpreter, Node target, String name, Node tag) {
@@ -29,12 +30,27 @@ public final class ImplicitTag extends Node {
 
   @Override
   public UrbiObject execute(Frame frame) {
-    if (target == null && frame.self().locate(name) == null) {
-      Interpreter interpreter = frame.interpreter();
-      UrbiTag made = UrbiTag.named(interpreter, name.name());
-      interpreter.prototypes().tags.addSlot(name, made);
+    if (target == null) {
+      if (frame.self().locate(name) != null) {
+        return tag.execute(frame);
+      }
+      UrbiTag made = UrbiTag.named(frame.interpreter(), name.name());
+      frame.interpreter().prototypes().tags.addSlot(name, made);
       return made;
     }
-    return tag.execute(frame);
+    UrbiObject owner = target.execute(frame);
+    if (owner.locate(name) == null && owner instanceof UrbiTag above) {
+      UrbiTag made = (UrbiTag) above.cloned();
+      made.addSlot(
+          frame.interpreter().world().symbol("name"),
+          frame.interpreter().values().string(name.name()));
+      above.addSlot(name, made);
+      return made;
+    }
+    try {
+      return frame.interpreter().send(frame, owner, name.name());
+    } catch (UrbiException e) {
+      throw frame.located(e, span());
+    }
   }
 }

@@ -3,6 +3,9 @@ package org.urbi.kernel.uobject;
 import java.lang.ref.WeakReference;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.urbi.kernel.event.UrbiEvent;
+import org.urbi.kernel.object.SlotData;
+import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 import urbi.UClass;
 import urbi.UObject;
@@ -74,6 +77,26 @@ final class Instance {
 
   void setInitArguments(UrbiObject[] arguments) {
     initArguments = arguments;
+  }
+
+  /** Whether urbiscript code listens to its variables or events. */
+  boolean isListenedTo() {
+    UrbiObject listened = object();
+    if (listened == null) {
+      return false;
+    }
+    for (Symbol slot : listened.localSlotNames()) {
+      SlotData data = listened.slotData(slot);
+      boolean watched =
+          data != null
+              && (data.dependents != null && !data.dependents.isEmpty()
+                  || data.changed instanceof UrbiEvent changed && changed.hasSubscribers());
+      if (watched
+          || listened.localSlot(slot) instanceof UrbiEvent event && event.hasSubscribers()) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Keeps the urbiscript object alive, or no longer. */

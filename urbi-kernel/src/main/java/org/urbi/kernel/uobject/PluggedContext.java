@@ -95,6 +95,16 @@ public final class PluggedContext implements UContext {
     return interpreter;
   }
 
+  /** Whether urbiscript code listens to variables or events of UObjects. */
+  public boolean isListenedTo() {
+    for (Instance instance : objects.all()) {
+      if (instance.isListenedTo()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   Instances objects() {
     return objects;
   }

@@ -1,13 +1,13 @@
 package org.urbi.kernel.uobject;
 
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.UrbiBinary;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiFloat;
@@ -147,7 +147,7 @@ final class ValueExchange {
   }
 
   private UrbiObject list(UList list) {
-    ArrayList<UrbiObject> elements = new ArrayList<>(list.size());
+    Elements elements = new Elements(list.size());
     for (UValue element : list) {
       elements.add(content(element));
     }

@@ -131,6 +131,9 @@ class LocationTest {
         "a
         b" + );
         [00000000:error] !!! 2.7: syntax error: unexpected ;
+        [00000000:error] !!! 3.3: syntax error: unexpected ;
+        [00000000:error] !!! 4.5: syntax error: 1 is not a valid lvalue
+        [00000000:error] !!! 6.6: syntax error: unexpected )
         }
         echo("on");
         [00000000:error] !!! 7.1: syntax error: unexpected }

@@ -10,7 +10,6 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -76,7 +75,7 @@ class ValuesTest {
     assertSame(values.floatProto, values.number(42).protos()[0]);
     assertSame(values.stringProto, values.string("").protos()[0]);
     assertSame(values.listProto, values.list(List.of()).protos()[0]);
-    assertSame(values.listProto, values.listOf(new ArrayList<>()).protos()[0]);
+    assertSame(values.listProto, values.listOf(new Elements(0)).protos()[0]);
     assertSame(values.tupleProto, values.tuple(List.of()).protos()[0]);
     assertSame(values.dictionaryProto, values.dictionary(Map.of()).protos()[0]);
     assertEquals(0, values.floatProto.value());
@@ -164,7 +163,7 @@ class ValuesTest {
 
   @Test
   void listsAreCopiedUnlessTheyAreTakenOver() {
-    ArrayList<UrbiObject> elements = new ArrayList<>(List.of(values.nil));
+    Elements elements = new Elements(List.of(values.nil));
     UrbiList copy = values.list(elements);
     UrbiList taken = values.listOf(elements);
     elements.add(values.object);

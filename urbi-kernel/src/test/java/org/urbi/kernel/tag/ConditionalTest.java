@@ -96,10 +96,11 @@ class ConditionalTest {
   }
 
   @Test
-  void stopifWithAConditionThatHoldsDoesNotBegin() {
+  void stopifWithAConditionThatHoldsEndsAfterTheFirstStep() {
     Dialogue.hold(
         """
         stopif (true) { echo("in"); sleep(1s); echo("never") };
+        [00000000] *** in
         echo("after");
         [00000000] *** after
         """);
@@ -226,15 +227,15 @@ class ConditionalTest {
   }
 
   @Test
-  void codeHasItsValueAllTheSame() {
+  void codeHasNoValueUnlessItIsLeft() {
     Dialogue.hold(
         """
         { timeout(1s) 42 };
-        [00000000] 42
         { stopif(false) 43 };
-        [00000000] 43
         { freezeif(false) 44 };
-        [00000000] 44
+        function left() { timeout(1s) { return 45 }; 46 }|;
+        left;
+        [00000000] 45
         """);
   }
 

@@ -6,7 +6,7 @@ import org.urbi.lang.grammar.UrbiscriptParser;
  * The operators, from the loosest to the tightest (manual, "All operators summary").
  *
  * <p>The unary signs bind looser than {@code **}: {@code -2 ** 2} is -4. Comparisons bind tighter
- * than equalities, which chain: {@code 2 < 6 === true} (manual, "Boolean").
+ * than equalities: {@code 2 < 6 === true} (manual, "Boolean"). Neither associate.
  */
 enum Operators {
   OR("||", UrbiscriptParser.OR_OR, 1),
@@ -65,7 +65,7 @@ enum Operators {
     this.text = text;
     this.token = token;
     this.precedence = precedence;
-    this.chainable = precedence != 9 && precedence != 3;
+    this.chainable = precedence != 9 && precedence != 8 && precedence != 3;
     this.rightAssociative = precedence == 14;
   }
 

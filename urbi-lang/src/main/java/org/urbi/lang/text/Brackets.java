@@ -7,7 +7,28 @@ import java.util.Arrays;
  * only must not swallow the statements that follow.
  */
 final class Brackets {
+  /** What a parenthesis, or a bracket, begins: where statements may be separated in it. */
+  enum Kind {
+    /** Values, which no {@code ;} separates. */
+    VALUES('(', 0),
+
+    /** The three clauses of a {@code for}. */
+    CLAUSES('f', 2),
+
+    /** A condition, which may be several statements. */
+    STATEMENTS('s', Integer.MAX_VALUE);
+
+    private final char mark;
+    private final int separators;
+
+    Kind(char mark, int separators) {
+      this.mark = mark;
+      this.separators = separators;
+    }
+  }
+
   private byte[] open = new byte[64];
+  private int[] separators = new int[64];
   private int depth;
 
   boolean isEmpty() {
@@ -18,11 +39,23 @@ final class Brackets {
     depth = 0;
   }
 
-  void open(char c) {
+  /** Opens a brace. */
+  void open() {
+    push('{', Integer.MAX_VALUE);
+  }
+
+  /** Opens a parenthesis or a bracket. */
+  void open(Kind kind) {
+    push(kind.mark, kind.separators);
+  }
+
+  private void push(char mark, int allowed) {
     if (depth == open.length) {
       open = Arrays.copyOf(open, 2 * depth);
+      separators = Arrays.copyOf(separators, 2 * depth);
     }
-    open[depth++] = (byte) c;
+    separators[depth] = allowed;
+    open[depth++] = (byte) mark;
   }
 
   /** A brace closes whatever is open inside; a parenthesis or a bracket never closes a brace. */
@@ -33,6 +66,18 @@ final class Brackets {
       }
     } else if (depth > 0 && open[depth - 1] != '{') {
       depth--;
+    }
+  }
+
+  /**
+   * A {@code ;} comes. Where none can be, what is open since the last brace will never be closed in
+   * a way that means something: it is closed here.
+   */
+  void separate() {
+    if (depth > 0 && separators[depth - 1]-- <= 0) {
+      while (depth > 0 && open[depth - 1] != '{') {
+        depth--;
+      }
     }
   }
 }

@@ -8,7 +8,8 @@ import org.urbi.lang.grammar.Keywords;
  * Finds where statements end, one character at a time, whatever the pieces in which they come.
  *
  * <p>A statement ends with a {@code ;} or a {@code ,} that is in no bracket, string or comment, is
- * no flavor ({@code loop;}) and does not separate prototypes ({@code class A : B, C}).
+ * no flavor ({@code loop;}) and does not separate prototypes ({@code class A : B, C}). A {@code ;}
+ * where none can be, as in {@code f(1;}, ends it too: nothing that may follow could mend it.
  */
 public final class Splitter {
   private enum State {
@@ -41,6 +42,10 @@ public final class Splitter {
   private int offset;
   private boolean blank;
   private boolean flavorMayFollow;
+
+  /** What a parenthesis would begin here. */
+  private Brackets.Kind inside;
+
   private boolean inClassHead;
   private boolean inPrototypes;
   private boolean wholeLine;
@@ -97,6 +102,7 @@ public final class Splitter {
     state = State.CODE;
     blank = true;
     flavorMayFollow = false;
+    inside = Brackets.Kind.VALUES;
     inClassHead = false;
     inPrototypes = false;
     brackets.clear();
@@ -154,6 +160,7 @@ public final class Splitter {
     if (wordCharacter(c)) {
       blank = false;
       flavorMayFollow = false;
+      inside = Brackets.Kind.VALUES;
       state = '0' <= c && c <= '9' ? State.NUMBER : State.WORD;
       collected.setLength(0);
       collected.append(c);
@@ -164,16 +171,21 @@ public final class Splitter {
       return;
     }
     blank = false;
-    boolean flavor = flavorMayFollow;
+    boolean flavor = flavorMayFollow && ";|,&".indexOf(c) >= 0;
+    Brackets.Kind parenthesis = inside;
     flavorMayFollow = false;
+    if (!flavor) {
+      inside = Brackets.Kind.VALUES;
+    }
     switch (c) {
       case '"', '\'' -> {
         quote = c;
         state = State.QUOTED;
       }
-      case '(', '[' -> brackets.open(c);
+      case '(' -> brackets.open(parenthesis);
+      case '[' -> brackets.open(Brackets.Kind.VALUES);
       case '{' -> {
-        brackets.open(c);
+        brackets.open();
         inClassHead = false;
         inPrototypes = false;
       }
@@ -181,8 +193,11 @@ public final class Splitter {
       case ':' -> inPrototypes |= inClassHead && brackets.isEmpty();
       case '|', '&' -> inPrototypes &= !brackets.isEmpty();
       case ';' -> {
-        if (!flavor && brackets.isEmpty()) {
-          separator = Flavor.SEMICOLON;
+        if (!flavor) {
+          brackets.separate();
+          if (brackets.isEmpty()) {
+            separator = Flavor.SEMICOLON;
+          }
         }
       }
       case ',' -> {
@@ -210,6 +225,12 @@ public final class Splitter {
       inClassHead |= brackets.isEmpty();
     } else {
       flavorMayFollow = Keywords.flavored(word);
+      inside =
+          switch (word) {
+            case "for" -> Brackets.Kind.CLAUSES;
+            case "if", "while", "switch" -> Brackets.Kind.STATEMENTS;
+            default -> Brackets.Kind.VALUES;
+          };
     }
     // What directly follows a name is not the opening quote of another.
     if (c == '\'' && !Keywords.keyword(word)) {

@@ -37,6 +37,7 @@ class SyntaxErrorTest {
         "f(1 + if (a) 3)                 @ 1.7-8: unexpected if",
         "1 in l in [false];              @ 1.8-9: unexpected in",
         "1 < 2 < 3                       @ 1.7: unexpected <",
+        "a == b == c                     @ 1.8-9: unexpected ==",
         "{ a                             @ 1.4: unexpected end of file",
         "foreach ++                      @ 1.9-10: unexpected ++",
         "123foo;                         @ 1.1-6: invalid token: `123foo'",

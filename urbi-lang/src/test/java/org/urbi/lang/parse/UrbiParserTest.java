@@ -40,7 +40,6 @@ class UrbiParserTest {
         "1 + !a             # 1.'+'(a.'!'())",
         "a << 1 + 2         # a.'<<'(1.'+'(2))",
         "2 < 6 === true     # 2.'<'(6).'==='(true)",
-        "a == b == c        # a.'=='(b).'=='(c)",
         "a ^ b == c         # a.'^'(b.'=='(c))",
         "a bitor b in c     # c.has(a.'bitor'(b))",
         "a && b || c && d   # a && b || c && d",

@@ -21,6 +21,9 @@ final class LocalConsole implements AutoCloseable {
   private static final String SHUTDOWN =
       "lobby.send(\"!!! received interruption, shutting down.\", \"error\") | shutdown;\n";
 
+  /** The exit status of a run in which something went wrong that nobody handled. */
+  static final int FAILED = 1;
+
   private final Settings settings;
   private final Kernel kernel;
   private final BiFunction<Client, Boolean, Connection> lobbies;
@@ -117,8 +120,13 @@ final class LocalConsole implements AutoCloseable {
 
   private void lobbyClosed() {
     if (!settings.keepsServing()) {
-      kernel.requestShutdown(0);
+      kernel.requestShutdown(hasFailed() ? FAILED : 0);
     }
+  }
+
+  /** Whether something was wrong in what it was given to run; somebody at a terminal knows. */
+  boolean hasFailed() {
+    return settings.input() != Settings.Input.SESSION && console.hasFailed();
   }
 
   @Override

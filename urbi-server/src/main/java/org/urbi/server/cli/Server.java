@@ -66,7 +66,8 @@ final class Server {
       network = settings.hasPort() ? listen() : null;
       console = new LocalConsole(settings, kernel, this::connect, this::end, out);
       console.start();
-      return kernel.awaitTermination();
+      int status = kernel.awaitTermination();
+      return status == 0 && settings.strict() && console.hasFailed() ? LocalConsole.FAILED : status;
     } finally {
       kernel.close();
       if (network != null) {

@@ -15,7 +15,7 @@ import org.urbi.server.Trace;
  * @param portFile where to write the port's number, or null
  * @param maxConnections how many clients of the port there may be at a time; 0: any number
  * @param record where to record the run, or null
- * @param modules whether UObjects were asked for, which may have a life of their own
+ * @param strict whether the exit status tells of errors even after {@code shutdown}
  * @param text what the console's lobby is sent first
  * @param input where more of it comes from
  * @param program the path under which it was called
@@ -33,7 +33,7 @@ record Settings(
     Path portFile,
     String record,
     int maxConnections,
-    boolean modules,
+    boolean strict,
     String text,
     Input input,
     List<String> arguments,
@@ -64,6 +64,6 @@ record Settings(
 
   /** Whether something may still happen once the console's lobby has nothing to do. */
   boolean keepsServing() {
-    return hasPort() || modules && input != Input.SESSION;
+    return hasPort();
   }
 }

@@ -72,5 +72,10 @@ final class StartFiles {
     public void closed() {
       loaded.complete(true);
     }
+
+    @Override
+    public boolean isAwaited() {
+      return false;
+    }
   }
 }

@@ -79,6 +79,9 @@ public final class UrbiCommand {
     inputs.declare(program);
     program
         .flag("Read a session from the terminal; the default without input.", "-i", "--interactive")
+        .flag(
+            "Exit with 1 after an error that nobody handled, even if the script says shutdown.",
+            "--strict")
         .each("MODULE", "Load the UObject MODULE.", modules::add, "-m", "--module")
         .arguments("[FILE [ARGUMENT]...]", "A script, and what it sees as System.arguments.")
         .stopAtArgument();
@@ -133,7 +136,7 @@ public final class UrbiCommand {
         portFile == null ? null : Path.of(portFile),
         arguments.value("--record", null),
         arguments.number("--max-connections", 0, 0, Integer.MAX_VALUE),
-        !modules.isEmpty(),
+        arguments.has("--strict"),
         text.toString(),
         input,
         rest.isEmpty() ? List.of() : rest.subList(1, rest.size()),

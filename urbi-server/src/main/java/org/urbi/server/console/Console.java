@@ -13,6 +13,7 @@ public final class Console implements Client {
   private final Runnable whenClosed;
   private volatile Thread sender;
   private volatile boolean open = true;
+  private volatile boolean failed;
 
   /**
    * @param screen takes the lobby's output, a byte in each character
@@ -21,6 +22,21 @@ public final class Console implements Client {
   public Console(Consumer<String> screen, Runnable whenClosed) {
     this.screen = screen;
     this.whenClosed = whenClosed;
+  }
+
+  @Override
+  public boolean isProgram() {
+    return true;
+  }
+
+  @Override
+  public void failed() {
+    failed = true;
+  }
+
+  /** Whether there was a syntax error in what it was sent, or an exception that nobody caught. */
+  public boolean hasFailed() {
+    return failed;
   }
 
   /** Whether the lobby still listens. */

@@ -7,6 +7,7 @@ import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.channel.socket.ChannelInputShutdownEvent;
 import java.io.IOException;
+import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.util.function.Function;
 import org.urbi.kernel.Client;
@@ -134,6 +135,13 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
   public void closed() {
     over = true;
     output.finish();
+  }
+
+  @Override
+  public String remoteAddress() {
+    return context.channel().remoteAddress() instanceof InetSocketAddress address
+        ? address.getAddress().getHostAddress()
+        : "";
   }
 
   private String name() {

@@ -55,7 +55,7 @@ class UrbiCommandTest {
   void aScriptHasItsArgumentsAndItsErrorsTheirPlace() throws Exception {
     String script = file("echo.u", "#! /usr/bin/env urbi\nSystem.arguments;\nnowhere;\n");
     Result run = urbi("-q", script, "1", "-x", "--help");
-    assertEquals(0, run.status());
+    assertEquals(1, run.status());
     assertEquals(
         "[] [\"1\", \"-x\", \"--help\"]\n[:error] !!! " + script + ":3.1-7: lookup failed: nowhere",
         run.out());
@@ -97,6 +97,29 @@ class UrbiCommandTest {
     Files.writeString(folder.resolve("text"), "echo(1);");
     assertEquals(new Result(1, "", "urbi: text is no recording of urbi"), urbi("--replay", "text"));
     assertEquals(1, urbi("--record", "no/such/run", "-e", "1;").status());
+  }
+
+  @Test
+  void theExitStatusTellsOfErrorsThatNobodyHandled() throws Exception {
+    assertEquals(1, urbi("-q", "-e", "1 +; echo(2);").status());
+    assertEquals(1, urbi("-q", "-e", "{ sleep(10ms); throw 1 },").status());
+    assertEquals(1, urbi("-q", "-m", "no-such-module", "-e", "echo(1);").status());
+    assertEquals(0, urbi("-q", "-e", "throw 1; shutdown;").status());
+    assertEquals(1, urbi("-q", "--strict", "-e", "throw 1; shutdown;").status());
+    assertEquals(5, urbi("-q", "--strict", "-e", "throw 1; shutdown(5);").status());
+    assertEquals(0, urbi("-q", "--strict", "-e", "try { throw 1 } catch {}; shutdown;").status());
+  }
+
+  @Test
+  void filesAreLoadedBesideTheOneThatLoadsThem() throws Exception {
+    Files.createDirectories(folder.resolve("away"));
+    file("away/first.u", "load(\"second.u\"); requireFile(\"third.u\");");
+    file("away/second.u", "requireFile(\"third.u\"); echo(2);");
+    file("away/third.u", "echo(3);");
+    assertEquals(
+        new Result(0, "[] *** 3\n[] *** 2", ""),
+        urbi("-q", folder.resolve("away/first.u").toString()));
+    assertEquals(new Result(0, "[] *** 3\n[] *** 2", ""), urbi("-q", "away/first.u"));
   }
 
   @Test

@@ -53,10 +53,14 @@ final class CallMessageType {
   }
 
   @Builtin(doc = "Evaluates all arguments, and returns the list of their values.")
-  static List<UrbiObject> evalArgs(Frame frame, UrbiObject self) {
+  static List<UrbiObject> evalArgs(Frame frame, CallSite site, UrbiObject self) {
     List<UrbiObject> values = new ArrayList<>();
     for (UrbiObject argument : arguments(frame, self)) {
-      values.add(frame.interpreter().send(frame, argument, "eval"));
+      UrbiObject value = frame.interpreter().send(frame, argument, "eval");
+      if (value == frame.interpreter().values().voidObject) {
+        throw frame.interpreter().errors().primitive(site.calledName(), "unexpected void");
+      }
+      values.add(value);
     }
     return values;
   }
@@ -79,7 +83,7 @@ final class CallMessageType {
       UrbiObject[] arguments =
           code.isLazy()
               ? new UrbiObject[arguments(frame, self).size()]
-              : evalArgs(frame, self).toArray(UrbiObject[]::new);
+              : evalArgs(frame, site, self).toArray(UrbiObject[]::new);
       return code.call(frame, site, target, arguments);
     }
     return called;

@@ -16,6 +16,7 @@ import org.urbi.kernel.library.value.Hashing;
 import org.urbi.kernel.library.value.Printing;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiHash;
 import org.urbi.kernel.object.UrbiList;
@@ -78,14 +79,15 @@ final class ListType {
   // ------------------------------------------------------------------ elements
 
   @Builtin(value = "[]", doc = "The element at an index; negative ones count from the end.")
-  static UrbiObject get(Frame caller, CallSite site, UrbiList self, int index) {
+  static UrbiObject get(Frame caller, CallSite site, UrbiList self, UrbiFloat index) {
     List<UrbiObject> elements = self.elements();
     return elements.get(Counting.index(caller, site, index, elements.size()));
   }
 
   @Builtin(value = "[]=", doc = "Replaces the element at an index; returns the value.")
-  static UrbiObject set(Frame caller, CallSite site, UrbiList self, int index, UrbiObject value) {
-    ArrayList<UrbiObject> elements = self.modify();
+  static UrbiObject set(
+      Frame caller, CallSite site, UrbiList self, UrbiFloat index, UrbiObject value) {
+    Elements elements = self.modify();
     elements.set(Counting.index(caller, site, index, elements.size()), value);
     self.noteContentChange();
     return value;
@@ -162,7 +164,7 @@ final class ListType {
 
   @Builtin(doc = "Inserts an element before the one at an index; returns the target.")
   static UrbiObject insert(Frame caller, CallSite site, UrbiList self, int where, UrbiObject what) {
-    ArrayList<UrbiObject> elements = self.modify();
+    Elements elements = self.modify();
     if (where < 0 || where >= elements.size()) {
       throw Counting.invalidIndex(caller, site, where);
     }

@@ -41,7 +41,9 @@ final class TupleType {
     return Printing.container(caller, self);
   }
 
-  @Builtin(doc = "The list of the members.")
+  @Builtin(
+      value = {"members", "asList"},
+      doc = "The list of the members.")
   static List<UrbiObject> members(UrbiTuple self) {
     return self.elements();
   }

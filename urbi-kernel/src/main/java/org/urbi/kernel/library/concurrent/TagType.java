@@ -99,6 +99,11 @@ public final class TagType {
     return self.state().isFrozen();
   }
 
+  @Builtin(doc = "The tag which this one stands under, and which controls it too; or nil.")
+  static UrbiObject getParent(Frame frame, UrbiTag self) {
+    return self.parent() == null ? frame.interpreter().values().nil : self.parent();
+  }
+
   @Builtin(doc = "The priority of the code under the tag: 0 unless it was set.")
   static double priority(UrbiTag self) {
     return self.priority();

@@ -23,7 +23,7 @@ final class ChannelType {
       value = {"<<"},
       doc = "Sends a value to the client.")
   static void send(Frame frame, UrbiObject self, UrbiObject value) {
-    if (isOn(frame, self, "enabled")) {
+    if (value != frame.interpreter().values().nil && isOn(frame, self, "enabled")) {
       String text =
           value instanceof UrbiString string && !isOn(frame, self, "quote")
               ? string.value()

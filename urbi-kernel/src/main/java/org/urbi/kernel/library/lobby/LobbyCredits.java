@@ -21,11 +21,16 @@ final class LobbyCredits {
   }
 
   private static String version(Frame frame) {
-    UrbiObject system = frame.interpreter().world().prototype("System");
-    UrbiObject known = system.lookup(system.world().symbol("version"));
-    return known == null
-        ? "2.7"
-        : frame.interpreter().asString(frame, frame.interpreter().send(frame, system, "version"));
+    return frame
+        .interpreter()
+        .asString(
+            frame,
+            frame
+                .interpreter()
+                .send(
+                    frame,
+                    frame.interpreter().world().prototype("System"),
+                    "implementationVersion"));
   }
 
   @Builtin(doc = "Tells who made Urbi.")

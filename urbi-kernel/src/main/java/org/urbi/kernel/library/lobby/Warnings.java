@@ -28,6 +28,13 @@ public final class Warnings {
     callers(output, caller.backtrace());
   }
 
+  /** Something is deprecated, wherever it is called. */
+  public static void deprecated(Frame caller, String old, String other) {
+    LobbyType.of(caller)
+        .output()
+        .send(CHANNEL, "!!! `" + old + "' is deprecated, use `" + other + "'");
+  }
+
   /** Something that the function called at that site, null for Java code, did not like. */
   public static void inside(Frame caller, CallSite site, String message) {
     Output output = LobbyType.of(caller).output();

@@ -40,7 +40,8 @@ public final class FloatType {
 
   @Builtin(value = "-", doc = "The target minus that; without that, its opposite.")
   static UrbiFloat minus(Frame caller, UrbiFloat self, @Optional Double that) {
-    return number(caller, that == null ? -self.value() : self.value() - that);
+    // The opposite of 0 is 0, and not -0.
+    return number(caller, that == null ? 0 - self.value() : self.value() - that);
   }
 
   @Builtin(value = "*", doc = "The product of the target and that.")
@@ -259,8 +260,7 @@ public final class FloatType {
 
   @Builtin(doc = "Calls fun that many times.")
   static void times(Frame caller, CallSite site, UrbiFloat self, UrbiObject fun) {
-    int count = Counting.nonNegative(caller, site, 0, self);
-    for (int i = 0; i < count; i++) {
+    for (long i = 0; i < self.value(); i++) {
       caller.interpreter().call(caller, site, fun, self);
       caller.job().yield();
     }
@@ -268,8 +268,7 @@ public final class FloatType {
 
   @Builtin(doc = "Calls fun with each integer from 0 to the target, one after the other.")
   static void each(Frame caller, CallSite site, UrbiFloat self, UrbiObject fun) {
-    int count = Counting.nonNegative(caller, site, 0, self);
-    for (int i = 0; i < count; i++) {
+    for (long i = 0; i < self.value(); i++) {
       caller.interpreter().call(caller, site, fun, self, number(caller, i));
       caller.job().yield();
     }
@@ -277,8 +276,7 @@ public final class FloatType {
 
   @Builtin(value = "each|", doc = "Calls fun with each integer, without letting others run.")
   static void eachTight(Frame caller, CallSite site, UrbiFloat self, UrbiObject fun) {
-    int count = Counting.nonNegative(caller, site, 0, self);
-    for (int i = 0; i < count; i++) {
+    for (long i = 0; i < self.value(); i++) {
       caller.job().checkInterrupted();
       caller.interpreter().call(caller, site, fun, self, number(caller, i));
     }
@@ -286,7 +284,8 @@ public final class FloatType {
 
   @Builtin(value = "each&", doc = "Calls fun with each integer from 0 to the target, all at once.")
   static void eachConcurrent(Frame caller, CallSite site, UrbiFloat self, UrbiObject fun) {
-    Iteration.concurrently(caller, site, self, seq(caller, site, self), fun);
+    UrbiFloat turns = number(caller, Math.max(0, Math.ceil(self.value())));
+    Iteration.concurrently(caller, site, self, seq(caller, site, turns), fun);
   }
 
   // ------------------------------------------------------------------ helpers

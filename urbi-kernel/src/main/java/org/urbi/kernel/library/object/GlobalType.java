@@ -39,7 +39,11 @@ final class GlobalType {
     UrbiObject at = self;
     for (String part : name.split("\\.")) {
       Symbol symbol = self.world().symbol(part);
-      if (at == self.world().values().voidObject || at.locate(symbol) == null) {
+      if (at == self.world().values().voidObject) {
+        return false;
+      }
+      if (at.locate(symbol) == null) {
+        at.noteAbsence();
         return false;
       }
       at = frame.interpreter().get(frame, at, symbol);

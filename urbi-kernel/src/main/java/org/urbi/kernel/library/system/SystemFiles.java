@@ -30,7 +30,10 @@ final class SystemFiles {
     this.loadedFiles = loadedFiles;
   }
 
-  @Builtin(doc = "Evaluates a source file found in the search path, and returns its last value.")
+  @Builtin(
+      doc =
+          "Evaluates a source file found in the search path, in the working directory or beside the"
+              + " file that loads it, and returns its last value.")
   UrbiObject load(
       Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
     String name = frame.interpreter().asString(frame, file);
@@ -134,7 +137,25 @@ final class SystemFiles {
       }
     }
     Path here = working.resolve(path);
-    return isFile(frame, site, here) ? here : null;
+    if (isFile(frame, site, here)) {
+      return here;
+    }
+    Path beside = beside(frame, site, path);
+    return beside != null && isFile(frame, site, beside) ? beside : null;
+  }
+
+  /** A file in the folder of the one in which the call is written; null when that has no name. */
+  private Path beside(Frame frame, CallSite site, Path path) {
+    if (site.calledSpan() == null || site.calledSpan().location().file() == null) {
+      return null;
+    }
+    try {
+      Path caller = Path.of(NativeText.toJava(site.calledSpan().location().file()));
+      return workingDirectory(frame).resolve(caller).resolveSibling(path);
+    } catch (InvalidPathException e) {
+      // The name is that of a syncline, and none of a file.
+      return null;
+    }
   }
 
   /**

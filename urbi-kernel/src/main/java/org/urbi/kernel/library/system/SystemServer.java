@@ -33,6 +33,9 @@ import org.urbi.lang.print.Printer;
 final class SystemServer {
   private static final int STATUS_SHIFT = 8;
 
+  /** What clients ask for to know how to speak. */
+  private static final String DIALECT = "2.7.5";
+
   private final CommandLine commandLine;
   private final KernelEnd kernelEnd;
   private final Lobbies lobbies;
@@ -70,8 +73,13 @@ final class SystemServer {
     return NativeText.toUrbi(commandLine.programName());
   }
 
-  @Builtin(doc = "The version: numbers separated by periods.")
+  @Builtin(doc = "The version of the Urbi SDK whose language this is: numbers with periods.")
   static String version(UrbiObject self) {
+    return DIALECT;
+  }
+
+  @Builtin(doc = "The version of this implementation: numbers separated by periods.")
+  static String implementationVersion(UrbiObject self) {
     return Version.NUMBER;
   }
 

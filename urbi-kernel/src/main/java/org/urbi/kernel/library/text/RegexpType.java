@@ -3,11 +3,11 @@ package org.urbi.kernel.library.text;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.regex.PatternSyntaxException;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.library.lobby.Warnings;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -23,7 +23,7 @@ final class RegexpType {
   private RegexpType() {}
 
   static UrbiObject newPrototype(World world) {
-    return new UrbiRegexp(world.values().object.cloneShape(), Pattern.compile("."));
+    return new UrbiRegexp(world.values().object.cloneShape(), ".", RegexpSyntax.compile("."));
   }
 
   @Builtin(doc = "Makes it the regular expression of that text.")
@@ -32,11 +32,10 @@ final class RegexpType {
       throw invalid(caller, site, text, "Empty expression");
     }
     try {
-      // As in Perl, "." matches all but "\n".
-      self.setPattern(Pattern.compile(text, Pattern.MULTILINE | Pattern.UNIX_LINES));
+      self.setPattern(text, RegexpSyntax.compile(text));
       return self;
     } catch (PatternSyntaxException e) {
-      throw invalid(caller, site, text, e.getDescription());
+      throw invalid(caller, site, text, RegexpSyntax.reason(text, e));
     }
   }
 
@@ -49,12 +48,12 @@ final class RegexpType {
 
   @Builtin(doc = "The regular expression, to be shown.")
   static String asPrintable(UrbiRegexp self) {
-    return "Regexp(" + StringEscape.quote(self.pattern().pattern()) + ")";
+    return "Regexp(" + StringEscape.quote(self.text()) + ")";
   }
 
   @Builtin(doc = "The text of the regular expression.")
   static String asString(UrbiRegexp self) {
-    return self.pattern().pattern();
+    return self.text();
   }
 
   @Builtin(
@@ -80,6 +79,12 @@ final class RegexpType {
       strings.add(StringType.string(caller, group));
     }
     return strings;
+  }
+
+  @Builtin(doc = "Deprecated: use matches.")
+  static List<UrbiObject> matchs(Frame caller, CallSite site, UrbiRegexp self) {
+    Warnings.deprecated(caller, "Regexp.matchs", "Regexp.matches");
+    return matches(caller, self);
   }
 
   @Builtin(value = "[]", doc = "A group of the last match; the whole of it is number 0.")

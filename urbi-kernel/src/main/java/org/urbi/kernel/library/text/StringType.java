@@ -68,9 +68,6 @@ public final class StringType {
     if (digits.equals("nan")) {
       return Double.NaN;
     }
-    if (digits.matches("0[xX][0-9a-fA-F]{1,15}")) {
-      return sign * Long.parseLong(digits.substring(2), 16);
-    }
     if (digits.matches("([0-9]+(\\.[0-9]*)?|\\.[0-9]+)([eE][-+]?[0-9]+)?")) {
       return sign * Double.parseDouble(digits);
     }
@@ -172,8 +169,8 @@ public final class StringType {
 
   @Builtin(value = "[]", doc = "The characters from an index to another one, which is excluded.")
   static String get(Frame caller, CallSite site, UrbiString self, int from, @Optional Integer to) {
-    int[] bounds = bounds(caller, site, self.value(), from, to);
-    return self.value().substring(bounds[0], bounds[1]);
+    int[] bounds = bounds(caller, site, self.length(), from, to);
+    return self.part(bounds[0], bounds[1]);
   }
 
   @Builtin(value = "[]=", doc = "Replaces the characters from an index, to another one; in place.")
@@ -187,28 +184,27 @@ public final class StringType {
     Integer to = other == null ? null : Arguments.integer(caller, site, 2, toOrOther);
     UrbiObject given = other == null ? toOrOther : string(caller, other);
     String inserted = Arguments.text(caller, site, other == null ? 2 : 3, given);
-    String text = self.value();
-    int[] bounds = bounds(caller, site, text, from, to);
-    self.setValue(text.substring(0, bounds[0]) + inserted + text.substring(bounds[1]));
+    int[] bounds = bounds(caller, site, self.length(), from, to);
+    self.replace(bounds[0], bounds[1], inserted);
     return given;
   }
 
   /** Where a range begins and ends; without an end it has one character. */
-  private static int[] bounds(Frame caller, CallSite site, String text, int from, Integer to) {
-    int size = text.length();
-    if (to == null) {
-      int index = Counting.index(caller, site, from, size);
-      return new int[] {index, index + 1};
-    }
-    int begin = from < 0 ? from + size : from;
-    int end = to < 0 ? to + size : to;
-    if (begin < 0 || begin > size) {
+  private static int[] bounds(Frame caller, CallSite site, int size, int from, Integer to) {
+    int end = to == null ? from + 1 : to;
+    if (from < 0 || from > size || (to == null && from == size)) {
       throw Counting.invalidIndex(caller, site, from);
     }
-    if (end < begin || end > size) {
-      throw Counting.invalidIndex(caller, site, to);
+    if (end < from || end > size) {
+      throw Counting.invalidIndex(caller, site, end);
     }
-    return new int[] {begin, end};
+    return new int[] {from, end};
+  }
+
+  @Builtin(doc = "Makes it the same string as another one, in place; returns the target.")
+  static UrbiObject set(UrbiString self, String value) {
+    self.setValue(value);
+    return self;
   }
 
   @Builtin(doc = "The target with all that is from replaced by to.")
@@ -231,17 +227,8 @@ public final class StringType {
 
   @Builtin(doc = "The asString of the members of a list, with the target between them.")
   public static String join(
-      Frame caller,
-      UrbiString self,
-      UrbiList list,
-      @Optional String prefix,
-      @Optional String suffix) {
-    return join(
-        caller,
-        self.value(),
-        list.elements(),
-        prefix == null ? "" : prefix,
-        suffix == null ? "" : suffix);
+      Frame caller, UrbiString self, UrbiList list, String prefix, String suffix) {
+    return join(caller, self.value(), list.elements(), prefix, suffix);
   }
 
   /** Strings one after the other. */

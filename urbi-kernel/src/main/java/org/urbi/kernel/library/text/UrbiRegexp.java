@@ -7,19 +7,27 @@ import org.urbi.kernel.object.UrbiObject;
 
 /** A regular expression, and what it matched last (manual, "Regexp"). */
 final class UrbiRegexp extends UrbiObject {
+  private String text;
   private Pattern pattern;
   private List<String> matches = List.of();
 
-  UrbiRegexp(Shape shape, Pattern pattern) {
+  UrbiRegexp(Shape shape, String text, Pattern pattern) {
     super(shape);
+    this.text = text;
     this.pattern = pattern;
+  }
+
+  /** As it was written. */
+  String text() {
+    return text;
   }
 
   Pattern pattern() {
     return pattern;
   }
 
-  void setPattern(Pattern other) {
+  void setPattern(String written, Pattern other) {
+    text = written;
     pattern = other;
     setMatches(List.of());
   }
@@ -37,6 +45,6 @@ final class UrbiRegexp extends UrbiObject {
 
   @Override
   public UrbiObject cloned() {
-    return new UrbiRegexp(cloneShape(), pattern);
+    return new UrbiRegexp(cloneShape(), text, pattern);
   }
 }

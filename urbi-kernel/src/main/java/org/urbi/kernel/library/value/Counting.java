@@ -22,7 +22,7 @@ public final class Counting {
 
   /** A number of times. */
   public static int nonNegative(Frame caller, CallSite site, int place, UrbiFloat given) {
-    if (given.value() < 0) {
+    if (given.value() < 0 || given.value() != Math.rint(given.value())) {
       throw Arguments.negativeInteger(caller, site, place, given);
     }
     return Arguments.integer(caller, site, place, given);
@@ -55,6 +55,19 @@ public final class Counting {
       throw invalidIndex(caller, site, index);
     }
     return counted;
+  }
+
+  /** The same of any number, of which those with a fraction are no index either. */
+  public static int index(Frame caller, CallSite site, UrbiFloat index, int size) {
+    double value = index.value();
+    if (value != (int) value) {
+      throw caller
+          .interpreter()
+          .errors()
+          .primitive(
+              site.calledName(), "invalid index: " + caller.interpreter().asString(caller, index));
+    }
+    return index(caller, site, (int) value, size);
   }
 
   /** {@code routine: invalid index: 3}. */

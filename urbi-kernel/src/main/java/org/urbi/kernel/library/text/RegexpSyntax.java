@@ -1,0 +1,81 @@
+package org.urbi.kernel.library.text;
+
+import java.util.regex.Pattern;
+import java.util.regex.PatternSyntaxException;
+
+/**
+ * From the syntax of regular expressions that programs use, that of Perl as Boost has it, to
+ * Java's: {@code .} matches everything, {@code ^} matches wherever a line begins, be it empty and
+ * the last.
+ */
+final class RegexpSyntax {
+  private static final int FLAGS = Pattern.MULTILINE | Pattern.UNIX_LINES | Pattern.DOTALL;
+
+  private RegexpSyntax() {}
+
+  /**
+   * Compiles a regular expression.
+   *
+   * @throws PatternSyntaxException unless it is one
+   */
+  static Pattern compile(String text) {
+    try {
+      return Pattern.compile(withBeginnings(text), FLAGS);
+    } catch (PatternSyntaxException e) {
+      // Its place is to be one of the text that was given.
+      Pattern.compile(text, FLAGS);
+      throw e;
+    }
+  }
+
+  /** Java's {@code ^} matches at no end of a text; so it gets an alternative that does. */
+  private static String withBeginnings(String text) {
+    StringBuilder out = new StringBuilder();
+    int depth = 0;
+    for (int i = 0; i < text.length(); i++) {
+      char c = text.charAt(i);
+      if (c == '\\' && i + 1 < text.length()) {
+        out.append(c).append(text.charAt(++i));
+        continue;
+      }
+      if (c == '[') {
+        depth++;
+      } else if (c == ']' && depth > 0) {
+        depth--;
+      }
+      out.append(c == '^' && depth == 0 ? "(?:^|\\A)" : String.valueOf(c));
+    }
+    return out.toString();
+  }
+
+  /** What is wrong with a text, in the words of Boost where it has words for it. */
+  static String reason(String text, PatternSyntaxException e) {
+    int at = Math.max(0, Math.min(e.getIndex(), text.length()));
+    String what = e.getDescription();
+    if (what.startsWith("Unclosed group")) {
+      return "Unmatched marking parenthesis ( or \\(." + place(text, text.lastIndexOf('(') + 1);
+    }
+    if (what.startsWith("Unmatched closing")) {
+      return "Unmatched marking parenthesis ( or \\(." + place(text, text.indexOf(')', at));
+    }
+    if (what.startsWith("Unclosed character class")) {
+      return "Unmatched [ or [^." + place(text, text.length());
+    }
+    if (what.startsWith("Dangling meta")) {
+      return "The repeat operator \""
+          + text.charAt(Math.min(at, text.length() - 1))
+          + "\" cannot start a regular expression."
+          + place(text, at);
+    }
+    return what + "." + place(text, at);
+  }
+
+  private static String place(String text, int at) {
+    int cut = at < 0 ? text.length() : at;
+    return "  The error occurred while parsing the regular expression: '"
+        + text.substring(0, cut)
+        + ">>>HERE>>>"
+        + text.substring(cut)
+        + "'.";
+  }
+}
