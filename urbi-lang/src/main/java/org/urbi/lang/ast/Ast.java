@@ -1,6 +1,7 @@
 package org.urbi.lang.ast;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.lang.source.Span;
 
 /**
@@ -105,7 +106,8 @@ public sealed interface Ast {
    * @param arguments null when there are no parentheses
    * @param nameSpan where the name alone is written
    */
-  record Message(Span span, Ast target, String name, List<Ast> arguments, Span nameSpan)
+  record Message(
+      Span span, @Nullable Ast target, String name, @Nullable List<Ast> arguments, Span nameSpan)
       implements Ast {
     @Override
     public <R> R accept(AstVisitor<R> visitor) {
@@ -130,7 +132,7 @@ public sealed interface Ast {
   }
 
   /** {@code target.&name} (or {@code &name}, target null): the slot's value, not evaluated. */
-  record SlotAccess(Span span, Ast target, String name) implements Ast {
+  record SlotAccess(Span span, @Nullable Ast target, String name) implements Ast {
     @Override
     public <R> R accept(AstVisitor<R> visitor) {
       return visitor.visit(this);
@@ -138,7 +140,7 @@ public sealed interface Ast {
   }
 
   /** {@code target.slot->property} ({@code slot->property}, target null). */
-  record Property(Span span, Ast target, String slot, String name) implements Ast {
+  record Property(Span span, @Nullable Ast target, String slot, String name) implements Ast {
     @Override
     public <R> R accept(AstVisitor<R> visitor) {
       return visitor.visit(this);
@@ -156,7 +158,13 @@ public sealed interface Ast {
    * @param type the type of {@code var x : Type}, or null
    */
   record Declaration(
-      Span span, Ast target, String name, Ast value, boolean constant, Ast type, Span nameSpan)
+      Span span,
+      @Nullable Ast target,
+      String name,
+      @Nullable Ast value,
+      boolean constant,
+      @Nullable Ast type,
+      Span nameSpan)
       implements Ast {
     @Override
     public <R> R accept(AstVisitor<R> visitor) {
@@ -192,7 +200,8 @@ public sealed interface Ast {
   }
 
   /** {@code target = value time: 5s ampli: 20}; value is null in {@code x = sin: 1s ampli: 2}. */
-  record Trajectory(Span span, Ast target, Ast value, List<Modifier> modifiers) implements Ast {
+  record Trajectory(Span span, Ast target, @Nullable Ast value, List<Modifier> modifiers)
+      implements Ast {
     @Override
     public <R> R accept(AstVisitor<R> visitor) {
       return visitor.visit(this);
@@ -209,7 +218,8 @@ public sealed interface Ast {
    *
    * @param formals null for a lazy function (no parentheses)
    */
-  record Function(Span span, boolean closure, List<Formal> formals, Scope body) implements Ast {
+  record Function(Span span, boolean closure, @Nullable List<Formal> formals, Scope body)
+      implements Ast {
     @Override
     public <R> R accept(AstVisitor<R> visitor) {
       return visitor.visit(this);
@@ -245,7 +255,8 @@ public sealed interface Ast {
    * @param variadic {@code args[]}
    * @param type the type of {@code var x : Type}, or null
    */
-  record Formal(Span span, String name, Ast defaultValue, boolean variadic, Ast type) {}
+  record Formal(
+      Span span, String name, @Nullable Ast defaultValue, boolean variadic, @Nullable Ast type) {}
 
   /**
    * {@code class lvalue : protos {…}}.
@@ -253,7 +264,8 @@ public sealed interface Ast {
    * @param name a {@link Message} without arguments
    * @param body null in {@code class Foo;}
    */
-  record ClassDefinition(Span span, Message name, List<Ast> protos, Scope body) implements Ast {
+  record ClassDefinition(Span span, Message name, List<Ast> protos, @Nullable Scope body)
+      implements Ast {
     @Override
     public <R> R accept(AstVisitor<R> visitor) {
       return visitor.visit(this);
@@ -309,7 +321,7 @@ public sealed interface Ast {
   }
 
   /** {@code do (target) {…}}; target is null for {@code do {…}}. */
-  record Do(Span span, Ast target, Scope body) implements Ast {
+  record Do(Span span, @Nullable Ast target, Scope body) implements Ast {
     @Override
     public <R> R accept(AstVisitor<R> visitor) {
       return visitor.visit(this);
@@ -327,7 +339,7 @@ public sealed interface Ast {
   // --------------------------------------------------------------- control flow
 
   /** {@code if (condition) thenClause else elseClause}; elseClause may be null. */
-  record If(Span span, Ast condition, Ast thenClause, Ast elseClause) implements Ast {
+  record If(Span span, Ast condition, Ast thenClause, @Nullable Ast elseClause) implements Ast {
     @Override
     public <R> R accept(AstVisitor<R> visitor) {
       return visitor.visit(this);
@@ -342,7 +354,14 @@ public sealed interface Ast {
   }
 
   /** C-like {@code for}; each of the three clauses may be null. */
-  record For(Span span, Flavor flavor, Ast init, Ast condition, Ast step, Ast body) implements Ast {
+  record For(
+      Span span,
+      Flavor flavor,
+      @Nullable Ast init,
+      @Nullable Ast condition,
+      @Nullable Ast step,
+      Ast body)
+      implements Ast {
     @Override
     public <R> R accept(AstVisitor<R> visitor) {
       return visitor.visit(this);
@@ -350,7 +369,8 @@ public sealed interface Ast {
   }
 
   /** {@code for (var name : range) body}; name is null in {@code for (n) body}. */
-  record ForEach(Span span, Flavor flavor, String name, Ast range, Ast body) implements Ast {
+  record ForEach(Span span, Flavor flavor, @Nullable String name, Ast range, Ast body)
+      implements Ast {
     @Override
     public <R> R accept(AstVisitor<R> visitor) {
       return visitor.visit(this);
@@ -365,7 +385,8 @@ public sealed interface Ast {
   }
 
   /** {@code defaultClause} may be null. */
-  record Switch(Span span, Ast value, List<Case> cases, Sequence defaultClause) implements Ast {
+  record Switch(Span span, Ast value, List<Case> cases, @Nullable Sequence defaultClause)
+      implements Ast {
     @Override
     public <R> R accept(AstVisitor<R> visitor) {
       return visitor.visit(this);
@@ -373,10 +394,10 @@ public sealed interface Ast {
   }
 
   /** {@code case pattern if guard: body}; guard may be null. */
-  record Case(Span span, Ast pattern, Ast guard, Sequence body) {}
+  record Case(Span span, Ast pattern, @Nullable Ast guard, Sequence body) {}
 
   /** {@code value} may be null. */
-  record Return(Span span, Ast value) implements Ast {
+  record Return(Span span, @Nullable Ast value) implements Ast {
     @Override
     public <R> R accept(AstVisitor<R> visitor) {
       return visitor.visit(this);
@@ -398,7 +419,7 @@ public sealed interface Ast {
   }
 
   /** {@code value} is null in a rethrow. */
-  record Throw(Span span, Ast value) implements Ast {
+  record Throw(Span span, @Nullable Ast value) implements Ast {
     @Override
     public <R> R accept(AstVisitor<R> visitor) {
       return visitor.visit(this);
@@ -406,7 +427,12 @@ public sealed interface Ast {
   }
 
   /** {@code elseClause} and {@code finallyClause} may be null. */
-  record Try(Span span, Scope body, List<Catch> catches, Scope elseClause, Scope finallyClause)
+  record Try(
+      Span span,
+      Scope body,
+      List<Catch> catches,
+      @Nullable Scope elseClause,
+      @Nullable Scope finallyClause)
       implements Ast {
     @Override
     public <R> R accept(AstVisitor<R> visitor) {
@@ -415,7 +441,7 @@ public sealed interface Ast {
   }
 
   /** {@code catch (pattern if guard) {…}}; pattern and guard may be null. */
-  record Catch(Span span, Ast pattern, Ast guard, Scope body) {}
+  record Catch(Span span, @Nullable Ast pattern, @Nullable Ast guard, Scope body) {}
 
   /** {@code assert (claim)} (one claim) or {@code assert {claim; …}} (any number). */
   record Assert(Span span, boolean block, List<Ast> claims) implements Ast {
@@ -442,7 +468,7 @@ public sealed interface Ast {
   }
 
   /** {@code expression ~ duration}. */
-  record WhenTrue(Span span, Ast expression, Ast duration) implements Condition {}
+  record WhenTrue(Span span, Ast expression, @Nullable Ast duration) implements Condition {}
 
   /**
    * {@code event?(patterns) if guard ~ duration}.
@@ -450,11 +476,17 @@ public sealed interface Ast {
    * @param patterns null when there are no parentheses: any payload
    * @param guard may be null
    */
-  record WhenEmitted(Span span, Ast event, List<Ast> patterns, Ast guard, Ast duration)
+  record WhenEmitted(
+      Span span,
+      Ast event,
+      @Nullable List<Ast> patterns,
+      @Nullable Ast guard,
+      @Nullable Ast duration)
       implements Condition {}
 
   /** {@code at sync? (condition) body onleave onLeave}; onLeave may be null. */
-  record At(Span span, boolean sync, Condition condition, Ast body, Ast onLeave) implements Ast {
+  record At(Span span, boolean sync, Condition condition, Ast body, @Nullable Ast onLeave)
+      implements Ast {
     @Override
     public <R> R accept(AstVisitor<R> visitor) {
       return visitor.visit(this);
@@ -462,7 +494,8 @@ public sealed interface Ast {
   }
 
   /** {@code whenever (condition) body else elseClause}; elseClause may be null. */
-  record Whenever(Span span, Condition condition, Ast body, Ast elseClause) implements Ast {
+  record Whenever(Span span, Condition condition, Ast body, @Nullable Ast elseClause)
+      implements Ast {
     @Override
     public <R> R accept(AstVisitor<R> visitor) {
       return visitor.visit(this);
@@ -489,7 +522,8 @@ public sealed interface Ast {
    * @param arguments null when there are no parentheses
    * @param duration may be null
    */
-  record Emit(Span span, Ast event, List<Ast> arguments, Ast duration) implements Ast {
+  record Emit(Span span, Ast event, @Nullable List<Ast> arguments, @Nullable Ast duration)
+      implements Ast {
     @Override
     public <R> R accept(AstVisitor<R> visitor) {
       return visitor.visit(this);

@@ -1,2 +1,5 @@
 /** The syntax tree of urbiscript. */
+@NullMarked
 package org.urbi.lang.ast;
+
+import org.jspecify.annotations.NullMarked;

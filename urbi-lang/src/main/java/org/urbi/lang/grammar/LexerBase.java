@@ -6,6 +6,7 @@ import java.util.Set;
 import org.antlr.v4.runtime.CharStream;
 import org.antlr.v4.runtime.Lexer;
 import org.antlr.v4.runtime.Token;
+import org.jspecify.annotations.Nullable;
 
 /** The part of the scanner that a grammar cannot say: see {@code UrbiscriptLexer.g4}. */
 public abstract class LexerBase extends Lexer {
@@ -14,7 +15,7 @@ public abstract class LexerBase extends Lexer {
 
   private final List<LexicalIssue> issues = new ArrayList<>();
   private final TextStream stream;
-  private Object value;
+  private @Nullable Object value;
   private int previous;
   private int depth;
   private boolean separatorDue;

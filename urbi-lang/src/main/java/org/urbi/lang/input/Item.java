@@ -1,6 +1,7 @@
 package org.urbi.lang.input;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.parse.SyntaxError;
 import org.urbi.lang.parse.SyntaxWarning;
@@ -15,7 +16,8 @@ public sealed interface Item {
    *
    * @param separator {@link Ast.Flavor#SEMICOLON} or {@link Ast.Flavor#COMMA}
    */
-  record Statement(Ast tree, Ast.Flavor separator, List<SyntaxWarning> warnings) implements Item {}
+  record Statement(@Nullable Ast tree, Ast.@Nullable Flavor separator, List<SyntaxWarning> warnings)
+      implements Item {}
 
   /** What would have been a statement. */
   record Invalid(List<SyntaxError> errors, List<SyntaxWarning> warnings) implements Item {}

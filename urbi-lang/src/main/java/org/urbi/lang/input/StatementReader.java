@@ -1,6 +1,7 @@
 package org.urbi.lang.input;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.parse.Parsed;
 import org.urbi.lang.parse.SyntaxError;
@@ -66,7 +67,7 @@ public final class StatementReader {
    * The next statement or its errors; null when more input is needed. What it throws is a fault of
    * the reader, and has cost the statement in which it is.
    */
-  public Item next() {
+  public @Nullable Item next() {
     while (position < buffer.length()) {
       position = scan();
       boolean complete = splitter.separator() != null;
@@ -104,7 +105,7 @@ public final class StatementReader {
    * Tells that the input ended within a statement, which is dropped; null when it did not. To call
    * after the last {@link #next}.
    */
-  public Item unfinished() {
+  public @Nullable Item unfinished() {
     if (discarding || start == position || !splitter.pending()) {
       return null;
     }
@@ -137,7 +138,7 @@ public final class StatementReader {
     }
   }
 
-  private static Item result(Parsed parsed, Ast.Flavor separator) {
+  private static Item result(Parsed parsed, Ast.@Nullable Flavor separator) {
     return parsed.valid()
         ? new Item.Statement(parsed.tree(), separator, parsed.warnings())
         : new Item.Invalid(parsed.errors(), parsed.warnings());

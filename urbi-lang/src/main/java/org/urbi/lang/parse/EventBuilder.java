@@ -1,8 +1,11 @@
 package org.urbi.lang.parse;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.antlr.v4.runtime.Token;
+import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.grammar.UrbiscriptParser.AtStatementContext;
 import org.urbi.lang.grammar.UrbiscriptParser.BodyContext;
@@ -83,7 +86,7 @@ final class EventBuilder {
     return new Ast.WhenEmitted(span, event, patterns, guard, duration(context));
   }
 
-  private Ast duration(ConditionContext context) {
+  private @Nullable Ast duration(ConditionContext context) {
     return context.duration == null ? null : builder.expressions.value(context.duration);
   }
 
@@ -105,7 +108,7 @@ final class EventBuilder {
       arguments = m.arguments();
       event =
           m.name().equals("()")
-              ? m.target()
+              ? requireNonNull(m.target(), "what is called")
               : new Ast.Message(m.span(), m.target(), m.name(), null, m.nameSpan());
     }
     Ast emission = new Ast.Emit(span, event, arguments, null);

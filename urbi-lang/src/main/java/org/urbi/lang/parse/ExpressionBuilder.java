@@ -4,6 +4,7 @@ import java.util.List;
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.tree.ParseTree;
+import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.grammar.UrbiscriptParser.AssignmentContext;
 import org.urbi.lang.grammar.UrbiscriptParser.BinaryContext;
@@ -40,7 +41,7 @@ final class ExpressionBuilder {
     return builder.noDeclaration(group(context, null));
   }
 
-  private Ast group(ParserRuleContext context, AssignmentContext assignment) {
+  private Ast group(ParserRuleContext context, @Nullable AssignmentContext assignment) {
     int size = 0;
     int levels = 1;
     while (size < context.getChildCount() && grouped(context.getChild(size))) {
@@ -68,10 +69,10 @@ final class ExpressionBuilder {
   private final class Climb {
     private final ParserRuleContext context;
     private final int size;
-    private final AssignmentContext assignment;
+    private final @Nullable AssignmentContext assignment;
     private int next;
 
-    Climb(ParserRuleContext context, int size, AssignmentContext assignment) {
+    Climb(ParserRuleContext context, int size, @Nullable AssignmentContext assignment) {
       this.context = context;
       this.size = size;
       this.assignment = assignment;
@@ -132,8 +133,7 @@ final class ExpressionBuilder {
 
     /** Where what was read so far ends: an assignment is part of the last operand. */
     private int end() {
-      boolean assigned = next == size && assignment != null;
-      return TreeBuilder.end(assigned ? assignment : child(next - 1));
+      return TreeBuilder.end(next == size && assignment != null ? assignment : child(next - 1));
     }
 
     private ParserRuleContext child(int index) {

@@ -1,10 +1,13 @@
 package org.urbi.lang.parse;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.tree.ParseTree;
 import org.antlr.v4.runtime.tree.TerminalNode;
+import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.grammar.UrbiscriptParser;
 import org.urbi.lang.grammar.UrbiscriptParser.AccessorContext;
@@ -68,7 +71,7 @@ final class FunctionBuilder {
     }
   }
 
-  private List<Ast.Formal> formals(FormalsContext context) {
+  private @Nullable List<Ast.Formal> formals(FormalsContext context) {
     if (context == null) {
       return null;
     }
@@ -189,6 +192,6 @@ final class FunctionBuilder {
       Span span = builder.span(TreeBuilder.begin(context), TreeBuilder.end(name));
       tree = new Ast.Message(span, tree, TreeBuilder.text(name), null, builder.span(name));
     }
-    return tree;
+    return requireNonNull(tree, "a path has at least one name");
   }
 }

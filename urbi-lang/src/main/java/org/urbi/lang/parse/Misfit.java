@@ -1,9 +1,12 @@
 package org.urbi.lang.parse;
 
+import static java.util.Objects.requireNonNull;
+
 import org.antlr.v4.runtime.RecognitionException;
 import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.TokenStream;
 import org.antlr.v4.runtime.misc.ParseCancellationException;
+import org.jspecify.annotations.Nullable;
 import org.urbi.lang.grammar.UrbiscriptParser;
 import org.urbi.lang.source.Source;
 
@@ -15,7 +18,9 @@ final class Misfit {
   private Misfit() {}
 
   static SyntaxError error(Source source, ParseCancellationException stop) {
-    var cause = (RecognitionException) stop.getCause();
+    var cause =
+        (RecognitionException)
+            requireNonNull(stop.getCause(), "the parser says what it gave up for");
     Token token = cause.getOffendingToken();
     Token before = before(cause, token);
     int rule = cause.getCtx() == null ? -1 : cause.getCtx().getRuleIndex();
@@ -30,14 +35,14 @@ final class Misfit {
         .error();
   }
 
-  private static Token before(RecognitionException cause, Token token) {
+  private static @Nullable Token before(RecognitionException cause, Token token) {
     return token.getTokenIndex() > 0 && cause.getInputStream() instanceof TokenStream tokens
         ? tokens.get(token.getTokenIndex() - 1)
         : null;
   }
 
   /** What may follow a token; null when that is a lot. */
-  private static String expected(int before, int rule) {
+  private static @Nullable String expected(int before, int rule) {
     return switch (before) {
       case UrbiscriptParser.RBRACE ->
           rule == UrbiscriptParser.RULE_item || rule == UrbiscriptParser.RULE_program

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import org.antlr.v4.runtime.Token;
+import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.grammar.UrbiscriptParser;
 import org.urbi.lang.grammar.UrbiscriptParser.ArgumentsContext;
@@ -27,7 +28,7 @@ final class OperandBuilder {
   }
 
   /** An operand, and what is assigned to it if anything. */
-  Ast operand(OperandContext context, AssignmentContext assignment) {
+  Ast operand(OperandContext context, @Nullable AssignmentContext assignment) {
     if (context.declaration() != null) {
       Ast.Declaration declaration = declaration(context.declaration());
       return assignment == null ? declaration : initialize(declaration, assignment);
@@ -47,7 +48,7 @@ final class OperandBuilder {
       return assign(span, target, assignment);
     }
     String text = operator.getType() == UrbiscriptParser.XOR_ASSIGN ? "^=" : operator.getText();
-    return new Ast.OperatorAssignment(span, target, text, value(assignment));
+    return new Ast.OperatorAssignment(span, target, text, value(assignment.expression()));
   }
 
   private void check(Ast target, Span span, boolean pattern) {
@@ -66,10 +67,11 @@ final class OperandBuilder {
 
   private Ast assign(Span span, Ast target, AssignmentContext assignment) {
     List<ModifierContext> modifiers = modifiersOf(assignment);
-    Ast value = value(assignment);
-    return modifiers.isEmpty()
-        ? new Ast.Assignment(span, target, value)
-        : new Ast.Trajectory(span, target, value, modifiers(modifiers));
+    if (modifiers.isEmpty()) {
+      return new Ast.Assignment(span, target, value(assignment.expression()));
+    }
+    Ast value = assignment.expression() == null ? null : value(assignment.expression());
+    return new Ast.Trajectory(span, target, value, modifiers(modifiers));
   }
 
   private Ast initialize(Ast.Declaration declaration, AssignmentContext assignment) {
@@ -84,17 +86,14 @@ final class OperandBuilder {
         span,
         declaration.target(),
         declaration.name(),
-        value(assignment),
+        value(assignment.expression()),
         declaration.constant(),
         null,
         declaration.nameSpan());
   }
 
-  private Ast value(AssignmentContext assignment) {
-    ExpressionContext expression = assignment.expression();
-    return expression == null
-        ? null
-        : builder.literals.outsidePattern(() -> builder.expressions.assigned(expression));
+  private Ast value(ExpressionContext expression) {
+    return builder.literals.outsidePattern(() -> builder.expressions.assigned(expression));
   }
 
   private static List<ModifierContext> modifiersOf(AssignmentContext assignment) {

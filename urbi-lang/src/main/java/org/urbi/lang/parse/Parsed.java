@@ -1,6 +1,7 @@
 package org.urbi.lang.parse;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
 
 /**
@@ -12,14 +13,17 @@ import org.urbi.lang.ast.Ast;
  * @param warnings in the order of the text
  */
 public record Parsed(
-    Ast tree, Ast.Flavor separator, List<SyntaxError> errors, List<SyntaxWarning> warnings) {
+    @Nullable Ast tree,
+    Ast.@Nullable Flavor separator,
+    List<SyntaxError> errors,
+    List<SyntaxWarning> warnings) {
   /** Whether there is a tree. */
   public boolean valid() {
     return errors.isEmpty();
   }
 
   /** The tree of a complete text. */
-  public Ast.Sequence sequence() {
+  public Ast.@Nullable Sequence sequence() {
     return (Ast.Sequence) tree;
   }
 }

@@ -9,6 +9,7 @@ import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.tree.ParseTree;
 import org.antlr.v4.runtime.tree.TerminalNode;
+import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.ast.Ast.Flavor;
 import org.urbi.lang.ast.LocalNames;
@@ -239,7 +240,7 @@ final class StatementBuilder {
     return over ? new Ast.Break(span) : new Ast.Continue(span);
   }
 
-  private Ast optional(ExpressionContext context) {
+  private @Nullable Ast optional(ExpressionContext context) {
     return context == null ? null : builder.expressions.value(context);
   }
 
@@ -316,7 +317,7 @@ final class StatementBuilder {
   }
 
   /** The flavor of a loop, the default being {@code ;}. */
-  Flavor flavor(Token keyword, FlavorContext context, Set<Flavor> valid) {
+  Flavor flavor(Token keyword, FlavorContext context, @Nullable Set<Flavor> valid) {
     if (context == null) {
       return Flavor.SEMICOLON;
     }
@@ -381,7 +382,7 @@ final class StatementBuilder {
     return new Ast.ForEach(span, flavor, name, range, loopBody(context.body()));
   }
 
-  private Ast clause(ForClauseContext context) {
+  private @Nullable Ast clause(ForClauseContext context) {
     if (context == null) {
       return null;
     }

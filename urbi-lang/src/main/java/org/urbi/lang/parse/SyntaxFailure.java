@@ -6,14 +6,18 @@ import org.urbi.lang.source.Span;
 final class SyntaxFailure extends RuntimeException {
   private static final long serialVersionUID = 1;
 
-  private final transient Span span;
+  private final transient SyntaxError error;
 
   SyntaxFailure(Span span, String message) {
-    super("syntax error: " + message, null, false, false);
-    this.span = span;
+    this(new SyntaxError(span, "syntax error: " + message));
+  }
+
+  private SyntaxFailure(SyntaxError error) {
+    super(error.message(), null, false, false);
+    this.error = error;
   }
 
   SyntaxError error() {
-    return new SyntaxError(span, getMessage());
+    return error;
   }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import org.antlr.v4.runtime.CommonTokenStream;
 import org.antlr.v4.runtime.atn.PredictionMode;
 import org.antlr.v4.runtime.misc.ParseCancellationException;
+import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.grammar.LexicalIssue;
 import org.urbi.lang.grammar.NestingException;
@@ -50,7 +51,7 @@ public final class UrbiParser {
     private final UrbiscriptLexer lexer;
     private final CommonTokenStream tokens;
     private final List<SyntaxWarning> warnings = new ArrayList<>();
-    private Ast.Flavor separator;
+    private Ast.@Nullable Flavor separator;
 
     Run(Source source, int begin, int end, boolean single) {
       this.source = source;
@@ -77,7 +78,7 @@ public final class UrbiParser {
         } catch (SyntaxFailure failure) {
           errors.add(failure.error());
         } catch (NestingException tooDeep) {
-          errors.add(TokenNames.failure(source, tooDeep.token(), tooDeep.getMessage()).error());
+          errors.add(TokenNames.failure(source, tooDeep.token(), NestingException.TEXT).error());
         } catch (ParseCancellationException stop) {
           errors.add(Misfit.error(source, stop));
         }

@@ -1,2 +1,5 @@
 /** From text to syntax tree. */
+@NullMarked
 package org.urbi.lang.parse;
+
+import org.jspecify.annotations.NullMarked;

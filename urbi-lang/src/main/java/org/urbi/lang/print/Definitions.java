@@ -1,5 +1,6 @@
 package org.urbi.lang.print;
 
+import java.util.List;
 import java.util.stream.Collectors;
 import org.urbi.lang.ast.Ast;
 
@@ -19,12 +20,12 @@ final class Definitions {
   }
 
   private static String named(Ast.Message name, Ast.Function function) {
-    String formals = function.formals() == null ? "" : formals(function);
+    String formals = function.formals() == null ? "" : formals(function.formals());
     return Expressions.expression(name) + formals + " " + Statements.scope(function.body());
   }
 
-  static String formals(Ast.Function function) {
-    return "(" + Expressions.join(function.formals(), Definitions::formal) + ")";
+  static String formals(List<Ast.Formal> formals) {
+    return "(" + Expressions.join(formals, Definitions::formal) + ")";
   }
 
   private static String formal(Ast.Formal formal) {

@@ -38,7 +38,7 @@ final class Events {
     return "(" + text + duration + ")";
   }
 
-  static String lasting(Ast.Emit emit) {
-    return Expressions.emission(emit) + " ~ " + Expressions.expression(emit.duration());
+  static String lasting(Ast.Emit emit, Ast duration) {
+    return Expressions.emission(emit) + " ~ " + Expressions.expression(duration);
   }
 }

@@ -5,6 +5,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
 
 /** Prints what may stand where a value is expected. */
@@ -97,7 +98,7 @@ final class Expressions {
     return text.toString();
   }
 
-  static String arguments(List<Ast> arguments) {
+  static String arguments(@Nullable List<Ast> arguments) {
     return arguments == null ? "" : "(" + values(arguments) + ")";
   }
 
@@ -135,7 +136,7 @@ final class Expressions {
   }
 
   /** What a message is sent to, and what separates them; nothing for an implicit target. */
-  private static String target(Ast tree, String separator) {
+  private static String target(@Nullable Ast tree, String separator) {
     return tree == null ? "" : primary(tree) + separator;
   }
 
@@ -214,7 +215,8 @@ final class Expressions {
   }
 
   private static String function(Ast.Function function) {
-    String formals = function.formals() == null ? "" : Definitions.formals(function) + " ";
+    String formals =
+        function.formals() == null ? "" : Definitions.formals(function.formals()) + " ";
     String keyword = function.closure() ? "closure " : "function ";
     return keyword + formals + Statements.scope(function.body());
   }

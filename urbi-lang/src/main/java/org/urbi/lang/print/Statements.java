@@ -2,6 +2,7 @@ package org.urbi.lang.print;
 
 import java.util.List;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.ast.Ast.Flavor;
 
@@ -43,7 +44,8 @@ final class Statements {
       case Ast.At at -> () -> Events.at(at);
       case Ast.Whenever whenever -> () -> Events.whenever(whenever);
       case Ast.WaitUntil wait -> () -> "waituntil " + Events.condition(wait.condition());
-      case Ast.Emit emit when emit.duration() != null -> () -> Events.lasting(emit);
+      case Ast.Emit emit when emit.duration() instanceof Ast duration ->
+          () -> Events.lasting(emit, duration);
       case Ast.Timeout timeout -> () -> timeout(timeout);
       case Ast.StopIf stop -> () -> conditional("stopif", stop.condition(), stop.body());
       case Ast.FreezeIf freeze -> () -> conditional("freezeif", freeze.condition(), freeze.body());
@@ -175,11 +177,11 @@ final class Statements {
         : statement(body);
   }
 
-  static String optional(String keyword, Ast body) {
+  static String optional(String keyword, @Nullable Ast body) {
     return body == null ? "" : "\n" + keyword + "\n" + clause(body);
   }
 
-  private static String value(Ast value) {
+  private static String value(@Nullable Ast value) {
     return value == null ? "" : " " + Expressions.expression(value);
   }
 
@@ -209,11 +211,11 @@ final class Statements {
         + ")";
   }
 
-  private static String clauseOf(Ast tree) {
+  private static String clauseOf(@Nullable Ast tree) {
     return tree == null ? "" : statement(tree);
   }
 
-  private static String spaced(Ast tree) {
+  private static String spaced(@Nullable Ast tree) {
     return tree == null ? "" : " " + statement(tree);
   }
 
@@ -247,7 +249,7 @@ final class Statements {
     return lines.isEmpty() ? "" : Printer.indent(Printer.indent(lines)) + "\n";
   }
 
-  static String guarded(Ast pattern, Ast guard) {
+  static String guarded(Ast pattern, @Nullable Ast guard) {
     return Expressions.expression(pattern)
         + (guard == null ? "" : " if " + Expressions.expression(guard));
   }

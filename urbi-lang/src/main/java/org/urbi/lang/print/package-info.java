@@ -1,2 +1,5 @@
 /** From syntax tree to text. */
+@NullMarked
 package org.urbi.lang.print;
+
+import org.jspecify.annotations.NullMarked;

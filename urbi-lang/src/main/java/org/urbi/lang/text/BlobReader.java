@@ -26,7 +26,7 @@ final class BlobReader {
 
   private static final int LONGEST_SIZE = 10;
 
-  private State state;
+  private State state = State.ESCAPE;
   private long size;
   private int digits;
 

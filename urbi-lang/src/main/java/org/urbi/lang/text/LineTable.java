@@ -6,6 +6,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
 import org.urbi.lang.source.Source;
 
 /** Which line is which, synclines included (manual, "Synclines"). */
@@ -22,7 +23,7 @@ public final class LineTable {
   private int number;
   private int lineStart;
   private int firstColumn = 1;
-  private Position following;
+  private @Nullable Position following;
 
   /** The table of a text that starts at the beginning of a line. */
   public LineTable(String file, int number) {

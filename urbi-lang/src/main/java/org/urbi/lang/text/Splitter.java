@@ -1,5 +1,6 @@
 package org.urbi.lang.text;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast.Flavor;
 import org.urbi.lang.grammar.BinaryForm;
 import org.urbi.lang.grammar.Keywords;
@@ -36,7 +37,7 @@ public final class Splitter {
   private final Brackets brackets = new Brackets();
   private final StringBuilder collected = new StringBuilder();
   private final BlobReader blob = new BlobReader();
-  private BinaryForm binary;
+  private BinaryForm binary = new BinaryForm();
   private int binaryRemaining;
   private State state;
   private int offset;
@@ -52,7 +53,7 @@ public final class Splitter {
   private int commentDepth;
   private char previous;
   private char quote;
-  private Flavor separator;
+  private @Nullable Flavor separator;
 
   /**
    * @param lines is told of lines and synclines as they come
@@ -68,7 +69,7 @@ public final class Splitter {
   }
 
   /** What ended the last statement; null when {@link #scan} reached the end of its text. */
-  public Flavor separator() {
+  public @Nullable Flavor separator() {
     return separator;
   }
 
