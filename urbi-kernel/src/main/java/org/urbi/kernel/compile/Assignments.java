@@ -51,7 +51,13 @@ final class Assignments {
               operand(assignment.value(), block));
       case Ast pattern -> {
         Node value = operand(assignment.value(), block);
-        yield new Matching.Destructure(span, destructuring(pattern, block), value);
+        // A call that is assigned to fails, if it does, where the assignment is.
+        Ast assigned =
+            pattern instanceof Ast.Message call
+                ? new Ast.Message(
+                    span, call.target(), call.name(), call.arguments(), call.nameSpan())
+                : pattern;
+        yield new Matching.Destructure(span, destructuring(assigned, block), value);
       }
     };
   }

@@ -224,7 +224,7 @@ final class Statements {
       // What is declared in the middle of the claims is there for those that follow.
       claims.add(
           LocalNames.in(claim).isEmpty()
-              ? new Assertion(claim.span(), compilation.claims.claim(claim, inner.construct()))
+              ? new Assertion(claim.span(), compilation.claims.claim(claim, inner))
               : new Assertion.Declared(claim.span(), compile(claim, inner, Seen.NOTHING)));
       yields.add(true);
     }

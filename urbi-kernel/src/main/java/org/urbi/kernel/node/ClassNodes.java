@@ -35,7 +35,9 @@ public final class ClassNodes {
       for (int i = 0; i < parents.length; i++) {
         parents[i] = Arguments.notVoid(frame, protos[i], span());
         if (parents[i].isA(interpreter.world().prototype("Finalizable"))) {
-          throw frame.located(interpreter.errors().finalizable("apply"), span());
+          UrbiException refused = interpreter.errors().finalizable("apply");
+          refused.locate(null, frame.backtrace());
+          throw refused;
         }
       }
       UrbiObject first = parents.length == 0 ? interpreter.values().object : parents[0];

@@ -103,7 +103,8 @@ continueStatement : CONTINUE ;
 
 assertStatement : ASSERT (LPAREN expression RPAREN | LBRACE sequence RBRACE) ;
 
-classDefinition : CLASS postfix (COLON protos)? scope? ;
+/** What is no name must at least have a body, so that the first thing wrong is told. */
+classDefinition : CLASS postfix (COLON protos)? (scope | {isNoScope($postfix.ctx)}?) ;
 packageDefinition : PACKAGE path (COLON protos)? scope ;
 protos : expression (COMMA expression)* ;
 enumDefinition : ENUM postfix LBRACE (name (COMMA name)* COMMA?)? RBRACE ;

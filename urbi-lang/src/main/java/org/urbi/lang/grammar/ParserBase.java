@@ -23,6 +23,11 @@ public abstract class ParserBase extends Parser {
         || (expression.getChildCount() == 2 && expression.getChild(1) instanceof AssignmentContext);
   }
 
+  /** Whether an operand is anything but a scope. */
+  protected static boolean isNoScope(ParserRuleContext operand) {
+    return operand == null || operand.getStart().getType() != UrbiscriptParser.LBRACE;
+  }
+
   @Override
   public void enterRule(ParserRuleContext context, int state, int ruleIndex) {
     super.enterRule(context, state, ruleIndex);

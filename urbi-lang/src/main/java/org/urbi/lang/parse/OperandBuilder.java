@@ -80,6 +80,9 @@ final class OperandBuilder {
     }
     Span span = declaration.span().to(builder.span(assignment));
     if (!modifiersOf(assignment).isEmpty()) {
+      if (assignment.expression() == null) {
+        throw builder.declarationNotAllowed(declaration);
+      }
       return assign(span, declaration, assignment);
     }
     return new Ast.Declaration(

@@ -102,12 +102,16 @@ final class TreeBuilder {
   /** The value, which must not be a declaration. */
   Ast noDeclaration(Ast tree) {
     if (tree instanceof Ast.Declaration declaration) {
-      Span head =
-          declaration.span().begin() <= declaration.nameSpan().begin()
-              ? declaration.span().to(declaration.nameSpan())
-              : declaration.span();
-      throw failure(head, "declaration not allowed here");
+      throw declarationNotAllowed(declaration);
     }
     return tree;
+  }
+
+  SyntaxFailure declarationNotAllowed(Ast.Declaration declaration) {
+    Span head =
+        declaration.span().begin() <= declaration.nameSpan().begin()
+            ? declaration.span().to(declaration.nameSpan())
+            : declaration.span();
+    return failure(head, "declaration not allowed here");
   }
 }

@@ -38,6 +38,8 @@ class SyntaxErrorTest {
         "1 in l in [false];              @ 1.8-9: unexpected in",
         "1 < 2 < 3                       @ 1.7: unexpected <",
         "a == b == c                     @ 1.8-9: unexpected ==",
+        "class { };                      @ 1.10: unexpected ;",
+        "var r = t: { 1 };               @ 1.1-5: declaration not allowed here",
         "{ a                             @ 1.4: unexpected end of file",
         "foreach ++                      @ 1.9-10: unexpected ++",
         "123foo;                         @ 1.1-6: invalid token: `123foo'",

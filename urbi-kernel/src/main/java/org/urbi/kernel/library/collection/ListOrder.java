@@ -27,7 +27,12 @@ public final class ListOrder {
   @Builtin(doc = "A new list with the elements in the order that fun, or '<', says.")
   static List<UrbiObject> sort(
       Frame caller, CallSite site, UrbiList self, @Optional UrbiObject fun) {
-    return Comparison.sorted(self.elements(), Comparison.order(caller, site, self, fun));
+    Comparison.Order order = Comparison.order(caller, site, self, fun);
+    try {
+      return Comparison.sorted(self.elements(), order);
+    } catch (UrbiException e) {
+      throw fun == null ? incomparable(caller, site, 1, e) : e;
+    }
   }
 
   @Builtin(doc = "The greatest element, as fun, or '<', says.")

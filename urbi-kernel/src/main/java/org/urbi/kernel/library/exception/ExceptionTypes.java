@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.exception;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -98,7 +99,7 @@ public final class ExceptionTypes {
             EXCEPTION,
             "A file that is not there.",
             Init.of("Of that name.", "name"),
-            Shown.as("The name of the file.", "file not found: {name}")),
+            new Shown("The routine, if any, and the name of the file.", ExceptionTypes::noFile)),
         new ExceptionTable(
             "Exception.ImplicitTagComponent",
             EXCEPTION,
@@ -230,6 +231,13 @@ public final class ExceptionTypes {
         count(self, "maximum", Integer.MAX_VALUE));
   }
 
+  private static String noFile(Frame frame, UrbiObject self) {
+    boolean called = self.lookup(self.world().symbol("routine")) != null;
+    return (called ? text(frame, self, "routine") + ": " : "")
+        + "file not found: "
+        + text(frame, self, "name");
+  }
+
   private static String badNumber(Frame frame, UrbiObject self) {
     if (self.lookup(self.world().symbol("fmt")) == null) {
       return ExceptionType.asString(frame, self);
@@ -266,7 +274,11 @@ public final class ExceptionTypes {
       return null;
     }
     boolean local = self.lookup(self.world().symbol("local")) != null;
-    Set<String> candidates = new TreeSet<>();
+    // Names with a dollar come after all others.
+    Set<String> candidates =
+        new TreeSet<>(
+            Comparator.<String, Boolean>comparing(slot -> slot.startsWith("$"))
+                .thenComparing(Comparator.naturalOrder()));
     for (UrbiObject holder : local ? List.of(object) : ObjectType.allProtos(object)) {
       for (Symbol slot : holder.localSlotNames()) {
         candidates.add(slot.name());

@@ -17,9 +17,14 @@ final class GlobalOutput {
     this.lobbies = lobbies;
   }
 
-  @Builtin(doc = "Sends a value as text to the lobby, on a channel if one is given.")
-  static void echo(Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
-    LobbyType.echo(frame, LobbyType.of(frame), value, channel);
+  @Builtin(doc = "Sends a value as text to the lobby, as the echo of that does.")
+  static void echo(
+      Frame frame,
+      UrbiObject self,
+      UrbiObject value,
+      @Optional String channel,
+      @Optional String prefix) {
+    LobbyType.echo(frame, LobbyType.of(frame), value, channel, prefix);
   }
 
   @Builtin(doc = "Sends a value as text to all lobbies, on a channel if one is given.")
@@ -27,7 +32,7 @@ final class GlobalOutput {
     for (UrbiLobby lobby : lobbies.all()) {
       // What a lobby made by a program is sent goes to its creator, who is told anyway.
       if (!lobby.output().isBranch()) {
-        LobbyType.echo(frame, lobby, value, channel);
+        LobbyType.echo(frame, lobby, value, channel, null);
       }
     }
   }

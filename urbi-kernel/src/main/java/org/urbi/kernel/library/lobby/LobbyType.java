@@ -38,16 +38,22 @@ public final class LobbyType {
         : of(frame).output();
   }
 
-  @Builtin(doc = "Sends a value as text, on a channel if one is given.")
-  static void echo(Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
+  @Builtin(doc = "Sends a value as text after a prefix, '*** ', on a channel if one is given.")
+  static void echo(
+      Frame frame,
+      UrbiObject self,
+      UrbiObject value,
+      @Optional String channel,
+      @Optional String prefix) {
     String text = frame.interpreter().asString(frame, value);
-    output(frame, self).send(channel == null ? "" : channel, "*** " + text);
+    output(frame, self)
+        .send(channel == null ? "" : channel, (prefix == null ? "*** " : prefix) + text);
   }
 
   @Builtin(doc = "Sends each member of a list as text, on a channel if one is given.")
   static void echoEach(Frame frame, UrbiObject self, UrbiList list, @Optional String channel) {
     for (UrbiObject value : list.elements()) {
-      echo(frame, self, value, channel);
+      echo(frame, self, value, channel, null);
     }
   }
 

@@ -219,8 +219,8 @@ public final class FloatType {
 
   private static List<UrbiObject> withSelf(UrbiFloat self, UrbiObject[] others) {
     List<UrbiObject> all = new ArrayList<>(others.length + 1);
-    all.add(self);
     all.addAll(Arrays.asList(others));
+    all.add(self);
     return all;
   }
 

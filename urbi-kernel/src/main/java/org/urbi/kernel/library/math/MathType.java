@@ -3,7 +3,6 @@ package org.urbi.kernel.library.math;
 import java.util.Arrays;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.UrbiType;
-import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.library.collection.ListOrder;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -22,10 +21,7 @@ final class MathType {
   private static UrbiObject bounce(
       Frame caller, CallSite site, UrbiObject x, String name, UrbiObject... arguments) {
     Symbol message = caller.interpreter().world().symbol(name);
-    // What knows no function of its own would find this one.
-    if (x.locate(message) == x.world().prototype("Math")) {
-      return Arguments.unexpected(caller, site, 1, x, "Float");
-    }
+    // What knows no function of its own finds this one, and calls it without an argument.
     return caller.interpreter().send(caller, site, x, message, arguments);
   }
 

@@ -9,6 +9,7 @@ import java.util.List;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiTypePart;
+import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.library.code.LoadedFiles;
 import org.urbi.kernel.library.file.FileAccess;
 import org.urbi.kernel.library.file.UrbiPath;
@@ -37,7 +38,11 @@ final class SystemFiles {
   UrbiObject load(
       Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
     String name = frame.interpreter().asString(frame, file);
-    return evaluate(frame, site, self, found(frame, site, name), target);
+    Path path = search(frame, site, name);
+    if (path == null) {
+      throw missing(frame, name).with("routine", "load").build();
+    }
+    return evaluate(frame, site, self, path, target);
   }
 
   @Builtin(doc = "Evaluates a source file, and returns its last value.")
@@ -182,12 +187,15 @@ final class SystemFiles {
   }
 
   private static RuntimeException notFound(Frame frame, String name) {
+    return missing(frame, name).build();
+  }
+
+  private static Errors.Builder missing(Frame frame, String name) {
     return frame
         .interpreter()
         .errors()
         .of("FileNotFound", "file not found: " + name)
-        .with("name", name)
-        .build();
+        .with("name", name);
   }
 
   private UrbiObject evaluate(

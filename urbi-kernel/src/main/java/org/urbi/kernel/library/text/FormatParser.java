@@ -74,7 +74,8 @@ final class FormatParser {
     }
     char spec = Character.toLowerCase(conversion);
     if (CONVERSIONS.indexOf(spec) < 0) {
-      throw new Malformed("invalid conversion `" + conversion + "': " + text.substring(start, at));
+      throw new Malformed(
+          "format: \"" + conversion + "\" is not a valid conversion type character");
     }
     if (piped && !next('|')) {
       throw new Malformed("format without final `|': " + text.substring(start));

@@ -54,7 +54,8 @@ public final class Spelling {
     int least = Integer.MAX_VALUE;
     for (String candidate : candidates) {
       int longest = Math.max(word.length(), candidate.length());
-      int most = 1 + Math.max(2, 2 * (longest / 3));
+      boolean letter = Math.min(word.length(), candidate.length()) < 2;
+      int most = letter ? 1 : 1 + Math.max(2, 2 * (longest / 3));
       if (2 * Math.abs(word.length() - candidate.length()) > most) {
         continue;
       }
