@@ -4,6 +4,7 @@ import java.lang.reflect.Field;
 import java.lang.reflect.Method;
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /** Binds what the annotations of an object say. */
 final class Annotations {
@@ -125,7 +126,7 @@ final class Annotations {
     }
   }
 
-  private static LockSpec lock(boolean threaded, LockMode mode, int queue) {
+  private static @Nullable LockSpec lock(boolean threaded, LockMode mode, int queue) {
     return threaded || mode != LockMode.LOCK_NONE ? new LockSpec(mode, queue) : null;
   }
 

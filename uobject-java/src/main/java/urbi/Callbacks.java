@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
 
 /** The callbacks of a client. */
 final class Callbacks {
@@ -24,7 +25,7 @@ final class Callbacks {
   }
 
   /** The tag of a callback; null if there is no such callback. */
-  String tag(long id) {
+  @Nullable String tag(long id) {
     return callbacks.stream()
         .filter(callback -> callback.id == id)
         .map(Callback::tag)

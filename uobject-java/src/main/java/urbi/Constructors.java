@@ -39,7 +39,7 @@ final class Constructors<T> {
       switch (e.getCause()) {
         case Exception exception -> throw exception;
         case Error error -> throw error;
-        default -> throw e;
+        case null, default -> throw e;
       }
     } catch (InstantiationException e) {
       throw new UModuleException(constructor.getDeclaringClass().getName() + " is abstract", e);

@@ -5,6 +5,7 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.image.BufferedImage;
 import javax.swing.JPanel;
+import org.jspecify.annotations.Nullable;
 import urbi.media.ImageFiles;
 
 /** Shows an image in a window, with a cross at a place that matters. */
@@ -12,7 +13,7 @@ public class ImageComponent extends JPanel {
   private static final long serialVersionUID = 1;
   private static final int ARM = 5;
 
-  private transient BufferedImage image;
+  private transient @Nullable BufferedImage image;
   private int wantedWidth;
   private int wantedHeight;
   private double markX = -1;
@@ -60,7 +61,7 @@ public class ImageComponent extends JPanel {
     repaint();
   }
 
-  public BufferedImage getImage() {
+  public @Nullable BufferedImage getImage() {
     return image;
   }
 

@@ -1,5 +1,7 @@
 package urbi;
 
+import static java.util.Objects.requireNonNull;
+
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.Frame;
@@ -90,7 +92,8 @@ public class ImageSampler extends Frame {
     BufferedImage image = original.getImage();
     if (image != null) {
       BufferedImage rgb = ImageUtilities.makeBufferedImage(image);
-      changed.setImage(effects.get(effect).filter(rgb, null));
+      BufferedImageOp chosen = requireNonNull(effects.get(effect), "it was chosen from the list");
+      changed.setImage(chosen.filter(rgb, null));
       changedWindow.pack();
       changedWindow.setVisible(true);
       status.setText(effect + ": done");

@@ -9,6 +9,7 @@ import java.awt.MediaTracker;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.awt.image.BufferedImage;
+import org.jspecify.annotations.Nullable;
 import urbi.media.ImageFiles;
 
 /** What programs that show images in windows need again and again. */
@@ -55,7 +56,7 @@ public final class ImageUtilities {
   }
 
   /** The image in memory, as red, green and blue; null if it cannot be had. */
-  public static BufferedImage makeBufferedImage(Image image) {
+  public static @Nullable BufferedImage makeBufferedImage(Image image) {
     return makeBufferedImage(image, BufferedImage.TYPE_INT_RGB);
   }
 
@@ -64,7 +65,7 @@ public final class ImageUtilities {
    *
    * @param type as {@link BufferedImage#BufferedImage(int, int, int)} has it
    */
-  public static BufferedImage makeBufferedImage(Image image, int type) {
+  public static @Nullable BufferedImage makeBufferedImage(Image image, int type) {
     if (!waitForImage(image)) {
       return null;
     }

@@ -2,6 +2,7 @@ package urbi;
 
 import java.io.PrintStream;
 import java.util.ServiceLoader;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Runs UObjects in this process, connected to a server. The one that there is, is found by {@link
@@ -15,7 +16,7 @@ public interface RemoteRunner {
    * @param program the UObjects to be run; null for those of the jars among the arguments
    * @return the exit status of the program: 0 if the server has said good-bye
    */
-  int run(String[] arguments, UModule program, PrintStream out, PrintStream err);
+  int run(String[] arguments, @Nullable UModule program, PrintStream out, PrintStream err);
 
   /**
    * The one that there is.

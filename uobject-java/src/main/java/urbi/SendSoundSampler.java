@@ -4,13 +4,14 @@ import java.awt.FileDialog;
 import java.io.IOException;
 import javax.swing.JButton;
 import javax.swing.JFrame;
+import org.jspecify.annotations.Nullable;
 
 /** A window with a button that has a server play a file. */
 @SuppressWarnings("this-escape") // It shows itself as soon as it is constructed.
 public class SendSoundSampler extends JFrame {
   private static final long serialVersionUID = 1;
 
-  private transient volatile UClient client;
+  private transient volatile @Nullable UClient client;
 
   /** Shows the window; {@link #setClient} says where the sound goes. */
   public SendSoundSampler() {
@@ -18,7 +19,7 @@ public class SendSoundSampler extends JFrame {
   }
 
   /** Shows the window. */
-  public SendSoundSampler(UClient client) {
+  public SendSoundSampler(@Nullable UClient client) {
     super("Send a sound");
     this.client = client;
     setDefaultCloseOperation(EXIT_ON_CLOSE);
@@ -39,8 +40,13 @@ public class SendSoundSampler extends JFrame {
   }
 
   private void send(String path) {
+    UClient server = client;
+    if (server == null) {
+      Log.error("cannot send " + path + ": there is no server to send it to");
+      return;
+    }
     try {
-      SoundUtilities.sendSound(path, client);
+      SoundUtilities.sendSound(path, server);
     } catch (IOException e) {
       Log.error("cannot send " + path + ": " + e.getMessage());
     }
@@ -50,7 +56,7 @@ public class SendSoundSampler extends JFrame {
     client = other;
   }
 
-  public UClient getClient() {
+  public @Nullable UClient getClient() {
     return client;
   }
 }

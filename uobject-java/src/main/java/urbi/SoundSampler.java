@@ -2,8 +2,10 @@ package urbi;
 
 import java.awt.FileDialog;
 import java.awt.FlowLayout;
+import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JFrame;
+import org.jspecify.annotations.Nullable;
 
 /** A window with buttons to record a sound, to play it, and to save it. */
 @SuppressWarnings("this-escape") // It shows itself as soon as it is constructed.
@@ -14,7 +16,7 @@ public class SoundSampler extends JFrame {
   private final JButton stop = new JButton("Stop");
   private final JButton play = new JButton("Play");
   private final JButton save = new JButton("Save");
-  private transient volatile SoundAction action;
+  private transient volatile @Nullable SoundAction action;
 
   /** Shows the window. */
   public SoundSampler() {
@@ -23,13 +25,16 @@ public class SoundSampler extends JFrame {
     setLayout(new FlowLayout());
     capture.addActionListener(event -> {
       recording(true);
-      run(() -> action.captureAudio());
+      run(SoundAction::captureAudio);
     });
     stop.addActionListener(event -> {
       recording(false);
-      action.stopAudio();
+      SoundAction present = action;
+      if (present != null) {
+        present.stopAudio();
+      }
     });
-    play.addActionListener(event -> run(() -> action.playAudio()));
+    play.addActionListener(event -> run(SoundAction::playAudio));
     save.addActionListener(event -> save());
     add(capture);
     add(stop);
@@ -59,11 +64,14 @@ public class SoundSampler extends JFrame {
     dialog.setVisible(true);
     if (dialog.getFile() != null) {
       String path = dialog.getDirectory() + dialog.getFile();
-      run(() -> action.saveAudio(path));
+      run(present -> present.saveAudio(path));
     }
   }
 
-  private static void run(Runnable task) {
-    Thread.ofPlatform().daemon().name("urbi-sound").start(task);
+  private void run(Consumer<SoundAction> task) {
+    SoundAction present = action;
+    if (present != null) {
+      Thread.ofPlatform().daemon().name("urbi-sound").start(() -> task.accept(present));
+    }
   }
 }

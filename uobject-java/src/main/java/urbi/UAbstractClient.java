@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.jspecify.annotations.Nullable;
 import urbi.time.Stopwatch;
 
 /**
@@ -202,7 +203,7 @@ public abstract class UAbstractClient {
   }
 
   /** The tag with which a callback has been set; null if there is no such callback. */
-  public String getAssociatedTag(long callback) {
+  public @Nullable String getAssociatedTag(long callback) {
     return callbacks.tag(callback);
   }
 

@@ -3,6 +3,7 @@ package urbi;
 import java.util.Arrays;
 import java.util.Objects;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Bytes with a header that says what they are (manual, "Using binary types"): {@code jpeg 320 240},
@@ -15,16 +16,16 @@ public final class UBinary {
   private static final byte[] NOTHING = {};
   private static final UBinaryType UNKNOWN = UBinaryType.BINARY_UNKNOWN;
 
-  private String message;
-  private byte[] data;
+  private String message = "";
+  private byte @Nullable [] data;
 
   /** Where the data come from when somebody wants them; null if they were just given. */
-  private Supplier<byte[]> source;
+  private @Nullable Supplier<byte[]> source;
 
   private int size;
 
   /** What somebody says it is; null to leave it to the header. */
-  private UBinaryType given;
+  private @Nullable UBinaryType given;
 
   public UBinary() {
     this("", NOTHING);
@@ -112,13 +113,13 @@ public final class UBinary {
   /** The bytes; not copied. */
   public byte[] getData() {
     if (data == null) {
-      data = source.get();
+      data = Objects.requireNonNull(source, "what has no data has a source").get();
     }
     return data;
   }
 
   /** What fetches the data, as it was given; null if the data themselves were. */
-  public Supplier<byte[]> source() {
+  public @Nullable Supplier<byte[]> source() {
     return source;
   }
 

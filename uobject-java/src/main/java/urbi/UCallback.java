@@ -5,6 +5,7 @@ import java.lang.reflect.Type;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A function that a context calls: the method of an object, or whatever a method handle can be. Its
@@ -15,17 +16,17 @@ public final class UCallback {
   private final String name;
   private final MethodHandle handle;
   private final List<Type> parameterTypes;
-  private final MethodHandle uncopied;
-  private final LockSpec lock;
-  private final UTaskQueue queue;
+  private final @Nullable MethodHandle uncopied;
+  private final @Nullable LockSpec lock;
+  private final @Nullable UTaskQueue queue;
 
   private UCallback(
       String name,
       MethodHandle handle,
       List<Type> parameterTypes,
-      MethodHandle uncopied,
-      LockSpec lock,
-      UTaskQueue queue) {
+      @Nullable MethodHandle uncopied,
+      @Nullable LockSpec lock,
+      @Nullable UTaskQueue queue) {
     this.name = Objects.requireNonNull(name, "name");
     this.handle = handle;
     this.parameterTypes = parameterTypes;
@@ -63,7 +64,7 @@ public final class UCallback {
    *
    * @param queue the calls that exclude this one; null for none
    */
-  public UCallback threaded(LockSpec spec, UTaskQueue queue) {
+  public UCallback threaded(LockSpec spec, @Nullable UTaskQueue queue) {
     return new UCallback(name, handle, parameterTypes, null, spec, queue);
   }
 
@@ -80,7 +81,7 @@ public final class UCallback {
   /**
    * What is called with a value that was not copied, if that is not {@link #handle}; null if it is.
    */
-  public MethodHandle uncopied() {
+  public @Nullable MethodHandle uncopied() {
     return uncopied;
   }
 
@@ -109,12 +110,12 @@ public final class UCallback {
   }
 
   /** How it is locked; null if it is not {@linkplain #isThreaded threaded}. */
-  public LockSpec lock() {
+  public @Nullable LockSpec lock() {
     return lock;
   }
 
   /** The calls that exclude this one; null for none. */
-  public UTaskQueue queue() {
+  public @Nullable UTaskQueue queue() {
     return queue;
   }
 
@@ -143,7 +144,7 @@ public final class UCallback {
             UContext.enter(before);
           }
         };
-    if (queue == null) {
+    if (queue == null || lock == null) {
       context.threads().execute(entered);
       return true;
     }

@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Makes values of Java objects and Java objects of values: arguments and results of functions, and
@@ -33,7 +34,7 @@ public final class UCast {
       };
 
   private static final class Registration {
-    volatile Caster caster;
+    volatile @Nullable Caster caster;
   }
 
   private record Caster(Function<Object, UValue> toUValue, Function<UValue, Object> fromUValue) {}
@@ -71,7 +72,7 @@ public final class UCast {
     REGISTERED.get(type).caster = new Caster(struct::toUValue, struct::fromUValue);
   }
 
-  private static Caster casterOf(Class<?> type) {
+  private static @Nullable Caster casterOf(Class<?> type) {
     Registration registration = REGISTERED.get(type);
     Caster caster = registration.caster;
     if (caster == null && type.isRecord()) {
@@ -87,7 +88,7 @@ public final class UCast {
    *
    * @throws UCastException if the type of the object is not known
    */
-  public static UValue toUValue(Object object) {
+  public static UValue toUValue(@Nullable Object object) {
     return switch (object) {
       case null -> new UValue();
       case UValue value -> value;
@@ -139,7 +140,7 @@ public final class UCast {
    * @throws UCastException if it is not one
    */
   @SuppressWarnings("unchecked")
-  public static <T> T to(UValue value, Class<T> type) {
+  public static <T> @Nullable T to(UValue value, Class<T> type) {
     return (T) toClass(value, type);
   }
 
@@ -148,7 +149,7 @@ public final class UCast {
    *
    * @throws UCastException if it is not one
    */
-  public static Object to(UValue value, Type type) {
+  public static @Nullable Object to(UValue value, Type type) {
     return switch (type) {
       case Class<?> plain -> toClass(value, plain);
       case ParameterizedType generic -> toGeneric(value, generic);
@@ -158,7 +159,7 @@ public final class UCast {
     };
   }
 
-  private static Object toClass(UValue value, Class<?> type) {
+  private static @Nullable Object toClass(UValue value, Class<?> type) {
     if (type == UValue.class) {
       return value;
     }
@@ -195,7 +196,7 @@ public final class UCast {
     return toReference(value, type);
   }
 
-  private static char character(UValue value) {
+  static char character(UValue value) {
     if (value.getType() == UDataType.DATA_DOUBLE) {
       return (char) value.intValue();
     }
@@ -206,7 +207,7 @@ public final class UCast {
     return text.charAt(0);
   }
 
-  private static Object toReference(UValue value, Class<?> type) {
+  private static @Nullable Object toReference(UValue value, Class<?> type) {
     if (type == UList.class) {
       return value.ulistValue();
     }
@@ -294,7 +295,7 @@ public final class UCast {
   }
 
   /** What Java would take for it: a number, a string, a list, a map, or null. */
-  private static Object plain(UValue value) {
+  private static @Nullable Object plain(UValue value) {
     return switch (value.getType()) {
       case DATA_VOID -> null;
       case DATA_DOUBLE -> value.doubleValue();
@@ -305,7 +306,7 @@ public final class UCast {
     };
   }
 
-  private static Object toGeneric(UValue value, ParameterizedType type) {
+  private static @Nullable Object toGeneric(UValue value, ParameterizedType type) {
     Class<?> raw = (Class<?>) type.getRawType();
     Type last = type.getActualTypeArguments()[type.getActualTypeArguments().length - 1];
     if (raw == Optional.class) {

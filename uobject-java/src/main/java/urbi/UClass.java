@@ -1,6 +1,7 @@
 package urbi;
 
 import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A class of UObjects, as a context needs it: a name and what makes one. Those of Java are declared
@@ -79,7 +80,7 @@ public final class UClass {
   }
 
   /** The class of an object whose constructor has begun. */
-  static UClass of(Class<? extends UObject> javaClass, String objectName) {
+  static UClass of(Class<? extends UObject> javaClass, @Nullable String objectName) {
     Creation creation = CREATION.isBound() ? CREATION.get() : null;
     if (creation != null && creation.name.equals(objectName)) {
       return creation.type;

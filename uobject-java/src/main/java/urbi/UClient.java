@@ -1,5 +1,8 @@
 package urbi;
 
+import static java.util.Objects.requireNonNull;
+import static java.util.Objects.requireNonNullElse;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -14,6 +17,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A client of a server, over TCP.
@@ -41,10 +45,10 @@ public class UClient extends UAbstractClient implements AutoCloseable {
   private boolean sending;
   private boolean synchronous;
   private volatile boolean ended;
-  private volatile String failure;
-  private volatile String version;
-  private Thread readerThread;
-  private KeepAlive keepAlive;
+  private volatile @Nullable String failure;
+  private volatile @Nullable String version;
+  private @Nullable Thread readerThread;
+  private @Nullable KeepAlive keepAlive;
 
   /** Connects to the usual port, see {@link #UClient(String, int)}. */
   public UClient(String host) {
@@ -109,7 +113,7 @@ public class UClient extends UAbstractClient implements AutoCloseable {
   }
 
   /** Why the connection is not there, or no longer; null while it is. */
-  public String errorMessage() {
+  public @Nullable String errorMessage() {
     return failure;
   }
 
@@ -163,7 +167,7 @@ public class UClient extends UAbstractClient implements AutoCloseable {
   }
 
   /** The next bytes to send, once those before have been sent; null at the end. */
-  private byte[] next() {
+  private byte @Nullable [] next() {
     lock.lock();
     try {
       sending = false;
@@ -232,7 +236,7 @@ public class UClient extends UAbstractClient implements AutoCloseable {
   /** The version of the server, as {@code 3.0.0}; waits for the answer. */
   public String kernelVersion() {
     waitForKernelVersion();
-    return version;
+    return requireNonNull(version, "it was waited for");
   }
 
   /** The first number of the version of the server. */
@@ -303,7 +307,8 @@ public class UClient extends UAbstractClient implements AutoCloseable {
       Thread.currentThread().interrupt();
       throw new UClientException("interrupted while waiting for the answer to: " + question, e);
     } catch (ExecutionException e) {
-      throw new UClientException(e.getCause().getMessage(), e.getCause());
+      Throwable cause = requireNonNullElse(e.getCause(), e);
+      throw new UClientException(cause.getMessage(), cause);
     }
     if (!answer.isDone()) {
       throw new UClientException(
@@ -325,7 +330,7 @@ public class UClient extends UAbstractClient implements AutoCloseable {
     close(null);
   }
 
-  private void close(String why) {
+  private void close(@Nullable String why) {
     lock.lock();
     try {
       if (ended) {

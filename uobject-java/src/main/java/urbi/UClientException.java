@@ -1,5 +1,7 @@
 package urbi;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * A client cannot do what it is asked for: no connection, no answer in time, or an error instead.
  */
@@ -10,7 +12,7 @@ public class UClientException extends RuntimeException {
     super(message);
   }
 
-  public UClientException(String message, Throwable cause) {
+  public UClientException(@Nullable String message, Throwable cause) {
     super(message, cause);
   }
 }

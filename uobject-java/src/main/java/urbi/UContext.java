@@ -2,6 +2,7 @@ package urbi;
 
 import java.time.Duration;
 import java.util.concurrent.Executor;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Where UObjects live: plugged into a kernel, or in a process that is connected to one. A UObject
@@ -50,16 +51,16 @@ public interface UContext {
    * @param name null for an object that Java code makes by itself: the context chooses one
    * @return the name
    */
-  String attach(UObject object, String name);
+  String attach(UObject object, @Nullable String name);
 
   /** Forgets an object with all that it has bound; called by {@link UObject#clean}. */
   void detach(UObject object);
 
   /** The object of that name, or null: one of this context, not of another process. */
-  UObject getUObject(String name);
+  @Nullable UObject getUObject(String name);
 
   /** The hub of that name, or null. */
-  UObjectHub getUObjectHub(String name);
+  @Nullable UObjectHub getUObjectHub(String name);
 
   // ------------------------------------------------------------------ what objects bind
 

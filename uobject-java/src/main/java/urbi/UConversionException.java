@@ -1,5 +1,7 @@
 package urbi;
 
+import org.jspecify.annotations.Nullable;
+
 /** An image or sound cannot be converted: its data are not what they should be, or the format. */
 public class UConversionException extends RuntimeException {
   private static final long serialVersionUID = 1;
@@ -8,7 +10,7 @@ public class UConversionException extends RuntimeException {
     super(message);
   }
 
-  UConversionException(String message, Throwable cause) {
+  UConversionException(@Nullable String message, Throwable cause) {
     super(message, cause);
   }
 }

@@ -1,11 +1,13 @@
 package urbi;
 
+import org.jspecify.annotations.Nullable;
+
 /** An event of urbiscript (manual, "Emitting events"). */
 // Constructors call the same methods to bind as users do, who may redefine them as in 2.7.
 @SuppressWarnings("this-escape")
 public class UEvent {
   private String name = "";
-  private UEmitter emitter;
+  private @Nullable UEmitter emitter;
 
   /** An event to be bound by {@link UObject#UBindEvent} or {@link #init}. */
   public UEvent() {}

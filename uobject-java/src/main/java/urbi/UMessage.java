@@ -1,5 +1,7 @@
 package urbi;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * A message from a server: {@code [timestamp:tag] contents}.
  *
@@ -13,7 +15,7 @@ public final class UMessage {
   private final UMessageType type;
   private final byte[] raw;
   private final boolean continuation;
-  private UValue value;
+  private @Nullable UValue value;
 
   UMessage(
       UAbstractClient client,

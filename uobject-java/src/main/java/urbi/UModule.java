@@ -6,6 +6,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.WeakHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The classes of UObjects that come together: those of a jar, of a shared library, or of the
@@ -57,7 +58,7 @@ public class UModule {
   }
 
   /** The one context in which the module of a class loader is started, or null. */
-  static UContext contextOf(ClassLoader classLoader) {
+  static @Nullable UContext contextOf(ClassLoader classLoader) {
     UModule module;
     if (classLoader instanceof Loader own) {
       module = own.module();

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The Java side of an urbiscript object (manual, "The UObject Java API"). A subclass has a
@@ -325,7 +326,7 @@ public abstract non-sealed class UObject extends UResident {
   }
 
   /** The calls that a threaded one excludes; null for none. */
-  private UTaskQueue queue(LockSpec lock, String what) {
+  private @Nullable UTaskQueue queue(LockSpec lock, String what) {
     return switch (lock.lockMode()) {
       case LOCK_NONE -> null;
       case LOCK_FUNCTION -> queues.computeIfAbsent(what, key -> new UTaskQueue());
@@ -393,7 +394,7 @@ public abstract non-sealed class UObject extends UResident {
     UNotifyThreadedChange(variable(variableName), methodName, lock);
   }
 
-  void notifyChange(UVar v, Method method, LockSpec lock) {
+  void notifyChange(UVar v, Method method, @Nullable LockSpec lock) {
     UCallback callback = notification(v, method, lock);
     notifications.add(v.onChange(this, callback));
   }
@@ -455,7 +456,7 @@ public abstract non-sealed class UObject extends UResident {
     UNotifyAccess(variableName, method);
   }
 
-  private UCallback notification(UVar v, Method method, LockSpec lock) {
+  private UCallback notification(UVar v, Method method, @Nullable LockSpec lock) {
     String shown = name + "." + method.getName();
     UCallback callback = Methods.callback(shown, this, method);
     if (callback.arity() > 1) {
@@ -490,7 +491,7 @@ public abstract non-sealed class UObject extends UResident {
   }
 
   /** The hub with which it has registered last, or null. */
-  public UObjectHub getObjecthub() {
+  public @Nullable UObjectHub getObjecthub() {
     return hubs.isEmpty() ? null : hubs.getLast();
   }
 

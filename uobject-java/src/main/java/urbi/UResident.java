@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
+import org.jspecify.annotations.Nullable;
 
 /** Who lives in a context, {@link UObject}s and {@link UObjectHub}s: what both can do. */
 public abstract sealed class UResident permits UObject, UObjectHub {
@@ -46,12 +47,12 @@ public abstract sealed class UResident permits UObject, UObjectHub {
   }
 
   /** The object of that name that lives in the same context, or null. */
-  public UObject getUObject(String objectName) {
+  public @Nullable UObject getUObject(String objectName) {
     return context.getUObject(objectName);
   }
 
   /** The hub of that class, or null (manual, "Using hubs to group objects"). */
-  public UObjectHub getUObjectHub(String className) {
+  public @Nullable UObjectHub getUObjectHub(String className) {
     return context.getUObjectHub(className);
   }
 

@@ -2,6 +2,7 @@ package urbi;
 
 import java.util.Arrays;
 import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A sound (manual, "Using binary types"). Its data are shared, not copied. A number of 0 and a
@@ -15,7 +16,7 @@ public final class USound {
   private int rate;
   private int sampleSize;
   private USoundFormat format = USoundFormat.SOUND_UNKNOWN;
-  private USoundSampleFormat sampleFormat;
+  private @Nullable USoundSampleFormat sampleFormat;
 
   /** A sound that has nothing yet. */
   public USound() {}
@@ -31,7 +32,7 @@ public final class USound {
       int channels,
       int rate,
       int sampleSize,
-      USoundSampleFormat sampleFormat,
+      @Nullable USoundSampleFormat sampleFormat,
       byte[] data) {
     setSoundFormat(format);
     setChannels(channels);
@@ -131,11 +132,11 @@ public final class USound {
   }
 
   /** What the bits of a sample mean; null when that is not known. */
-  public USoundSampleFormat getSampleFormat() {
+  public @Nullable USoundSampleFormat getSampleFormat() {
     return sampleFormat;
   }
 
-  public void setSampleFormat(USoundSampleFormat other) {
+  public void setSampleFormat(@Nullable USoundSampleFormat other) {
     sampleFormat = other;
   }
 

@@ -1,5 +1,6 @@
 package urbi;
 
+import org.jspecify.annotations.Nullable;
 import urbi.media.SampleFormat;
 
 /** What the bits of a sample mean. */
@@ -25,7 +26,7 @@ public enum USoundSampleFormat {
   }
 
   /** What a format of samples is called here; null for null. */
-  static USoundSampleFormat of(SampleFormat format) {
+  static @Nullable USoundSampleFormat of(@Nullable SampleFormat format) {
     for (USoundSampleFormat each : values()) {
       if (each.format == format) {
         return each;
@@ -35,7 +36,7 @@ public enum USoundSampleFormat {
   }
 
   /** What a number stands for; null for others, and for 0, which leaves it open. */
-  static USoundSampleFormat of(int code) {
+  static @Nullable USoundSampleFormat of(int code) {
     for (USoundSampleFormat each : values()) {
       if (each.code() == code) {
         return each;

@@ -7,6 +7,7 @@ import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
 import java.lang.reflect.RecordComponent;
 import java.lang.reflect.Type;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A record or class that travels by value: a dictionary of its fields, and its name under {@code
@@ -141,7 +142,7 @@ final class UStruct {
     }
   }
 
-  private static Throwable cause(ReflectiveOperationException e) {
+  private static @Nullable Throwable cause(ReflectiveOperationException e) {
     return e instanceof InvocationTargetException invocation ? invocation.getCause() : e;
   }
 }

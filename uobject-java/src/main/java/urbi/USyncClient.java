@@ -9,6 +9,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
 import urbi.time.Stopwatch;
 
 /**
@@ -22,7 +23,8 @@ import urbi.time.Stopwatch;
 // It is connected when it has been constructed: its threads know it before a subclass is complete.
 @SuppressWarnings("this-escape")
 public class USyncClient extends UClient {
-  private static final UMessage END = new UMessage(null, 0, "", null, new byte[0], false);
+  private final UMessage end =
+      new UMessage(this, 0, "", UMessageType.MESSAGE_SYSTEM, new byte[0], false);
   private static final Duration FOREVER = Duration.ZERO;
 
   private final BlockingQueue<UMessage> queue = new LinkedBlockingQueue<>();
@@ -45,7 +47,7 @@ public class USyncClient extends UClient {
   public USyncClient(String host, int port, Duration timeout) {
     super(host, port, timeout);
     callbackThread = Thread.ofVirtual().name("urbi-client-callbacks").start(this::callbackThread);
-    onClosed().thenRun(() -> queue.add(END));
+    onClosed().thenRun(() -> queue.add(end));
   }
 
   /**
@@ -67,7 +69,7 @@ public class USyncClient extends UClient {
   /** A question that waits for its answer. */
   private static final class Question {
     final CompletableFuture<UMessage> answer = new CompletableFuture<>();
-    volatile UMessage error;
+    volatile @Nullable UMessage error;
   }
 
   @Override
@@ -94,7 +96,7 @@ public class USyncClient extends UClient {
 
   private void callbackThread() {
     try {
-      for (UMessage message = queue.take(); message != END; message = queue.take()) {
+      for (UMessage message = queue.take(); message != end; message = queue.take()) {
         super.notifyCallbacks(message);
       }
     } catch (InterruptedException e) {
@@ -133,7 +135,7 @@ public class USyncClient extends UClient {
     boolean any = false;
     while (microseconds < 0 || !any || time.elapsed(TimeUnit.MICROSECONDS) < microseconds) {
       UMessage message = queue.poll();
-      if (message == null || message == END) {
+      if (message == null || message == end) {
         break;
       }
       super.notifyCallbacks(message);

@@ -1,6 +1,7 @@
 package urbi;
 
 import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A value of any kind that Urbi and Java exchange (manual, "The UObject Java API").
@@ -12,9 +13,9 @@ import java.util.Objects;
 public final class UValue {
   private static final int LONGEST_BRIEF = 60;
 
-  private UDataType type;
+  private UDataType type = UDataType.DATA_VOID;
   private double number;
-  private Object content;
+  private @Nullable Object content;
 
   /** Nothing. */
   public UValue() {
@@ -100,6 +101,10 @@ public final class UValue {
     content = Objects.requireNonNull(value, "value");
     type = kind;
     return this;
+  }
+
+  private Object held() {
+    return Objects.requireNonNull(content, "only nothing and a number hold no object");
   }
 
   /** Makes it nothing. */
@@ -188,7 +193,7 @@ public final class UValue {
     }
     if (type == UDataType.DATA_STRING) {
       try {
-        UValue read = parse((String) content);
+        UValue read = parse((String) held());
         if (read.type == UDataType.DATA_DOUBLE) {
           return read.number;
         }
@@ -221,7 +226,7 @@ public final class UValue {
   /** The string, the number as text, or the name of the slot. */
   public String stringValue() {
     return switch (type) {
-      case DATA_STRING, DATA_SLOTNAME -> (String) content;
+      case DATA_STRING, DATA_SLOTNAME -> (String) held();
       case DATA_DOUBLE -> UValueWriter.number(number);
       default -> throw UCastException.to("String", this);
     };
@@ -232,7 +237,7 @@ public final class UValue {
     if (type != UDataType.DATA_BINARY) {
       throw UCastException.to("UBinary", this);
     }
-    return (UBinary) content;
+    return (UBinary) held();
   }
 
   /** The image in the binary; the data are shared. */
@@ -240,7 +245,7 @@ public final class UValue {
     if (type != UDataType.DATA_BINARY) {
       throw UCastException.to("UImage", this);
     }
-    return ((UBinary) content).uimageValue();
+    return ((UBinary) held()).uimageValue();
   }
 
   /** The sound in the binary; the data are shared. */
@@ -248,7 +253,7 @@ public final class UValue {
     if (type != UDataType.DATA_BINARY) {
       throw UCastException.to("USound", this);
     }
-    return ((UBinary) content).usoundValue();
+    return ((UBinary) held()).usoundValue();
   }
 
   /** The list itself; changes of it are changes of this value. */
@@ -256,7 +261,7 @@ public final class UValue {
     if (type != UDataType.DATA_LIST) {
       throw UCastException.to("UList", this);
     }
-    return (UList) content;
+    return (UList) held();
   }
 
   /** The dictionary itself; changes of it are changes of this value. */
@@ -264,7 +269,7 @@ public final class UValue {
     if (type != UDataType.DATA_DICTIONARY) {
       throw UCastException.to("UDictionary", this);
     }
-    return (UDictionary) content;
+    return (UDictionary) held();
   }
 
   /**
@@ -273,7 +278,7 @@ public final class UValue {
    *
    * @throws UCastException if it is not
    */
-  public <T> T as(Class<T> target) {
+  public <T> @Nullable T as(Class<T> target) {
     return UCast.to(this, target);
   }
 
@@ -307,7 +312,7 @@ public final class UValue {
   /** What is shown of it in a message. */
   String brief() {
     if (type == UDataType.DATA_BINARY) {
-      UBinary binary = (UBinary) content;
+      UBinary binary = (UBinary) held();
       return ("BIN " + binary.getSize() + " " + binary.getMessage()).strip();
     }
     String text = toString();

@@ -1,6 +1,7 @@
 package urbi;
 
 import java.io.ByteArrayOutputStream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Reads urbiscript literals of values, from bytes as a server sends them or from text.
@@ -10,7 +11,7 @@ import java.io.ByteArrayOutputStream;
 final class UValueReader {
   private static final int DEEPEST = 1000;
 
-  private final byte[] bytes;
+  private final byte @Nullable [] bytes;
   private final String text;
   private final int end;
   private int at;
@@ -18,7 +19,7 @@ final class UValueReader {
 
   UValueReader(byte[] bytes, int from, int end) {
     this.bytes = bytes;
-    this.text = null;
+    this.text = "";
     this.at = from;
     this.end = end;
   }

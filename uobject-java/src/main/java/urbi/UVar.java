@@ -1,5 +1,8 @@
 package urbi;
 
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+
 /**
  * A variable of urbiscript (manual, "Using urbi variables"). Bound, it reads and writes the slot of
  * an object, from any thread.
@@ -24,17 +27,17 @@ public class UVar {
 
   public final UProp constant = new UProp(this, UProperty.PROP_CONSTANT);
 
-  private final UValue initial;
+  private final @Nullable UValue initial;
   private String name = "";
-  private UContext context;
-  private USlot slot;
+  private @Nullable UContext context;
+  private @Nullable USlot slot;
 
   /** A variable to be bound by {@link UObject#UBindVar} or {@link #init}. */
   public UVar() {
     this((UValue) null, null);
   }
 
-  private UVar(UValue initial, Void tag) {
+  private UVar(@Nullable UValue initial, @Nullable Void tag) {
     this.initial = initial;
   }
 
@@ -70,7 +73,7 @@ public class UVar {
   public UVar(UVar other) {
     this();
     other.check();
-    bind(other.name, other.context);
+    bind(other.name, other.context());
   }
 
   // ------------------------------------------------------------------ binding
@@ -139,7 +142,7 @@ public class UVar {
   }
 
   UContext context() {
-    return context;
+    return Objects.requireNonNull(context, "a variable that is bound has a context");
   }
 
   // ------------------------------------------------------------------ writing
@@ -254,7 +257,7 @@ public class UVar {
   }
 
   public char charValue() {
-    return getUValue().as(char.class);
+    return UCast.character(getUValue());
   }
 
   public boolean booleanValue() {
@@ -291,7 +294,7 @@ public class UVar {
    *
    * @throws UCastException if it is not
    */
-  public <T> T as(Class<T> type) {
+  public <T> @Nullable T as(Class<T> type) {
     return getUValue().as(type);
   }
 

@@ -6,4 +6,7 @@
  * bytes that come back and are no UTF-8 are read as ISO 8859-1, one character for each. Raw bytes
  * belong in a {@link urbi.UBinary}.
  */
+@NullMarked
 package urbi;
+
+import org.jspecify.annotations.NullMarked;

@@ -8,13 +8,13 @@ package urbi.media;
  * @param rows how many rows share them
  */
 record PlanarLayout(int width, int height, int columns, int rows, boolean interleaved) {
-  /** The layout of a format; null for formats of another kind. */
+  /** The layout of a format that has one. */
   static PlanarLayout of(ImageFormat format, int width, int height) {
     return switch (format) {
       case NV12 -> new PlanarLayout(width, height, 2, 2, true);
       case YUV420_PLANAR -> new PlanarLayout(width, height, 2, 2, false);
       case YUV411_PLANAR -> new PlanarLayout(width, height, 4, 1, false);
-      default -> null;
+      default -> throw new IllegalArgumentException(format + " is not planar");
     };
   }
 

@@ -1,5 +1,7 @@
 package urbi.media;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * A sound in any format.
  *
@@ -10,7 +12,12 @@ package urbi.media;
  * @param data not copied
  */
 public record Recording(
-    SoundFormat format, int channels, int rate, int sampleSize, SampleFormat samples, byte[] data) {
+    SoundFormat format,
+    int channels,
+    int rate,
+    int sampleSize,
+    @Nullable SampleFormat samples,
+    byte[] data) {
   /**
    * The same sound as another one is: its channels, rate, sample size and sample format, and this
    * one's where those are not known.

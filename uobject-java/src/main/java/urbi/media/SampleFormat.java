@@ -1,5 +1,7 @@
 package urbi.media;
 
+import org.jspecify.annotations.Nullable;
+
 /** What the bits of a sample mean. */
 public enum SampleFormat {
   SIGNED(1),
@@ -19,7 +21,7 @@ public enum SampleFormat {
   }
 
   /** The number of a format; that of null is 0. */
-  public static int code(SampleFormat format) {
+  public static int code(@Nullable SampleFormat format) {
     return format == null ? 0 : format.code;
   }
 }

@@ -3,4 +3,7 @@
  * conversion"). It knows nothing of values and components; {@link urbi.UConversion} shows it to
  * them.
  */
+@NullMarked
 package urbi.media;
+
+import org.jspecify.annotations.NullMarked;

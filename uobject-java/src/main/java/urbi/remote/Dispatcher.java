@@ -3,6 +3,7 @@ package urbi.remote;
 import java.util.ArrayDeque;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Reads frames, and executes tasks one after the other on one thread, which never changes. That
@@ -102,7 +103,7 @@ final class Dispatcher {
   }
 
   /** The next task; null when this thread is to read, or when all has ended. */
-  private Runnable next() {
+  private @Nullable Runnable next() {
     synchronized (lock) {
       while (true) {
         Runnable task = tasks.poll();

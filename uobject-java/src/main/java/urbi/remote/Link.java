@@ -13,6 +13,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import urbi.UClientException;
 import urbi.wire.Protocol;
 import urbi.wire.WireException;
@@ -40,7 +41,7 @@ final class Link implements AutoCloseable {
   private WireOutput spare = new WireOutput(1 << 16);
   private boolean writing;
   private boolean writerIdle;
-  private volatile IOException failure;
+  private volatile @Nullable IOException failure;
   private volatile boolean tooLate;
   private byte[] buffer = new byte[1 << 16];
   private int from;

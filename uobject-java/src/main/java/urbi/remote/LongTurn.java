@@ -2,6 +2,7 @@ package urbi.remote;
 
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import urbi.time.Stopwatch;
 
 /** Who has the turn to be executed; says so of a function that does not return for long. */
@@ -9,7 +10,7 @@ final class LongTurn {
   private static final long LONG_SECONDS = 10;
 
   private final Consumer<String> told;
-  private volatile String function;
+  private volatile @Nullable String function;
   private final Stopwatch since = new Stopwatch();
   private boolean said;
 

@@ -1,5 +1,7 @@
 package urbi.remote;
 
+import static java.util.Objects.requireNonNullElse;
+
 import java.io.IOException;
 import java.lang.reflect.Type;
 import java.nio.charset.StandardCharsets;
@@ -19,6 +21,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import urbi.Log;
 import urbi.UCallback;
 import urbi.UCast;
@@ -73,7 +76,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   private final CompletableFuture<String> closed = new CompletableFuture<>();
   private final List<Consumer<byte[]>> listeners = new CopyOnWriteArrayList<>();
   private final KernelTime time = new KernelTime();
-  private volatile Consumer<String> trace;
+  private volatile @Nullable Consumer<String> trace;
   private final FailureLog failureLog = new FailureLog(Log::error);
   private final LongTurn turn = new LongTurn(this::complain);
   private final LinkWatch watch;
@@ -167,7 +170,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
     } catch (WireException e) {
       end("the server does not keep to the protocol: " + e.getMessage());
     } catch (UClientException e) {
-      end(e.getMessage());
+      end(requireNonNullElse(e.getMessage(), "the connection is closed"));
     }
     return false;
   }
@@ -342,7 +345,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   }
 
   @Override
-  public String attach(UObject object, String name) {
+  public String attach(UObject object, @Nullable String name) {
     String known = name;
     if (known == null) {
       String className = object.getUClass().name();
@@ -366,12 +369,12 @@ public final class RemoteContext implements UContext, AutoCloseable {
   }
 
   @Override
-  public UObject getUObject(String name) {
+  public @Nullable UObject getUObject(String name) {
     return objects.get(name);
   }
 
   @Override
-  public UObjectHub getUObjectHub(String name) {
+  public @Nullable UObjectHub getUObjectHub(String name) {
     return hubs.get(name);
   }
 
@@ -384,7 +387,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
     send(out -> out.begin(Frame.BIND).text(owner).text(name).octet(function.arity()).end());
   }
 
-  private UCallback function(String object, String name) {
+  private @Nullable UCallback function(String object, String name) {
     Map<String, UCallback> all = functions.get(object);
     return all == null ? null : all.get(name);
   }
@@ -455,7 +458,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
     return function.call(converted);
   }
 
-  private static Object argument(UValue value, int index, Type type) {
+  private static @Nullable Object argument(UValue value, int index, Type type) {
     try {
       return UCast.to(value, type);
     } catch (UCastException e) {
@@ -464,7 +467,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
     }
   }
 
-  private void result(int number, Object result) {
+  private void result(int number, @Nullable Object result) {
     try {
       UValue value = UCast.toUValue(result);
       sendNow(out -> out.begin(Frame.RESULT).size(number).value(value).end());
@@ -558,7 +561,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   }
 
   /** What became of the datagrams; null if there were none. */
-  public RtpCounts rtpCounts() {
+  public @Nullable RtpCounts rtpCounts() {
     return datagrams.counts();
   }
 
@@ -624,14 +627,14 @@ public final class RemoteContext implements UContext, AutoCloseable {
 
   private void end(String why) {
     // Closing ends the reading as well, which has another reason then.
-    end.compareAndSet(null, why);
+    String first = end.compareAndSet(null, why) ? why : requireNonNullElse(end.get(), why);
     link.close();
     watch.close();
     datagrams.close();
     timers.close();
     threads.close();
-    requests.lost(end.get());
-    closed.complete(end.get());
+    requests.lost(first);
+    closed.complete(first);
   }
 
   /** Ends the connection: the kernel forgets what was started here. */

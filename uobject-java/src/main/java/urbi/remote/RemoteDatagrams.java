@@ -14,6 +14,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
 import urbi.UClientException;
 import urbi.UDataType;
 import urbi.UValue;
@@ -35,9 +36,9 @@ final class RemoteDatagrams implements AutoCloseable {
 
   private final RemoteContext context;
   private final InetAddress server;
-  private RtpOptions options;
-  private CompletableFuture<Boolean> works;
-  private volatile Path path;
+  private @Nullable RtpOptions options;
+  private CompletableFuture<Boolean> works = new CompletableFuture<>();
+  private volatile @Nullable Path path;
   private boolean closed;
 
   RemoteDatagrams(RemoteContext context, InetAddress server) {
@@ -49,19 +50,20 @@ final class RemoteDatagrams implements AutoCloseable {
 
   /** Offers datagrams to the kernel. */
   synchronized CompletableFuture<Boolean> use(RtpOptions wanted) {
-    if (works == null || works.isDone()) {
+    if (works.isDone()) {
       works = new CompletableFuture<>();
     }
     options = wanted;
-    offer();
+    offer(wanted);
     return works.copy();
   }
 
-  private void offer() {
+  private void offer(RtpOptions wanted) {
     end();
     try {
-      path = new Path(new DatagramSocket());
-      RtpTerms own = path.own;
+      var offered = new Path(new DatagramSocket(), wanted);
+      path = offered;
+      RtpTerms own = offered.own;
       context.sendNow(out -> own.write(out.begin(Frame.RTP_OFFER)).end());
     } catch (IOException e) {
       fails("no datagrams: " + e.getMessage());
@@ -88,7 +90,7 @@ final class RemoteDatagrams implements AutoCloseable {
       if (works.isDone()) {
         works = new CompletableFuture<>();
       }
-      offer();
+      offer(options);
     }
   }
 
@@ -98,8 +100,9 @@ final class RemoteDatagrams implements AutoCloseable {
    * @param token that of the offer: it may be another one than the last
    */
   private synchronized void accepted(long token, RtpTerms other) {
-    if (path != null && path.own.token() == token && path.session == null && !closed) {
-      path.begin(other);
+    Path present = path;
+    if (present != null && present.own.token() == token && present.session == null && !closed) {
+      present.begin(other);
     }
   }
 
@@ -113,9 +116,7 @@ final class RemoteDatagrams implements AutoCloseable {
     if (!closed) {
       context.report("RTP is not used: " + why);
     }
-    if (works != null) {
-      works.complete(false);
-    }
+    works.complete(false);
   }
 
   private void end() {
@@ -154,7 +155,7 @@ final class RemoteDatagrams implements AutoCloseable {
     }
   }
 
-  RtpCounts counts() {
+  @Nullable RtpCounts counts() {
     Path present = path;
     return present == null || present.session == null ? null : present.session.counts();
   }
@@ -163,9 +164,7 @@ final class RemoteDatagrams implements AutoCloseable {
   public synchronized void close() {
     closed = true;
     end();
-    if (works != null) {
-      works.complete(false);
-    }
+    works.complete(false);
   }
 
   // ------------------------------------------------------------------ one agreement
@@ -173,15 +172,17 @@ final class RemoteDatagrams implements AutoCloseable {
   /** A socket, and the threads that it needs. */
   private final class Path implements RtpSession.Surroundings, AutoCloseable {
     private final DatagramSocket socket;
+    private final RtpOptions options;
     private final RtpTerms own;
     private final ScheduledThreadPoolExecutor clock;
     private final Map<Integer, byte[]> arrived = new LinkedHashMap<>();
-    private volatile RtpSession session;
-    private Thread delivery;
+    private volatile @Nullable RtpSession session;
+    private @Nullable Thread delivery;
     private long probes;
 
-    Path(DatagramSocket socket) throws SocketException {
+    Path(DatagramSocket socket, RtpOptions options) throws SocketException {
       this.socket = socket;
+      this.options = options;
       socket.setReceiveBufferSize(BUFFER);
       socket.setSendBufferSize(BUFFER);
       int suitable =
@@ -202,27 +203,28 @@ final class RemoteDatagrams implements AutoCloseable {
 
     void begin(RtpTerms other) {
       socket.connect(server, options.port() == 0 ? other.port() : options.port());
-      session = new RtpSession(own, other, this);
+      var begun = new RtpSession(own, other, this);
+      session = begun;
       probes = Math.max(1, options.patience().toMillis() / PROBE_MILLISECONDS);
-      Thread.ofPlatform().daemon().name("urbi-remote-rtp-in").start(this::receive);
+      Thread.ofPlatform().daemon().name("urbi-remote-rtp-in").start(() -> receive(begun));
       delivery = Thread.ofPlatform().daemon().name("urbi-remote-rtp-values").start(this::deliver);
-      after(0, this::probe);
+      after(0, () -> probe(begun));
     }
 
-    private void probe() {
+    private void probe(RtpSession session) {
       if (session.isActive() || path != this) {
         return;
       }
       if (probes-- > 0) {
         session.probe();
-        after(PROBE_MILLISECONDS, this::probe);
+        after(PROBE_MILLISECONDS, () -> probe(session));
       } else {
         refused(
             "datagrams do not get through to " + server.getHostAddress() + ":" + socket.getPort());
       }
     }
 
-    private void receive() {
+    private void receive(RtpSession session) {
       byte[] bytes = new byte[LARGEST];
       while (!socket.isClosed()) {
         try {
@@ -271,8 +273,9 @@ final class RemoteDatagrams implements AutoCloseable {
     @Override
     public void answered() {
       synchronized (RemoteDatagrams.this) {
-        if (path == this && !session.isActive()) {
-          session.setActive(true);
+        RtpSession begun = session;
+        if (path == this && begun != null && !begun.isActive()) {
+          begun.setActive(true);
           context.sendNow(out -> out.begin(Frame.RTP_ACTIVE).octet(1).end());
           works.complete(true);
         }

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import org.jspecify.annotations.Nullable;
 import urbi.RemoteRunner;
 import urbi.UAbstractClient;
 import urbi.UClientException;
@@ -45,7 +46,7 @@ public final class RemoteProgram implements RemoteRunner {
   public RemoteProgram() {}
 
   @Override
-  public int run(String[] arguments, UModule program, PrintStream out, PrintStream err) {
+  public int run(String[] arguments, @Nullable UModule program, PrintStream out, PrintStream err) {
     try {
       Run run = new Run(program, out, err);
       return run.parse(arguments) ? run.run() : 0;
@@ -57,7 +58,7 @@ public final class RemoteProgram implements RemoteRunner {
 
   /** One run of it. */
   private static final class Run {
-    private final UModule program;
+    private final @Nullable UModule program;
     private final PrintStream out;
     private final PrintStream err;
     private final List<String> jars = new ArrayList<>();
@@ -67,7 +68,7 @@ public final class RemoteProgram implements RemoteRunner {
     private boolean reconnect;
     private boolean rtp;
 
-    Run(UModule program, PrintStream out, PrintStream err) {
+    Run(@Nullable UModule program, PrintStream out, PrintStream err) {
       this.program = program;
       this.out = out;
       this.err = err;

@@ -6,6 +6,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import urbi.UClientException;
 import urbi.UValue;
 
@@ -13,7 +14,7 @@ import urbi.UValue;
 final class Requests {
   private final AtomicInteger last = new AtomicInteger();
   private final Map<Integer, Waiting> waiting = new ConcurrentHashMap<>();
-  private volatile String lost;
+  private volatile @Nullable String lost;
 
   private record Waiting(Consumer<UValue> first, CompletableFuture<UValue> answer) {}
 

@@ -3,6 +3,7 @@ package urbi.rtp;
 import java.nio.ByteBuffer;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A datagram that is about others: a report of what has come (RFC 3550, section 6.4.2), or a probe
@@ -65,7 +66,7 @@ record RtcpPacket(Kind kind, int ssrc, long token, Map<Integer, Integer> highest
   }
 
   /** The packet that the bytes are; null if they are none. */
-  static RtcpPacket read(byte[] bytes, int length) {
+  static @Nullable RtcpPacket read(byte[] bytes, int length) {
     if (length < HEADER + Long.BYTES) {
       return null;
     }

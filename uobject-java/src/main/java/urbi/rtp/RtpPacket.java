@@ -1,6 +1,7 @@
 package urbi.rtp;
 
 import java.nio.ByteBuffer;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A datagram with a part of a frame: the fixed header of RTP (RFC 3550, section 5.1), and after it
@@ -49,7 +50,7 @@ record RtpPacket(
   }
 
   /** The packet that the bytes are; null if they are none. */
-  static RtpPacket read(byte[] bytes, int length) {
+  static @Nullable RtpPacket read(byte[] bytes, int length) {
     if (length <= HEADER) {
       return null;
     }

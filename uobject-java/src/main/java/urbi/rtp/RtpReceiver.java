@@ -5,6 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Puts frames together from datagrams, which may be lost, come twice, or in another order. Of a
@@ -104,7 +105,7 @@ final class RtpReceiver {
   /**
    * Takes a datagram, which shows the right token; returns the frame that it completes, or null.
    */
-  synchronized byte[] take(RtpPacket packet) {
+  synchronized byte @Nullable [] take(RtpPacket packet) {
     int ssrc = packet.ssrc();
     if (ssrc != other.ssrc() && ssrc != other.ssrc() + packet.variable()) {
       counts.refused.increment();
@@ -136,7 +137,7 @@ final class RtpReceiver {
     return add(assembly, packet);
   }
 
-  private byte[] add(Assembly assembly, RtpPacket packet) {
+  private byte @Nullable [] add(Assembly assembly, RtpPacket packet) {
     Variable variable = assembly.variable;
     assembly.parts[packet.index()] = packet.data();
     assembly.size += packet.data().length;
@@ -191,7 +192,7 @@ final class RtpReceiver {
    * @param now whether little is worth a report, too
    * @return null if it is not time yet, or there is nothing
    */
-  synchronized RtcpPacket report(boolean now) {
+  synchronized @Nullable RtcpPacket report(boolean now) {
     boolean much = unreportedBytes >= reportAfter || unreported.size() >= RtcpPacket.MOST_BLOCKS;
     if (unreported.isEmpty() || !much && !now) {
       return null;

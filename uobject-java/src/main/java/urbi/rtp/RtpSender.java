@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Cuts frames into datagrams, and sends no more of them than the other side has room for: it
@@ -76,7 +77,7 @@ final class RtpSender {
   private final Map<Integer, Stream> used = new HashMap<>();
 
   private final Map<Integer, Outgoing> waiting = new LinkedHashMap<>();
-  private Outgoing current;
+  private @Nullable Outgoing current;
   private int inFlight;
   private boolean watching;
   private boolean reported;
@@ -115,7 +116,7 @@ final class RtpSender {
   }
 
   /** The variable goes another way from now on; null if it has not gone this one. */
-  synchronized Past past(int variable) {
+  synchronized @Nullable Past past(int variable) {
     Stream stream = used.remove(variable);
     if (stream == null) {
       return null;
@@ -144,15 +145,17 @@ final class RtpSender {
   /** Sends as much as there is room for. */
   synchronized void pump() {
     while (!broken && (inFlight == 0 || inFlight + part <= window)) {
-      if (current == null) {
+      Outgoing going = current;
+      if (going == null) {
         Iterator<Outgoing> first = waiting.values().iterator();
         if (!first.hasNext()) {
           break;
         }
-        current = first.next();
+        going = first.next();
+        current = going;
         first.remove();
       }
-      sendPart();
+      sendPart(going);
     }
     if (!broken && !watching && inFlight > 0) {
       watching = true;
@@ -161,8 +164,7 @@ final class RtpSender {
     }
   }
 
-  private void sendPart() {
-    Outgoing going = current;
+  private void sendPart(Outgoing going) {
     Stream stream = going.stream;
     int from = going.index * part;
     int to = Math.min(from + part, going.frame.length);

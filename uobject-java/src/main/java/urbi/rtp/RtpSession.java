@@ -2,6 +2,7 @@ package urbi.rtp;
 
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.jspecify.annotations.Nullable;
 import urbi.wire.WireInput;
 import urbi.wire.WireOutput;
 
@@ -185,7 +186,7 @@ public final class RtpSession {
     }
   }
 
-  private void control(RtcpPacket packet) {
+  private void control(@Nullable RtcpPacket packet) {
     if (packet == null || packet.token() != own.token()) {
       counts.refused.increment();
       return;

@@ -2,6 +2,7 @@ package urbi.spi;
 
 import java.lang.reflect.Type;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import urbi.UBinary;
 import urbi.UDictionary;
 import urbi.UImage;
@@ -38,7 +39,7 @@ public final class ArgumentTypes {
   private ArgumentTypes() {}
 
   /** The type of urbiscript; null if there is none that tells as much. */
-  public static String name(Type type) {
+  public static @Nullable String name(Type type) {
     return type instanceof Class<?> raw ? NAMES.get(raw) : null;
   }
 }

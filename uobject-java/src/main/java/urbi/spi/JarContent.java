@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipException;
 import java.util.zip.ZipInputStream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What is in a jar, or in a folder of classes, in memory.
@@ -64,7 +65,7 @@ record JarContent(Path file, Map<String, byte[]> entries) {
   }
 
   /** The content of a class, or null. */
-  byte[] classBytes(String className) {
+  byte @Nullable [] classBytes(String className) {
     return entries.get(className.replace('.', '/') + CLASS);
   }
 

@@ -1,6 +1,7 @@
 package urbi.spi;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import urbi.UModule;
 
 /** The UObjects of a jar, or of a folder of classes. */
@@ -18,7 +19,7 @@ final class JarModule extends UModule {
   }
 
   /** A class of the jar by its name, for other modules; null if it has none. */
-  Class<?> findClass(String className) {
+  @Nullable Class<?> findClass(String className) {
     return loader.own(className);
   }
 }

@@ -12,6 +12,7 @@ import java.util.Collections;
 import java.util.Enumeration;
 import java.util.List;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import urbi.UModule;
 import urbi.UModuleException;
 import urbi.UObject;
@@ -109,7 +110,7 @@ final class ModuleClassLoader extends ClassLoader implements UModule.Loader {
   }
 
   /** A class of the jar; null if it has none of that name. */
-  Class<?> own(String name) {
+  @Nullable Class<?> own(String name) {
     synchronized (getClassLoadingLock(name)) {
       Class<?> known = findLoadedClass(name);
       if (known != null) {
@@ -137,7 +138,7 @@ final class ModuleClassLoader extends ClassLoader implements UModule.Loader {
   // ------------------------------------------------------------------ resources
 
   @Override
-  protected URL findResource(String name) {
+  protected @Nullable URL findResource(String name) {
     byte[] bytes = content.entries().get(name);
     if (bytes == null) {
       return null;

@@ -10,6 +10,7 @@ import java.lang.classfile.constantpool.PoolEntry;
 import java.util.List;
 import java.util.Optional;
 import java.util.jar.Manifest;
+import org.jspecify.annotations.Nullable;
 import urbi.UObject;
 import urbi.UStart;
 
@@ -32,7 +33,7 @@ public final class ModuleIndex {
    *
    * @throws IllegalArgumentException if the bytes are no class file
    */
-  public static boolean declares(byte[] classFile) {
+  public static boolean declares(byte @Nullable [] classFile) {
     ClassModel model = ClassFile.of().parse(classFile);
     for (PoolEntry entry : model.constantPool()) {
       if (entry instanceof MemberRefEntry member
@@ -49,7 +50,7 @@ public final class ModuleIndex {
   }
 
   /** The names in a manifest; nothing if it has no index, or there is no manifest (null). */
-  static Optional<List<String>> read(byte[] manifest) {
+  static Optional<List<String>> read(byte @Nullable [] manifest) {
     if (manifest == null) {
       return Optional.empty();
     }

@@ -3,4 +3,7 @@
  * modules, threads, and what to say when a component fails. The interfaces that UObjects call,
  * {@link urbi.UContext} and {@link urbi.USlot}, are in the package of the UObjects.
  */
+@NullMarked
 package urbi.spi;
+
+import org.jspecify.annotations.NullMarked;

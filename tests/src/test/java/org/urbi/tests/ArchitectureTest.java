@@ -71,7 +71,12 @@ class ArchitectureTest {
           .onlyDependOnClassesThat()
           // Of the JDK alone: windows and sounds for those who use them.
           .resideInAnyPackage(
-              "urbi..", "java..", "javax.imageio..", "javax.swing..", "javax.sound.sampled..");
+              "urbi..",
+              "java..",
+              "javax.imageio..",
+              "javax.swing..",
+              "javax.sound.sampled..",
+              "org.jspecify.annotations..");
 
   @ArchTest static final ArchRule theClockKnowsNobody = knowsOnly("urbi.time");
 
