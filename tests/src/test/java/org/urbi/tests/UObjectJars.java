@@ -31,7 +31,8 @@ final class UObjectJars {
 
     private static Path makeAll() {
       try (Stream<Path> modules = Files.list(SOURCES)) {
-        Path folder = Files.createDirectories(Path.of("target", "uobject-jars")).toAbsolutePath();
+        // Of this JVM alone: others run other tests at the same time.
+        Path folder = Files.createTempDirectory(Path.of("target"), "uobject-jars").toAbsolutePath();
         for (Path module : modules.sorted().toList()) {
           make(module, folder.resolve(module.getFileName() + ".jar"));
         }

@@ -7,6 +7,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
@@ -51,7 +52,10 @@ final class CxxCompiler {
       Path library = MADE.resolve(name + ".so");
       List<Path> files = sources(sources);
       if (!isFresh(library, files)) {
-        compile("g++", library, files, options);
+        // Other tests, in another JVM, may make or use the same one.
+        Path unfinished = Files.createTempFile(MADE, name, ".so");
+        compile("g++", unfinished, files, options);
+        Files.move(unfinished, library, StandardCopyOption.ATOMIC_MOVE);
       }
       return library;
     } catch (IOException e) {

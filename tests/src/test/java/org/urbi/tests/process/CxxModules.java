@@ -1,9 +1,13 @@
 package org.urbi.tests.process;
 
+import static java.nio.file.StandardOpenOption.CREATE;
+import static java.nio.file.StandardOpenOption.WRITE;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -50,6 +54,12 @@ final class CxxModules {
     assumeTools("g++", "make");
     try {
       Files.createDirectories(MADE);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    // Another JVM, with other tests, may want the same module at the same time.
+    try (FileChannel file = FileChannel.open(MADE.resolve("lock"), CREATE, WRITE)) {
+      file.lock();
       Path library = MADE.resolve(name + ".so");
       String output =
           output(
