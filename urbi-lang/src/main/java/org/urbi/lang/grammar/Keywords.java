@@ -1,69 +1,13 @@
 package org.urbi.lang.grammar;
 
-import static java.util.Map.entry;
-
+import java.util.HashMap;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 
 /** What each word means to the scanner (manual, "Keywords"). */
 public final class Keywords {
-  private static final Map<String, Integer> TOKENS =
-      Map.ofEntries(
-          entry("and", UrbiscriptLexer.AND_AND),
-          entry("and_eq", UrbiscriptLexer.AND_EQ),
-          entry("assert", UrbiscriptLexer.ASSERT),
-          entry("at", UrbiscriptLexer.AT),
-          entry("bitand", UrbiscriptLexer.BITAND),
-          entry("bitor", UrbiscriptLexer.BITOR),
-          entry("break", UrbiscriptLexer.BREAK),
-          entry("call", UrbiscriptLexer.CALL),
-          entry("case", UrbiscriptLexer.CASE),
-          entry("catch", UrbiscriptLexer.CATCH),
-          entry("class", UrbiscriptLexer.CLASS),
-          entry("closure", UrbiscriptLexer.CLOSURE),
-          entry("compl", UrbiscriptLexer.COMPL),
-          entry("const", UrbiscriptLexer.CONST),
-          entry("continue", UrbiscriptLexer.CONTINUE),
-          entry("default", UrbiscriptLexer.DEFAULT),
-          entry("do", UrbiscriptLexer.DO),
-          entry("else", UrbiscriptLexer.ELSE),
-          entry("emit", UrbiscriptLexer.EMIT),
-          entry("enum", UrbiscriptLexer.ENUM),
-          entry("every", UrbiscriptLexer.EVERY),
-          entry("external", UrbiscriptLexer.EXTERNAL),
-          entry("finally", UrbiscriptLexer.FINALLY),
-          entry("for", UrbiscriptLexer.FOR),
-          entry("foreach", UrbiscriptLexer.FOR),
-          entry("freezeif", UrbiscriptLexer.FREEZEIF),
-          entry("function", UrbiscriptLexer.FUNCTION),
-          entry("get", UrbiscriptLexer.GET),
-          entry("if", UrbiscriptLexer.IF),
-          entry("import", UrbiscriptLexer.IMPORT),
-          entry("in", UrbiscriptLexer.IN),
-          entry("loop", UrbiscriptLexer.LOOP),
-          entry("loopn", UrbiscriptLexer.FOR),
-          entry("new", UrbiscriptLexer.NEW),
-          entry("not", UrbiscriptLexer.NOT),
-          entry("not_eq", UrbiscriptLexer.NOT_EQUAL),
-          entry("onleave", UrbiscriptLexer.ONLEAVE),
-          entry("or", UrbiscriptLexer.OR_OR),
-          entry("or_eq", UrbiscriptLexer.OR_EQ),
-          entry("package", UrbiscriptLexer.PACKAGE),
-          entry("return", UrbiscriptLexer.RETURN),
-          entry("set", UrbiscriptLexer.SET),
-          entry("stopif", UrbiscriptLexer.STOPIF),
-          entry("switch", UrbiscriptLexer.SWITCH),
-          entry("this", UrbiscriptLexer.THIS),
-          entry("throw", UrbiscriptLexer.THROW),
-          entry("timeout", UrbiscriptLexer.TIMEOUT),
-          entry("try", UrbiscriptLexer.TRY),
-          entry("var", UrbiscriptLexer.VAR),
-          entry("waituntil", UrbiscriptLexer.WAITUNTIL),
-          entry("watch", UrbiscriptLexer.WATCH),
-          entry("whenever", UrbiscriptLexer.WHENEVER),
-          entry("while", UrbiscriptLexer.WHILE),
-          entry("xor", UrbiscriptLexer.XOR),
-          entry("xor_eq", UrbiscriptLexer.XOR_ASSIGN));
+  private static final Map<String, Integer> TOKENS = tokens();
 
   private static final Set<String> RESERVED =
       Set.of(
@@ -115,6 +59,23 @@ public final class Keywords {
       Set.of("at", "every", "for", "foreach", "loop", "loopn", "while");
 
   private Keywords() {}
+
+  /** The lexer's own list of words, by their names in lower case, and other spellings. */
+  private static Map<String, Integer> tokens() {
+    Map<String, Integer> tokens = new HashMap<>();
+    for (int token = UrbiscriptLexer.ASSERT; token <= UrbiscriptLexer.OR_EQ; token++) {
+      String name = UrbiscriptLexer.VOCABULARY.getSymbolicName(token);
+      tokens.put(name.toLowerCase(Locale.ROOT), token);
+    }
+    tokens.put("foreach", UrbiscriptLexer.FOR);
+    tokens.put("loopn", UrbiscriptLexer.FOR);
+    tokens.put("and", UrbiscriptLexer.AND_AND);
+    tokens.put("or", UrbiscriptLexer.OR_OR);
+    tokens.put("not_eq", UrbiscriptLexer.NOT_EQUAL);
+    tokens.put("xor", UrbiscriptLexer.XOR);
+    tokens.put("xor_eq", UrbiscriptLexer.XOR_ASSIGN);
+    return tokens;
+  }
 
   /** All of them, in no order. */
   public static Set<String> all() {
