@@ -1,7 +1,6 @@
 package org.urbi.lang.print;
 
 import java.util.List;
-import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.ast.Ast.Flavor;
@@ -11,49 +10,10 @@ final class Statements {
   private Statements() {}
 
   static String statement(Ast tree) {
-    return form(tree).get();
+    return Forms.of(tree).text().get();
   }
 
-  /**
-   * How it is printed. Not by this method: one that tells all the forms apart needs so much stack
-   * that deep trees could not be printed by the threads that have parsed them.
-   */
-  private static Supplier<String> form(Ast tree) {
-    return switch (tree) {
-      case Ast.Noop nothing -> () -> "";
-      case Ast.Sequence sequence -> () -> sequence(sequence);
-      case Ast.Accessor accessor -> () -> Definitions.accessor(accessor);
-      case Ast.ClassDefinition definition -> () -> Definitions.classDefinition(definition);
-      case Ast.PackageDefinition definition -> () -> Definitions.packageDefinition(definition);
-      case Ast.EnumDefinition definition -> () -> Definitions.enumDefinition(definition);
-      case Ast.Import statement -> () -> Definitions.importStatement(statement);
-      case Ast.If choice -> () -> conditional(choice);
-      case Ast.While loop -> () -> loop(loop);
-      case Ast.For loop -> () -> loop("for", loop.flavor(), clauses(loop), loop.body());
-      case Ast.ForEach loop -> () -> loop("for", loop.flavor(), range(loop), loop.body());
-      case Ast.Loop loop -> () -> loop(loop);
-      case Ast.Every every -> () -> every(every);
-      case Ast.Switch choice -> () -> choice(choice);
-      case Ast.Return exit -> () -> "return" + value(exit.value());
-      case Ast.Break exit -> () -> "break";
-      case Ast.Continue exit -> () -> "continue";
-      case Ast.Throw exit -> () -> "throw" + value(exit.value());
-      case Ast.Try attempt -> () -> attempt(attempt);
-      case Ast.Assert claim -> () -> claim(claim);
-      case Ast.Tagged tagged -> () -> tagged(tagged);
-      case Ast.At at -> () -> Events.at(at);
-      case Ast.Whenever whenever -> () -> Events.whenever(whenever);
-      case Ast.WaitUntil wait -> () -> "waituntil " + Events.condition(wait.condition());
-      case Ast.Emit emit when emit.duration() instanceof Ast duration ->
-          () -> Events.lasting(emit, duration);
-      case Ast.Timeout timeout -> () -> timeout(timeout);
-      case Ast.StopIf stop -> () -> conditional("stopif", stop.condition(), stop.body());
-      case Ast.FreezeIf freeze -> () -> conditional("freezeif", freeze.condition(), freeze.body());
-      default -> () -> Expressions.expression(tree);
-    };
-  }
-
-  private static String conditional(Ast.If choice) {
+  static String conditional(Ast.If choice) {
     return "if ("
         + statement(choice.condition())
         + ")\n"
@@ -61,23 +21,23 @@ final class Statements {
         + optional("else", choice.elseClause());
   }
 
-  private static String conditional(String keyword, Ast.Condition condition, Ast body) {
+  static String conditional(String keyword, Ast.Condition condition, Ast body) {
     return keyword + " " + Events.condition(condition) + "\n" + clause(body);
   }
 
-  private static String loop(Ast.While loop) {
+  static String loop(Ast.While loop) {
     return loop("while", loop.flavor(), "(" + statement(loop.condition()) + ")", loop.body());
   }
 
-  private static String loop(Ast.Loop loop) {
+  static String loop(Ast.Loop loop) {
     return "loop" + flavor(loop.flavor(), Flavor.SEMICOLON) + "\n" + clause(loop.body());
   }
 
-  private static String tagged(Ast.Tagged tagged) {
+  static String tagged(Ast.Tagged tagged) {
     return Expressions.expression(tagged.tag()) + ": " + nonempty(tagged.body());
   }
 
-  private static String timeout(Ast.Timeout timeout) {
+  static String timeout(Ast.Timeout timeout) {
     return "timeout ("
         + Expressions.expression(timeout.duration())
         + ")\n"
@@ -86,7 +46,7 @@ final class Statements {
 
   // ------------------------------------------------------------------------------ composition
 
-  private static String sequence(Ast.Sequence sequence) {
+  static String sequence(Ast.Sequence sequence) {
     List<Ast> statements = sequence.statements();
     List<Flavor> separators = sequence.separators();
     var text = new StringBuilder();
@@ -181,7 +141,7 @@ final class Statements {
     return body == null ? "" : "\n" + keyword + "\n" + clause(body);
   }
 
-  private static String value(@Nullable Ast value) {
+  static String value(@Nullable Ast value) {
     return value == null ? "" : " " + Expressions.expression(value);
   }
 
@@ -197,11 +157,11 @@ final class Statements {
     return flavor == usual ? "" : flavor.text();
   }
 
-  private static String loop(String keyword, Flavor flavor, String head, Ast body) {
+  static String loop(String keyword, Flavor flavor, String head, Ast body) {
     return keyword + flavor(flavor, Flavor.SEMICOLON) + " " + head + "\n" + clause(body);
   }
 
-  private static String clauses(Ast.For loop) {
+  static String clauses(Ast.For loop) {
     return "("
         + clauseOf(loop.init())
         + ";"
@@ -219,20 +179,20 @@ final class Statements {
     return tree == null ? "" : " " + statement(tree);
   }
 
-  private static String range(Ast.ForEach loop) {
+  static String range(Ast.ForEach loop) {
     String range = Expressions.expression(loop.range());
     return loop.name() == null
         ? "(" + range + ")"
         : "(var " + StringEscape.name(loop.name()) + " : " + range + ")";
   }
 
-  private static String every(Ast.Every every) {
+  static String every(Ast.Every every) {
     String period = "(" + Expressions.expression(every.period()) + ")";
     String flavor = flavor(every.flavor(), Flavor.COMMA);
     return "every" + flavor + " " + period + "\n" + clause(every.body());
   }
 
-  private static String choice(Ast.Switch choice) {
+  static String choice(Ast.Switch choice) {
     var text = new StringBuilder("switch (").append(statement(choice.value())).append(")\n{\n");
     for (Ast.Case one : choice.cases()) {
       text.append("  case ").append(guarded(one.pattern(), one.guard())).append(":\n");
@@ -254,7 +214,7 @@ final class Statements {
         + (guard == null ? "" : " if " + Expressions.expression(guard));
   }
 
-  private static String attempt(Ast.Try attempt) {
+  static String attempt(Ast.Try attempt) {
     var text = new StringBuilder("try\n").append(scope(attempt.body()));
     for (Ast.Catch one : attempt.catches()) {
       text.append("\ncatch");
@@ -268,7 +228,7 @@ final class Statements {
         .toString();
   }
 
-  private static String claim(Ast.Assert claim) {
+  static String claim(Ast.Assert claim) {
     if (!claim.block()) {
       return "assert(" + Expressions.expression(claim.claims().get(0)) + ")";
     }
