@@ -1,5 +1,7 @@
 package org.urbi.sim;
 
+import org.jspecify.annotations.Nullable;
+
 /** Something that the simulation cannot do, in words for the user who asked for it. */
 public class SimulationException extends RuntimeException {
   private static final long serialVersionUID = 1L;
@@ -8,8 +10,20 @@ public class SimulationException extends RuntimeException {
     super(message);
   }
 
-  public SimulationException(String message, Throwable cause) {
+  public SimulationException(@Nullable String message, Throwable cause) {
     super(message, cause);
+  }
+
+  /**
+   * What a component has got from its {@code init}.
+   *
+   * @throws SimulationException if that has not been called
+   */
+  public static <T> T ready(@Nullable T part) {
+    if (part == null) {
+      throw new SimulationException("init has not been called");
+    }
+    return part;
   }
 
   /**

@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Things that C++ code knows by a number, from 1. They are found from any thread without a lock.
@@ -33,13 +34,13 @@ final class Handles<T> {
 
   /** The thing of that number, or null. */
   @SuppressWarnings("unchecked")
-  T find(long number) {
+  @Nullable T find(long number) {
     Object[] present = all;
     return number >= 1 && number <= present.length ? (T) present[(int) number - 1] : null;
   }
 
   /** The thing of that number, which is given to another one. */
-  synchronized T remove(long number) {
+  synchronized @Nullable T remove(long number) {
     T thing = find(number);
     if (thing != null) {
       all[(int) number - 1] = null;

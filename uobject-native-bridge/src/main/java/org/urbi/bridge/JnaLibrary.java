@@ -9,6 +9,7 @@ import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import urbi.UModuleException;
 
 /** A shared library, as JNA loads it, calls it and is called by it. */
@@ -107,7 +108,7 @@ final class JnaLibrary implements AutoCloseable {
     close(library);
   }
 
-  private static void close(NativeLibrary library) {
+  private static void close(@Nullable NativeLibrary library) {
     if (library != null) {
       library.close();
     }

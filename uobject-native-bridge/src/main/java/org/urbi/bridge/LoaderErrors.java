@@ -7,6 +7,7 @@ import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import urbi.UModuleException;
 
 /** Says why a shared library cannot be loaded. */
@@ -75,7 +76,7 @@ final class LoaderErrors {
   }
 
   /** What the system's loader has to say, without what JNA adds to it. */
-  static String text(Path file, String shown, String message) {
+  static String text(Path file, String shown, @Nullable String message) {
     String reason = message == null ? "unknown reason" : message.strip();
     for (String line : reason.lines().toList()) {
       if (line.contains(file.toString()) && !line.startsWith("Unable to load library")) {

@@ -1,5 +1,6 @@
 package org.urbi.bridge;
 
+import org.jspecify.annotations.Nullable;
 import urbi.UContext;
 import urbi.UEmitter;
 
@@ -23,7 +24,7 @@ final class NativeContext {
   }
 
   /** The one of that number, or null. */
-  static NativeContext find(long number) {
+  static @Nullable NativeContext find(long number) {
     return ALL.find(number);
   }
 

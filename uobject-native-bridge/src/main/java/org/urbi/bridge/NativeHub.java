@@ -1,10 +1,11 @@
 package org.urbi.bridge;
 
+import org.jspecify.annotations.Nullable;
 import urbi.UObjectHub;
 
 /** A hub that stands for one of C++. */
 final class NativeHub extends UObjectHub implements AutoCloseable {
-  private NativeResident resident;
+  private @Nullable NativeResident resident;
 
   private NativeHub(String name) {
     super(name);
@@ -17,7 +18,8 @@ final class NativeHub extends UObjectHub implements AutoCloseable {
     return made;
   }
 
-  NativeResident resident() {
+  /** Its C++ side; null while that is being made, and when it is gone. */
+  @Nullable NativeResident resident() {
     return resident;
   }
 

@@ -2,13 +2,14 @@ package org.urbi.bridge;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.jspecify.annotations.Nullable;
 import urbi.UCallback;
 import urbi.UObject;
 
 /** A UObject that stands for one of C++. */
 final class NativeObject extends UObject implements AutoCloseable {
   private final List<Runnable> notifications = new CopyOnWriteArrayList<>();
-  private NativeResident resident;
+  private @Nullable NativeResident resident;
   private boolean ended;
 
   private NativeObject(String name) {
@@ -36,7 +37,8 @@ final class NativeObject extends UObject implements AutoCloseable {
     return made;
   }
 
-  NativeResident resident() {
+  /** Its C++ side; null while that is being made. */
+  @Nullable NativeResident resident() {
     return resident;
   }
 
@@ -52,13 +54,14 @@ final class NativeObject extends UObject implements AutoCloseable {
   /** The urbiscript object has gone: the C++ object is deleted. */
   @Override
   public void close() {
+    NativeResident present = resident;
     synchronized (this) {
-      if (ended || resident == null) {
+      if (ended || present == null) {
         return;
       }
       ended = true;
     }
     notifications.forEach(Runnable::run);
-    resident.end();
+    present.end();
   }
 }

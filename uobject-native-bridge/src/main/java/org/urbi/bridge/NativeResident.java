@@ -3,6 +3,7 @@ package org.urbi.bridge;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.jspecify.annotations.Nullable;
 import urbi.LockMode;
 import urbi.UContext;
 import urbi.UTaskQueue;
@@ -102,7 +103,7 @@ final class NativeResident {
   }
 
   /** The calls that a threaded one excludes; null for none. */
-  UTaskQueue queue(LockMode mode, String what) {
+  @Nullable UTaskQueue queue(LockMode mode, String what) {
     return switch (mode) {
       case LOCK_NONE -> null;
       case LOCK_FUNCTION -> functionQueues.computeIfAbsent(what, key -> new UTaskQueue());

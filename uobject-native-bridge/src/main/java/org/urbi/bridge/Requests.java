@@ -1,7 +1,10 @@
 package org.urbi.bridge;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import urbi.UContext;
 import urbi.UEmitter;
 import urbi.UObject;
@@ -107,11 +110,11 @@ final class Requests {
       case OBJECT_GONE -> resident(subject).deletedByItself();
       case OBJECT_FIND -> {
         UObject found = context.getUObject(arguments.text());
-        return found instanceof NativeObject object ? object.resident().address() : 0;
+        return found instanceof NativeObject object ? address(object.resident()) : 0;
       }
       case HUB_FIND -> {
         UObjectHub found = context.getUObjectHub(arguments.text());
-        return found instanceof NativeHub hub ? hub.resident().address() : 0;
+        return found instanceof NativeHub hub ? address(hub.resident()) : 0;
       }
       case FUNCTION -> bind(resident(subject));
       case EVERY -> {
@@ -154,6 +157,11 @@ final class Requests {
 
   // ------------------------------------------------------------------ objects
 
+  /** Where the C++ side is; 0 while there is none yet, and when it is gone. */
+  private static long address(@Nullable NativeResident found) {
+    return found == null ? 0 : found.address();
+  }
+
   private NativeResident resident(long number) {
     NativeResident found = in.residents.find(number);
     if (found == null) {
@@ -167,7 +175,7 @@ final class Requests {
     try {
       NativeObject made = NativeObject.adopt(in);
       reply.text(made.get__name());
-      return made.resident().number();
+      return requireNonNull(made.resident(), "it was adopted").number();
     } finally {
       UContext.enter(before);
     }

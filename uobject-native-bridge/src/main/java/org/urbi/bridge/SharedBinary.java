@@ -2,6 +2,7 @@ package org.urbi.bridge;
 
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import urbi.UBinary;
 
 /**
@@ -43,7 +44,7 @@ final class SharedBinary implements Supplier<byte[]>, AutoCloseable {
   }
 
   /** The one that a binary is; null if its data are not in C++ memory, or no longer. */
-  static SharedBinary of(UBinary binary) {
+  static @Nullable SharedBinary of(UBinary binary) {
     return binary.source() instanceof SharedBinary shared && shared.copying.get() != OVER
         ? shared
         : null;

@@ -1,5 +1,6 @@
 package org.urbi.bridge;
 
+import org.jspecify.annotations.Nullable;
 import urbi.UBinary;
 import urbi.UValue;
 import urbi.wire.ValueDecoder;
@@ -90,7 +91,7 @@ final class ValueReader extends ValueDecoder {
    *
    * @param before the header of the one before
    */
-  SharedBinary shared(SharedHeader before) {
+  @Nullable SharedBinary shared(SharedHeader before) {
     if (ended() || RawMemory.getByte(at) != ValueWriter.POINTER) {
       return null;
     }

@@ -7,4 +7,7 @@
  * org.urbi.bridge.Requests} all that a library may ask for. How the two are called is a matter of
  * {@link org.urbi.bridge.JnaLibrary} alone.
  */
+@NullMarked
 package org.urbi.bridge;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,5 +1,8 @@
 package org.urbi.sim.device;
 
+import static org.urbi.sim.SimulationException.ready;
+
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.SimulationException;
 import org.urbi.sim.vision.Blob;
 import org.urbi.sim.vision.BlobFinder;
@@ -25,9 +28,9 @@ public final class BallDetector extends ImageConsumer {
   private final UVar threshold = new UVar();
   private final UVar elongation = new UVar();
   private final UVar orientation = new UVar();
-  private BlobFinder finder;
+  private @Nullable BlobFinder finder;
   private ColourRange colour = ColourRange.RED;
-  private Blob last;
+  private @Nullable Blob last;
 
   public BallDetector(String name) {
     super(name);
@@ -71,7 +74,7 @@ public final class BallDetector extends ImageConsumer {
   }
 
   /** What it has found in the last image; null if nothing. */
-  Blob last() {
+  @Nullable Blob last() {
     return last;
   }
 
@@ -79,7 +82,9 @@ public final class BallDetector extends ImageConsumer {
   void see(UImage rgb) {
     double least = SimulationException.finite(threshold.doubleValue(), "threshold");
     Blob blob =
-        finder.find(rgb.getData(), rgb.getWidth(), rgb.getHeight(), colour, least).orElse(null);
+        ready(finder)
+            .find(rgb.getData(), rgb.getWidth(), rgb.getHeight(), colour, least)
+            .orElse(null);
     last = blob;
     if (blob != null) {
       x.setValue(blob.x());

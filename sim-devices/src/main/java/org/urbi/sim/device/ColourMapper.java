@@ -1,7 +1,10 @@
 package org.urbi.sim.device;
 
+import static org.urbi.sim.SimulationException.ready;
+
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.render.Colour;
 import org.urbi.sim.vision.ColourMap;
 import org.urbi.sim.vision.ColourRange;
@@ -18,7 +21,7 @@ import urbi.UVar;
 public final class ColourMapper extends ImageConsumer {
   private final UVar val = new UVar();
   private final UVar shares = new UVar();
-  private ColourMap map;
+  private @Nullable ColourMap map;
 
   public ColourMapper(String name) {
     super(name);
@@ -47,28 +50,30 @@ public final class ColourMapper extends ImageConsumer {
       double red,
       double green,
       double blue) {
-    map.define(
-        name,
-        new ColourRange(minHue, maxHue, minSaturation, maxSaturation, minValue, maxValue),
-        new Colour(red, green, blue));
+    ready(map)
+        .define(
+            name,
+            new ColourRange(minHue, maxHue, minSaturation, maxSaturation, minValue, maxValue),
+            new Colour(red, green, blue));
   }
 
   /** Forgets a name; false if it had none. */
   public boolean forget(String name) {
-    return map.forget(name);
+    return ready(map).forget(name);
   }
 
   /** The names, as they were given. */
   public List<String> names() {
-    return map.names();
+    return ready(map).names();
   }
 
   @Override
   void see(UImage rgb) {
     int width = rgb.getWidth();
     int height = rgb.getHeight();
-    shares.setValue((Object) map.shares(rgb.getData(), width, height));
+    shares.setValue((Object) ready(map).shares(rgb.getData(), width, height));
     val.setValue(
-        new UImage(UImageFormat.IMAGE_RGB, width, height, map.paint(rgb.getData(), width, height)));
+        new UImage(
+            UImageFormat.IMAGE_RGB, width, height, ready(map).paint(rgb.getData(), width, height)));
   }
 }

@@ -1,6 +1,9 @@
 package org.urbi.sim.device;
 
+import static org.urbi.sim.SimulationException.ready;
+
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.vision.ImageFilter;
 import urbi.UImage;
 import urbi.UImageFormat;
@@ -16,7 +19,7 @@ public final class FilteredImage extends ImageConsumer {
   private final UVar val = new UVar();
   private final UVar kind = new UVar();
   private final UVar parameter = new UVar();
-  private ImageFilter filter;
+  private @Nullable ImageFilter filter;
 
   public FilteredImage(String name) {
     super(name);
@@ -41,17 +44,17 @@ public final class FilteredImage extends ImageConsumer {
   /** Another kind, with its usual parameter. */
   public void kindChanged() {
     filter = new ImageFilter(ImageFilter.Kind.named(kind.stringValue()));
-    parameter.setValue(filter.parameter());
+    parameter.setValue(ready(filter).parameter());
   }
 
   /** Another parameter. */
   public void parameterChanged() {
-    filter.setParameter(parameter.doubleValue());
+    ready(filter).setParameter(parameter.doubleValue());
   }
 
   @Override
   void see(UImage rgb) {
-    byte[] filtered = filter.apply(rgb.getData(), rgb.getWidth(), rgb.getHeight());
+    byte[] filtered = ready(filter).apply(rgb.getData(), rgb.getWidth(), rgb.getHeight());
     val.setValue(new UImage(UImageFormat.IMAGE_RGB, rgb.getWidth(), rgb.getHeight(), filtered));
   }
 }

@@ -1,6 +1,9 @@
 package org.urbi.sim.device;
 
+import static org.urbi.sim.SimulationException.ready;
+
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.SimulationException;
 import org.urbi.sim.render.Lens;
 import org.urbi.sim.vision.ImageCoder;
@@ -34,8 +37,8 @@ public final class SimCamera extends SimDevice {
   private final UVar format = new UVar();
   private final UVar quality = new UVar();
   private final UVar rate = new UVar();
-  private Mount.Camera full;
-  private Mount.Camera current;
+  private Mount.@Nullable Camera full;
+  private Mount.@Nullable Camera current;
   private UImageFormat imageFormat = UImageFormat.IMAGE_RGB;
   private int usedResolution;
   private int usedQuality = STANDARD_QUALITY;
@@ -69,8 +72,8 @@ public final class SimCamera extends SimDevice {
         "quality",
         rate,
         "rate");
-    xfov.setValue(full.lens().xfov());
-    yfov.setValue(full.lens().yfov());
+    xfov.setValue(ready(full).lens().xfov());
+    yfov.setValue(ready(full).lens().yfov());
     use(0);
     resolution.setValue(0);
     format.setValue(imageFormat.ordinal());
@@ -85,14 +88,15 @@ public final class SimCamera extends SimDevice {
 
   /** Where it is, and how it projects. */
   Mount.Camera mount() {
-    return current;
+    return ready(current);
   }
 
   private void use(int index) {
-    Lens lens = full.lens();
+    Mount.Camera whole = ready(full);
+    Lens lens = whole.lens();
     Lens smaller =
         lens.resized(Math.max(1, lens.width() >> index), Math.max(1, lens.height() >> index));
-    current = new Mount.Camera(full.name(), full.body(), full.pose(), smaller);
+    current = new Mount.Camera(whole.name(), whole.body(), whole.pose(), smaller);
     width.setValue(smaller.width());
     height.setValue(smaller.height());
     usedResolution = index;
@@ -112,7 +116,8 @@ public final class SimCamera extends SimDevice {
   private SimulationException refused(UVar slot, double former, String expected) {
     String given = slot.getUValue().toString();
     slot.setValue(former);
-    return new SimulationException(full.name() + ": " + expected + " expected, not " + given);
+    return new SimulationException(
+        ready(full).name() + ": " + expected + " expected, not " + given);
   }
 
   /** Another format. */
@@ -161,10 +166,10 @@ public final class SimCamera extends SimDevice {
     }
     taken = step;
     lastTime = world().physics().time();
-    Lens lens = current.lens();
+    Lens lens = mount().lens();
     UImage image =
         ImageCoder.encode(
-            world().render(current), lens.width(), lens.height(), imageFormat, usedQuality);
+            world().render(mount()), lens.width(), lens.height(), imageFormat, usedQuality);
     val.setValue(image);
   }
 

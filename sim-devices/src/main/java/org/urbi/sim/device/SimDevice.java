@@ -1,5 +1,8 @@
 package org.urbi.sim.device;
 
+import static org.urbi.sim.SimulationException.ready;
+
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.world.SimulatedWorld;
 import urbi.UObject;
 
@@ -8,7 +11,7 @@ import urbi.UObject;
  * world and that of the device in the world file.
  */
 abstract class SimDevice extends UObject implements AutoCloseable {
-  private SimWorld simulation;
+  private @Nullable SimWorld simulation;
 
   SimDevice(String name) {
     super(name);
@@ -24,7 +27,7 @@ abstract class SimDevice extends UObject implements AutoCloseable {
     SimWorld found = SimWorld.named(this, worldName);
     bind(found.world(), deviceName);
     simulation = found;
-    simulation.add(this);
+    found.add(this);
     sense();
   }
 
@@ -35,12 +38,12 @@ abstract class SimDevice extends UObject implements AutoCloseable {
   abstract void sense();
 
   /** The world that it has joined; null before. */
-  final SimWorld simulation() {
+  final @Nullable SimWorld simulation() {
     return simulation;
   }
 
   final SimulatedWorld world() {
-    return simulation.world();
+    return ready(simulation).world();
   }
 
   /** Somebody wants to read it: has time go on to now. */

@@ -1,5 +1,8 @@
 package org.urbi.sim.device;
 
+import static org.urbi.sim.SimulationException.ready;
+
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.SimulationException;
 import org.urbi.sim.render.Colour;
 import org.urbi.sim.world.Mount;
@@ -17,7 +20,7 @@ public final class SimLed extends SimDevice {
   private final UVar r = new UVar();
   private final UVar g = new UVar();
   private final UVar b = new UVar();
-  private Mount.Led led;
+  private Mount.@Nullable Led led;
 
   public SimLed(String name) {
     super(name);
@@ -43,7 +46,7 @@ public final class SimLed extends SimDevice {
     double strength = SimulationException.finite(val.doubleValue(), "led: val");
     Colour colour = new Colour(r.doubleValue(), g.doubleValue(), b.doubleValue());
     SimulationException.finite(colour.red() + colour.green() + colour.blue(), "led: colour");
-    world().light(led, strength > 0 ? colour : colour.times(0.2), strength);
+    world().light(ready(led), strength > 0 ? colour : colour.times(0.2), strength);
   }
 
   @Override

@@ -1,5 +1,8 @@
 package org.urbi.sim.device;
 
+import static org.urbi.sim.SimulationException.ready;
+
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.SimulationException;
 import org.urbi.sim.world.Drive;
 import org.urbi.sim.world.SimulatedWorld;
@@ -17,7 +20,7 @@ abstract class SimMotor extends SimDevice {
   private final UVar val = new UVar();
   private final UVar turn = new UVar();
   private final UVar torque = new UVar();
-  private Drive drive;
+  private @Nullable Drive drive;
 
   SimMotor(String name) {
     super(name);
@@ -25,8 +28,9 @@ abstract class SimMotor extends SimDevice {
 
   @Override
   void bind(SimulatedWorld world, String deviceName) {
-    drive = world.drive(deviceName);
-    requireFitting(drive);
+    Drive found = world.drive(deviceName);
+    drive = found;
+    requireFitting(found);
     UBindVars(val, "val", turn, "turn", torque, "torque");
     UOwned(val);
     val.blend.setValue(UBlendType.UMIX);
@@ -40,7 +44,7 @@ abstract class SimMotor extends SimDevice {
   abstract void requireFitting(Drive found);
 
   final Drive drive() {
-    return drive;
+    return ready(drive);
   }
 
   final UVar val() {
@@ -50,29 +54,33 @@ abstract class SimMotor extends SimDevice {
   /** A new target. */
   public final void targetChanged(UVar target) {
     catchUp();
-    drive.setTarget(target.in());
+    drive().setTarget(target.in());
   }
 
   /** Another share of its force. */
   public final void loadChanged(UVar load) {
     catchUp();
     try {
-      drive.setLoad(load.doubleValue());
+      drive().setLoad(load.doubleValue());
     } catch (SimulationException e) {
-      load.setValue(drive.load());
+      load.setValue(drive().load());
       throw e;
     }
   }
 
   @Override
   void sense() {
-    val.setValue(drive.sensed());
-    turn.setValue(drive.joint().position() / TURN);
-    torque.setValue(drive.joint().load());
+    val.setValue(drive().sensed());
+    turn.setValue(drive().joint().position() / TURN);
+    torque.setValue(drive().joint().load());
   }
 
   final SimulationException wrongControl(String other) {
     return new SimulationException(
-        drive.name() + " is driven by " + drive.control().name().toLowerCase() + ": use " + other);
+        drive().name()
+            + " is driven by "
+            + drive().control().name().toLowerCase()
+            + ": use "
+            + other);
   }
 }

@@ -1,5 +1,8 @@
 package org.urbi.sim.device;
 
+import static org.urbi.sim.SimulationException.ready;
+
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.SimulationException;
 import org.urbi.sim.page.Moment;
 import org.urbi.sim.page.PageServer;
@@ -23,13 +26,13 @@ public final class SimPage extends UObject implements AutoCloseable {
   private final UVar host = new UVar();
   private final UVar url = new UVar();
   private final UVar viewers = new UVar();
-  private SimWorld simulation;
-  private SimCamera camera;
-  private String imageVariable;
-  private BallDetector detector;
-  private UImage image;
+  private @Nullable SimWorld simulation;
+  private @Nullable SimCamera camera;
+  private @Nullable String imageVariable;
+  private @Nullable BallDetector detector;
+  private @Nullable UImage image;
   private long imageNumber;
-  private PageServer server;
+  private @Nullable PageServer server;
   private String usedHost = THIS_MACHINE;
 
   public SimPage(String name) {
@@ -45,9 +48,9 @@ public final class SimPage extends UObject implements AutoCloseable {
    */
   public void init(String worldName, int wanted) {
     SimWorld found = SimWorld.named(this, worldName);
-    server = new PageServer(THIS_MACHINE, wanted, Setting.of(found.world(), null, null));
+    server = new PageServer(THIS_MACHINE, wanted, Setting.of(found.world(), null));
     simulation = found;
-    simulation.add(this);
+    found.add(this);
     UBindVars(port, "port", host, "host", url, "url", viewers, "viewers");
     tellWhere();
     viewers.setValue(0);
@@ -58,20 +61,22 @@ public final class SimPage extends UObject implements AutoCloseable {
   }
 
   private void tellWhere() {
+    PageServer present = ready(server);
     host.setValue(usedHost);
-    port.setValue(server.port());
-    url.setValue(server.url());
+    port.setValue(present.port());
+    url.setValue(present.url());
   }
 
   /** Another port or host; if these cannot be used it stays where it was. */
   public void moved() {
     String newHost = host.stringValue();
     int newPort = port.intValue();
-    if (newPort == server.port() && newHost.equals(usedHost)) {
+    PageServer old = ready(server);
+    if (newPort == old.port() && newHost.equals(usedHost)) {
       return;
     }
-    int oldPort = server.port();
-    server.close();
+    int oldPort = old.port();
+    old.close();
     try {
       server = new PageServer(newHost, newPort, setting());
       usedHost = newHost;
@@ -84,9 +89,7 @@ public final class SimPage extends UObject implements AutoCloseable {
   }
 
   private String setting() {
-    return camera == null
-        ? Setting.of(simulation.world(), null, null)
-        : Setting.of(simulation.world(), camera.mount().name(), camera.mount().lens());
+    return Setting.of(ready(simulation).world(), camera == null ? null : camera.mount());
   }
 
   /**
@@ -107,7 +110,7 @@ public final class SimPage extends UObject implements AutoCloseable {
       imageVariable = variable;
       UNotifyChange(variable, "newImage");
     }
-    server.describe(setting());
+    ready(server).describe(setting());
   }
 
   /**
@@ -133,17 +136,18 @@ public final class SimPage extends UObject implements AutoCloseable {
 
   /** Somebody wants to know how many are looking. */
   public void count() {
-    viewers.setValue(server.viewers());
+    viewers.setValue(ready(server).viewers());
   }
 
   /** Shows what there is now, if anybody looks. */
   void show() {
-    if (server.isWaiting()) {
-      server.show(Moment.of(simulation.world(), sight()));
+    PageServer present = ready(server);
+    if (present.isWaiting()) {
+      present.show(Moment.of(ready(simulation).world(), sight()));
     }
   }
 
-  private Moment.Sight sight() {
+  private Moment.@Nullable Sight sight() {
     if (camera == null) {
       return null;
     }

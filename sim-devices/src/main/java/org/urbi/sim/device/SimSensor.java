@@ -1,13 +1,16 @@
 package org.urbi.sim.device;
 
+import static org.urbi.sim.SimulationException.ready;
+
 import java.util.function.DoubleSupplier;
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.world.SimulatedWorld;
 import urbi.UVar;
 
 /** A sensor of one number, {@code val} (manual, interface Sensor). */
 abstract class SimSensor extends SimDevice {
   private final UVar val = new UVar();
-  private DoubleSupplier measure;
+  private @Nullable DoubleSupplier measure;
 
   SimSensor(String name) {
     super(name);
@@ -25,6 +28,6 @@ abstract class SimSensor extends SimDevice {
 
   @Override
   final void sense() {
-    val.setValue(measure.getAsDouble());
+    val.setValue(ready(measure).getAsDouble());
   }
 }

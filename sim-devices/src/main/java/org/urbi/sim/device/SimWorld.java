@@ -1,10 +1,13 @@
 package org.urbi.sim.device;
 
+import static org.urbi.sim.SimulationException.ready;
+
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.SimulationException;
 import org.urbi.sim.geometry.Pose;
 import org.urbi.sim.geometry.Rotation;
@@ -50,8 +53,8 @@ public final class SimWorld extends UObject implements AutoCloseable {
   private final List<SimPage> pages = new ArrayList<>();
   private final ProcessTime processTime = new ProcessTime();
   private final Renderer renderer = new Renderer();
-  private SimulatedWorld world;
-  private String timer;
+  private @Nullable SimulatedWorld world;
+  private @Nullable String timer;
   private long beats;
   private double origin;
   private double lost;
@@ -70,7 +73,8 @@ public final class SimWorld extends UObject implements AutoCloseable {
    * @throws SimulationException if it has a mistake
    */
   public void init(String file) {
-    world = WorldReader.read(Path.of(file), null);
+    SimulatedWorld read = WorldReader.read(Path.of(file), null);
+    world = read;
     UBindVars(time, "time", late, "late", period, "period", engine, "engine", beat, "beat");
     UBindFunctions(
         "deviceList",
@@ -85,7 +89,7 @@ public final class SimWorld extends UObject implements AutoCloseable {
         "picture",
         "step",
         "whyNotNative");
-    engine.setValue(world.physics().engine().description());
+    engine.setValue(read.physics().engine().description());
     late.setValue(0);
     period.setValue(usedPeriod);
     UNotifyChange(period, "periodChanged");
@@ -103,7 +107,7 @@ public final class SimWorld extends UObject implements AutoCloseable {
   }
 
   SimulatedWorld world() {
-    return world;
+    return ready(world);
   }
 
   /** Has a device told about each step of time. */
@@ -142,7 +146,7 @@ public final class SimWorld extends UObject implements AutoCloseable {
       throw new SimulationException("period: between 0 and 1 s expected, not " + seconds);
     }
     usedPeriod = seconds;
-    removeTimer(timer);
+    removeTimer(ready(timer));
     startTimer();
   }
 
@@ -153,7 +157,7 @@ public final class SimWorld extends UObject implements AutoCloseable {
   /** Catches up with the kernel's clock, and has all devices tell what they sense. */
   public int update() {
     advance();
-    time.setValue(world.physics().time());
+    time.setValue(world().physics().time());
     for (SimDevice device : List.copyOf(devices)) {
       device.sense();
     }
@@ -170,8 +174,8 @@ public final class SimWorld extends UObject implements AutoCloseable {
     }
     advancing = true;
     try {
-      double step = world.physics().settings().step();
-      double behind = now() - origin - lost - world.physics().time();
+      double step = world().physics().settings().step();
+      double behind = now() - origin - lost - world().physics().time();
       double most = Math.max(LONGEST_CATCH_UP, 2 * usedPeriod);
       if (behind > most) {
         lost += behind - most;
@@ -180,7 +184,7 @@ public final class SimWorld extends UObject implements AutoCloseable {
       }
       // A clock in microseconds meets the end of a step a little early or late.
       for (long steps = (long) Math.floor(behind / step + 1e-3); steps > 0; steps--) {
-        world.step();
+        world().step();
       }
     } catch (SimulationException e) {
       // Said once: it stands still from now on.
@@ -197,9 +201,9 @@ public final class SimWorld extends UObject implements AutoCloseable {
       throw new SimulationException("step: 0 or more expected, not " + steps);
     }
     for (int i = 0; i < steps; i++) {
-      world.step();
+      world().step();
     }
-    lost -= steps * world.physics().settings().step();
+    lost -= steps * world().physics().settings().step();
     update();
   }
 
@@ -208,12 +212,12 @@ public final class SimWorld extends UObject implements AutoCloseable {
   /** For each device of the file: its kind and its name. */
   public List<List<String>> deviceList() {
     List<List<String>> all = new ArrayList<>();
-    for (Drive drive : world.drives()) {
+    for (Drive drive : world().drives()) {
       all.add(
           List.of(
               drive.control() == Drive.Control.POSITION ? "SimServo" : "SimWheel", drive.name()));
     }
-    for (Mount mount : world.mounts()) {
+    for (Mount mount : world().mounts()) {
       all.add(
           List.of(
               switch (mount) {
@@ -232,7 +236,7 @@ public final class SimWorld extends UObject implements AutoCloseable {
   /** What the file says of the robot; empty without one. */
   public Map<String, Object> robotDescription() {
     Map<String, Object> all = new LinkedHashMap<>();
-    world
+    world()
         .robot()
         .ifPresent(robot -> {
           all.put("name", robot.name());
@@ -250,25 +254,25 @@ public final class SimWorld extends UObject implements AutoCloseable {
 
   /** The names of the bodies. */
   public List<String> bodies() {
-    return world.bodies().stream().map(Body::name).toList();
+    return world().bodies().stream().map(Body::name).toList();
   }
 
   /** Where a body is: x, y, z, in metres. */
   public List<Double> position(String body) {
     advance();
-    return list(world.body(body).pose().position());
+    return list(world().body(body).pose().position());
   }
 
   /** How a body is turned about the z axis, in radians. */
   public double orientation(String body) {
     advance();
-    return world.body(body).pose().rotation().yaw();
+    return world().body(body).pose().rotation().yaw();
   }
 
   /** How fast it moves: along x, y, z, in m/s. */
   public List<Double> velocity(String body) {
     advance();
-    return list(world.body(body).velocity());
+    return list(world().body(body).velocity());
   }
 
   private static List<Double> list(Vec3 v) {
@@ -278,20 +282,20 @@ public final class SimWorld extends UObject implements AutoCloseable {
   /** Puts a body somewhere else; it stays turned as it is. */
   public void place(String body, double x, double y, double z) {
     advance();
-    Body found = world.body(body);
+    Body found = world().body(body);
     found.place(new Pose(new Vec3(x, y, z), found.pose().rotation()));
   }
 
   /** Gives a body a velocity, in m/s. */
   public void move(String body, double x, double y, double z) {
     advance();
-    world.body(body).move(new Vec3(x, y, z), Vec3.ZERO);
+    world().body(body).move(new Vec3(x, y, z), Vec3.ZERO);
   }
 
   /** Has a force, in newtons, act on the middle of a body during the next step. */
   public void push(String body, double x, double y, double z) {
     advance();
-    Body found = world.body(body);
+    Body found = world().body(body);
     found.push(new Vec3(x, y, z), found.centreOfMass());
   }
 
@@ -308,7 +312,7 @@ public final class SimWorld extends UObject implements AutoCloseable {
     Pose eye = new Pose(new Vec3(x, y, z), Rotation.rollPitchYaw(0, pitch, yaw));
     SimulationException.finite(x + y + z + pitch + yaw, "picture");
     return new UImage(
-        UImageFormat.IMAGE_RGB, width, height, renderer.render(world.scene(), eye, lens));
+        UImageFormat.IMAGE_RGB, width, height, renderer.render(world().scene(), eye, lens));
   }
 
   /** Why the native engine cannot be used; empty if it can. */

@@ -5,4 +5,7 @@
  * <p>Sines and cosines are those of {@link StrictMath}, so that a place is the same on every
  * machine.
  */
+@NullMarked
 package org.urbi.sim.geometry;
+
+import org.jspecify.annotations.NullMarked;

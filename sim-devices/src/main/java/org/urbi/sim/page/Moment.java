@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.geometry.Pose;
 import org.urbi.sim.vision.Blob;
 import org.urbi.sim.world.Drive;
@@ -19,7 +20,7 @@ import urbi.UImage;
  * @param drives for each its sensed position or speed, and its target
  * @param sight what the camera that is shown sees; null without one
  */
-public record Moment(double time, List<Pose> bodies, List<double[]> drives, Sight sight) {
+public record Moment(double time, List<Pose> bodies, List<double[]> drives, @Nullable Sight sight) {
   /**
    * What a camera sees.
    *
@@ -29,10 +30,11 @@ public record Moment(double time, List<Pose> bodies, List<double[]> drives, Sigh
    * @param detector whether there is one
    * @param blob what the detector has found in that image; null if nothing
    */
-  public record Sight(Pose camera, UImage image, long number, boolean detector, Blob blob) {}
+  public record Sight(
+      Pose camera, @Nullable UImage image, long number, boolean detector, @Nullable Blob blob) {}
 
   /** The moment at which a world is now. */
-  public static Moment of(SimulatedWorld world, Sight sight) {
+  public static Moment of(SimulatedWorld world, @Nullable Sight sight) {
     List<Pose> bodies = new ArrayList<>();
     world.bodies().forEach(body -> bodies.add(body.pose()));
     List<double[]> drives = new ArrayList<>();

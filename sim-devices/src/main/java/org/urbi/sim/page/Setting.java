@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.geometry.Shape;
 import org.urbi.sim.physics.Body;
 import org.urbi.sim.physics.BodyDescription;
@@ -11,6 +12,7 @@ import org.urbi.sim.render.Appearance;
 import org.urbi.sim.render.Colour;
 import org.urbi.sim.render.Lens;
 import org.urbi.sim.world.Drive;
+import org.urbi.sim.world.Mount;
 import org.urbi.sim.world.RobotDescription;
 import org.urbi.sim.world.SimulatedWorld;
 
@@ -21,10 +23,9 @@ public final class Setting {
   /**
    * Describes a world, as the page reads it.
    *
-   * @param camera the name of the camera that is shown; null without one
-   * @param lens its lens
+   * @param camera the one that is shown; null for none
    */
-  public static String of(SimulatedWorld world, String camera, Lens lens) {
+  public static String of(SimulatedWorld world, Mount.@Nullable Camera camera) {
     Map<String, Object> all = new LinkedHashMap<>();
     all.put("type", "setting");
     all.put("title", world.robot().map(RobotDescription::name).orElse("Simulation"));
@@ -32,10 +33,18 @@ public final class Setting {
     all.put("bodies", world.bodies().stream().map(body -> body(world, body)).toList());
     all.put("drives", world.drives().stream().map(Setting::drive).toList());
     if (camera != null) {
+      Lens lens = camera.lens();
       all.put(
           "camera",
           Map.of(
-              "name", camera, "width", lens.width(), "height", lens.height(), "xfov", lens.xfov()));
+              "name",
+              camera.name(),
+              "width",
+              lens.width(),
+              "height",
+              lens.height(),
+              "xfov",
+              lens.xfov()));
     }
     return Json.text(all);
   }

@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.vision.ImageCoder;
 import urbi.UImage;
 import urbi.UImageFormat;
@@ -34,8 +35,8 @@ final class Viewers {
   private final ChannelGroup viewers;
   private final AtomicBoolean waiting = new AtomicBoolean();
   private volatile String setting;
-  private String moment;
-  private byte[] image;
+  private @Nullable String moment;
+  private byte @Nullable [] image;
   private long imageNumber;
 
   Viewers(EventExecutor thread, String setting) {
@@ -126,7 +127,7 @@ final class Viewers {
   }
 
   /** The image of a moment as a file, if it is another one than that of the moment before. */
-  private byte[] freshImage(Moment.Sight sight) {
+  private byte @Nullable [] freshImage(Moment.@Nullable Sight sight) {
     if (sight == null || sight.image() == null || sight.number() == imageNumber) {
       return null;
     }

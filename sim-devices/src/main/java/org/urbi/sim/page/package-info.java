@@ -3,4 +3,7 @@
  * from above, and how the drives follow their targets. The simulation hands over what is to be
  * shown when it is asked for it, and never waits; a thread of its own does all the rest.
  */
+@NullMarked
 package org.urbi.sim.page;
+
+import org.jspecify.annotations.NullMarked;

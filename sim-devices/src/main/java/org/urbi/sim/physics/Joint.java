@@ -1,5 +1,6 @@
 package org.urbi.sim.physics;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.SimulationException;
 import org.urbi.sim.physics.JointDescription.Kind;
 
@@ -29,7 +30,7 @@ public final class Joint {
   }
 
   /** Null for the world. */
-  public Body first() {
+  public @Nullable Body first() {
     return description.first();
   }
 

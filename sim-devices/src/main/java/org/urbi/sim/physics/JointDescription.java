@@ -1,5 +1,6 @@
 package org.urbi.sim.physics;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.SimulationException;
 import org.urbi.sim.geometry.Vec3;
 
@@ -16,7 +17,7 @@ import org.urbi.sim.geometry.Vec3;
 public record JointDescription(
     String name,
     Kind kind,
-    Body first,
+    @Nullable Body first,
     Body second,
     Vec3 anchor,
     Vec3 axis,

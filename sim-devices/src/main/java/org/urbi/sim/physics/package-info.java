@@ -4,4 +4,7 @@
  * and its translation to Java, ode4j. Everything else is here, once: mass, which pairs touch, in
  * which order contacts are taken. Both engines so compute the same thing in the same order.
  */
+@NullMarked
 package org.urbi.sim.physics;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,5 +1,7 @@
 package org.urbi.sim.render;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * How a surface looks.
  *
@@ -9,7 +11,8 @@ package org.urbi.sim.render;
  * @param shine how strong a highlight is, from 0 to 1
  * @param glow how much of its colour it has without any light, from 0 to 1
  */
-public record Appearance(Colour colour, Colour second, double tile, double shine, double glow) {
+public record Appearance(
+    Colour colour, @Nullable Colour second, double tile, double shine, double glow) {
   public static final Appearance PLAIN = Appearance.of(Colour.GREY);
 
   public static Appearance of(Colour colour) {

@@ -1,5 +1,6 @@
 package org.urbi.sim.render;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.geometry.Shape;
 import org.urbi.sim.geometry.Vec3;
 
@@ -50,7 +51,7 @@ abstract class Solid {
   }
 
   /** Half the edges of the smallest box around it; null for one that ends nowhere. */
-  abstract Vec3 halfExtent();
+  abstract @Nullable Vec3 halfExtent();
 
   private static final class Ball extends Solid {
     private final double radius;
@@ -221,7 +222,7 @@ abstract class Solid {
     }
 
     @Override
-    Vec3 halfExtent() {
+    @Nullable Vec3 halfExtent() {
       return null;
     }
   }

@@ -3,6 +3,7 @@ package org.urbi.sim.vision;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import org.jspecify.annotations.Nullable;
 import org.opencv.core.Core;
 import org.opencv.core.CvType;
 import org.opencv.core.Mat;
@@ -81,7 +82,7 @@ public final class ImageFilter {
 
   private final Kind kind;
   private double parameter;
-  private byte[] before;
+  private byte @Nullable [] before;
 
   /**
    * @throws SimulationException if OpenCV cannot be used

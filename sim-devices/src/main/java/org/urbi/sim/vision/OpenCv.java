@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.Locale;
+import org.jspecify.annotations.Nullable;
 import org.opencv.core.Core;
 import org.opencv.core.CvType;
 import org.opencv.core.Mat;
@@ -24,7 +25,7 @@ public final class OpenCv {
   private static final String CACHE = "urbi.cache";
 
   private static boolean loaded;
-  private static SimulationException failure;
+  private static @Nullable SimulationException failure;
 
   private OpenCv() {}
 
@@ -56,7 +57,7 @@ public final class OpenCv {
     }
   }
 
-  private static SimulationException load() {
+  private static @Nullable SimulationException load() {
     try {
       Path library = unpacked(resource(), cacheFolder());
       loadForOpenCv(library);

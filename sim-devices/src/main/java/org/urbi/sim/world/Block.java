@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.world.WorldFileException.Place;
 import org.urbi.sim.world.WorldFileTokens.Kind;
 import org.urbi.sim.world.WorldFileTokens.Token;
@@ -18,7 +19,7 @@ final class Block {
   private record Property(Place place, List<Token> values) {}
 
   private final String kind;
-  private final String name;
+  private final @Nullable String name;
   private final Place place;
   private final Map<String, Property> properties = new LinkedHashMap<>();
   private final List<Block> blocks = new ArrayList<>();
@@ -26,7 +27,7 @@ final class Block {
   /** All that has been asked for, for suggestions. */
   private final Set<String> known = new TreeSet<>();
 
-  Block(String kind, String name, Place place) {
+  Block(String kind, @Nullable String name, Place place) {
     this.kind = kind;
     this.name = name;
     this.place = place;
@@ -63,7 +64,7 @@ final class Block {
   }
 
   /** Its name, or null. */
-  String optionalName() {
+  @Nullable String optionalName() {
     return name;
   }
 
@@ -89,12 +90,18 @@ final class Block {
     return properties.containsKey(property);
   }
 
+  private @Nullable Property property(String name) {
+    known.add(name);
+    return properties.get(name);
+  }
+
   /** So many numbers, or null. */
-  double[] numbers(String property, int count, Unit unit) {
-    if (!has(property)) {
+  double @Nullable [] numbers(String property, int count, Unit unit) {
+    Property found = property(property);
+    if (found == null) {
       return null;
     }
-    List<Token> values = properties.get(property).values();
+    List<Token> values = found.values();
     double factor = 1;
     int given = values.size();
     if (given > 0 && values.getLast().kind() == Kind.WORD) {
@@ -139,7 +146,7 @@ final class Block {
     return required(property, numbers(property, count, unit));
   }
 
-  private <T> T required(String property, T value) {
+  private <T> T required(String property, @Nullable T value) {
     if (value == null) {
       throw wrong(property + " is missing");
     }
@@ -156,11 +163,12 @@ final class Block {
   }
 
   /** The words of a property, or null. */
-  List<String> words(String property, int count) {
-    if (!has(property)) {
+  @Nullable List<String> words(String property, int count) {
+    Property given = property(property);
+    if (given == null) {
       return null;
     }
-    List<Token> values = properties.get(property).values();
+    List<Token> values = given.values();
     if (values.size() != count) {
       throw wrong(
           property, count + (count == 1 ? " name" : " names") + " expected, not " + values.size());
@@ -174,7 +182,7 @@ final class Block {
     return values.stream().map(Token::text).toList();
   }
 
-  String word(String property) {
+  @Nullable String word(String property) {
     List<String> words = words(property, 1);
     return words == null ? null : words.getFirst();
   }

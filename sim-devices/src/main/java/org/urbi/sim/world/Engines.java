@@ -1,5 +1,6 @@
 package org.urbi.sim.world;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.SimulationException;
 import org.urbi.sim.physics.PhysicsEngine;
 import org.urbi.sim.physics.ode.NativeOde;
@@ -37,7 +38,7 @@ public final class Engines {
   }
 
   /** Why the native engine is not used, or null if it can be. */
-  public static String whyNotNative() {
+  public static @Nullable String whyNotNative() {
     try {
       new NativeOde();
       return null;

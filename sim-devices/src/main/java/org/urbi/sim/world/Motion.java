@@ -5,12 +5,12 @@ import org.urbi.sim.physics.PhysicsSettings;
 
 /** How the place of a sensor is accelerated, from the speeds before and after a step. */
 final class Motion {
-  private final Mount mount;
+  private final Mount.Accelerometer mount;
   private final PhysicsSettings settings;
   private Vec3 velocity;
   private Vec3 acceleration = Vec3.ZERO;
 
-  Motion(Mount mount, PhysicsSettings settings) {
+  Motion(Mount.Accelerometer mount, PhysicsSettings settings) {
     this.mount = mount;
     this.settings = settings;
     velocity = mount.body().velocityAt(mount.pose().position());

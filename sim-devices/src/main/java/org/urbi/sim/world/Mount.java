@@ -1,5 +1,6 @@
 package org.urbi.sim.world;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.geometry.Pose;
 import org.urbi.sim.geometry.Vec3;
 import org.urbi.sim.physics.Body;
@@ -10,18 +11,19 @@ public sealed interface Mount {
   String name();
 
   /** What carries it; null for the world. */
-  Body body();
+  @Nullable Body body();
 
   /** Where it is on that. */
   Pose pose();
 
   /** Where it is in the world. */
   default Pose worldPose() {
-    return body() == null ? pose() : body().pose().apply(pose());
+    Body carrier = body();
+    return carrier == null ? pose() : carrier.pose().apply(pose());
   }
 
   /** It looks along its x axis. */
-  record Camera(String name, Body body, Pose pose, Lens lens) implements Mount {}
+  record Camera(String name, @Nullable Body body, Pose pose, Lens lens) implements Mount {}
 
   /**
    * Measures along its x axis.

@@ -30,22 +30,26 @@ final class MountReader {
       throw block.wrong("there is something else of that name");
     }
     Body body = Places.body(block, "on", world);
-    if (body == null && !block.kind().equals("camera")) {
+    if (block.kind().equals("camera")) {
+      world.addMount(new Mount.Camera(block.name(), body, Places.pose(block), lens(block)));
+    } else if (body == null) {
       throw block.wrong("on is missing: the body that carries it");
+    } else {
+      world.addMount(carried(block, body));
     }
-    String name = block.name();
-    world.addMount(
-        switch (block.kind()) {
-          case "camera" -> new Mount.Camera(name, body, Places.pose(block), lens(block));
-          case "distance" -> distance(block, body);
-          case "bumper" -> new Mount.Bumper(name, body, part(block, body, -1));
-          case "accelerometer" ->
-              new Mount.Accelerometer(name, body, Places.pose(block), axis(block));
-          case "gyrometer" -> new Mount.Gyrometer(name, body, Places.pose(block), axis(block));
-          default -> new Mount.Led(name, body, part(block, body, 0));
-        });
     block.finish();
     return true;
+  }
+
+  private Mount carried(Block block, Body body) {
+    String name = block.name();
+    return switch (block.kind()) {
+      case "distance" -> distance(block, body);
+      case "bumper" -> new Mount.Bumper(name, body, part(block, body, -1));
+      case "accelerometer" -> new Mount.Accelerometer(name, body, Places.pose(block), axis(block));
+      case "gyrometer" -> new Mount.Gyrometer(name, body, Places.pose(block), axis(block));
+      default -> new Mount.Led(name, body, part(block, body, 0));
+    };
   }
 
   private static Lens lens(Block block) {
@@ -84,7 +88,7 @@ final class MountReader {
       return otherwise;
     }
     String name = block.requiredWord("part");
-    Integer part = partNames.get(body.name()).get(name);
+    Integer part = partNames.getOrDefault(body.name(), Map.of()).get(name);
     if (part == null) {
       throw block.wrong("part", "body " + body.name() + " has no part '" + name + "'");
     }

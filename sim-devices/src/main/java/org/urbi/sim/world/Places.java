@@ -1,5 +1,6 @@
 package org.urbi.sim.world;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.geometry.Pose;
 import org.urbi.sim.geometry.Rotation;
 import org.urbi.sim.geometry.Shape;
@@ -54,7 +55,7 @@ final class Places {
   }
 
   /** The body that a property names, or null if it has none. */
-  static Body body(Block block, String property, SimulatedWorld world) {
+  static @Nullable Body body(Block block, String property, SimulatedWorld world) {
     String name = block.word(property);
     return name == null ? null : known(block, property, name, world);
   }

@@ -1,11 +1,14 @@
 package org.urbi.sim.world;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.SimulationException;
 import org.urbi.sim.geometry.Pose;
 import org.urbi.sim.geometry.Vec3;
@@ -39,7 +42,7 @@ public final class SimulatedWorld implements AutoCloseable {
   private final List<Light> lights = new ArrayList<>();
   private double ambient = 0.4;
   private Colour background = new Colour(0.55, 0.7, 0.9);
-  private RobotDescription robot;
+  private @Nullable RobotDescription robot;
   private final Renderer renderer = new Renderer();
 
   SimulatedWorld(PhysicsWorld physics) {
@@ -68,8 +71,8 @@ public final class SimulatedWorld implements AutoCloseable {
 
   void addMount(Mount mount) {
     mounts.put(mount.name(), mount);
-    if (mount instanceof Mount.Accelerometer) {
-      motions.put(mount.name(), new Motion(mount, physics.settings()));
+    if (mount instanceof Mount.Accelerometer sensor) {
+      motions.put(mount.name(), new Motion(sensor, physics.settings()));
     }
   }
 
@@ -192,7 +195,9 @@ public final class SimulatedWorld implements AutoCloseable {
 
   /** In m/s²; at rest an accelerometer measures what holds it against gravity. */
   public double acceleration(Mount.Accelerometer sensor) {
-    return motions.get(sensor.name()).acceleration().dot(sensor.axis());
+    return requireNonNull(motions.get(sensor.name()), "made with the sensor")
+        .acceleration()
+        .dot(sensor.axis());
   }
 
   /** In rad/s. */
@@ -202,7 +207,7 @@ public final class SimulatedWorld implements AutoCloseable {
 
   /** Has a part of a body shine. */
   public void light(Mount.Led led, Colour colour, double strength) {
-    List<Appearance> looks = appearances.get(led.body());
+    List<Appearance> looks = looksOf(led.body());
     looks.set(led.part(), looks.get(led.part()).glowing(colour, strength));
   }
 
@@ -213,7 +218,7 @@ public final class SimulatedWorld implements AutoCloseable {
     List<Thing> things = new ArrayList<>();
     for (Body body : bodies.values()) {
       Pose pose = body.pose();
-      List<Appearance> looks = appearances.get(body);
+      List<Appearance> looks = looksOf(body);
       for (int part = 0; part < looks.size(); part++) {
         things.add(
             new Thing(
@@ -225,9 +230,13 @@ public final class SimulatedWorld implements AutoCloseable {
     return new Scene(things, lights.isEmpty() ? DAYLIGHT : lights, ambient, background);
   }
 
+  private List<Appearance> looksOf(Body body) {
+    return requireNonNull(appearances.get(body), "added with the body");
+  }
+
   /** What the parts of a body look like, in their order. */
   public List<Appearance> looks(Body body) {
-    return List.copyOf(appearances.get(body));
+    return List.copyOf(looksOf(body));
   }
 
   /** What a camera sees now: red, green and blue of each pixel. */

@@ -2,6 +2,7 @@ package org.urbi.sim.world;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /** What a number in a world file may be measured in; the first one needs not be written. */
 enum Unit {
@@ -20,7 +21,7 @@ enum Unit {
   }
 
   /** How many of the base unit it is, or null. */
-  Double factor(String name) {
+  @Nullable Double factor(String name) {
     return factors.get(name);
   }
 

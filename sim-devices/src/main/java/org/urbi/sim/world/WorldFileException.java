@@ -1,12 +1,13 @@
 package org.urbi.sim.world;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.SimulationException;
 
 /** A mistake in a world file: {@code FILE:LINE.COLUMN: what is wrong}. */
 public final class WorldFileException extends SimulationException {
   private static final long serialVersionUID = 1L;
 
-  WorldFileException(Place place, String message) {
+  WorldFileException(Place place, @Nullable String message) {
     super(place + ": " + message);
   }
 

@@ -1,5 +1,7 @@
 package org.urbi.sim.world;
 
+import static java.util.Objects.requireNonNullElse;
+
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
@@ -10,6 +12,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.SimulationException;
 import org.urbi.sim.geometry.Vec3;
 import org.urbi.sim.physics.Body;
@@ -39,9 +42,11 @@ public final class WorldReader {
 
   private final Map<String, Substance> substances = new HashMap<>();
   private final Map<String, Map<String, Integer>> partNames = new HashMap<>();
-  private SimulatedWorld world;
+  private final SimulatedWorld world;
 
-  private WorldReader() {}
+  private WorldReader(SimulatedWorld world) {
+    this.world = world;
+  }
 
   /**
    * Reads a file.
@@ -49,7 +54,7 @@ public final class WorldReader {
    * @param engine as {@link Engines#named} knows it, or null for what the file says
    * @throws SimulationException if it cannot be read, or has a mistake
    */
-  public static SimulatedWorld read(Path file, String engine) {
+  public static SimulatedWorld read(Path file, @Nullable String engine) {
     try {
       return read(file.getFileName().toString(), Files.readString(file), engine);
     } catch (NoSuchFileException e) {
@@ -62,11 +67,11 @@ public final class WorldReader {
   }
 
   /** Reads a text; the name is for messages. */
-  public static SimulatedWorld read(String name, String text, String engine) {
-    return new WorldReader().build(BlockReader.read(name, text), new Place(name, 1, 1), engine);
+  public static SimulatedWorld read(String name, String text, @Nullable String engine) {
+    return build(BlockReader.read(name, text), new Place(name, 1, 1), engine);
   }
 
-  private SimulatedWorld build(List<Block> blocks, Place start, String engine) {
+  private static SimulatedWorld build(List<Block> blocks, Place start, @Nullable String engine) {
     Block head = null;
     for (Block block : blocks) {
       if (block.kind().equals("world")) {
@@ -79,11 +84,12 @@ public final class WorldReader {
     long moving =
         blocks.stream().filter(block -> block.kind().equals("body") && block.has("mass")).count();
     Solver usual = moving > MOST_EXACT ? Solver.QUICK : Solver.EXACT;
-    world = emptyWorld(head == null ? new Block("world", null, start) : head, engine, usual);
+    var world = emptyWorld(head == null ? new Block("world", null, start) : head, engine, usual);
+    var reader = new WorldReader(world);
     try {
       for (Block block : blocks) {
         if (block != head) {
-          checked(block, () -> add(block));
+          checked(block, () -> reader.add(block));
         }
       }
       return world;
@@ -130,7 +136,7 @@ public final class WorldReader {
 
   // ------------------------------------------------------------------ the world as a whole
 
-  private SimulatedWorld emptyWorld(Block block, String engine, Solver usual) {
+  private static SimulatedWorld emptyWorld(Block block, @Nullable String engine, Solver usual) {
     block.requireNoName();
     block.requireNoBlocks();
     SimulatedWorld[] made = new SimulatedWorld[1];
@@ -138,7 +144,7 @@ public final class WorldReader {
     return made[0];
   }
 
-  private static SimulatedWorld settled(Block block, String engine, Solver usual) {
+  private static SimulatedWorld settled(Block block, @Nullable String engine, Solver usual) {
     PhysicsSettings defaults = PhysicsSettings.DEFAULT;
     double[] gravity = block.numbers("gravity", 3, Unit.NONE);
     double step = block.number("step", Unit.TIME, defaults.step());
@@ -197,13 +203,17 @@ public final class WorldReader {
 
   private static Appearance appearance(Block block, Appearance otherwise) {
     Colour colour = colour(block, "colour", otherwise.colour());
-    Colour checker = colour(block, "checker", otherwise.second());
+    Colour checker = colour(block, "checker");
     double tile = block.number("tile", Unit.LENGTH, otherwise.tile());
     if (!(tile > 0)) {
       throw block.wrong("tile", "more than 0 expected, not " + tile);
     }
     return new Appearance(
-        colour, checker, tile, fraction(block, "shine", otherwise.shine()), otherwise.glow());
+        colour,
+        checker == null ? otherwise.second() : checker,
+        tile,
+        fraction(block, "shine", otherwise.shine()),
+        otherwise.glow());
   }
 
   private void addBody(Block block) {
@@ -368,9 +378,13 @@ public final class WorldReader {
   }
 
   private static Colour colour(Block block, String property, Colour otherwise) {
+    return requireNonNullElse(colour(block, property), otherwise);
+  }
+
+  private static @Nullable Colour colour(Block block, String property) {
     double[] numbers = block.numbers(property, 3, Unit.NONE);
     if (numbers == null) {
-      return otherwise;
+      return null;
     }
     for (double number : numbers) {
       if (!(number >= 0 && number <= 1)) {

@@ -60,7 +60,7 @@ class PageServerTest {
   @BeforeEach
   void serve() {
     Mount.Camera eye = world.mount(Mount.Camera.class, "eye");
-    server = new PageServer(LOCAL, 0, Setting.of(world, eye.name(), eye.lens()));
+    server = new PageServer(LOCAL, 0, Setting.of(world, eye));
   }
 
   @AfterEach

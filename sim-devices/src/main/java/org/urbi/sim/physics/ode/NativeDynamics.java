@@ -1,5 +1,6 @@
 package org.urbi.sim.physics.ode;
 
+import static java.util.Objects.requireNonNull;
 import static org.urbi.sim.physics.ode.OdeLibrary.*;
 import static org.urbi.sim.physics.ode.StepCalls.*;
 
@@ -11,6 +12,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.SimulationException;
 import org.urbi.sim.geometry.Pose;
 import org.urbi.sim.geometry.Rotation;
@@ -60,7 +62,7 @@ final class NativeDynamics implements Dynamics {
   // Held here since the library keeps but their addresses.
   private final NearCallback pairCallback = new NearCallback(this::foundPair);
   private final NearCallback rayCallback = new NearCallback(this::foundOnRay);
-  private PairSink sink;
+  private @Nullable PairSink sink;
 
   NativeDynamics(PhysicsSettings settings) {
     this.settings = settings;
@@ -289,10 +291,16 @@ final class NativeDynamics implements Dynamics {
     pairCallback.check();
   }
 
+  private PairSink sink() {
+    return requireNonNull(sink, "the library calls back while it looks for pairs");
+  }
+
+  private int number(long geom) {
+    return requireNonNull(geomNumbers.get(geom), "the library knows no geom of another world");
+  }
+
   private void foundPair(long first, long second) {
-    int a = geomNumbers.get(first);
-    int b = geomNumbers.get(second);
-    sink.near(a, b);
+    sink().near(number(first), number(second));
   }
 
   @Override
@@ -330,7 +338,7 @@ final class NativeDynamics implements Dynamics {
   }
 
   private void foundOnRay(long first, long second) {
-    sink.near(WORLD, geomNumbers.get(first == ray ? second : first));
+    sink().near(WORLD, number(first == ray ? second : first));
   }
 
   @Override

@@ -9,6 +9,7 @@ import java.lang.foreign.MemorySegment;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
+import org.jspecify.annotations.Nullable;
 
 /**
  * ODE's {@code dNearCallback}: a function of C that calls Java. It is there as long as this object.
@@ -25,7 +26,7 @@ final class NearCallback {
 
   private final Pairs pairs;
   private final MemorySegment stub;
-  private Throwable failure;
+  private @Nullable Throwable failure;
 
   @SuppressWarnings("restricted") // The type is that of ODE's header.
   NearCallback(Pairs pairs) {

@@ -1,10 +1,13 @@
 package org.urbi.sim.physics.ode;
 
+import static java.util.Objects.requireNonNull;
+
 import com.sun.jna.Callback;
 import com.sun.jna.Native;
 import com.sun.jna.NativeLibrary;
 import com.sun.jna.Pointer;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.sim.SimulationException;
 
 /**
@@ -31,7 +34,7 @@ final class OdeLibrary {
     void message(int number, String format, Pointer arguments);
   }
 
-  private static final SimulationException FAILURE;
+  private static final @Nullable SimulationException FAILURE;
 
   private static final MessageCallback ERRORS = (number, format, arguments) -> note(format);
 
@@ -41,8 +44,8 @@ final class OdeLibrary {
    */
   private static final MessageCallback MESSAGES = (number, format, arguments) -> {};
 
-  private static NativeLibrary library;
-  private static String noted;
+  private static @Nullable NativeLibrary library;
+  private static @Nullable String noted;
 
   static {
     SimulationException failure = null;
@@ -107,7 +110,7 @@ final class OdeLibrary {
    * @throws UnsatisfiedLinkError if it is not there
    */
   static Pointer function(String name) {
-    return library.getFunction(name);
+    return requireNonNull(library, "asked for once there is one").getFunction(name);
   }
 
   private static synchronized void note(String format) {
@@ -117,7 +120,7 @@ final class OdeLibrary {
   }
 
   /** What the library has complained of since the last time, or null. */
-  static synchronized String complaint() {
+  static synchronized @Nullable String complaint() {
     String complaint = noted;
     noted = null;
     return complaint;

@@ -1,9 +1,12 @@
 package org.urbi.sim.physics.ode4j;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.ode4j.math.DQuaternion;
 import org.ode4j.math.DQuaternionC;
 import org.ode4j.math.DVector3;
@@ -74,7 +77,7 @@ final class JavaDynamics implements Dynamics {
     return bodies.size() - 1;
   }
 
-  private DBody body(int number) {
+  private @Nullable DBody body(int number) {
     return number == WORLD ? null : bodies.get(number);
   }
 
@@ -244,10 +247,13 @@ final class JavaDynamics implements Dynamics {
 
   // ------------------------------------------------------------------ collisions
 
+  private int number(DGeom geom) {
+    return requireNonNull(geomNumbers.get(geom), "no geom of another world is in this space");
+  }
+
   @Override
   public void findNearPairs(PairSink pairs) {
-    space.collide(
-        null, (data, first, second) -> pairs.near(geomNumbers.get(first), geomNumbers.get(second)));
+    space.collide(null, (data, first, second) -> pairs.near(number(first), number(second)));
   }
 
   @Override
@@ -297,7 +303,7 @@ final class JavaDynamics implements Dynamics {
     ray.collide2(
         space,
         null,
-        (data, first, second) -> pairs.near(WORLD, geomNumbers.get(first == ray ? second : first)));
+        (data, first, second) -> pairs.near(WORLD, number(first == ray ? second : first)));
   }
 
   @Override
