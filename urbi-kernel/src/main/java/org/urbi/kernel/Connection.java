@@ -24,6 +24,15 @@ public interface Connection {
   void interrupt();
 
   /**
+   * Interrupts code of any lobby that never lets others run, also while the kernel is held.
+   *
+   * @param lobby the name of a lobby, whose foreground statement ends as by its interrupt key;
+   *     empty for whatever holds the kernel right now
+   * @return what was done, for people
+   */
+  String interrupt(String lobby);
+
+  /**
    * What carries the text between client and lobby has failed by a fault of our own: the log keeps
    * the stack trace, the client is told of an internal error.
    *

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -12,6 +13,9 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.IntConsumer;
@@ -86,6 +90,7 @@ public final class Kernel implements AutoCloseable {
   private final PluggedContext uobjects;
   private final Outside outside;
   private final Journal journal;
+  private final Operator operator;
 
   /** The recording that this kernel runs again, or null. */
   private final Replay replay;
@@ -112,6 +117,7 @@ public final class Kernel implements AutoCloseable {
     private Path library;
     private List<Path> moduleSearchPath = List.of(Path.of("."));
     private int stackSize;
+    private Duration maxHold = Duration.ZERO;
     private long seed;
     private String programName = "urbi";
     private List<String> arguments = List.of();
@@ -155,6 +161,15 @@ public final class Kernel implements AutoCloseable {
     /** Where modules with UObjects are looked for, first to last. */
     public Builder moduleSearchPath(List<Path> folders) {
       moduleSearchPath = List.copyOf(folders);
+      return this;
+    }
+
+    /**
+     * How long a job may hold the kernel without letting others run; then an exception ends it that
+     * no code catches. By default, and with zero, as long as it likes.
+     */
+    public Builder maxHold(Duration limit) {
+      maxHold = limit;
       return this;
     }
 
@@ -310,6 +325,8 @@ public final class Kernel implements AutoCloseable {
     public Kernel start() {
       Kernel kernel = new Kernel(this);
       kernel.begin();
+      kernel.operator.setWatch(
+          HoldLimit.set(kernel.scheduler, kernel.interpreter.errors(), kernel.log, maxHold));
       return kernel;
     }
   }
@@ -328,6 +345,7 @@ public final class Kernel implements AutoCloseable {
     World world = new World();
     world.randomness().seed(builder.seed);
     this.scheduler = new Scheduler(world, clock, journal, builder.jobThreads, this::report);
+    this.operator = new Operator(scheduler);
     Inbox inbox = scheduler.inbox();
     inbox.register(Message.KERNEL, this::take);
     inbox.setFailures(this::failed);
@@ -385,6 +403,9 @@ public final class Kernel implements AutoCloseable {
       throw new UncheckedIOException(e);
     }
   }
+
+  /** How long the jobs have to end in when the kernel is closed, before they are interrupted. */
+  private static final int END_PATIENCE_MILLISECONDS = 100;
 
   /** How many nested calls a kibibyte of stack stands for. */
   private static final int CALLS_PER_KIBIBYTE = 100;
@@ -527,7 +548,22 @@ public final class Kernel implements AutoCloseable {
     requestShutdown(0);
     embedding.close();
     if (!scheduler.isKernelThread()) {
+      interruptUnlessEnded();
       awaitTermination();
+    }
+  }
+
+  /** Code that holds the kernel has a moment to come to its end. */
+  private void interruptUnlessEnded() {
+    try {
+      termination.get(END_PATIENCE_MILLISECONDS, TimeUnit.MILLISECONDS);
+    } catch (TimeoutException e) {
+      scheduler.interruptions().wantAll();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      scheduler.interruptions().wantAll();
+    } catch (ExecutionException e) {
+      throw new IllegalStateException(e);
     }
   }
 
@@ -642,12 +678,18 @@ public final class Kernel implements AutoCloseable {
     return connection;
   }
 
+  Operator operator() {
+    return operator;
+  }
+
   void add(KernelConnection connection) {
     connections.add(connection);
+    operator.add(connection);
   }
 
   void remove(KernelConnection connection) {
     connections.remove(connection);
+    operator.remove(connection);
   }
 
   /** Those that are open, oldest first. */

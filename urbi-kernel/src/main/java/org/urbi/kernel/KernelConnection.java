@@ -68,6 +68,11 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
   }
 
   @Override
+  public String interrupt(String other) {
+    return kernel.operator().interrupt(other);
+  }
+
+  @Override
   public void failed(String where, Throwable failure) {
     FailureLog.internal(where, failure);
     kernel.inbox().post(new Message.ConnectionFailed(number, FailureLog.text(failure)));

@@ -57,6 +57,12 @@ class InterruptionTest {
         "var l = [1]; for| (40) l = [l, l]; begun; l == l.asList + [];",
         "var l = [1]; for| (40) l = [l, l]; begun; l.asString;",
         "function z() { try { z } catch { z } }; begun; z;",
+        "function z() { try { z } finally { z } }; begun; z;",
+        "var o = Object.new; begun; for| (200000) o = o.new; o.nowhere;",
+        "var e = Event.new; at sync (e?) { e! | e! }; begun; e!;",
+        "begun; Regexp.new(\"^(a|a)*(a|a)*b$\").match(\"a\" * 40);",
+        "var l = []; for| (var i: 300000) l << i.sin; begun; loop| l.sort;",
+        "var l = []; for| (100000) l << \"zzz\"; begun; (\"ab\" * 1000000).split(l);",
       })
   void theInterruptKeyEndsWhateverRuns(String program) throws Exception {
     kernel.define(

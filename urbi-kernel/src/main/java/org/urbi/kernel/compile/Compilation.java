@@ -80,6 +80,7 @@ public final class Compilation {
    *     and {@code break} need not be thrown
    */
   Node compile(Ast ast, Block block, Seen seen) {
+    interpreter.checkInterrupted();
     return ast.accept(new Translation(this, block, seen));
   }
 

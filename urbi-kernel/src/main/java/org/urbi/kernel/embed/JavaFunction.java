@@ -50,6 +50,7 @@ final class JavaFunction extends BuiltinTable {
     for (UrbiObject argument : arguments) {
       values.add(JavaValues.toJava(embedding, argument));
     }
+    String outer = caller.job().enterComponent(name(0));
     try {
       Object result =
           ScopedValue.where(CALLER, caller)
@@ -64,6 +65,8 @@ final class JavaFunction extends BuiltinTable {
       throw failure(caller, e);
     } catch (RuntimeException e) {
       throw failure(caller, e);
+    } finally {
+      caller.job().leaveComponent(outer);
     }
   }
 

@@ -140,6 +140,11 @@ public final class Errors {
     return of("Scheduling", message).build();
   }
 
+  /** Ends a job that has gone beyond what is allowed; it cannot be caught. */
+  public UrbiException limit(String message) {
+    return scheduling(message).uncatchable();
+  }
+
   /**
    * {@code routine: expected 2 arguments, given 1}, {@code expected at least …}, {@code expected
    * between … and …}.

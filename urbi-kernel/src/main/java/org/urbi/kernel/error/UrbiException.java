@@ -22,12 +22,28 @@ public final class UrbiException extends RuntimeException {
   }
 
   private final transient UrbiObject value;
+  private final boolean uncatchable;
   private transient Span span;
   private transient List<Call> backtrace;
 
   public UrbiException(UrbiObject value) {
+    this(value, false);
+  }
+
+  private UrbiException(UrbiObject value, boolean uncatchable) {
     super(null, null, false, false);
     this.value = value;
+    this.uncatchable = uncatchable;
+  }
+
+  /** The same, but no code can catch it: the job is to end. */
+  UrbiException uncatchable() {
+    return new UrbiException(value, true);
+  }
+
+  /** Whether no {@code catch} clause is asked. */
+  public boolean isUncatchable() {
+    return uncatchable;
   }
 
   /** What was thrown. */

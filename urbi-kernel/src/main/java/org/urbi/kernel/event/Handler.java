@@ -13,6 +13,9 @@ import org.urbi.kernel.node.Profiler;
  * job that triggered it when it is synchronous.
  */
 final class Handler {
+  /** How many synchronous handlers may run, one within the other. */
+  private static final int MAXIMUM_NESTED = 10_000;
+
   private final Frame home;
   private final TagScope scope;
   private final Node body;
@@ -72,7 +75,14 @@ final class Handler {
 
   private void run(Frame frame, Job trigger, Node code, boolean wait) {
     if (sync || wait) {
-      code.execute(frame.fork(trigger, false));
+      if (!trigger.beginSend(MAXIMUM_NESTED)) {
+        throw frame.interpreter().errors().scheduling("stack space exhausted");
+      }
+      try {
+        code.execute(frame.fork(trigger, false));
+      } finally {
+        trigger.endSend();
+      }
       return;
     }
     Detached detached = new Detached(code);

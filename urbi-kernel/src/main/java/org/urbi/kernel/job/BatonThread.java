@@ -54,6 +54,11 @@ final class BatonThread implements JobThread {
   }
 
   @Override
+  public void interrupt() {
+    thread.interrupt();
+  }
+
+  @Override
   public boolean isCurrent() {
     return Thread.currentThread() == thread;
   }

@@ -1,33 +1,80 @@
 package org.urbi.kernel.job;
 
+import java.util.HashSet;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Function;
+import java.util.function.LongSupplier;
+import org.urbi.kernel.journal.Ending;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.time.Clock;
+import org.urbi.kernel.time.SystemClock;
 
 /**
- * The lobbies whose running code is to end although it never lets others run, so that no message
- * can reach them. A flag only: who wants that posts a message besides, which {@linkplain #clear
- * takes the flag back} when its turn comes.
+ * The running code that is to end although it never lets others run, so that no message can reach
+ * it: that of a lobby whose client wants it, of a job that has held the kernel for too long, or
+ * whatever runs when the kernel is to end. Flags only: who wants a lobby's code ended posts a
+ * message besides, which {@linkplain #clear takes the flag back} when its turn comes.
+ *
+ * <p>Code that ends may run its {@code finally} clauses for a moment; what then still holds the
+ * kernel ends without any more of that.
  */
 public final class Interruptions {
+  /** How long code that ends may go on without letting others run, in nanoseconds. */
+  private static final long FAREWELL = 50_000_000;
+
+  private static final long NONE = -1;
+
   private final Set<UrbiObject> lobbies = ConcurrentHashMap.newKeySet();
+  private final Clock machine = new SystemClock();
+  private final LongSupplier turns;
   private final Journal journal;
   private final boolean counted;
+  private Function<Job, RuntimeException> overdueFailure = job -> new TagStop(null, null);
   private volatile boolean wanted;
+  private volatile boolean all;
+  private final AtomicLong overdueTurn = new AtomicLong(NONE);
   private volatile Runnable changed = () -> {};
 
-  Interruptions(Journal journal) {
+  // These are the kernel thread's own: what ends right now.
+  private long endingTurn = NONE;
+  private Ending ending;
+  private long farewellUntil;
+  private RuntimeException failure;
+
+  /** The lobbies of which code has ended, and whose message has not come yet. */
+  private final Set<UrbiObject> interrupted = new HashSet<>();
+
+  /**
+   * @param turns gives the number of the turn that goes on
+   */
+  Interruptions(LongSupplier turns, Journal journal) {
+    this.turns = turns;
     this.journal = journal;
     this.counted = journal.counts();
     this.wanted = counted;
   }
 
-  /** Has the job end that is running for that lobby, if there is one; from any thread. */
+  // ------------------------------------------------------------------ from any thread
+
+  /** Has the job end that is running for that lobby, if there is one. */
   public void want(UrbiObject lobby) {
     lobbies.add(lobby);
-    wanted = true;
-    changed.run();
+    look();
+  }
+
+  /** Has every job end from now on that does not let others run. */
+  public void wantAll() {
+    all = true;
+    look();
+  }
+
+  /** Has the job end whose turn has that number, if it still lasts. */
+  void wantOverdue(long turn) {
+    overdueTurn.set(turn);
+    look();
   }
 
   /**
@@ -46,20 +93,109 @@ public final class Interruptions {
     return wanted;
   }
 
-  /** Whether the job that is running for that lobby is to end; that is so once. */
-  boolean take(UrbiObject lobby) {
-    if (!journal.stops(lobby != null && lobbies.contains(lobby))) {
-      return false;
-    }
-    clear(lobby);
-    return true;
+  private void look() {
+    wanted = true;
+    changed.run();
   }
 
-  /** Nobody is to be interrupted any more; on the kernel thread. */
+  // ------------------------------------------------------------------ on the kernel thread
+
+  /** Sets what a job is left with that has held the kernel for too long. */
+  public void setOverdueFailure(Function<Job, RuntimeException> failure) {
+    overdueFailure = failure;
+  }
+
+  /** Ends the running job here, if it is to end. */
+  void check(Job job) {
+    Ending decided = decide(job.lobby());
+    if (decided == Ending.WANTED) {
+      throw TagStop.interruption();
+    } else if (decided == Ending.OVERDUE) {
+      if (failure == null) {
+        failure = overdueFailure.apply(job);
+      }
+      throw failure;
+    }
+  }
+
+  /** How the job is to end that runs for that lobby; it does so then. */
+  Ending decide(UrbiObject lobby) {
+    Ending decided = journal.stops(wantedOf(lobby));
+    if (decided == Ending.NONE) {
+      return decided;
+    }
+    long turn = turns.getAsLong();
+    if (endingTurn != turn) {
+      endingTurn = turn;
+      failure = null;
+      farewellUntil = machine.now() + FAREWELL;
+    }
+    ending = decided;
+    if (decided == Ending.WANTED && lobby != null && !all) {
+      lobbies.remove(lobby);
+      interrupted.add(lobby);
+    }
+    return decided;
+  }
+
+  private Ending wantedOf(UrbiObject lobby) {
+    long turn = turns.getAsLong();
+    if (endingTurn != NONE) {
+      if (endingTurn == turn) {
+        return machine.now() - farewellUntil < 0 ? Ending.NONE : ending;
+      }
+      settle(turn);
+    }
+    if (all || lobby != null && lobbies.contains(lobby)) {
+      return Ending.WANTED;
+    }
+    return overdueTurn.get() == turn ? Ending.OVERDUE : Ending.NONE;
+  }
+
+  /** What was to end in an earlier turn has done so. */
+  private void settle(long turn) {
+    endingTurn = NONE;
+    long known = overdueTurn.get();
+    if (known != turn) {
+      overdueTurn.compareAndSet(known, NONE);
+    }
+    update();
+  }
+
+  /** How the running job ends, if it does. */
+  record Farewell(Ending ending, long until, RuntimeException failure) {}
+
+  /** The running job lets others run while it ends; null if it does not end. */
+  Farewell pause() {
+    return endingTurn == turns.getAsLong() ? new Farewell(ending, farewellUntil, failure) : null;
+  }
+
+  /** It goes on to end. */
+  void resume(Farewell paused) {
+    if (paused != null) {
+      endingTurn = turns.getAsLong();
+      ending = paused.ending;
+      farewellUntil = paused.until;
+      failure = paused.failure;
+      look();
+    }
+  }
+
+  /** Whether code of that lobby was interrupted, and the message that says so is still to come. */
+  public boolean isMessageDue(UrbiObject lobby) {
+    return interrupted.contains(lobby);
+  }
+
+  /** The code of that lobby is not to be interrupted any more. */
   public void clear(UrbiObject lobby) {
     lobbies.remove(lobby);
+    interrupted.remove(lobby);
+    update();
+  }
+
+  private void update() {
     wanted = counted;
-    if (!lobbies.isEmpty()) {
+    if (all || endingTurn != NONE || overdueTurn.get() != NONE || !lobbies.isEmpty()) {
       // Others wait, or one has come between the two.
       wanted = true;
     }

@@ -77,6 +77,8 @@ public final class Job implements Runnable {
   private int redefinitions;
   private int nonInterruptible;
   private double priority;
+  private String component;
+  private boolean componentInterrupted;
 
   Job(
       Scheduler scheduler,
@@ -249,6 +251,7 @@ public final class Job implements Runnable {
       // The code was stopped: a quiet end.
     } catch (Throwable t) {
       failure = t;
+      scheduler.beginTurn();
     }
     end(failure);
   }
@@ -303,6 +306,18 @@ public final class Job implements Runnable {
     }
     scheduler.enqueue(this);
     switchOut();
+  }
+
+  /** Leaves many calls by an exception, which takes long: lets others run if there are any. */
+  public void breathe() {
+    if (nonInterruptible == 0 && scheduler.hasOthers()) {
+      Interruptions.Farewell farewell = scheduler.interruptions().pause();
+      try {
+        yieldNow();
+      } finally {
+        scheduler.interruptions().resume(farewell);
+      }
+    }
   }
 
   /** Whether nobody else may run now. */
@@ -369,8 +384,53 @@ public final class Job implements Runnable {
 
   /** To be called now and then by code that never switches: somebody may want it ended. */
   public void checkInterrupted() {
-    if (scheduler.interruptions().areWanted() && scheduler.interruptions().take(lobby)) {
-      throw new TagStop(null, null);
+    if (scheduler.interruptions().areWanted()) {
+      scheduler.interruptions().check(this);
+    }
+  }
+
+  /** Java code of a component begins to run, as that function; {@link #leaveComponent} ends it. */
+  public String enterComponent(String function) {
+    String outer = component;
+    component = function;
+    return outer;
+  }
+
+  /**
+   * Java code of a component has returned, or has thrown something.
+   *
+   * @param outer what {@link #enterComponent} has returned
+   */
+  public void leaveComponent(String outer) {
+    if (outer != null || !scheduler.interruptions().areWanted()) {
+      component = outer;
+      return;
+    }
+    takeInterruption();
+    try {
+      checkInterrupted();
+    } finally {
+      component = null;
+    }
+  }
+
+  private synchronized void takeInterruption() {
+    if (componentInterrupted) {
+      componentInterrupted = false;
+      Thread.interrupted();
+    }
+  }
+
+  /** The function of a component that is being executed, or null. May be asked on any thread. */
+  public String component() {
+    return component;
+  }
+
+  /** Has the Java code of a component end its wait; from another thread. */
+  synchronized void interruptComponent(long turn) {
+    if (component != null && scheduler.turn() == turn) {
+      componentInterrupted = true;
+      thread.interrupt();
     }
   }
 

@@ -17,6 +17,9 @@ interface JobThread {
    */
   void suspend();
 
+  /** Ends what the job waits for in Java, while it keeps the loop waiting; from another thread. */
+  void interrupt();
+
   /** Whether the code that asks is that of the job. */
   boolean isCurrent();
 

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
@@ -47,7 +48,7 @@ public final class Scheduler {
   private Runnable whenQuiet = () -> {};
   private final Interruptions interruptions;
   private final JobThread.Factory threads;
-  private final ArrayDeque<Job> runnable = new ArrayDeque<>();
+  private final RunQueue runnable;
   private final ArrayDeque<Job> ahead = new ArrayDeque<>();
   private final ArrayDeque<Job> behind = new ArrayDeque<>();
   private final ArrayDeque<Job> born = new ArrayDeque<>();
@@ -56,6 +57,7 @@ public final class Scheduler {
   private final List<Runnable> endOfTick = new ArrayList<>();
   private final BiConsumer<Job, Throwable> uncaught;
   private Function<String, RuntimeException> refusals = IllegalStateException::new;
+  private final AtomicLong turns = new AtomicLong();
   private int births;
   private int spins;
   private long passed;
@@ -65,6 +67,7 @@ public final class Scheduler {
   private int timeHolders;
   private Job running;
   private boolean stopped;
+  private volatile boolean over;
   private long sequence;
   private final CycleStatistics statistics = new CycleStatistics();
 
@@ -83,9 +86,10 @@ public final class Scheduler {
     this.journal = journal;
     this.counted = journal.counts();
     this.inbox = new Inbox(journal);
-    this.interruptions = new Interruptions(journal);
+    this.interruptions = new Interruptions(this::turn, journal);
     this.clock = clock;
     this.pace = new Pace(clock);
+    this.runnable = new RunQueue(clock, inbox, journal);
     this.threads = threads.factory(inbox);
     this.uncaught = uncaught;
     inbox.register(Message.JOBS, this.threads::take);
@@ -176,6 +180,19 @@ public final class Scheduler {
   /** The job whose turn it is; null between turns. */
   public Job running() {
     return running;
+  }
+
+  /**
+   * The number of this turn: another one whenever a job begins to run, lets others run, or could
+   * have. May be asked on any thread.
+   */
+  long turn() {
+    return turns.getOpaque() + passed;
+  }
+
+  /** The job whose turn it is goes on, with something else: as if its turn had begun. */
+  public void beginTurn() {
+    turns.setOpaque(turns.getPlain() + 1);
   }
 
   /** All the jobs that have not ended, oldest first. */
@@ -273,12 +290,7 @@ public final class Scheduler {
 
   /** Whether there are others to run with at least that priority. */
   boolean hasOthersFrom(double priority) {
-    for (Job job : runnable) {
-      if (job.priority() >= priority) {
-        return true;
-      }
-    }
-    return false;
+    return runnable.hasAny(job -> job.priority() >= priority);
   }
 
   /** What a job is left with that waits where it must not. */
@@ -309,6 +321,25 @@ public final class Scheduler {
         whenEnded.run();
       }
     });
+  }
+
+  /**
+   * Ends jobs that hold the kernel for longer without letting others run; once, when the kernel has
+   * been started.
+   *
+   * @param limit in nanoseconds; {@link Long#MAX_VALUE} for none
+   * @param told when that has happened, on another thread, of the job and of the function of a
+   *     component that it executes, or null
+   */
+  public HoldWatch limitHolding(long limit, BiConsumer<Job, String> told) {
+    HoldWatch watch = new HoldWatch(this, limit, told);
+    watch.start();
+    return watch;
+  }
+
+  /** Whether the loop has ended. */
+  boolean isOver() {
+    return over;
   }
 
   /** Whether the code that asks runs on the kernel thread, in a job or between them. */
@@ -351,6 +382,7 @@ public final class Scheduler {
     threads.loopEnded();
     runEndOfTick();
     inbox.close();
+    over = true;
   }
 
   private void tick() {
@@ -415,24 +447,27 @@ public final class Scheduler {
 
   private void runOnce(boolean last) {
     births = 0;
-    for (int left = runnable.size(); left > 0 && (last || !stopped); left--) {
-      Job job = runnable.poll();
+    runnable.beginRound(now, last);
+    Job job;
+    while ((last || !stopped) && (job = runnable.next()) != null) {
       running = job;
+      beginTurn();
       job.resume();
       for (Job child = born.pollLast(); child != null; child = born.pollLast()) {
-        runnable.addFirst(child);
-        left++;
+        runnable.addToRound(child);
       }
     }
     running = null;
+    beginTurn();
   }
 
   private void runBehind() {
     for (int left = behind.size(); left > 0 && !stopped; left--) {
       Job job = behind.poll();
       running = job;
+      beginTurn();
       job.resume();
-      runnable.addAll(born);
+      born.forEach(runnable::add);
       born.clear();
     }
     running = null;

@@ -126,6 +126,11 @@ final class TickLoopThread implements JobThread, Executor {
   }
 
   @Override
+  public void interrupt() {
+    thread.interrupt();
+  }
+
+  @Override
   public boolean isCurrent() {
     return Thread.currentThread() == thread;
   }

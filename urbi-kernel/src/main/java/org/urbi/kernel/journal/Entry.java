@@ -49,6 +49,12 @@ public sealed interface Entry {
   /** A job that never lets others run is ended, at that safepoint of the tick. */
   record Stopped(long safepoint) implements Entry {}
 
+  /** A job that has held the kernel for too long is ended, at that safepoint of the tick. */
+  record Overdue(long safepoint) implements Entry {}
+
+  /** A round of jobs is cut short before that one of the tick. */
+  record Cut(int jobs) implements Entry {}
+
   /**
    * Bytes went out.
    *

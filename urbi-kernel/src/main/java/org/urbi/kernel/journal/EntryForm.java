@@ -23,6 +23,8 @@ public final class EntryForm {
     add(6, Entry.Stopped.class);
     add(7, Entry.Sent.class);
     add(8, Entry.Ended.class);
+    add(9, Entry.Overdue.class);
+    add(10, Entry.Cut.class);
     add(20, Message.Shutdown.class);
     add(21, Message.Resumed.class);
     add(22, Message.ConnectionOpened.class);

@@ -61,7 +61,16 @@ public interface Journal {
   }
 
   /** Whether a job that never lets others run ends here, as somebody may want. */
-  default boolean stops(boolean wanted) {
+  default Ending stops(Ending wanted) {
+    return wanted;
+  }
+
+  /**
+   * Whether a round of jobs is cut short here, because others wait.
+   *
+   * @param jobs how many jobs of this tick could have run, with the one that does not
+   */
+  default boolean cuts(int jobs, boolean wanted) {
     return wanted;
   }
 

@@ -58,10 +58,20 @@ public final class Recorder implements Journal {
   }
 
   @Override
-  public boolean stops(boolean wanted) {
+  public Ending stops(Ending wanted) {
     safepoints++;
-    if (wanted) {
+    if (wanted == Ending.WANTED) {
       file.write(new Entry.Stopped(safepoints));
+    } else if (wanted == Ending.OVERDUE) {
+      file.write(new Entry.Overdue(safepoints));
+    }
+    return wanted;
+  }
+
+  @Override
+  public boolean cuts(int jobs, boolean wanted) {
+    if (wanted) {
+      file.write(new Entry.Cut(jobs));
     }
     return wanted;
   }

@@ -169,9 +169,22 @@ public final class Replay implements Journal {
   }
 
   @Override
-  public boolean stops(boolean wanted) {
+  public Ending stops(Ending wanted) {
     safepoints++;
     if (next instanceof Entry.Stopped stopped && stopped.safepoint() == safepoints) {
+      advance();
+      return Ending.WANTED;
+    }
+    if (next instanceof Entry.Overdue overdue && overdue.safepoint() == safepoints) {
+      advance();
+      return Ending.OVERDUE;
+    }
+    return over ? Ending.WANTED : Ending.NONE;
+  }
+
+  @Override
+  public boolean cuts(int jobs, boolean wanted) {
+    if (next instanceof Entry.Cut cut && cut.jobs() == jobs) {
       advance();
       return true;
     }

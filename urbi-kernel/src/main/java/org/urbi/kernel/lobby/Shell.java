@@ -46,7 +46,7 @@ public final class Shell {
   private final Interpreter interpreter;
   private final UrbiLobby lobby;
   private final Listener listener;
-  private StatementReader reader = new StatementReader(null);
+  private StatementReader reader = newReader();
   private final StringBuilder received = new StringBuilder();
   private final Imports imports = new Imports();
   private Job job;
@@ -61,6 +61,11 @@ public final class Shell {
     this.interpreter = interpreter;
     this.lobby = lobby;
     this.listener = listener;
+  }
+
+  /** Reading a long statement can be interrupted, too. */
+  private StatementReader newReader() {
+    return new StatementReader(null, () -> job.checkInterrupted());
   }
 
   /** Begins to execute what comes in. */
@@ -119,7 +124,7 @@ public final class Shell {
   /** Ends the statement in the foreground and forgets the input behind it. */
   public void interrupt() {
     received.setLength(0);
-    reader = new StatementReader(null);
+    reader = newReader();
     if (busy) {
       UrbiObject nothing = interpreter.values().voidObject;
       foregroundTag.state().stop(nothing);
@@ -149,8 +154,18 @@ public final class Shell {
         Item item;
         try {
           item = nextItem(shell);
+        } catch (TagStop stop) {
+          if (closed || !stop.isInterruption()) {
+            throw stop;
+          }
+          awaitMessage(shell);
+          continue;
         } catch (Unwinding unwinding) {
           throw unwinding;
+        } catch (UrbiException overdue) {
+          interpreter.scheduler().beginTurn();
+          interpreter.report(shell, overdue);
+          continue;
         } catch (Throwable failure) {
           failed("the reader", failure);
           continue;
@@ -202,6 +217,13 @@ public final class Shell {
     return null;
   }
 
+  /** After an interruption the input behind is not executed: the message that says so comes now. */
+  private void awaitMessage(Job shell) {
+    do {
+      shell.yieldNow();
+    } while (!closed && interpreter.scheduler().interruptions().isMessageDue(lobby));
+  }
+
   private void awaitJobs(Job shell) {
     while (!closed && listener.stays()) {
       shell.setResting(true);
@@ -218,7 +240,14 @@ public final class Shell {
     Compilation.Compiled compiled;
     try {
       compiled = Compilation.compile(interpreter, statement.tree(), imports);
+    } catch (TagStop stop) {
+      if (closed || !stop.isInterruption()) {
+        throw stop;
+      }
+      awaitMessage(shell);
+      return;
     } catch (UrbiException e) {
+      interpreter.scheduler().beginTurn();
       interpreter.report(shell, e);
       return;
     } catch (Throwable failure) {
@@ -256,9 +285,13 @@ public final class Shell {
         if (closed) {
           throw stop;
         }
+        if (stop.isInterruption()) {
+          awaitMessage(shell);
+        }
       } catch (Unwinding unwinding) {
         // A return or a break that has nothing to leave.
       } catch (Throwable failure) {
+        interpreter.scheduler().beginTurn();
         interpreter.report(shell, failure);
       } finally {
         shell.leave(scope);

@@ -11,7 +11,8 @@ public final class UrbiLobby extends UrbiObject {
   private final UrbiTag connectionTag;
   private Output output;
   private Shell shell;
-  private String remoteAddress = "";
+  private String name = "Lobby";
+  private volatile String remoteAddress = "";
 
   /**
    * @param connectionTag labels all the code executed for this lobby
@@ -24,6 +25,11 @@ public final class UrbiLobby extends UrbiObject {
   /** The tag of all the code that is executed for this lobby. */
   public UrbiTag connectionTag() {
     return connectionTag;
+  }
+
+  /** The name of its {@link #connectionTag}, by which people know it. */
+  public String name() {
+    return name;
   }
 
   public void attach(Output to) {
@@ -62,8 +68,9 @@ public final class UrbiLobby extends UrbiObject {
   public static UrbiLobby start(Interpreter interpreter, Output output, Shell.Listener listener) {
     UrbiObject prototype = interpreter.world().prototype("Lobby");
     long number = interpreter.scheduler().nextNumber();
-    UrbiTag tag = UrbiTag.named(interpreter, "Lobby_" + number);
-    UrbiLobby made = new UrbiLobby(prototype.cloneShape(), tag);
+    String name = "Lobby_" + number;
+    UrbiLobby made = new UrbiLobby(prototype.cloneShape(), UrbiTag.named(interpreter, name));
+    made.name = name;
     made.attach(output);
     made.attach(new Shell(interpreter, made, listener));
     return made;

@@ -18,6 +18,7 @@ final class Background implements AutoCloseable {
 
   /** Starts a statement, with variables of its own but for those it shares by name. */
   void start(Frame frame, Node statement) {
+    frame.job.checkInterrupted();
     Branch branch = new Branch(statement);
     branch.frame = frame.fork(group.start(branch), true);
   }
@@ -35,6 +36,7 @@ final class Background implements AutoCloseable {
       UrbiObject value,
       CallSite inner,
       CallSite outer) {
+    frame.job.checkInterrupted();
     Branch branch = new Branch(statement);
     Frame forked = frame.forkThrough(group.start(branch), inner, outer);
     variable.declare(forked, value);

@@ -1,12 +1,17 @@
 package org.urbi.kernel.node;
 
 import java.util.Arrays;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.TagStop;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.ast.Ast;
 
 /** A function written in urbiscript (manual, "Code"), with the variables that it captured. */
 public final class Function extends Code {
+  /** How many calls are left by an exception before others may run; a power of two. */
+  private static final int CALLS_PER_BREATH = 1 << 10;
+
   /** What all the closures over one function text share. */
   public static final class Body {
     final Ast.Function source;
@@ -172,6 +177,11 @@ public final class Function extends Code {
         throw leave;
       }
       return leave.value();
+    } catch (UrbiException | TagStop e) {
+      if ((frame.depth & CALLS_PER_BREATH - 1) == 0) {
+        frame.job.breathe();
+      }
+      throw e;
     } finally {
       if (frame.scopeEnd != null) {
         frame.scopeEnd.run();

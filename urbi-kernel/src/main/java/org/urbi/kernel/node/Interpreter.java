@@ -71,6 +71,7 @@ public final class Interpreter {
     this.maximumDepth = scheduler.maximumDepth();
     scheduler.setRefusals(errors::scheduling);
     scheduler.interruptions().whenChanged(this::setCallLimit);
+    world.setCheckpoint(this::checkInterrupted);
   }
 
   public World world() {
@@ -117,6 +118,14 @@ public final class Interpreter {
       if (frame.depth > maximumDepth) {
         throw errors.scheduling("stack space exhausted");
       }
+    }
+  }
+
+  /** Ends the running job here, if there is one and somebody wants it. */
+  public void checkInterrupted() {
+    Job job = scheduler.running();
+    if (job != null) {
+      job.checkInterrupted();
     }
   }
 

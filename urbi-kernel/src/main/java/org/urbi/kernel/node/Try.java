@@ -67,6 +67,9 @@ public final class Try extends Node {
   }
 
   private UrbiObject handle(Frame frame, UrbiException exception) {
+    if (exception.isUncatchable()) {
+      throw exception;
+    }
     for (Clause clause : clauses) {
       if (clause.pattern != null) {
         frame.interpreter.describe(frame, exception);

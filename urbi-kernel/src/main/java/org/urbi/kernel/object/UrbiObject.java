@@ -1,10 +1,8 @@
 package org.urbi.kernel.object;
 
 import java.util.Arrays;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.Set;
 
 /**
  * An urbiscript object: slots, and prototypes to inherit slots from (manual, "Objects" and
@@ -150,23 +148,11 @@ public class UrbiObject {
       }
       at = protos[0];
     }
-    return locate(at, name, new HashSet<>());
-  }
-
-  private static UrbiObject locate(UrbiObject from, Symbol name, Set<UrbiObject> visited) {
-    if (!visited.add(from)) {
-      return null;
+    Ancestors ancestors = new Ancestors(at);
+    while ((at = ancestors.next()) != null && at.shape.indexOf(name) < 0) {
+      // Goes on with the next one.
     }
-    if (from.shape.indexOf(name) >= 0) {
-      return from;
-    }
-    for (UrbiObject proto : from.shape.protos) {
-      UrbiObject found = locate(proto, name, visited);
-      if (found != null) {
-        return found;
-      }
-    }
-    return null;
+    return at;
   }
 
   /** The value that the lookup of a name finds, or null; getters are not called. */
@@ -352,21 +338,11 @@ public class UrbiObject {
         return true;
       }
     }
-    return isA(at, ancestor, new HashSet<>());
-  }
-
-  private static boolean isA(UrbiObject from, UrbiObject ancestor, Set<UrbiObject> visited) {
-    if (from == ancestor) {
-      return true;
+    Ancestors ancestors = new Ancestors(at);
+    while ((at = ancestors.next()) != null && at != ancestor) {
+      // Goes on with the next one.
     }
-    if (visited.add(from)) {
-      for (UrbiObject proto : from.shape.protos) {
-        if (isA(proto, ancestor, visited)) {
-          return true;
-        }
-      }
-    }
-    return false;
+    return at != null;
   }
 
   // ------------------------------------------------------------------ dependency tracking
@@ -403,15 +379,9 @@ public class UrbiObject {
   /** The condition being evaluated, if any, depends on a slot that is nowhere to be found. */
   public final void noteAbsence() {
     if (shape.world.tracker != null) {
-      noteAbsence(this, new HashSet<>());
-    }
-  }
-
-  private static void noteAbsence(UrbiObject from, Set<UrbiObject> visited) {
-    if (visited.add(from)) {
-      from.noteStructureRead();
-      for (UrbiObject proto : from.shape.protos) {
-        noteAbsence(proto, visited);
+      Ancestors ancestors = new Ancestors(this);
+      for (UrbiObject at = ancestors.next(); at != null; at = ancestors.next()) {
+        at.noteStructureRead();
       }
     }
   }

@@ -16,12 +16,23 @@ public final class World {
   private final Values values = new Values(this);
   private final Map<String, UrbiObject> prototypes = new LinkedHashMap<>();
   private long lastUid = 0x7f00_0000L;
+  private Runnable checkpoint = () -> {};
 
   /** Who wants to know which slots are read, while a condition is evaluated; usually null. */
   public Dependencies.Tracker tracker;
 
   /** Whether calls are counted, so that operators must be called as they are written. */
   public boolean profiled;
+
+  /** Sets what is asked again and again in a long walk, to end it by an exception. */
+  public void setCheckpoint(Runnable question) {
+    checkpoint = question;
+  }
+
+  /** A long walk goes on. */
+  void passCheckpoint() {
+    checkpoint.run();
+  }
 
   /** The one symbol of that name. */
   public Symbol symbol(String name) {

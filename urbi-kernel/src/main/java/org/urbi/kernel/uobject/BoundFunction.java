@@ -69,7 +69,7 @@ final class BoundFunction extends Code {
   }
 
   private UrbiObject direct(Frame caller, CallSite site, UrbiObject[] arguments) {
-    Frame outer = context.leave(caller);
+    Frame outer = context.leave(caller, callback.name());
     UrbiObject result;
     try {
       result = (UrbiObject) whole.invokeExact(arguments);
@@ -95,7 +95,7 @@ final class BoundFunction extends Code {
   }
 
   private Object[] converted(Frame caller, UrbiObject[] arguments) throws Throwable {
-    Frame outer = context.leave(caller);
+    Frame outer = context.leave(caller, callback.name());
     try {
       return context.converters().arguments(callback, arguments);
     } finally {

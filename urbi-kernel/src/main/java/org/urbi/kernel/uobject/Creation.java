@@ -143,7 +143,7 @@ public final class Creation {
 
   /** Runs a constructor. */
   <T> T construct(Frame frame, String name, Callable<T> constructor) {
-    Frame outer = context.leave(frame);
+    Frame outer = context.leave(frame, "the constructor of " + name);
     try {
       return constructor.call();
     } catch (Throwable e) {
@@ -215,7 +215,7 @@ public final class Creation {
       forget(instance);
       return;
     }
-    Frame outer = context.leave(frame);
+    Frame outer = context.leave(frame, "clean of " + instance.name());
     try {
       java.clean();
     } finally {

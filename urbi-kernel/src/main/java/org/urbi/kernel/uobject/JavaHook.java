@@ -42,7 +42,7 @@ final class JavaHook implements Hook {
 
   @Override
   public void run(Frame frame, UrbiUVar variable, Datum value) {
-    Frame outer = context.leave(frame);
+    Frame outer = context.leave(frame, callback.name());
     long started = statistics.begin();
     try {
       if (callback.isThreaded()) {

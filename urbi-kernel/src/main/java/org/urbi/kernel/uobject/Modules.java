@@ -123,7 +123,7 @@ public final class Modules {
   }
 
   private UModule read(Frame frame, Path file, boolean library) {
-    Frame outer = context.leave(frame);
+    Frame outer = context.leave(frame, file.toString());
     try {
       return library ? ModuleFiles.loadLibrary(file, libraries) : ModuleFiles.load(file, libraries);
     } finally {

@@ -177,14 +177,19 @@ public final class PluggedContext implements UContext {
 
   // ------------------------------------------------------------------ to and fro
 
-  /** Code of urbiscript is about to call Java code; {@link #back} is to be given the result. */
-  Frame leave(Frame caller) {
+  /**
+   * Code of urbiscript is about to call Java code; {@link #back} is to be given the result.
+   *
+   * @param function what is called, for people
+   */
+  Frame leave(Frame caller, String function) {
     Crossing crossing = Crossing.of(caller.job());
     Frame outer = crossing.caller;
     crossing.caller = caller;
     if (outer == null) {
       UContext.enter(this);
       KernelThreadPin.pin();
+      caller.job().enterComponent(function);
     }
     return outer;
   }
@@ -197,8 +202,15 @@ public final class PluggedContext implements UContext {
       KernelThreadPin.unpin();
     }
     Unwinding unwinding = crossing.unwinding;
+    crossing.unwinding = null;
+    try {
+      if (outer == null) {
+        caller.job().leaveComponent(null);
+      }
+    } catch (UrbiException overdue) {
+      throw unwinding == null ? overdue : unwinding;
+    }
     if (unwinding != null) {
-      crossing.unwinding = null;
       throw unwinding;
     }
   }
@@ -223,12 +235,14 @@ public final class PluggedContext implements UContext {
     }
     crossing.caller = null;
     KernelThreadPin.unpin();
+    String function = job.enterComponent(null);
     try {
       return translated(caller, task);
     } catch (Unwinding e) {
       crossing.unwinding = e;
       throw e;
     } finally {
+      job.enterComponent(function);
       KernelThreadPin.pin();
       crossing.caller = caller;
     }
@@ -293,7 +307,7 @@ public final class PluggedContext implements UContext {
     Frame frame = Frame.top(interpreter, job, lobby, new FrameLayout());
     CallStatistics.Entry entry = statistics.entry(callback.name());
     long started = entry.begin();
-    Frame outer = leave(frame);
+    Frame outer = leave(frame, callback.name());
     try {
       callback.call();
     } catch (Unwinding e) {

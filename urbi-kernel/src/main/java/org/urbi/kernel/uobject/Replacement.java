@@ -125,7 +125,7 @@ final class Replacement {
   }
 
   private void clean(Frame frame, UObject java) {
-    Frame outer = context.leave(frame);
+    Frame outer = context.leave(frame, "clean of " + java.get__name());
     try {
       java.clean();
     } finally {

@@ -6,7 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
+import org.urbi.kernel.journal.Ending;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.object.UrbiObject;
@@ -87,17 +89,35 @@ class InboxTest {
 
   @Test
   void whoIsInterruptedIsSoOnce() {
-    Interruptions interruptions = new Interruptions(Journal.NONE);
+    AtomicLong turn = new AtomicLong();
+    Interruptions interruptions = new Interruptions(turn::get, Journal.NONE);
     UrbiObject lobby = new World().values().object.cloned();
     UrbiObject other = new World().values().object.cloned();
     assertFalse(interruptions.areWanted());
     interruptions.want(lobby);
     interruptions.want(other);
     assertTrue(interruptions.areWanted());
-    assertTrue(interruptions.take(lobby));
-    assertFalse(interruptions.take(lobby));
+    assertEquals(Ending.WANTED, interruptions.decide(lobby));
+    turn.incrementAndGet();
+    assertEquals(Ending.NONE, interruptions.decide(lobby));
     assertTrue(interruptions.areWanted());
     interruptions.clear(other);
+    assertFalse(interruptions.areWanted());
+  }
+
+  @Test
+  void whatEndsHasAMomentToCleanUpAndNoMore() throws InterruptedException {
+    AtomicLong turn = new AtomicLong(7);
+    Interruptions interruptions = new Interruptions(turn::get, Journal.NONE);
+    UrbiObject lobby = new World().values().object.cloned();
+    interruptions.wantOverdue(7);
+    assertEquals(Ending.OVERDUE, interruptions.decide(lobby));
+    while (interruptions.decide(lobby) == Ending.NONE) {
+      Thread.sleep(1);
+    }
+    assertEquals(Ending.OVERDUE, interruptions.decide(lobby));
+    turn.incrementAndGet();
+    assertEquals(Ending.NONE, interruptions.decide(lobby));
     assertFalse(interruptions.areWanted());
   }
 }

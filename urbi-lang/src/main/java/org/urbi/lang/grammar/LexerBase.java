@@ -20,10 +20,16 @@ public abstract class LexerBase extends Lexer {
   private int depth;
   private boolean separatorDue;
   private int endOfName = -1;
+  private Checkpoint checkpoint = Checkpoint.NONE;
 
   protected LexerBase(CharStream input) {
     super(input);
     this.stream = (TextStream) input;
+  }
+
+  /** Sets what is passed before each token. */
+  public void setCheckpoint(Checkpoint passed) {
+    checkpoint = passed;
   }
 
   /** What was wrong or is deprecated, in the order of the text. */
@@ -39,6 +45,7 @@ public abstract class LexerBase extends Lexer {
       previous = UrbiscriptLexer.SEMICOLON;
       return new UrbiToken(_tokenFactorySourcePair, UrbiscriptLexer.SEMICOLON, 0, at, at - 1, ";");
     }
+    checkpoint.pass();
     return super.nextToken();
   }
 

@@ -11,9 +11,15 @@ public abstract class ParserBase extends Parser {
   static final int MAXIMUM_DEPTH = 3000;
 
   private int open;
+  private Checkpoint checkpoint = Checkpoint.NONE;
 
   protected ParserBase(TokenStream input) {
     super(input);
+  }
+
+  /** Sets what is passed at the beginning of each rule. */
+  public void setCheckpoint(Checkpoint passed) {
+    checkpoint = passed;
   }
 
   /** Whether an expression may stand before a colon: it has no operators but assignment. */
@@ -31,6 +37,7 @@ public abstract class ParserBase extends Parser {
   @Override
   public void enterRule(ParserRuleContext context, int state, int ruleIndex) {
     super.enterRule(context, state, ruleIndex);
+    checkpoint.pass();
     if (++open > MAXIMUM_DEPTH) {
       throw new NestingException(_input.LT(1));
     }

@@ -23,6 +23,7 @@ public final class StatementReader {
   private final LineTable lines;
   private Splitter splitter;
   private final int maximumSize;
+  private final Runnable checkpoint;
   private final StringBuilder buffer = new StringBuilder();
   private int start;
   private int position;
@@ -31,17 +32,33 @@ public final class StatementReader {
 
   /** A reader without limit to the size of a statement. */
   public StatementReader(String file) {
-    this(file, Integer.MAX_VALUE);
+    this(file, Integer.MAX_VALUE, () -> {});
   }
 
   /**
+   * A reader without limit to the size of a statement.
+   *
+   * @param checkpoint called again and again by {@link #next}, which it ends by an exception
+   */
+  public StatementReader(String file, Runnable checkpoint) {
+    this(file, Integer.MAX_VALUE, checkpoint);
+  }
+
+  /**
+   * A reader that cannot be interrupted.
+   *
    * @param file the name that locations show, or null
    * @param maximumSize the length, in characters, beyond which a statement is refused
    */
   public StatementReader(String file, int maximumSize) {
+    this(file, maximumSize, () -> {});
+  }
+
+  private StatementReader(String file, int maximumSize, Runnable checkpoint) {
     this.lines = new LineTable(file, 1);
     this.splitter = new Splitter(lines);
     this.maximumSize = maximumSize;
+    this.checkpoint = checkpoint;
   }
 
   /** Adds input: each {@code char} is a byte, from 0 to 255. */
@@ -148,7 +165,7 @@ public final class StatementReader {
     String text = buffer.substring(start, position);
     Source source = lines.cut(text);
     start = position;
-    Parsed parsed = UrbiParser.parseStatement(source, 0, text.length());
+    Parsed parsed = UrbiParser.parseStatement(source, 0, text.length(), checkpoint);
     return result(parsed, parsed.separator());
   }
 

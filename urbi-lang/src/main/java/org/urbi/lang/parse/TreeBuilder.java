@@ -4,6 +4,7 @@ import java.util.List;
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 import org.urbi.lang.ast.Ast;
+import org.urbi.lang.grammar.Checkpoint;
 import org.urbi.lang.grammar.UrbiToken;
 import org.urbi.lang.grammar.UrbiscriptParser.IdentifierContext;
 import org.urbi.lang.grammar.UrbiscriptParser.NameContext;
@@ -34,15 +35,18 @@ final class TreeBuilder {
 
   private final Source source;
   private final List<SyntaxWarning> warnings;
+  private final Checkpoint checkpoint;
   private int height;
 
-  TreeBuilder(Source source, List<SyntaxWarning> warnings) {
+  TreeBuilder(Source source, List<SyntaxWarning> warnings, Checkpoint checkpoint) {
     this.source = source;
+    this.checkpoint = checkpoint;
     this.warnings = warnings;
   }
 
   /** Tells that what is built next lies that much deeper, until {@link #leave}. */
   void enter(int levels, ParserRuleContext context) {
+    checkpoint.pass();
     height += levels;
     if (height > MAXIMUM_HEIGHT) {
       throw TokenNames.failure(source, context.getStart(), "nesting too deep");

@@ -7,6 +7,7 @@ import org.antlr.v4.runtime.atn.PredictionMode;
 import org.antlr.v4.runtime.misc.ParseCancellationException;
 import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
+import org.urbi.lang.grammar.Checkpoint;
 import org.urbi.lang.grammar.LexicalIssue;
 import org.urbi.lang.grammar.NestingException;
 import org.urbi.lang.grammar.TextStream;
@@ -34,14 +35,29 @@ public final class UrbiParser {
     return parse(Sources.of(text, file), 0, text.length());
   }
 
-  /** Parses a part of a text as if it were a complete one. */
-  public static Parsed parse(Source source, int begin, int end) {
-    return new Run(source, begin, end, false).parse();
+  /**
+   * Parses a complete text, the last statement of which needs no separator.
+   *
+   * @param file the name that locations show, or null
+   * @param checkpoint called again and again, to end the parsing by an exception
+   * @return a {@link Ast.Sequence}, or errors
+   */
+  public static Parsed parse(String text, String file, Runnable checkpoint) {
+    return new Run(Sources.of(text, file), 0, text.length(), false, checkpoint).parse();
   }
 
-  /** Parses a part of a text that must be exactly one statement and its separator. */
-  public static Parsed parseStatement(Source source, int begin, int end) {
-    return new Run(source, begin, end, true).parse();
+  /** Parses a part of a text as if it were a complete one. */
+  public static Parsed parse(Source source, int begin, int end) {
+    return new Run(source, begin, end, false, () -> {}).parse();
+  }
+
+  /**
+   * Parses a part of a text that must be exactly one statement and its separator.
+   *
+   * @param checkpoint called again and again, to end the parsing by an exception
+   */
+  public static Parsed parseStatement(Source source, int begin, int end, Runnable checkpoint) {
+    return new Run(source, begin, end, true, checkpoint).parse();
   }
 
   /** One text being parsed. */
@@ -51,12 +67,15 @@ public final class UrbiParser {
     private final UrbiscriptLexer lexer;
     private final CommonTokenStream tokens;
     private final List<SyntaxWarning> warnings = new ArrayList<>();
+    private final Checkpoint checkpoint;
     private Ast.@Nullable Flavor separator;
 
-    Run(Source source, int begin, int end, boolean single) {
+    Run(Source source, int begin, int end, boolean single, Runnable checkpoint) {
       this.source = source;
       this.single = single;
+      this.checkpoint = new Checkpoint(checkpoint);
       this.lexer = new UrbiscriptLexer(new TextStream(source.text(), begin, end));
+      lexer.setCheckpoint(this.checkpoint);
       this.tokens = new CommonTokenStream(lexer);
     }
 
@@ -104,8 +123,9 @@ public final class UrbiParser {
       var parser = new UrbiscriptParser(tokens);
       parser.setErrorHandler(new Bail());
       parser.removeErrorListeners();
+      parser.setCheckpoint(checkpoint);
       parser.setInterpreter(new Prediction(parser, mode));
-      var builder = new TreeBuilder(source, warnings);
+      var builder = new TreeBuilder(source, warnings, checkpoint);
       if (!single) {
         return builder.statements.sequence(parser.program().sequence());
       }

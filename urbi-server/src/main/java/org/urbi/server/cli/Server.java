@@ -55,6 +55,7 @@ final class Server {
             .library(SearchPath.library(SearchPath.root()))
             .moduleSearchPath(settings.moduleSearchPath().directories())
             .stackSize(settings.stackSize())
+            .maxHold(settings.maxHold())
             .logLevel(LogLevel.of(settings.trace().level().name()))
             .commandLine(settings.program(), settings.arguments())
             .onHalt(this::halt)

@@ -1,6 +1,7 @@
 package org.urbi.server.cli;
 
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import org.urbi.server.Trace;
 
@@ -10,6 +11,7 @@ import org.urbi.server.Trace;
  * @param moduleSearchPath where UObjects are looked for
  * @param fast whether time is simulated
  * @param stackSize of a job, in KiB; 0: the kernel's choice
+ * @param maxHold how long a job may hold the kernel; zero for as long as it likes
  * @param quiet whether clients are not sent a banner
  * @param port where to listen; 0 for any, {@link #NO_PORT} for nowhere
  * @param portFile where to write the port's number, or null
@@ -27,6 +29,7 @@ record Settings(
     SearchPath moduleSearchPath,
     boolean fast,
     int stackSize,
+    Duration maxHold,
     boolean quiet,
     String host,
     int port,

@@ -2,6 +2,7 @@ package org.urbi.server.cli;
 
 import java.io.PrintStream;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.server.Trace;
@@ -14,6 +15,9 @@ import org.urbi.server.source.SourceText;
 /** The program {@code urbi}: runs an Urbi server (manual, section 21.3). */
 public final class UrbiCommand {
   private static final int HIGHEST_PORT = 65_535;
+
+  /** Of a server. */
+  private static final Duration MAX_HOLD = Duration.ofSeconds(5);
 
   private final Inputs inputs = new Inputs();
   private final List<String> modules = new ArrayList<>();
@@ -67,6 +71,11 @@ public final class UrbiCommand {
             "Listen on PORT; 0 takes any free one, -1 (the default) does not listen.",
             "-P",
             "--port")
+        .option(
+            "TIME",
+            "End a job that holds the kernel for longer without letting others run, as 500ms or 5s;"
+                + " 0: none (default: 5s with a port, otherwise none).",
+            "--max-hold")
         .option(
             "NUMBER",
             "Serve so many clients of the port at a time; 0 (the default): any number.",
@@ -130,6 +139,7 @@ public final class UrbiCommand {
             System.getenv("URBI_UOBJECT_PATH"), SearchPath.standardModules(SearchPath.root())),
         arguments.has("--fast"),
         stackSize(arguments),
+        arguments.duration("--max-hold", port != Settings.NO_PORT ? MAX_HOLD : Duration.ZERO),
         arguments.has("--quiet"),
         arguments.value("--host", "127.0.0.1"),
         port,

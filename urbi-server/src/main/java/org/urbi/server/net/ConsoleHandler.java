@@ -73,7 +73,11 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
 
   @Override
   public void userEventTriggered(ChannelHandlerContext context, Object event) {
-    if (event == TelnetInterrupt.INSTANCE && !over) {
+    if (event instanceof OperatorRequest request && !over) {
+      String told =
+          "[00000000" + OperatorRequest.ANSWER + connection.interrupt(request.lobby()) + "\n";
+      context.writeAndFlush(Unpooled.copiedBuffer(told, StandardCharsets.ISO_8859_1));
+    } else if (event == TelnetInterrupt.INSTANCE && !over) {
       connection.interrupt();
     } else if (event == ChannelInputShutdownEvent.INSTANCE) {
       if (over) {

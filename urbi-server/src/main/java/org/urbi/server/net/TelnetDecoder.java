@@ -34,6 +34,7 @@ final class TelnetDecoder extends ChannelInboundHandlerAdapter {
 
   private final BinaryMark binary = new BinaryMark();
   private State state = State.DATA;
+  private final StringBuilder subnegotiation = new StringBuilder();
   private int command;
 
   @Override
@@ -95,11 +96,26 @@ final class TelnetDecoder extends ChannelInboundHandlerAdapter {
       case SUBNEGOTIATION -> {
         if (code == IAC) {
           state = State.SUBNEGOTIATION_COMMAND;
+        } else if (subnegotiation.length() < OperatorRequest.LONGEST) {
+          subnegotiation.append((char) code);
         }
       }
-      case SUBNEGOTIATION_COMMAND -> state = code == SE ? State.DATA : State.SUBNEGOTIATION;
+      case SUBNEGOTIATION_COMMAND -> {
+        state = code == SE ? State.DATA : State.SUBNEGOTIATION;
+        if (code == SE) {
+          subnegotiated(context);
+        }
+      }
     }
     return reply;
+  }
+
+  private void subnegotiated(ChannelHandlerContext context) {
+    OperatorRequest request = OperatorRequest.parse(subnegotiation.toString());
+    subnegotiation.setLength(0);
+    if (request != null) {
+      context.fireUserEventTriggered(request);
+    }
   }
 
   private void data(byte b, ByteBuf out) {

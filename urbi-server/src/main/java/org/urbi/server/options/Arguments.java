@@ -1,9 +1,15 @@
 package org.urbi.server.options;
 
+import java.time.Duration;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** A command line that was understood. */
 public final class Arguments {
+  private static final Pattern DURATION =
+      Pattern.compile("(\\d{1,9}(?:\\.\\d{1,9})?)(ms|s|min|h|)");
+
   private final Reading reading;
 
   Arguments(Reading reading) {
@@ -56,6 +62,32 @@ public final class Arguments {
             ? "a number, " + least + " or more"
             : "a number from " + least + " to " + most;
     throw Failure.usage("invalid " + what + ": " + text + " (" + range + ")");
+  }
+
+  /**
+   * The value of an option that is a duration, as urbiscript writes it: a number, followed by
+   * {@code ms}, {@code s}, {@code min} or {@code h}; seconds without a unit.
+   *
+   * @throws Failure if it is none
+   */
+  public Duration duration(String option, Duration otherwise) {
+    String text = value(option, null);
+    if (text == null) {
+      return otherwise;
+    }
+    Matcher matcher = DURATION.matcher(text.strip());
+    if (!matcher.matches()) {
+      throw Failure.usage("invalid " + option + ": " + text + " (a duration, as 500ms or 5s)");
+    }
+    double milliseconds =
+        Double.parseDouble(matcher.group(1))
+            * switch (matcher.group(2)) {
+              case "ms" -> 1;
+              case "min" -> 60_000;
+              case "h" -> 3_600_000;
+              default -> 1000;
+            };
+    return Duration.ofMillis((long) Math.ceil(milliseconds));
   }
 
   /** The arguments that are not options, in order. */

@@ -1,10 +1,14 @@
 package org.urbi.server.tools;
 
+import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStreamReader;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.urbi.server.net.OperatorRequest;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
@@ -15,6 +19,8 @@ import org.urbi.server.source.Inputs;
  * until it hangs up (manual, section 21.8).
  */
 public final class UrbiSend {
+  private static final int ANSWER_MILLISECONDS = 5000;
+
   private final Inputs inputs = new Inputs();
   private final PrintStream out;
   private final PrintStream err;
@@ -41,12 +47,23 @@ public final class UrbiSend {
         .flag(
             "Disconnect once the commands have been executed, like -e 'quit;' at the end.",
             "-Q",
-            "--quit");
+            "--quit")
+        .flag(
+            "Interrupt what holds the server, or the lobby that is named, although the server"
+                + " answers nobody; tell what was done.",
+            "--interrupt")
+        .arguments("[LOBBY]", "The name of a lobby for --interrupt, as Lobby_3.");
     return program.run(args, out, err, this::send);
   }
 
   private int send(Arguments arguments) {
     Target target = Target.of(arguments, arguments.value("--host", "127.0.0.1"));
+    if (arguments.has("--interrupt")) {
+      return interrupt(target, arguments.rest());
+    }
+    if (!arguments.rest().isEmpty()) {
+      throw Failure.usage("unexpected argument: " + arguments.rest().getFirst());
+    }
     boolean quit = arguments.has("--quit");
     String text = inputs.text() + (quit ? "quit;\n" : "");
     try (Socket socket = target.connect()) {
@@ -60,6 +77,33 @@ public final class UrbiSend {
       return 0;
     } catch (IOException e) {
       throw Failure.of("connection lost: " + e.getMessage());
+    }
+  }
+
+  /** The network thread of the server answers; the kernel need not. */
+  private int interrupt(Target target, List<String> lobby) {
+    if (lobby.size() > 1) {
+      throw Failure.usage("--interrupt takes one lobby");
+    }
+    try (Socket socket = target.connect()) {
+      socket.setSoTimeout(ANSWER_MILLISECONDS);
+      OutputStream to = socket.getOutputStream();
+      to.write(OperatorRequest.bytes(lobby.isEmpty() ? "" : lobby.getFirst()));
+      to.flush();
+      BufferedReader from =
+          new BufferedReader(
+              new InputStreamReader(socket.getInputStream(), StandardCharsets.ISO_8859_1));
+      for (String line = from.readLine(); line != null; line = from.readLine()) {
+        int answer = line.indexOf(OperatorRequest.ANSWER);
+        if (answer >= 0) {
+          String told = line.substring(answer + OperatorRequest.ANSWER.length());
+          out.println(told);
+          return told.startsWith("interrupted") ? 0 : 1;
+        }
+      }
+      throw Failure.of("the server hung up");
+    } catch (IOException e) {
+      throw Failure.of("no answer: " + e.getMessage());
     }
   }
 

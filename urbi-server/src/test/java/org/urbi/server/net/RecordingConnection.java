@@ -49,4 +49,9 @@ final class RecordingConnection implements Connection {
   public CompletableFuture<List<String>> complete(String text) {
     throw new UnsupportedOperationException();
   }
+
+  @Override
+  public String interrupt(String lobby) {
+    return "asked for " + lobby;
+  }
 }

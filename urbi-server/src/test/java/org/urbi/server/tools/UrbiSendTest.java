@@ -1,15 +1,24 @@
 package org.urbi.server.tools;
 
+import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.net.ServerSocket;
+import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.urbi.kernel.Kernel;
+import org.urbi.server.Trace;
+import org.urbi.server.net.ConsoleServer;
+import org.urbi.server.net.Limits;
 
 class UrbiSendTest {
   private static Captured send(String... args) {
@@ -83,5 +92,35 @@ class UrbiSendTest {
   void aMissingFileIsSaidBeforeAnythingIsSent() {
     Captured run = send("-P1", "-f", "no/such.u");
     assertEquals(new Captured(1, "", "urbi-send: no such file: no/such.u\n"), run);
+  }
+
+  @Test
+  void whatHoldsTheServerCanBeInterrupted() throws Exception {
+    Kernel kernel = Kernel.builder().maxHold(Duration.ofHours(1)).log(line -> {}).start();
+    try (ConsoleServer server =
+            new ConsoleServer(
+                new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
+                client -> kernel.connect(client, false),
+                Limits.DEFAULT,
+                new Trace(Trace.Level.NONE, System.err));
+        Socket client = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
+      Captured nobody = send("-P" + server.port(), "--interrupt");
+      assertEquals(new Captured(1, "nobody holds the kernel\n", ""), nobody);
+      for (String lobby : List.of("", "Lobby_1")) {
+        client.getOutputStream().write("while| (true) {};\n".getBytes(US_ASCII));
+        client.getOutputStream().flush();
+        Captured run;
+        do {
+          run = send("-P" + server.port(), "--interrupt", lobby);
+        } while (run.out().startsWith("nobody"));
+        assertEquals(0, run.status(), run.out());
+        assertTrue(run.out().matches("interrupted: .*Lobby_1 \\(127.0.0.1\\).*\n"), run.out());
+      }
+      Captured unknown = send("-P" + server.port(), "--interrupt", "Lobby_0");
+      assertEquals(1, unknown.status());
+      assertTrue(unknown.out().contains("no such lobby: Lobby_0; there are Lobby_1 ("));
+    } finally {
+      kernel.close();
+    }
   }
 }

@@ -29,7 +29,7 @@ public final class ListOrder {
       Frame caller, CallSite site, UrbiList self, @Optional UrbiObject fun) {
     Comparison.Order order = Comparison.order(caller, site, self, fun);
     try {
-      return Comparison.sorted(self.elements(), order);
+      return Comparison.sorted(caller, self.elements(), order);
     } catch (UrbiException e) {
       throw fun == null ? incomparable(caller, site, 1, e) : e;
     }

@@ -32,7 +32,7 @@ public final class Evaluation {
    */
   public static UrbiObject eval(
       Frame frame, CallSite site, UrbiObject target, String text, String file) {
-    Parsed parsed = UrbiParser.parse(text, file);
+    Parsed parsed = UrbiParser.parse(text, file, frame.job()::checkInterrupted);
     for (SyntaxWarning warning : parsed.warnings()) {
       Warnings.at(frame, site, warning.span(), warning.message());
     }

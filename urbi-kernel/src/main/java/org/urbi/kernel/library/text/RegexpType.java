@@ -59,8 +59,8 @@ final class RegexpType {
   @Builtin(
       value = {"match", "has"},
       doc = "Whether a part of a string matches.")
-  static boolean match(UrbiRegexp self, String str) {
-    Matcher matcher = self.pattern().matcher(str);
+  static boolean match(Frame caller, UrbiRegexp self, String str) {
+    Matcher matcher = self.pattern().matcher(new InterruptibleText(str, caller.job()));
     List<String> groups = new ArrayList<>();
     boolean found = matcher.find();
     if (found) {

@@ -13,6 +13,7 @@ import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
+import org.urbi.lang.grammar.Checkpoint;
 
 /** Strings as texts (manual, "String"): splitting, likeness, kinds of characters. */
 @UrbiTypePart("String")
@@ -50,14 +51,26 @@ final class StringText {
     // Words are what is between spaces, however many.
     boolean withEmpty = keepEmpty == null ? sep != null : Truth.of(caller, keepEmpty);
     List<UrbiObject> parts = new ArrayList<>();
-    for (String part : split(self.value(), separators, limit, withSeparators, withEmpty)) {
+    for (String part :
+        split(
+            self.value(),
+            separators,
+            limit,
+            withSeparators,
+            withEmpty,
+            new Checkpoint(caller.job()::checkInterrupted))) {
       parts.add(StringType.string(caller, part));
     }
     return parts;
   }
 
   private static List<String> split(
-      String text, List<String> separators, int limit, boolean keepSep, boolean keepEmpty) {
+      String text,
+      List<String> separators,
+      int limit,
+      boolean keepSep,
+      boolean keepEmpty,
+      Checkpoint checkpoint) {
     if (separators.contains("")) {
       return characters(text, limit);
     }
@@ -68,7 +81,7 @@ final class StringText {
     int at = 0;
     int left = limit;
     while (at < text.length() && left != 0) {
-      String found = separatorAt(text, at, longestFirst);
+      String found = separatorAt(text, at, longestFirst, checkpoint);
       if (found == null) {
         at++;
         continue;
@@ -96,8 +109,10 @@ final class StringText {
     return parts;
   }
 
-  private static String separatorAt(String text, int at, List<String> separators) {
+  private static String separatorAt(
+      String text, int at, List<String> separators, Checkpoint checkpoint) {
     for (String separator : separators) {
+      checkpoint.pass();
       if (text.startsWith(separator, at)) {
         return separator;
       }

@@ -11,6 +11,7 @@ import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.Values;
+import org.urbi.lang.grammar.Checkpoint;
 
 /**
  * Compares values by the operators of urbiscript; directly, where they are plain numbers or strings
@@ -101,13 +102,14 @@ public final class Comparison {
    * A sorted copy. What comes neither before nor after another one stays where it was, whatever the
    * order, even one that contradicts itself.
    */
-  public static List<UrbiObject> sorted(List<UrbiObject> elements, Order order) {
+  public static List<UrbiObject> sorted(Frame caller, List<UrbiObject> elements, Order order) {
+    Checkpoint checkpoint = new Checkpoint(caller.job()::checkInterrupted);
     UrbiObject[] from = elements.toArray(UrbiObject[]::new);
     UrbiObject[] to = new UrbiObject[from.length];
     for (int width = 1; width < from.length; width *= 2) {
       for (int start = 0; start < from.length; start += 2 * width) {
         int middle = Math.min(start + width, from.length);
-        merge(from, to, start, middle, Math.min(middle + width, from.length), order);
+        merge(from, to, start, middle, Math.min(middle + width, from.length), order, checkpoint);
       }
       UrbiObject[] swapped = from;
       from = to;
@@ -117,10 +119,17 @@ public final class Comparison {
   }
 
   private static void merge(
-      UrbiObject[] from, UrbiObject[] to, int start, int middle, int end, Order order) {
+      UrbiObject[] from,
+      UrbiObject[] to,
+      int start,
+      int middle,
+      int end,
+      Order order,
+      Checkpoint checkpoint) {
     int left = start;
     int right = middle;
     for (int i = start; i < end; i++) {
+      checkpoint.pass();
       boolean takeRight = left >= middle || right < end && order.less(from[right], from[left]);
       to[i] = takeRight ? from[right++] : from[left++];
     }

@@ -1,0 +1,70 @@
+package org.urbi.kernel;
+
+import java.time.Duration;
+import org.urbi.kernel.error.Errors;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.HoldWatch;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.log.KernelLog;
+import org.urbi.kernel.log.LogLevel;
+
+/** What becomes of a job that holds the kernel without letting others run. */
+final class HoldLimit {
+  private final Errors errors;
+  private final KernelLog log;
+  private final Duration limit;
+
+  private HoldLimit(Errors errors, KernelLog log, Duration limit) {
+    this.errors = errors;
+    this.log = log;
+    this.limit = limit;
+  }
+
+  /**
+   * Sets the limit of a kernel that has been started.
+   *
+   * @param limit zero for none
+   * @return who watches, or null when nobody does
+   */
+  static HoldWatch set(Scheduler scheduler, Errors errors, KernelLog log, Duration limit) {
+    HoldLimit holding = new HoldLimit(errors, log, limit);
+    // A recording may have reached a limit which its replay does not have.
+    scheduler.interruptions().setOverdueFailure(holding::failure);
+    if (limit.isZero() || scheduler.journal().isReplay()) {
+      return null;
+    }
+    return scheduler.limitHolding(limit.toNanos(), holding::tell);
+  }
+
+  private UrbiException failure(Job job) {
+    return errors.limit(described(job, job.component()) + " has held the kernel for too long");
+  }
+
+  /** Another thread tells: it looks at nothing but names. */
+  private void tell(Job job, String component) {
+    if (log.shows(LogLevel.LOG)) {
+      log.write(
+          "urbi: "
+              + described(job, component)
+              + " has held the kernel for more than "
+              + limit.toMillis() / 1000.0
+              + " s without letting others run, ending it");
+    }
+  }
+
+  /** The job, its client and its component, for people. */
+  static String described(Job job, String component) {
+    String text = "job " + job.name();
+    if (job.lobby() instanceof UrbiLobby lobby && lobby.isInstance()) {
+      text += " of " + described(lobby);
+    }
+    return component == null ? text : text + ", in " + component + ",";
+  }
+
+  static String described(UrbiLobby lobby) {
+    String name = lobby.name();
+    return lobby.remoteAddress().isEmpty() ? name : name + " (" + lobby.remoteAddress() + ")";
+  }
+}

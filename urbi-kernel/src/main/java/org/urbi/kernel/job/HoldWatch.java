@@ -1,0 +1,90 @@
+package org.urbi.kernel.job;
+
+import java.util.function.BiConsumer;
+import org.urbi.kernel.time.Clock;
+import org.urbi.kernel.time.SystemClock;
+
+/**
+ * Sees from another thread when a job has held the kernel for too long without letting others run,
+ * and has it end. Java code of a component that waits is interrupted besides.
+ */
+public final class HoldWatch {
+  /** Of the time that is allowed, how much may pass before it is noticed that it is over. */
+  private static final int LOOKS = 20;
+
+  private static final long LONGEST_PAUSE = 50;
+
+  private final Clock machine = new SystemClock();
+  private final Scheduler scheduler;
+  private final long limit;
+  private final long pause;
+  private final BiConsumer<Job, String> listener;
+  private volatile long heldTurn = -1;
+  private volatile long heldSince;
+
+  /**
+   * @param limit in nanoseconds
+   * @param listener told of the job and of the function of a component that it executes, or null
+   */
+  HoldWatch(Scheduler scheduler, long limit, BiConsumer<Job, String> listener) {
+    this.scheduler = scheduler;
+    this.limit = limit;
+    this.pause = Math.clamp(limit / LOOKS / 1_000_000, 1, LONGEST_PAUSE);
+    this.listener = listener;
+  }
+
+  void start() {
+    Thread.ofPlatform().daemon().name("urbi-watch").start(this::watch);
+  }
+
+  /**
+   * For how long a job has held the kernel, in nanoseconds; 0 if none does. May be asked on any
+   * thread.
+   */
+  public long heldFor() {
+    long since = heldSince;
+    return heldTurn == scheduler.turn() && scheduler.running() != null ? machine.now() - since : 0;
+  }
+
+  /** Interrupts what holds the kernel, as its client could; from any thread. */
+  public void interrupt() {
+    end(scheduler.turn());
+  }
+
+  private void watch() {
+    long turn = -1;
+    long since = 0;
+    boolean told = false;
+    while (!scheduler.isOver()) {
+      long seen = scheduler.turn();
+      long now = machine.now();
+      if (seen != turn || scheduler.running() == null) {
+        turn = seen;
+        since = now;
+        heldSince = now;
+        heldTurn = seen;
+        told = false;
+      } else if (!told && now - since >= limit) {
+        told = true;
+        end(turn);
+      }
+      try {
+        Thread.sleep(pause);
+      } catch (InterruptedException e) {
+        return;
+      }
+    }
+  }
+
+  private void end(long turn) {
+    Job job = scheduler.running();
+    if (job != null) {
+      String component = job.component();
+      scheduler.interruptions().wantOverdue(turn);
+      listener.accept(job, component);
+      if (component != null) {
+        job.interruptComponent(turn);
+      }
+    }
+  }
+}

@@ -1,0 +1,168 @@
+package org.urbi.kernel;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import urbi.UObject;
+
+/** A job that holds the kernel for too long ends, although nobody asks for it. */
+class HoldLimitTest {
+  private static final long PATIENCE_SECONDS = 60;
+
+  private final List<String> log = new CopyOnWriteArrayList<>();
+  private final Kernel kernel =
+      Kernel.builder().log(log::add).maxHold(Duration.ofSeconds(1)).start();
+
+  @AfterEach
+  void close() {
+    kernel.close();
+  }
+
+  /** A client that keeps what it is told. */
+  private static final class Told implements Client {
+    private final StringBuilder text = new StringBuilder();
+
+    @Override
+    public synchronized void output(String bytes) {
+      text.append(bytes);
+      notifyAll();
+    }
+
+    @Override
+    public void closed() {}
+
+    synchronized void await(Predicate<String> what) throws InterruptedException {
+      long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+      while (!what.test(text.toString())) {
+        long left = end - System.nanoTime();
+        assertTrue(left > 0, text::toString);
+        TimeUnit.NANOSECONDS.timedWait(this, left);
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "while| (true) {};",
+        "function f(n) { if (n < 2) n else f(n - 1) + f(n - 2) }; f(60);",
+        "function z() { try { z } catch { z } }; z;",
+        "function z() { try { z } finally { z } }; z;",
+        "try { loop| {} } catch { echo(\"caught\") };",
+        "detach({ loop| {} });",
+      })
+  void whoHoldsTheKernelIsEndedAndNamed(String program) throws Exception {
+    Told busy = new Told();
+    Told judge = new Told();
+    kernel.connect(busy).send(program + "\n");
+    busy.await(text ->
+        text.contains(":error] !!!")
+            && text.contains("job shell_")
+            && text.contains(" of Lobby_")
+            && text.contains("has held the kernel for too long"));
+    kernel.connect(judge).send("echo(\"alive\");\n");
+    judge.await(text -> text.contains("alive"));
+    assertTrue(log.stream().anyMatch(line -> line.contains("has held the kernel for more than")));
+  }
+
+  @Test
+  void theErrorTellsThePlaceAndTheClientGoesOn() throws Exception {
+    Told busy = new Told();
+    Connection connection = kernel.connect(busy);
+    connection.send("function f() { while| (true) f2 };\nfunction f2() { 1 };\nf;\n");
+    busy.await(text -> text.contains(":error] !!! 3.1: job shell_"));
+    connection.send("echo(\"alive\");\n");
+    busy.await(text -> text.contains("alive"));
+  }
+
+  @Test
+  void codeThatLetsOthersRunMayTakeAsLongAsItLikes() throws Exception {
+    Told patient = new Told();
+    kernel.connect(patient).send("for (300) { for| (10000) 1; sleep(1ms) }; echo(\"done\");\n");
+    patient.await(text -> text.contains("done") || text.contains("!!!"));
+    patient.await(text -> text.contains("done"));
+  }
+
+  @Test
+  void aFunctionOfJavaIsNamedAndInterrupted() throws Exception {
+    kernel.define(
+        "spin",
+        nothing -> {
+          while (!Thread.currentThread().isInterrupted()) {
+            Thread.onSpinWait();
+          }
+          return null;
+        });
+    Told busy = new Told();
+    Connection connection = kernel.connect(busy);
+    connection.send("spin;\n");
+    busy.await(text -> text.contains(", in spin, has held the kernel for too long"));
+    connection.send("echo(\"alive\");\n");
+    busy.await(text -> text.contains("alive"));
+  }
+
+  /** A component with functions that never return by themselves. */
+  public static final class Stubborn extends UObject {
+    public Stubborn(String name) {
+      super(name);
+      UBindFunction(this, "waits");
+      UBindFunction(this, "spins");
+    }
+
+    /** Waits for what nobody brings about. */
+    public int waits() throws InterruptedException {
+      new CountDownLatch(1).await();
+      return 0;
+    }
+
+    /** Does not even wait. */
+    public int spins() {
+      while (!Thread.currentThread().isInterrupted()) {
+        Thread.onSpinWait();
+      }
+      return 0;
+    }
+  }
+
+  @Test
+  void aComponentThatDoesNotReturnIsNamedAndInterrupted() throws Exception {
+    kernel.start(Stubborn.class);
+    Told busy = new Told();
+    Connection connection = kernel.connect(busy);
+    for (String function : List.of("waits", "spins")) {
+      connection.send("Stubborn." + function + ";\n");
+      busy.await(text ->
+          text.contains(", in Stubborn." + function + ", has held the kernel for too long"));
+    }
+    connection.send("echo(\"alive\");\n");
+    busy.await(text -> text.contains("alive"));
+    assertTrue(log.stream().anyMatch(line -> line.contains("in Stubborn.waits, has held")));
+  }
+
+  @Test
+  void closingTheKernelEndsWhatHoldsIt() throws Exception {
+    Kernel patient = Kernel.builder().log(line -> {}).start();
+    CountDownLatch begun = new CountDownLatch(1);
+    patient.define(
+        "begun",
+        nothing -> {
+          begun.countDown();
+          return null;
+        });
+    patient
+        .connect(new Told())
+        .send("function z() { try { z } finally { loop| {} } }; begun; loop| {};\n");
+    assertTrue(begun.await(PATIENCE_SECONDS, TimeUnit.SECONDS));
+    patient.close();
+    assertTrue(!patient.isRunning());
+  }
+}
