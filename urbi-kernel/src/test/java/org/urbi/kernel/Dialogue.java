@@ -2,12 +2,14 @@ package org.urbi.kernel;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.urbi.kernel.job.JobThreads;
+import urbi.UObject;
 
 /**
  * A dialogue with a kernel of its own in virtual time, written as the manual prints it: lines that
@@ -30,12 +32,22 @@ public final class Dialogue {
     hold(JobThreads.AUTO, text);
   }
 
+  /** Feeds the input to a kernel that has these components, and compares the answers. */
+  public static void holdWith(List<Class<? extends UObject>> components, String text) {
+    hold(JobThreads.AUTO, components, text);
+  }
+
   /** Feeds the input and compares the answers. */
   public static void hold(JobThreads jobThreads, String text) {
+    hold(jobThreads, List.of(), text);
+  }
+
+  private static void hold(
+      JobThreads jobThreads, List<Class<? extends UObject>> components, String text) {
     String expected = text.lines().filter(Dialogue::isOutput).collect(Collectors.joining("\n"));
     String input =
         text.lines().filter(line -> !isOutput(line)).collect(Collectors.joining("\n", "", "\n"));
-    assertEquals(expected, run(jobThreads, input));
+    assertEquals(expected, run(jobThreads, components, input));
   }
 
   private static boolean isOutput(String line) {
@@ -44,14 +56,16 @@ public final class Dialogue {
 
   /** Feeds a program to a fresh kernel; returns what it answers. */
   public static String run(String program) {
-    return run(JobThreads.AUTO, program);
+    return run(JobThreads.AUTO, List.of(), program);
   }
 
-  private static String run(JobThreads jobThreads, String program) {
+  private static String run(
+      JobThreads jobThreads, List<Class<? extends UObject>> components, String program) {
     StringBuilder output = new StringBuilder();
     CompletableFuture<Void> closed = new CompletableFuture<>();
     try (Kernel kernel =
         Kernel.builder().virtualTime(true).jobThreads(jobThreads).log(line -> {}).start()) {
+      components.forEach(kernel::start);
       kernel
           .connect(
               new Client() {
