@@ -126,8 +126,10 @@ static void casts()
   CHECK(there_and_back(points)[1].y == 7);
   CHECK(static_cast<int>(UValue("12")) == 12);
   CHECK(static_cast<std::string>(UValue(12)) == "12");
-  CHECK(static_cast<int>(UValue(1e300)) == std::numeric_limits<int>::max());
-  CHECK(static_cast<unsigned>(UValue(-1)) == 0);
+  UValue huge(1e300), negative(-1);
+  CHECK_THROWS(uvalue_cast<int>(huge), "invalid cast to int32 from 1e+300: out of range");
+  CHECK_THROWS(uvalue_cast<unsigned>(negative), "invalid cast to unsigned int32 from -1: out of range");
+  CHECK(uvalue_cast<int>(negative) == -1);
   UValue text("twelve"), number(1), list = parsed("[1]"), nothing;
   CHECK_THROWS(uvalue_cast<int>(text), "invalid cast to double from \"twelve\"");
   CHECK_THROWS(uvalue_cast<UList>(number), "invalid cast to UList from 1");

@@ -129,6 +129,17 @@ public interface UContext {
    */
   void yieldFor(Duration time);
 
+  /**
+   * Has nothing done but what this thread asks for, until {@link #unlock}: functions of UObjects
+   * are not called meanwhile, and urbiscript stands still if it is in the same process. It may be
+   * locked several times. Of no effect in code that the context has called, which excludes
+   * everything else already.
+   */
+  void lock();
+
+  /** Ends what {@link #lock} began. */
+  void unlock();
+
   /** Where threaded functions and notifications run. */
   Executor threads();
 

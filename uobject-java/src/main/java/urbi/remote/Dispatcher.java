@@ -1,7 +1,9 @@
 package urbi.remote;
 
 import java.util.ArrayDeque;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.locks.LockSupport;
+import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
@@ -26,6 +28,9 @@ final class Dispatcher {
 
   private final Object lock = new Object();
   private final ArrayDeque<Runnable> tasks = new ArrayDeque<>();
+
+  /** Held while a task is executed, or by who wants none to be. Fair: many tasks starve nobody. */
+  private final ReentrantLock turn = new ReentrantLock(true);
 
   /** What the thread that executes does now. */
   private enum State {
@@ -87,7 +92,12 @@ final class Dispatcher {
         if (watchSleeps) {
           LockSupport.unpark(watch);
         }
-        guard.accept(task);
+        turn.lock();
+        try {
+          guard.accept(task);
+        } finally {
+          turn.unlock();
+        }
       } else if (!hasEnded()) {
         boolean more = reading.next();
         synchronized (lock) {
@@ -172,9 +182,29 @@ final class Dispatcher {
     }
   }
 
-  /** Whether this thread executes a task. */
+  /** Whether this thread executes a task, or keeps others from being executed. */
   boolean isExecuting() {
-    return Thread.currentThread() == executor;
+    return Thread.currentThread() == executor || turn.isHeldByCurrentThread();
+  }
+
+  /** Waits for its turn, and keeps it: no task is executed until {@link #release}. */
+  void hold() {
+    if (Thread.currentThread() == executor) {
+      return;
+    }
+    try {
+      turn.lockInterruptibly();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new CancellationException("interrupted while waiting for the turn");
+    }
+  }
+
+  /** Ends {@link #hold}; of no effect without it. */
+  void release() {
+    if (Thread.currentThread() != executor && turn.isHeldByCurrentThread()) {
+      turn.unlock();
+    }
   }
 
   // ------------------------------------------------------------------ the helper

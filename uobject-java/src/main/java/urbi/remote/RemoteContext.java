@@ -614,6 +614,16 @@ public final class RemoteContext implements UContext, AutoCloseable {
   }
 
   @Override
+  public void lock() {
+    dispatcher.hold();
+  }
+
+  @Override
+  public void unlock() {
+    dispatcher.release();
+  }
+
+  @Override
   public Executor threads() {
     return threads;
   }

@@ -4,13 +4,15 @@
 #ifndef URBI_EXPORT_HH
 #define URBI_EXPORT_HH
 
+#include <libport/compiler.hh>
+
 #define URBI_SDK_API
 
+#define URBI_LOCAL LIBPORT_LOCAL
+
 #if defined _WIN32
-#define URBI_LOCAL
 #define URBI_ENTRY extern "C" inline __declspec(dllexport)
 #else
-#define URBI_LOCAL __attribute__((visibility("hidden")))
 #define URBI_ENTRY extern "C" inline __attribute__((visibility("default"), used))
 #endif
 

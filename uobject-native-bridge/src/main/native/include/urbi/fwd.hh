@@ -3,13 +3,27 @@
 #define URBI_FWD_HH
 
 #include <list>
+#include <memory>
 #include <string>
 #include <unordered_map>
+
+#include <libport/boost-names.hh>
+#include <libport/ufloat.h>
+
+#include <urbi/export.hh>
 
 namespace urbi
 {
   /// Numbers are doubles, as in urbiscript.
   typedef double ufloat;
+
+  namespace impl
+  {
+    class UContextImpl;
+  }
+
+  class UContext;
+  class UGenericCallback;
 
   class InputPort;
   class UAbstractClient;
@@ -33,6 +47,9 @@ namespace urbi
 
   typedef std::unordered_map<std::string, UValue> UDictionary;
   typedef std::list<UObject*> UObjectList;
+
+  /// A timer that USetTimer has set: its name.
+  typedef std::shared_ptr<std::string> TimerHandle;
 }
 
 #endif

@@ -2,8 +2,10 @@
 #ifndef URBI_UABSTRACTCLIENT_HH
 #define URBI_UABSTRACTCLIENT_HH
 
+#include <atomic>
 #include <cstdarg>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -12,7 +14,13 @@
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <tuple>
+#include <utility>
 
+#include <libport/lockable.hh>
+
+#include <urbi/detail/message-splitter.hh>
+#include <urbi/ucontext.hh>
 #include <urbi/umessage.hh>
 
 namespace urbi
@@ -24,6 +32,11 @@ namespace urbi
     URBI_REMOVE,       ///< It is not.
   };
 
+  enum
+  {
+    URBI_MAX_TAG_LENGTH = 64
+  };
+
   typedef unsigned int UCallbackID;
   enum
   {
@@ -32,92 +45,27 @@ namespace urbi
   typedef UCallbackAction (*UCallback)(const UMessage&);
   typedef UCallbackAction (*UCustomCallback)(void* data, const UMessage&);
 
-  namespace detail
+  /// A callback as an object: a client deletes it.
+  class UCallbackWrapper
   {
-    /// Takes the bytes of a server apart into messages.
-    class MessageSplitter
-    {
-    public:
-      /// Takes bytes in; calls `take(timestamp, tag, text)` for each message that is complete.
-      template <typename Taker>
-      void feed(const char* bytes, size_t length, const Taker& take)
-      {
-        pending_.append(bytes, length);
-        for (;;)
-        {
-          size_t end = message_end();
-          if (end == std::string::npos)
-            return;
-          std::string line = pending_.substr(0, end);
-          pending_.erase(0, end + 1);
-          while (!line.empty() && line.back() == '\r')
-            line.pop_back();
-          if (!line.empty())
-            split(line, take);
-        }
-      }
+  public:
+    virtual ~UCallbackWrapper() = default;
+    virtual UCallbackAction operator()(const UMessage& message) = 0;
+  };
 
-    private:
-      /// The line end after a message, past the data of its binaries.
-      size_t message_end() const
-      {
-        size_t at = pending_.find("] ");
-        if (at != std::string::npos
-            && (pending_.compare(at + 2, 3, "***") == 0 || pending_.compare(at + 2, 3, "!!!") == 0))
-          // Text for people, whatever is in it.
-          return pending_.find('\n', at);
-        at = 0;
-        bool quoted = false;
-        for (; at < pending_.size(); ++at)
-        {
-          char c = pending_[at];
-          if (c == '\n')
-            return at;
-          if (quoted && c == '\\')
-            ++at;
-          else if (c == '"')
-            quoted = !quoted;
-          else if (!quoted && c == 'B' && pending_.compare(at, 4, "BIN ") == 0
-                   && (at == 0 || !std::isalnum(static_cast<unsigned char>(pending_[at - 1]))))
-          {
-            size_t size = 0, digit = at + 4;
-            for (; digit < pending_.size() && std::isdigit(static_cast<unsigned char>(pending_[digit]));
-                 ++digit)
-              size = size * 10 + static_cast<size_t>(pending_[digit] - '0');
-            size_t header = pending_.find_first_of(";\n", digit);
-            if (header == std::string::npos)
-              return header;
-            if (pending_.size() - header - 1 < size)
-              return std::string::npos;
-            at = header + size;
-          }
-        }
-        return std::string::npos;
-      }
+  /// A stream with a lock for those who write several things in a row.
+  class LockableOstream : public std::ostream
+  {
+  public:
+    explicit LockableOstream(std::streambuf* buffer)
+      : std::ostream(buffer)
+    {}
 
-      template <typename Taker>
-      static void split(const std::string& line, const Taker& take)
-      {
-        size_t close = line.find(']');
-        if (line[0] != '[' || close == std::string::npos)
-          return;
-        size_t colon = line.find(':');
-        std::string tag;
-        if (colon < close)
-          tag = line.substr(colon + 1, close - colon - 1);
-        int time = std::atoi(line.c_str() + 1);
-        size_t text = close + 1;
-        if (text < line.size() && line[text] == ' ')
-          ++text;
-        take(time, tag, line.substr(text));
-      }
-
-      std::string pending_;
-    };
-  }
+    mutable libport::Lockable sendBufferLock;
+  };
 
   /// A client. What is written to it as a stream is sent when it is flushed.
-  class UAbstractClient : private std::stringbuf, public std::ostream
+  class UAbstractClient : private std::stringbuf, public LockableOstream
   {
   public:
     enum
@@ -137,10 +85,11 @@ namespace urbi
     }
 
     UAbstractClient(const std::string& host, unsigned port)
-      : std::ostream(static_cast<std::stringbuf*>(this))
+      : LockableOstream(static_cast<std::stringbuf*>(this))
       , host_(host)
       , port_(port)
       , rc(0)
+      , timestamp_(0)
       , counter_(0)
     {}
 
@@ -167,6 +116,42 @@ namespace urbi
       return port_;
     }
 
+    /// This client as a stream.
+    std::ostream& stream_get()
+    {
+      return *this;
+    }
+
+    /// The time stamp of the last message, in milliseconds.
+    int getCurrentTimestamp() const
+    {
+      return timestamp_;
+    }
+
+    /// The version of the server, for which it is asked when somebody wants to know it.
+    const std::string& kernelVersion() const
+    {
+      waitForKernelVersion();
+      return kernelVersion_;
+    }
+
+    int kernelMajor() const
+    {
+      return std::atoi(kernelVersion().c_str());
+    }
+
+    int kernelMinor() const
+    {
+      size_t point = kernelVersion().find('.');
+      return point == std::string::npos ? 0 : std::atoi(kernelVersion_.c_str() + point + 1);
+    }
+
+    virtual void waitForKernelVersion() const = 0;
+    ATTRIBUTE_PRINTF(2, 3)
+    virtual void printf(const char* format, ...) = 0;
+    virtual unsigned getCurrentTime() const = 0;
+    virtual void setKeepAliveCheck(unsigned pingInterval, unsigned pongTimeout) = 0;
+
     // ---------------------------------------------------------------- sending: 0 if it went well
 
     error_type send(const std::string& code)
@@ -183,7 +168,7 @@ namespace urbi
     {
       va_list arguments;
       va_start(arguments, format);
-      std::string code = formatted(format, arguments);
+      std::string code = detail::formatted(format, arguments);
       va_end(arguments);
       return send(code);
     }
@@ -212,6 +197,77 @@ namespace urbi
       return sendBinary(data, length, "");
     }
 
+    ATTRIBUTE_PRINTF(4, 5)
+    error_type sendBin(const void* data, size_t length, const char* header, ...)
+    {
+      va_list arguments;
+      va_start(arguments, header);
+      std::string words = detail::formatted(header, arguments);
+      va_end(arguments);
+      return sendBinary(data, length, words);
+    }
+
+    /// What is packed from now on is sent in one piece by endPack.
+    error_type startPack()
+    {
+      pack_.clear();
+      return 0;
+    }
+
+    ATTRIBUTE_PRINTF(2, 3)
+    error_type pack(const char* format, ...)
+    {
+      va_list arguments;
+      va_start(arguments, format);
+      error_type result = vpack(format, arguments);
+      va_end(arguments);
+      return result;
+    }
+
+    error_type vpack(const char* format, va_list arguments)
+    {
+      pack_ += detail::formatted(format, arguments);
+      return 0;
+    }
+
+    error_type endPack()
+    {
+      std::string all;
+      all.swap(pack_);
+      return send(all);
+    }
+
+    /// Has a device play a sound. \param tag on which `*** stop` is told when it has been sent
+    error_type sendSound(const char* device, const USound& sound, const char* tag = nullptr)
+    {
+      std::string code = std::string(device) + ".val = ";
+      UBinary data(sound, false);
+      code += "BIN " + detail::number_text(static_cast<ufloat>(data.common.size)) + " "
+              + data.getMessage() + ";";
+      code.append(static_cast<const char*>(data.common.data), data.common.size);
+      code += "|;";
+      if (tag)
+        code += "lobby.send(\"*** stop\", \"" + std::string(tag) + "\")|;";
+      return send(code + "\n");
+    }
+
+    /// Writes a file on the side of the server.
+    error_type putFile(const char* local, const char* remote = nullptr)
+    {
+      std::ifstream in(local, std::ios::binary);
+      if (!in)
+        return -1;
+      std::string all((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+      return putFile(all.data(), all.size(), remote ? remote : local);
+    }
+
+    error_type putFile(const void* data, size_t length, const char* remote)
+    {
+      UValue name{std::string(remote)};
+      UValue text{std::string(static_cast<const char*>(data), length)};
+      return send("File.save(" + detail::literal_of(name) + ", " + detail::literal_of(text) + ")|;\n");
+    }
+
     /// Sends the contents of a file.
     error_type sendFile(const std::string& file)
     {
@@ -228,6 +284,26 @@ namespace urbi
       return id;
     }
 
+    ATTRIBUTE_PRINTF(3, 4)
+    UCallbackID sendCommand(UCallback callback, const char* format, ...)
+    {
+      va_list arguments;
+      va_start(arguments, format);
+      std::string code = detail::formatted(format, arguments);
+      va_end(arguments);
+      return sendCommand(callback_type(callback), code);
+    }
+
+    ATTRIBUTE_PRINTF(4, 5)
+    UCallbackID sendCommand(UCustomCallback callback, void* data, const char* format, ...)
+    {
+      va_list arguments;
+      va_start(arguments, format);
+      std::string code = detail::formatted(format, arguments);
+      va_end(arguments);
+      return sendCommand([=](const UMessage& message) { return callback(data, message); }, code);
+    }
+
     // ---------------------------------------------------------------- callbacks
 
     /// Has a function called with each message of a tag.
@@ -236,25 +312,24 @@ namespace urbi
       return add(BY_TAG, tag, callback);
     }
 
+    UCallbackID setCallback(UCallbackWrapper& callback, const char* tag)
+    {
+      std::shared_ptr<UCallbackWrapper> own(&callback);
+      return setCallback([own](const UMessage& message) { return (*own)(message); }, tag);
+    }
+
     UCallbackID setCallback(UCustomCallback callback, void* data, const char* tag)
     {
       return setCallback([=](const UMessage& message) { return callback(data, message); }, tag);
     }
 
-    template <typename C>
-    UCallbackID setCallback(C& object, UCallbackAction (C::*function)(const UMessage&),
-                            const char* tag)
+    /// Has the function of an object called, with what is given before the message; the tag comes last.
+    template <typename C, typename... A, typename... G>
+    UCallbackID setCallback(C& object, UCallbackAction (C::*function)(A...), const G&... given)
     {
-      return setCallback([&object, function](const UMessage& m) { return (object.*function)(m); },
-                         tag);
-    }
-
-    template <typename C, typename P1>
-    UCallbackID setCallback(C& object, UCallbackAction (C::*function)(P1, const UMessage&), P1 p1,
-                            const char* tag)
-    {
-      return setCallback(
-        [&object, function, p1](const UMessage& m) { return (object.*function)(p1, m); }, tag);
+      static_assert(sizeof...(A) == sizeof...(G), "a value for each argument, and the tag");
+      return setBound(object, function, std::tuple<std::decay_t<const G&>...>(given...),
+                      std::make_index_sequence<sizeof...(G) - 1>());
     }
 
     /// With each message that is an error.
@@ -287,6 +362,7 @@ namespace urbi
     /// Calls the callbacks that want a message.
     virtual void notifyCallbacks(const UMessage& message)
     {
+      timestamp_ = message.timestamp;
       std::list<Entry> wanted;
       {
         std::lock_guard<std::mutex> guard(lock_);
@@ -322,17 +398,6 @@ namespace urbi
   protected:
     virtual error_type effectiveSend(const void* buffer, size_t size) = 0;
 
-    static std::string formatted(const char* format, va_list arguments)
-    {
-      va_list again;
-      va_copy(again, arguments);
-      int length = std::vsnprintf(nullptr, 0, format, again);
-      va_end(again);
-      std::string text(length < 0 ? 0 : static_cast<size_t>(length), '\0');
-      std::vsnprintf(&text[0], text.size() + 1, format, arguments);
-      return text;
-    }
-
     int sync() override
     {
       std::string code = str();
@@ -343,6 +408,8 @@ namespace urbi
     std::string host_;
     unsigned port_;
     error_type rc;
+    mutable std::string kernelVersion_;
+    std::atomic<int> timestamp_;
 
   private:
     enum Kind
@@ -361,6 +428,15 @@ namespace urbi
       UCallbackID id;
     };
 
+    template <typename C, typename F, typename Given, size_t... I>
+    UCallbackID setBound(C& object, F function, const Given& given, std::index_sequence<I...>)
+    {
+      return setCallback(callback_type([&object, function, given](const UMessage& message) {
+                           return (object.*function)(std::get<I>(given)..., message);
+                         }),
+                         std::string(std::get<sizeof...(I)>(given)).c_str());
+    }
+
     UCallbackID add(Kind kind, const char* tag, const callback_type& callback)
     {
       std::lock_guard<std::mutex> guard(lock_);
@@ -373,19 +449,28 @@ namespace urbi
     std::mutex sending_;
     std::list<Entry> callbacks_;
     unsigned counter_;
+    std::string pack_;
   };
 
-  /// A callback that is the function of an object.
-  template <typename C>
-  UAbstractClient::callback_type callback(C& object,
-                                          UCallbackAction (C::*function)(const UMessage&))
+  /// A callback that is the function of an object, with what is given before the message.
+  template <typename C, typename... A, typename... G>
+  UAbstractClient::callback_type callback(C& object, UCallbackAction (C::*function)(A...),
+                                          const G&... given)
   {
-    return [&object, function](const UMessage& message) { return (object.*function)(message); };
+    static_assert(sizeof...(A) == sizeof...(G) + 1, "a value for each argument");
+    return [&object, function, given...](const UMessage& message) {
+      return (object.*function)(given..., message);
+    };
   }
 
   inline UAbstractClient::callback_type callback(UCallback function)
   {
     return function;
+  }
+
+  inline UAbstractClient::callback_type callback(UCustomCallback function, void* data)
+  {
+    return [function, data](const UMessage& message) { return function(data, message); };
   }
 
   static const char semicolon = ';';

@@ -175,7 +175,11 @@ namespace urbi
       UImageFormat imageFormat = parse_image_format(first);
       USoundFormat soundFormat
         = imageFormat == IMAGE_UNKNOWN ? parse_sound_format(first) : SOUND_UNKNOWN;
-      if (imageFormat != IMAGE_UNKNOWN)
+      const std::string unknown = urbi::format_string(IMAGE_UNKNOWN);
+      bool anyImage = header.compare(0, unknown.size() + 1, unknown + " ") == 0;
+      if (anyImage)
+        at = unknown.size();
+      if (imageFormat != IMAGE_UNKNOWN || anyImage)
       {
         type = BINARY_IMAGE;
         image.width = number(header, at);

@@ -6,12 +6,27 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdlib>
+#include <functional>
+#include <future>
+#include <iostream>
+#include <memory>
 #include <thread>
 
 #include <cerrno>
 #include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <sys/socket.h>
 #include <unistd.h>
+
+#include <libport/cstring>
+#include <libport/debug.hh>
+#include <libport/foreach.hh>
+#include <libport/format.hh>
+#include <libport/lockable.hh>
+#include <libport/semaphore.hh>
+#include <libport/sysexits.hh>
+#include <libport/utime.hh>
 
 #include <urbi/uabstractclient.hh>
 #include <urbi/ucontext.hh>
@@ -27,10 +42,40 @@ namespace urbi
   class UClient : public UAbstractClient
   {
   public:
+#define URBI_CLIENT_OPTION_(Class, Type, Name)                                                    \
+  Class& Name(Type value)                                                                         \
+  {                                                                                               \
+    Name##_ = value;                                                                              \
+    return *this;                                                                                 \
+  }                                                                                               \
+  Type Name() const                                                                               \
+  {                                                                                               \
+    return Name##_;                                                                               \
+  }
+
+    /// How a client is made.
+    class options
+    {
+    public:
+      explicit options(bool = false)
+        : start_(true)
+        , asynchronous_(false)
+      {}
+
+      /// Whether it connects at once, or when `start` is called.
+      URBI_CLIENT_OPTION_(options, bool, start)
+      /// Of no effect.
+      URBI_CLIENT_OPTION_(options, bool, asynchronous)
+
+    private:
+      bool start_;
+      bool asynchronous_;
+    };
+
     /// Connects. \see error
     explicit UClient(const std::string& host = default_host(), unsigned port = URBI_PORT,
-                     size_t = URBI_BUFLEN)
-      : UClient(host, port, true)
+                     size_t = URBI_BUFLEN, const options& how = options())
+      : UClient(host, port, how.start(), true)
     {}
 
     ~UClient() override
@@ -50,21 +95,68 @@ namespace urbi
       return 0;
     }
 
-#if defined __GNUC__
-    __attribute__((format(printf, 2, 3)))
-#endif
-    void
-    printf(const char* format, ...)
+    /// Connects, if it has not yet. \return 0 if it is connected
+    error_type start()
+    {
+      if (socket_ == -1)
+      {
+        connect();
+        if (receiving_)
+          receive();
+      }
+      return rc;
+    }
+
+    /// Asks for the version of the server, and waits for it.
+    void waitForKernelVersion() const override
+    {
+      if (!kernelVersion_.empty() || rc)
+        return;
+      // A client is asked for it where it is const.
+      UClient& self = const_cast<UClient&>(*this);
+      auto answer = std::make_shared<std::promise<std::string>>();
+      self.ask([answer](const std::string& version) { answer->set_value(version); });
+      std::future<std::string> come = answer->get_future();
+      if (come.wait_for(std::chrono::seconds(5)) == std::future_status::ready)
+        kernelVersion_ = come.get();
+    }
+
+    /// Has the connection end if the other side does not answer any more.
+    ///
+    /// \param pingInterval  milliseconds after which the system asks whether it is there
+    /// \param pongTimeout   milliseconds in which it has to be
+    void setKeepAliveCheck(unsigned pingInterval, unsigned pongTimeout) override
+    {
+      int on = pingInterval != 0;
+      int idle = pingInterval < 1000 ? 1 : static_cast<int>(pingInterval / 1000);
+      int timeout = static_cast<int>(pingInterval + pongTimeout);
+      ::setsockopt(socket_, SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);
+      ::setsockopt(socket_, IPPROTO_TCP, TCP_KEEPIDLE, &idle, sizeof idle);
+      ::setsockopt(socket_, IPPROTO_TCP, TCP_USER_TIMEOUT, &timeout, sizeof timeout);
+    }
+
+    unsigned long bytesSent() const
+    {
+      return sent_;
+    }
+
+    unsigned long bytesReceived() const
+    {
+      return came_;
+    }
+
+    ATTRIBUTE_PRINTF(2, 3)
+    void printf(const char* format, ...) override
     {
       va_list arguments;
       va_start(arguments, format);
-      std::string text = formatted(format, arguments);
+      std::string text = detail::formatted(format, arguments);
       va_end(arguments);
       std::fwrite(text.data(), 1, text.size(), stderr);
     }
 
     /// Milliseconds since the client was made.
-    unsigned getCurrentTime() const
+    unsigned getCurrentTime() const override
     {
       return static_cast<unsigned>(std::chrono::duration_cast<std::chrono::milliseconds>(
                                      std::chrono::steady_clock::now() - started_)
@@ -72,14 +164,29 @@ namespace urbi
     }
 
   protected:
-    UClient(const std::string& host, unsigned port, bool receiving)
+    /// \param receiving  whether it starts to receive as soon as it is connected
+    UClient(const std::string& host, unsigned port, bool connecting, bool receiving)
       : UAbstractClient(host, port)
       , socket_(-1)
+      , receiving_(receiving)
+      , sent_(0)
+      , came_(0)
       , started_(std::chrono::steady_clock::now())
     {
-      connect();
-      if (receiving)
-        receive();
+      if (connecting)
+        start();
+    }
+
+    /// Has a function called with the version of the server.
+    void ask(const std::function<void(const std::string&)>& told)
+    {
+      sendCommand(
+        [told](const UMessage& message) {
+          bool known = message.value && message.value->type == DATA_STRING;
+          told(known ? *message.value->stringValue : std::string("1"));
+          return URBI_REMOVE;
+        },
+        std::string("System.version;\n"));
     }
 
     /// Starts to receive.
@@ -123,6 +230,7 @@ namespace urbi
           return -1;
         at += sent;
         size -= static_cast<size_t>(sent);
+        sent_ += static_cast<unsigned long>(sent);
       }
       return 0;
     }
@@ -162,6 +270,7 @@ namespace urbi
           continue;
         if (length <= 0)
           break;
+        came_ += static_cast<unsigned long>(length);
         splitter.feed(buffer, static_cast<size_t>(length),
                       [this](int time, const std::string& tag, const std::string& text) {
                         received(UMessage(*this, time, tag, text));
@@ -171,6 +280,9 @@ namespace urbi
     }
 
     int socket_;
+    bool receiving_;
+    std::atomic<unsigned long> sent_;
+    std::atomic<unsigned long> came_;
     std::thread receiver_;
     std::chrono::steady_clock::time_point started_;
   };
@@ -253,6 +365,12 @@ namespace urbi
     if (client && !code.empty())
       client->send(code);
     return detail::ClientStream(client);
+  }
+
+  /// The default client as a stream.
+  inline std::ostream& default_stream()
+  {
+    return get_default_client();
   }
 
   /// Waits for ever: all the rest is done by callbacks.

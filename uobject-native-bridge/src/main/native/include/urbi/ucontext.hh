@@ -2,27 +2,22 @@
 #ifndef URBI_UCONTEXT_HH
 #define URBI_UCONTEXT_HH
 
-#include <chrono>
+#include <cstdarg>
 #include <cstdint>
+#include <cstdio>
 #include <sstream>
 #include <string>
-#include <thread>
+#include <utility>
+
+#include <libport/compiler.hh>
+#include <libport/utime.hh>
 
 #include <urbi/detail/host.hh>
+#include <urbi/ucontext-impl.hh>
 #include <urbi/uvalue.hh>
 
 namespace urbi
 {
-  /// Where the objects of this module live.
-  enum UObjectMode
-  {
-    MODE_PLUGIN = 1, ///< in the process of the kernel
-    MODE_REMOTE = 2, ///< in another one
-  };
-
-  /// Microseconds.
-  typedef long long utime_t;
-
   namespace detail
   {
     /// Sends what is written to it, when it is destroyed or flushed.
@@ -45,9 +40,7 @@ namespace urbi
         str("");
         try
         {
-          Request request(URBI_SEND, context ? context : current_context());
-          request.out.text(code);
-          request.send();
+          send_text(context ? context : current_context(), code);
         }
         catch (const std::exception&)
         {
@@ -72,11 +65,15 @@ namespace urbi
       {}
     };
 
-    inline void send_text(int64_t context, const std::string& code)
+    inline std::string formatted(const char* format, va_list arguments)
     {
-      Request request(URBI_SEND, context);
-      request.out.text(code);
-      request.send();
+      va_list again;
+      va_copy(again, arguments);
+      int length = std::vsnprintf(nullptr, 0, format, again);
+      va_end(again);
+      std::string text(length < 0 ? 0 : static_cast<size_t>(length), '\0');
+      std::vsnprintf(&text[0], text.size() + 1, format, arguments);
+      return text;
     }
 
     /// The code in the double pair of parentheses of URBI((...)).
@@ -133,7 +130,7 @@ namespace urbi
 
     UObjectMode getRunningMode() const
     {
-      return static_cast<UObjectMode>(detail::Request(URBI_MODE, context()).send());
+      return detail::running_mode(context());
     }
 
     bool isPluginMode() const
@@ -163,30 +160,58 @@ namespace urbi
       return detail::SendStream(context());
     }
 
-    /// Lets other threads run.
+    /// Lets everything else go on for a moment.
     void yield() const
     {
-      std::this_thread::yield();
+      detail::yield_for(context(), 0);
     }
 
-    /// Waits so many microseconds.
-    void yield_for(utime_t microseconds) const
+    /// Waits so many microseconds, while everything else goes on.
+    void yield_for(libport::utime_t microseconds) const
     {
-      std::this_thread::sleep_for(std::chrono::microseconds(microseconds));
+      detail::yield_for(context(), microseconds);
     }
+
+    /// Waits until it is that time, see libport::utime.
+    void yield_until(libport::utime_t deadline) const
+    {
+      detail::yield_for(context(), deadline - libport::utime());
+    }
+
+    /// Waits until something else has been done.
+    void yield_until_things_changed() const
+    {
+      detail::yield_for(context(), 0);
+    }
+
+    /// Marks this call as one that changes nothing. Nobody is faster by it here, it is only remembered.
+    void side_effect_free_set(bool none)
+    {
+      detail::thread_state().sideEffectFree = none;
+    }
+
+    bool side_effect_free_get() const
+    {
+      return detail::thread_state().sideEffectFree;
+    }
+
+    /// The version of the kernel, as components know it.
+    std::pair<int, int> kernelVersion() const
+    {
+      return std::pair<int, int>(detail::KERNEL_MAJOR, detail::KERNEL_MINOR);
+    }
+
+    /// Its context; null as long as there is none.
+    impl::UContextImpl* ctx_;
 
   protected:
-    UContext()
-      : ctx_(detail::current_context())
-    {}
-
-    explicit UContext(int64_t context)
-      : ctx_(context)
+    UContext(impl::UContextImpl* context = nullptr)
+      : ctx_(context ? context : getCurrentContext())
     {}
 
     int64_t context() const
     {
-      return ctx_ ? ctx_ : detail::current_context();
+      return ctx_ ? ctx_->number() : detail::current_context();
     }
 
     template <typename T>
@@ -196,9 +221,6 @@ namespace urbi
       made = argument;
       out.value(made);
     }
-
-    /// The number of its context; 0 as long as there is none.
-    int64_t ctx_;
   };
 
   // The same, for code that is in no object.
@@ -226,8 +248,7 @@ namespace urbi
 
   inline UObjectMode getRunningMode()
   {
-    return static_cast<UObjectMode>(
-      detail::Request(URBI_MODE, detail::current_context()).send());
+    return detail::running_mode(detail::current_context());
   }
 
   inline bool isPluginMode()
@@ -238,6 +259,19 @@ namespace urbi
   inline bool isRemoteMode()
   {
     return getRunningMode() == MODE_REMOTE;
+  }
+
+  /// Shows a text to people, on the server.
+  ATTRIBUTE_PRINTF(1, 2)
+  inline void echo(const char* format, ...)
+  {
+    va_list arguments;
+    va_start(arguments, format);
+    std::string text = detail::formatted(format, arguments);
+    va_end(arguments);
+    detail::Request request(URBI_REPORT, detail::current_context());
+    request.out.text(text);
+    request.send();
   }
 
   inline void setThreadLimit(size_t threads)

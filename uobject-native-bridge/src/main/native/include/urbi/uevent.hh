@@ -19,19 +19,22 @@ namespace urbi
     {}
 
     /// The event `object.slot`.
-    explicit UEvent(const std::string& name)
+    explicit UEvent(const std::string& name, impl::UContextImpl* context = nullptr)
       : UEvent()
     {
+      if (context)
+        ctx_ = context;
       bind(name);
     }
 
-    UEvent(const std::string& object, const std::string& slot)
+    UEvent(const std::string& object, const std::string& slot,
+           impl::UContextImpl* context = nullptr)
       : UEvent()
     {
-      init(object, slot);
+      init(object, slot, context);
     }
 
-    UEvent(UObject& object, const std::string& slot);
+    UEvent(UObject& object, const std::string& slot, impl::UContextImpl* context = nullptr);
 
     /// The same event as another.
     UEvent(const UEvent& other)
@@ -58,10 +61,11 @@ namespace urbi
     }
 
     /// Binds it. \throw std::runtime_error if there is no such object
-    void init(const std::string& object, const std::string& slot, int64_t ctx = 0)
+    void init(const std::string& object, const std::string& slot,
+              impl::UContextImpl* context = nullptr)
     {
-      if (ctx)
-        ctx_ = ctx;
+      if (context)
+        ctx_ = context;
       bind(object + "." + slot);
     }
 

@@ -42,6 +42,10 @@ namespace urbi
         value = new UValue(std::move(read));
     }
 
+    explicit UMessage(UAbstractClient& from)
+      : UMessage(from, 0, "", "")
+    {}
+
     UMessage(const UMessage& other)
       : client(other.client)
       , timestamp(other.timestamp)

@@ -2,19 +2,44 @@
 #ifndef URBI_UOBJECT_HH
 #define URBI_UOBJECT_HH
 
+// What the headers of 2.7 brought along: components use it without saying so.
+#include <cassert>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+#include <list>
+#include <sstream>
+#include <stdexcept>
 #include <string>
+#include <vector>
+
+#include <libport/asio.hh>
+#include <libport/cassert>
+#include <libport/cmath>
+#include <libport/compiler.hh>
+#include <libport/containers.hh>
+#include <libport/debug.hh>
+#include <libport/foreach.hh>
+#include <libport/format.hh>
+#include <libport/lockable.hh>
+#include <libport/thread-pool.hh>
+#include <libport/ufloat.h>
+#include <libport/unistd.h>
+#include <libport/utime.hh>
 
 #include <urbi/detail/for-each.hh>
 #include <urbi/detail/resident.hh>
 #include <urbi/export.hh>
 #include <urbi/fwd.hh>
 #include <urbi/input-port.hh>
+#include <urbi/kernel-version.hh>
 #include <urbi/lock-mode.hh>
 #include <urbi/ublend-type.hh>
 #include <urbi/ucontext.hh>
 #include <urbi/uevent.hh>
 #include <urbi/uobject-hub.hh>
 #include <urbi/uvar.hh>
+#include <urbi/version-check.hh>
 
 // Functions may return nothing.
 #define USE_VOID 1
@@ -74,6 +99,13 @@
 #define UThreadedAt(Obj, X, Lock) (this->threadedAt_(#X, &Obj::X, Lock))
 #define UThreadedAtEnd(Obj, X, Fun, Lock) (this->threadedAtEnd_(#X, &Obj::X, &Obj::Fun, Lock))
 
+/// Gives the threaded functions of a class that are bound with LOCK_CLASS a lock of that class.
+#define CREATE_CLASS_LOCK                                                                         \
+  ::libport::ThreadPool::rTaskLock getClassTaskLock() override                                    \
+  {                                                                                               \
+    return this->getTaskLock(::urbi::LOCK_CLASS, "");                                             \
+  }
+
 /// Registers this object with a hub.
 #define URegister(Hub) (this->register_(#Hub))
 
@@ -89,6 +121,13 @@
 #define URBI_SEND_COMMA_COMMAND(Args) (URBI(()) << Args << ',')
 #define URBI_SEND_PIPED_COMMAND(Args) (URBI(()) << Args << "|\n")
 
+/// The same to a client, or whatever else is a stream.
+#define URBI_SEND_C(Client, Args) static_cast<void>((Client) << Args)
+#define URBI_SEND_C_FLUSH(Client, Args) static_cast<void>((Client) << Args << std::endl)
+#define URBI_SEND_COMMAND_C(Client, Args) URBI_SEND_C_FLUSH(Client, Args << ';')
+#define URBI_SEND_COMMA_COMMAND_C(Client, Args) URBI_SEND_C_FLUSH(Client, Args << ',')
+#define URBI_SEND_PIPED_COMMAND_C(Client, Args) URBI_SEND_C(Client, Args << "|\n")
+
 namespace urbi
 {
   typedef int UReturn;
@@ -101,54 +140,42 @@ namespace urbi
     /// An object that urbiscript or the kernel makes.
     ///
     /// \param name  as it is given to the constructor of the subclass
-    explicit UObject(const std::string& name);
+    explicit UObject(const std::string& name, impl::UContextImpl* context = nullptr);
 
     /// An object that C++ code makes by itself; urbiscript gets one as well.
-    UObject();
-    explicit UObject(int);
+    UObject(impl::UContextImpl* context = nullptr);
+    explicit UObject(int, impl::UContextImpl* context = nullptr);
     ~UObject() override;
 
     /// Has a function called after each change of a variable. It takes nothing, a UVar&, or the value
     /// in any type.
-    template <typename F>
-    void UNotifyChange(UVar& v, F function)
+    ///
+    /// \param v  the variable, or its name: `object.slot`, or a slot of this object
+    template <typename V, typename F>
+    void UNotifyChange(V&& v, F function)
     {
       notify(URBI_VARIABLE_CHANGE, v, function, nullptr);
     }
 
-    /// \param name  `object.slot`, or a slot of this object
-    template <typename F>
-    void UNotifyChange(const std::string& name, F function)
+    /// The same on a thread of its own. What takes a UVar& reads what it is by then.
+    template <typename V, typename F>
+    void UNotifyThreadedChange(V&& v, F function, LockSpec lock)
     {
-      notify(URBI_VARIABLE_CHANGE, name, function, nullptr);
-    }
-
-    /// Has a function called on a thread of its own after each change. It takes nothing, or the value.
-    template <typename F>
-    void UNotifyThreadedChange(UVar& v, F function, LockSpec lock)
-    {
-      check_threaded(function);
       notify(URBI_VARIABLE_CHANGE, v, function, &lock);
     }
 
-    template <typename F>
-    void UNotifyThreadedChange(const std::string& name, F function, LockSpec lock)
-    {
-      check_threaded(function);
-      notify(URBI_VARIABLE_CHANGE, name, function, &lock);
-    }
-
     /// Has a function called before each access to a variable, so that it may set the value.
-    template <typename F>
-    void UNotifyAccess(UVar& v, F function)
+    template <typename V, typename F>
+    void UNotifyAccess(V&& v, F function)
     {
       notify(URBI_VARIABLE_ACCESS, v, function, nullptr);
     }
 
-    template <typename F>
-    void UNotifyAccess(const std::string& name, F function)
+    /// The same on a thread of its own: whoever reads the variable does not wait for it.
+    template <typename V, typename F>
+    void UNotifyThreadedAccess(V&& v, F function, LockSpec lock)
     {
-      notify(URBI_VARIABLE_ACCESS, name, function, nullptr);
+      notify(URBI_VARIABLE_ACCESS, v, function, &lock);
     }
 
     /// The former name of UNotifyAccess.
@@ -194,60 +221,78 @@ namespace urbi
     /// Whether urbiscript has made it by `new`: false for the first one, the prototype.
     bool derived;
     bool remote;
+    /// Of no effect.
+    bool autogroup;
     UObjectList members;
     /// The hub with which it has registered last, or null.
     UObjectHub* objecthub;
     /// How active the object is to be: 1 unless changed.
     UVar load;
 
+    /// The tasks that a threaded function excludes, for UGenericCallback::setAsync.
+    libport::ThreadPool::rTaskLock getTaskLock(LockSpec lock, const std::string& function);
+
+    /// A subclass may have a lock of its own; CREATE_CLASS_LOCK does it. Each class has one anyway.
+    virtual libport::ThreadPool::rTaskLock getClassTaskLock()
+    {
+      return libport::ThreadPool::rTaskLock();
+    }
+
+    /// Who has made it: null if C++ code has by itself.
+    baseURBIStarter* cloner;
+
     // What the macros use.
 
     template <typename F>
-    void bindFunction_(const std::string& name, F function)
+    UGenericCallback* bindFunction_(const std::string& name, F function)
     {
-      bind(name, function, nullptr);
+      return bind(name, detail::bound(this, function).function(), nullptr);
     }
 
     template <typename F>
-    void bindThreadedFunction_(const std::string& name, F function, LockSpec lock)
+    UGenericCallback* bindThreadedFunction_(const std::string& name, F function, LockSpec lock)
     {
-      bind(name, function, &lock);
+      return bind(name, detail::bound(this, function).function(), &lock);
     }
 
     template <typename F>
-    void at_(const std::string& event, F function)
+    UGenericCallback* at_(const std::string& event, F function)
     {
-      bind(at(event), function, nullptr);
-      listen(event, detail::arity_of(function), false);
+      return bindAt(event, detail::bound(this, function), nullptr);
     }
 
     template <typename F>
-    void threadedAt_(const std::string& event, F function, LockSpec lock)
+    UGenericCallback* threadedAt_(const std::string& event, F function, LockSpec lock)
     {
-      bind(at(event), function, &lock);
-      listen(event, detail::arity_of(function), false);
+      return bindAt(event, detail::bound(this, function), &lock);
     }
 
     template <typename F, typename E>
-    void atEnd_(const std::string& event, F function, E end)
+    UGenericCallback* atEnd_(const std::string& event, F function, E end)
     {
-      bind(at(event), function, nullptr);
-      bind(at_end(event), end, nullptr);
-      listen(event, detail::arity_of(function), true);
+      return bindAtEnd(event, detail::bound(this, function), detail::bound(this, end), nullptr);
     }
 
     template <typename F, typename E>
-    void threadedAtEnd_(const std::string& event, F function, E end, LockSpec lock)
+    UGenericCallback* threadedAtEnd_(const std::string& event, F function, E end, LockSpec lock)
     {
-      bind(at(event), function, &lock);
-      bind(at_end(event), end, &lock);
-      listen(event, detail::arity_of(function), true);
+      return bindAtEnd(event, detail::bound(this, function), detail::bound(this, end), &lock);
     }
 
     void register_(const std::string& hubClass);
 
+    /// What createUCallback does, see there.
+    template <typename S>
+    UGenericCallback* callback_(const std::string& type, const std::string& name, UVar* target,
+                                const S& function);
+
+    template <typename S, typename E>
+    UGenericCallback* callback_(const std::string& type, const std::string& name, const S& function,
+                                const E& end);
+
   private:
     friend class detail::Creator;
+    friend class UGenericCallback;
 
     /// By which names urbiscript calls the functions that are told of an event.
     static std::string at(const std::string& event)
@@ -263,67 +308,85 @@ namespace urbi
     /// Has functions that were bound called with each emission of an event.
     void listen(const std::string& event, size_t arity, bool end);
 
-    template <typename F>
-    void bind(const std::string& name, F function, const LockSpec* lock)
+    /// A slot of this object, without its name.
+    std::string own_slot(const std::string& name) const
     {
-      detail::Callback* callback = own(detail::function_callback(this, function));
-      detail::Request request(URBI_FUNCTION, ctx_, id_);
-      request.out.text(name);
-      write_callback(request.out, callback, lock);
-      request.send();
+      std::string prefix = __name + ".";
+      return name.compare(0, prefix.size(), prefix) == 0 ? name.substr(prefix.size()) : name;
+    }
+
+    UGenericCallback* bind(const std::string& name, std::unique_ptr<detail::Callback> function,
+                           const LockSpec* lock)
+    {
+      return hold(URBI_FUNCTION, name, nullptr, std::move(function), lock);
+    }
+
+    template <typename S>
+    UGenericCallback* bindAt(const std::string& event, const S& function, const LockSpec* lock)
+    {
+      UGenericCallback* made = bind(at(event), function.function(), lock);
+      listen(event, S::arity, false);
+      return made;
+    }
+
+    template <typename S, typename E>
+    UGenericCallback* bindAtEnd(const std::string& event, const S& function, const E& end,
+                                const LockSpec* lock)
+    {
+      UGenericCallback* made = bind(at(event), function.function(), lock);
+      bind(at_end(event), end.function(), lock);
+      listen(event, S::arity, true);
+      return made;
     }
 
     template <typename F>
-    void notify(urbi_request operation, UVar& v, F function, const LockSpec* lock)
+    UGenericCallback* notify(urbi_request operation, UVar& v, F function, const LockSpec* lock)
+    {
+      return notifySigned(operation, v, detail::bound(this, function), lock);
+    }
+
+    template <typename F>
+    UGenericCallback* notify(urbi_request operation, const std::string& name, F function,
+                             const LockSpec* lock)
+    {
+      return notifySigned(operation, name, detail::bound(this, function), lock);
+    }
+
+    template <typename S>
+    UGenericCallback* notifySigned(urbi_request operation, UVar& v, const S& function,
+                                   const LockSpec* lock)
     {
       v.check();
       // A variable that is an argument ends with the call: this one stays.
       UVar* kept = v.get_temp() ? new UVar(v) : &v;
-      notify(operation, detail::notification_callback(this, function, kept, v.get_temp()), *kept,
-             lock);
+      std::unique_ptr<detail::Callback> made = function.notification(kept, v.get_temp());
+      return hold(operation, v.get_name(), kept, std::move(made), lock);
     }
 
-    template <typename F>
-    void notify(urbi_request operation, const std::string& name, F function, const LockSpec* lock)
+    template <typename S>
+    UGenericCallback* notifySigned(urbi_request operation, const std::string& name,
+                                   const S& function, const LockSpec* lock)
     {
-      UVar* made = new UVar();
-      std::unique_ptr<detail::Callback> callback
-        = detail::notification_callback(this, function, made, true);
-      made->init(name.find('.') == std::string::npos ? __name + "." + name : name, ctx_);
-      notify(operation, std::move(callback), *made, lock);
+      UVar* kept = new UVar();
+      std::unique_ptr<detail::Callback> made = function.notification(kept, true);
+      kept->init(name.find('.') == std::string::npos ? __name + "." + name : name, ctx_);
+      return hold(operation, kept->get_name(), kept, std::move(made), lock);
     }
 
-    void notify(urbi_request operation, std::unique_ptr<detail::Callback> made, UVar& v,
-                const LockSpec* lock)
-    {
-      detail::Callback* callback = own(std::move(made));
-      detail::Request request(operation, ctx_, v.slot_);
-      request.out.raw(id_);
-      write_callback(request.out, callback, lock);
-      request.send();
-    }
-
-    template <typename R, typename C, typename... P>
-    static void check_threaded(R (C::*)(P...))
-    {
-      static_assert(!(std::is_base_of<UVar, detail::plain<P>>::value || ...),
-                    "a threaded notification takes the value: the UVar may have changed again");
-    }
-
-    template <typename R, typename C, typename... P>
-    static void check_threaded(R (C::*)(P...) const)
-    {
-      static_assert(!(std::is_base_of<UVar, detail::plain<P>>::value || ...),
-                    "a threaded notification takes the value: the UVar may have changed again");
-    }
+    /// Has the host call it from now on.
+    UGenericCallback* hold(urbi_request operation, const std::string& name, UVar* target,
+                           std::unique_ptr<detail::Callback> function, const LockSpec* lock);
 
     void attach(const std::string& name);
 
     /// Whether the host knows that it ends.
     bool ended_;
+    std::mutex holding_;
+    std::list<std::unique_ptr<UGenericCallback>> held_;
   };
 }
 
+#include <urbi/ucallbacks.hh>
 #include <urbi/ustarter.hh>
 
 #include <urbi/detail/uobject.hxx>

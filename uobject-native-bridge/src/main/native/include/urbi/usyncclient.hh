@@ -21,15 +21,34 @@ namespace urbi
   class USyncClient : public UClient
   {
   public:
-    /// Connects. \param callbackThread  whether a thread calls the callbacks: see processEvents
+    /// How a client is made.
+    class options : public UClient::options
+    {
+    public:
+      options()
+        : startCallbackThread_(true)
+      {}
+
+      /// Whether a thread calls the callbacks: see processEvents.
+      URBI_CLIENT_OPTION_(options, bool, startCallbackThread)
+
+    private:
+      bool startCallbackThread_;
+    };
+
     explicit USyncClient(const std::string& host = default_host(), unsigned port = URBI_PORT,
-                         size_t = URBI_BUFLEN, bool callbackThread = true)
-      : UClient(host, port, false)
+                         size_t buffer = URBI_BUFLEN, bool callbackThread = true)
+      : USyncClient(host, port, buffer, options().startCallbackThread(callbackThread))
+    {}
+
+    /// Connects.
+    USyncClient(const std::string& host, unsigned port, size_t, const options& how)
+      : UClient(host, port, true, false)
       , lost_(false)
       , ended_(false)
     {
       receive();
-      if (callbackThread)
+      if (how.startCallbackThread())
         caller_ = std::thread([this] {
           while (!ended_)
             processEvents(100000);
@@ -102,7 +121,7 @@ namespace urbi
     {
       va_list arguments;
       va_start(arguments, format);
-      std::string expression = formatted(format, arguments);
+      std::string expression = detail::formatted(format, arguments);
       va_end(arguments);
       return syncGet(expression);
     }
@@ -115,7 +134,7 @@ namespace urbi
     {
       va_list arguments;
       va_start(arguments, format);
-      std::string expression = formatted(format, arguments);
+      std::string expression = detail::formatted(format, arguments);
       va_end(arguments);
       return syncGet(expression, useconds);
     }
@@ -147,19 +166,67 @@ namespace urbi
       return getValue(syncGet(std::string(command), useconds), value);
     }
 
+    int syncGetValue(const char*, const char* name, UValue& value, utime_t useconds)
+    {
+      return syncGetValue(name, value, useconds);
+    }
+
     /// Takes the image of a camera as it is. \param size  room in the buffer, and what is used of it
     int syncGetImage(const char* camera, void* buffer, size_t& size, size_t& width, size_t& height,
                      utime_t useconds = 0)
     {
       UBinary image;
-      if (!getValue(syncGet(std::string(camera) + ".val", useconds), image)
-          || image.type != BINARY_IMAGE || image.common.size > size)
+      return image_of(camera, image, useconds) && stored(image.image, buffer, size, width, height);
+    }
+
+    /// Takes the image of a camera in a format.
+    int syncGetImage(const char* camera, void* buffer, size_t& size, int format, int,
+                     size_t& width, size_t& height, utime_t useconds = 0)
+    {
+      UBinary image;
+      if (!image_of(camera, image, useconds))
         return 0;
-      std::memcpy(buffer, image.common.data, image.common.size);
-      size = image.common.size;
-      width = image.image.width;
-      height = image.image.height;
-      return 1;
+      UImage wanted;
+      wanted.imageFormat = static_cast<UImageFormat>(format);
+      int got = convert(image.image, wanted) && stored(wanted, buffer, size, width, height);
+      std::free(wanted.data);
+      return got;
+    }
+
+    /// Takes what a microphone hears in so many milliseconds. Its data are to be freed by the caller.
+    int syncGetSound(const char* device, int duration, USound& sound, utime_t useconds = 0)
+    {
+      UBinary heard;
+      std::string name(device);
+      if (!getValue(syncGet("{ sleep(" + std::to_string(duration) + "ms)| " + name + ".val }", useconds),
+                    heard)
+          || heard.type != BINARY_SOUND)
+        return 0;
+      return convert(heard.sound, sound);
+    }
+
+    /// Sends bytes, 0 if it went well.
+    int syncSend(const void* data, size_t length)
+    {
+      return send(std::string(static_cast<const char*>(data), length));
+    }
+
+    using UClient::waitForKernelVersion;
+
+    /// \param calling  whether a thread calls the callbacks, or this one has to
+    void waitForKernelVersion(bool calling)
+    {
+      std::thread caller;
+      std::atomic<bool> known(false);
+      if (!calling)
+        caller = std::thread([&] {
+          while (!known)
+            processEvents(1000);
+        });
+      waitForKernelVersion();
+      known = true;
+      if (caller.joinable())
+        caller.join();
     }
 
     /// Whether this is the thread that calls the callbacks.
@@ -185,6 +252,24 @@ namespace urbi
     {
       size_t end = expression.find_last_not_of(" \t\r\n;,");
       return expression.substr(0, end == std::string::npos ? 0 : end + 1);
+    }
+
+    int image_of(const char* camera, UBinary& image, utime_t useconds)
+    {
+      return getValue(syncGet(std::string(camera) + ".val", useconds), image)
+             && image.type == BINARY_IMAGE;
+    }
+
+    static int stored(const UImageImpl& image, void* buffer, size_t& size, size_t& width,
+                      size_t& height)
+    {
+      if (image.size > size)
+        return 0;
+      std::memcpy(buffer, image.data, image.size);
+      size = image.size;
+      width = image.width;
+      height = image.height;
+      return 1;
     }
 
     /// Messages of a tag are for somebody who waits, and not for callbacks.

@@ -10,6 +10,13 @@
 #include <utility>
 #include <vector>
 
+#include <libport/containers.hh>
+#include <libport/format.hh>
+#include <libport/lexical-cast.hh>
+#include <libport/preproc.hh>
+#include <libport/traits.hh>
+#include <libport/ufloat.h>
+
 #include <urbi/detail/for-each.hh>
 #include <urbi/export.hh>
 #include <urbi/fwd.hh>
@@ -71,6 +78,9 @@ namespace urbi
     /// Becomes nothing.
     void clear();
 
+    /// What stands for a value that is none.
+    URBI_LOCAL static UValue& error();
+
     /// The kind of value in a word, for people.
     const char* format_string() const;
 
@@ -82,10 +92,10 @@ namespace urbi
     operator UList() const;
     operator UDictionary() const;
 
-    /// The image, which shares the data of this value.
+    /// The image, which shares the data of this value; an empty one if it is another binary.
     operator UImage() const;
 
-    /// The sound, which shares the data of this value.
+    /// The sound, which shares the data of this value; an empty one if it is another binary.
     operator USound() const;
 
     UValue& operator()()
@@ -135,6 +145,9 @@ namespace urbi
       , val(v)
     {}
 
+    /// What stands for one that is none.
+    URBI_LOCAL static UNamedValue& error();
+
     std::string name;
     UValue* val;
   };
@@ -159,6 +172,12 @@ namespace urbi
     {}
   };
 
+  /// Says where the code that follows stands.
+  inline std::string syncline_push(const std::string& folder, const std::string& file, unsigned line)
+  {
+    return "//#push " + std::to_string(line) + " \"" + folder + file + "\"\n";
+  }
+
   /// Makes a C++ object of a value: specialize it for types of your own, and write
   /// `operator,(UValue&, const Type&)` for the way back (manual, "Extending the cast system").
   template <typename Type, typename = void>
@@ -172,6 +191,16 @@ namespace urbi
 }
 
 #include <urbi/uvalue.hxx>
+
+/// Components of 2.7 name it without a namespace.
+using urbi::UPackedData;
+
+/// Urbiscript code with the place in C++ code where it stands: errors in it are told with that.
+#define SYNCLINE_PUSH() "//#push " LIBPORT_STRINGIZE(__LINE__) " \"" __FILE__ "\"\n"
+#define SYNCLINE_POP() "//#pop\n"
+#define SYNCLINE_WRAP(...)                                                                        \
+  (::urbi::syncline_push("", __FILE__, __LINE__) + ::libport::format(__VA_ARGS__) + "\n"          \
+   + SYNCLINE_POP())
 
 /// Casts a structure by value: \a Cname is its name in both languages, then its fields follow
 /// (manual, "Casting simple structures").

@@ -1,7 +1,11 @@
 /// What urbi/uvalue.hh and urbi/ulist.hh declare, and the casters.
+// Before anything else: that header includes this one where it needs it.
+#include <urbi/uvalue.hh>
+
 #ifndef URBI_UVALUE_HXX
 #define URBI_UVALUE_HXX
 
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <sstream>
@@ -176,6 +180,13 @@ namespace urbi
           + value.binary->getMessage();
       std::string text = literal_of(value);
       return text.size() <= longest ? text : text.substr(0, longest) + "...";
+    }
+
+    /// The type of whole numbers, for people.
+    template <typename T>
+    std::string integer_name()
+    {
+      return (std::is_signed<T>::value ? "int" : "unsigned int") + std::to_string(8 * sizeof(T));
     }
 
     [[noreturn]] inline void bad_cast(const char* type, const UValue& value)
@@ -359,7 +370,9 @@ namespace urbi
 
   namespace detail
   {
-    /// A number in another type: without its decimals, the nearest one where it is too large.
+    /// A number in another type, without its decimals.
+    ///
+    /// \throw std::runtime_error if it is too large or too small for that
     template <typename T>
     T to_number(ufloat value)
     {
@@ -369,14 +382,14 @@ namespace urbi
         return static_cast<T>(value);
       else
       {
+        // The largest number may be none of the doubles: the one above it is.
         typedef std::numeric_limits<T> limits;
-        if (value != value)
-          return 0;
-        if (value <= static_cast<ufloat>(limits::min()))
-          return limits::min();
-        if (value >= static_cast<ufloat>(limits::max()))
-          return limits::max();
-        return static_cast<T>(value);
+        ufloat whole = std::trunc(value);
+        if (!(whole >= static_cast<ufloat>(limits::min())
+              && whole < std::ldexp(ufloat(1), limits::digits)))
+          throw std::runtime_error("invalid cast to " + integer_name<T>() + " from "
+                                   + number_text(value) + ": out of range");
+        return static_cast<T>(whole);
       }
     }
   }
@@ -405,6 +418,19 @@ namespace urbi
     return *binary;
   }
 
+  inline UValue& UValue::error()
+  {
+    static UValue none;
+    none.clear();
+    return none;
+  }
+
+  inline UNamedValue& UNamedValue::error()
+  {
+    static UNamedValue none;
+    return none;
+  }
+
   inline UValue::operator UList() const
   {
     if (type != DATA_LIST)
@@ -421,16 +447,16 @@ namespace urbi
 
   inline UValue::operator UImage() const
   {
-    if (type != DATA_BINARY || binary->type != BINARY_IMAGE)
+    if (type != DATA_BINARY)
       detail::bad_cast("UImage", *this);
-    return UImage(binary->image);
+    return binary->type == BINARY_IMAGE ? UImage(binary->image) : UImage();
   }
 
   inline UValue::operator USound() const
   {
-    if (type != DATA_BINARY || binary->type != BINARY_SOUND)
+    if (type != DATA_BINARY)
       detail::bad_cast("USound", *this);
-    return USound(binary->sound);
+    return binary->type == BINARY_SOUND ? USound(binary->sound) : USound();
   }
 
   inline int UValue::parse(const char* message, int pos, const binaries_type& bins,

@@ -30,9 +30,9 @@ namespace urbi
     UVar();
 
     /// The variable `object.slot`.
-    explicit UVar(const std::string& name);
-    UVar(const std::string& object, const std::string& slot);
-    UVar(UObject& object, const std::string& slot);
+    explicit UVar(const std::string& name, impl::UContextImpl* context = nullptr);
+    UVar(const std::string& object, const std::string& slot, impl::UContextImpl* context = nullptr);
+    UVar(UObject& object, const std::string& slot, impl::UContextImpl* context = nullptr);
     UVar(UObject* object, const std::string& slot);
 
     /// The same variable as another.
@@ -40,8 +40,9 @@ namespace urbi
     ~UVar();
 
     /// Binds it. \throw std::runtime_error if there is no such object
-    void init(const std::string& name, int64_t ctx = 0);
-    void init(const std::string& object, const std::string& slot, int64_t ctx = 0);
+    void init(const std::string& name, impl::UContextImpl* context = nullptr);
+    void init(const std::string& object, const std::string& slot,
+              impl::UContextImpl* context = nullptr);
 
     // ---------------------------------------------------------------- writing
 
@@ -144,6 +145,29 @@ namespace urbi
       temp_ = temp;
     }
 
+    void set_name(const std::string& name)
+    {
+      name_ = name;
+    }
+
+    /// Whether changes may travel in datagrams.
+    enum RtpMode
+    {
+      RTP_DEFAULT, ///< as all do
+      RTP_YES,
+      RTP_NO,
+    };
+
+    RtpMode get_rtp() const
+    {
+      return rtp_;
+    }
+
+    void set_rtp(const RtpMode& mode)
+    {
+      rtp_ = mode;
+    }
+
     /// \throw std::runtime_error if it is not bound
     void check() const;
 
@@ -152,7 +176,7 @@ namespace urbi
     bool port_ = false;
 
   private:
-    friend class UObject;
+    friend class UGenericCallback;
     friend class detail::Telling;
 
     /// Takes the value of which a function is about to be told.
@@ -171,6 +195,7 @@ namespace urbi
     std::string name_;
     int64_t slot_;
     bool temp_;
+    RtpMode rtp_;
     mutable std::mutex lock_;
     mutable UValue value_;
   };
@@ -184,13 +209,17 @@ namespace urbi
       port_ = true;
     }
 
-    InputPort(const std::string& object, const std::string& slot)
+    InputPort(const std::string& object, const std::string& slot,
+              impl::UContextImpl* context = nullptr)
       : InputPort()
     {
-      init(object, slot);
+      init(object, slot, context);
     }
 
-    InputPort(UObject* object, const std::string& slot);
+    InputPort(UObject* object, const std::string& slot, impl::UContextImpl* context = nullptr);
+
+    using UVar::init;
+    void init(UObject* object, const std::string& slot, impl::UContextImpl* context = nullptr);
 
     InputPort(const InputPort& other)
       : InputPort()

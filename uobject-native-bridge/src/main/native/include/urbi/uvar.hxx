@@ -1,4 +1,7 @@
 /// What urbi/uvar.hh declares.
+// Before anything else: that header includes this one where it needs it.
+#include <urbi/uvar.hh>
+
 #ifndef URBI_UVAR_HXX
 #define URBI_UVAR_HXX
 
@@ -19,18 +22,20 @@ namespace urbi
     , constant(*this, PROP_CONSTANT)
     , slot_(-1)
     , temp_(false)
+    , rtp_(RTP_DEFAULT)
   {}
 
-  inline UVar::UVar(const std::string& name)
+  inline UVar::UVar(const std::string& name, impl::UContextImpl* context)
     : UVar()
   {
-    init(name);
+    init(name, context);
   }
 
-  inline UVar::UVar(const std::string& object, const std::string& slot)
+  inline UVar::UVar(const std::string& object, const std::string& slot,
+                    impl::UContextImpl* context)
     : UVar()
   {
-    init(object, slot);
+    init(object, slot, context);
   }
 
   inline UVar::UVar(const UVar& other)
@@ -46,16 +51,17 @@ namespace urbi
     close();
   }
 
-  inline void UVar::init(const std::string& name, int64_t ctx)
+  inline void UVar::init(const std::string& name, impl::UContextImpl* context)
   {
-    if (ctx)
-      ctx_ = ctx;
+    if (context)
+      ctx_ = context;
     bind(name);
   }
 
-  inline void UVar::init(const std::string& object, const std::string& slot, int64_t ctx)
+  inline void UVar::init(const std::string& object, const std::string& slot,
+                         impl::UContextImpl* context)
   {
-    init(object + "." + slot, ctx);
+    init(object + "." + slot, context);
   }
 
   inline void UVar::bind(const std::string& name)
@@ -355,6 +361,7 @@ namespace urbi
   inline void UVar::useRTP(bool enable)
   {
     check();
+    rtp_ = enable ? RTP_YES : RTP_NO;
     detail::Request request(URBI_VARIABLE_RTP, context(), slot_);
     request.out.raw(static_cast<int64_t>(enable));
     request.send();

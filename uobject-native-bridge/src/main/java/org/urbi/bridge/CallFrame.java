@@ -62,6 +62,13 @@ final class CallFrame {
     return new ValueReader(Exchange.reply(exchange), Exchange.replyLength(exchange));
   }
 
+  /** Why a call has failed: what C++ code has thrown, or the failure of a request that it let pass. */
+  RuntimeException failure() {
+    RuntimeException passed =
+        Exchange.operation(exchange) == Exchange.PASSED ? Requests.passed() : null;
+    return passed == null ? new NativeException(error()) : passed;
+  }
+
   /** The reply of a call that has failed. */
   String error() {
     return RawMemory.getText(

@@ -17,6 +17,12 @@ final class JnaLibrary implements AutoCloseable {
   /** Everything is resolved at once, and seen by nobody else. */
   private static final int RTLD_NOW = 2;
 
+  /**
+   * The library of C++ itself, kept for good. Were it loaded by the first module that needs it, it
+   * would use what that module has of its templates, and the module could never be unloaded.
+   */
+  private static final String CXX_LIBRARY = "libstdc++.so.6";
+
   private static final List<String> FUNCTIONS =
       List.of(
           "urbi_module_version",
@@ -41,6 +47,14 @@ final class JnaLibrary implements AutoCloseable {
     this.library = library;
     this.mapped = mapped;
     this.entries = entries;
+  }
+
+  static {
+    try {
+      NativeLibrary.getInstance(CXX_LIBRARY, Map.of(Library.OPTION_OPEN_FLAGS, RTLD_NOW));
+    } catch (UnsatisfiedLinkError e) {
+      // Modules then use another one, or bring their own.
+    }
   }
 
   private static JnaHost host() {

@@ -97,7 +97,7 @@ final class NativeCallback {
       }
       frame.prepare(0, context, address);
       if (entries.invoke(frame.exchange) == Exchange.FAILED) {
-        throw new NativeException(owner.in().module() + ": " + frame.error());
+        throw frame.failure();
       }
       return frame.reply().value();
     } finally {

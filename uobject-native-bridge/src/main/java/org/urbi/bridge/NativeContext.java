@@ -49,15 +49,21 @@ final class NativeContext {
     }
   }
 
-  /** It is no longer used. */
-  void close() {
+  /**
+   * It is no longer used.
+   *
+   * @return whether the threads that the module has made for it have ended
+   */
+  boolean close() {
+    boolean ended;
     CallFrame frame = CallFrame.take();
     try {
       frame.prepare(0, number, 0);
-      module.entries().forget(frame.exchange);
+      ended = module.entries().forget(frame.exchange) == 1;
     } finally {
       frame.release(module.entries());
     }
     ALL.remove(number);
+    return ended;
   }
 }

@@ -16,6 +16,7 @@ import urbi.UContext;
 import urbi.UHubClass;
 import urbi.UModule;
 import urbi.UModuleException;
+import urbi.UObjectMode;
 import urbi.UTaskQueue;
 
 /**
@@ -25,10 +26,12 @@ import urbi.UTaskQueue;
  * that are loaded twice share nothing.
  */
 public final class NativeModule implements AutoCloseable {
-  private static final long BOUNDARY_VERSION = 1;
+  private static final long BOUNDARY_VERSION = 2;
 
   /** The files that are loaded, by what identifies them to the system's loader. */
   private static final Map<Object, NativeModule> LOADED = new HashMap<>();
+
+  private static final int MOST_SPELLINGS = 500;
 
   private static final AtomicInteger SPELLINGS = new AtomicInteger();
 
@@ -70,10 +73,10 @@ public final class NativeModule implements AutoCloseable {
     synchronized (LOADED) {
       Object key = key(absolute);
       boolean copied = LOADED.containsKey(key);
-      Path path = copied ? copy(absolute, shown) : spelling(absolute);
+      Path path = copied ? copy(absolute, shown) : absolute;
       JnaLibrary library;
       try {
-        library = JnaLibrary.open(path, shown);
+        library = JnaLibrary.open(spelling(path), shown);
       } finally {
         if (copied) {
           path.toFile().delete();
@@ -100,10 +103,24 @@ public final class NativeModule implements AutoCloseable {
     }
   }
 
-  /** Another name of the same file: the loader would give the library of old for the same name. */
+  /**
+   * Another name of the same file: the loader would give the library of old for the same name. It
+   * also tells the module where it is, before it can ask: see {@code loading_mode} in {@code
+   * urbi/ucontext-impl.hh}.
+   */
   private static Path spelling(Path file) {
-    return Path.of(file.getParent() + "/.".repeat(1 + SPELLINGS.getAndIncrement() % 1000))
+    int own = SPELLINGS.getAndIncrement() % MOST_SPELLINGS;
+    return Path.of(file.getParent() + "/.".repeat(2 * own + (isPlugged() ? 1 : 2)))
         .resolve(file.getFileName());
+  }
+
+  /** Whether a kernel loads: a process of its own has no context yet when it does. */
+  private static boolean isPlugged() {
+    try {
+      return UContext.current().getRunningMode() == UObjectMode.MODE_PLUGIN;
+    } catch (IllegalStateException e) {
+      return false;
+    }
   }
 
   /** A file that is loaded already is loaded again from a copy, or both would share everything. */
@@ -217,14 +234,20 @@ public final class NativeModule implements AutoCloseable {
     release();
   }
 
+  /** A library whose code a thread still executes stays loaded: what comes next is a copy of it. */
   private void unload() {
+    boolean ended = true;
     synchronized (contexts) {
-      contexts.forEach(NativeContext::close);
+      for (NativeContext each : contexts) {
+        ended &= each.close();
+      }
       contexts.clear();
     }
-    synchronized (LOADED) {
-      library.close();
-      LOADED.remove(fileKey);
+    if (ended) {
+      synchronized (LOADED) {
+        library.close();
+        LOADED.remove(fileKey);
+      }
     }
   }
 

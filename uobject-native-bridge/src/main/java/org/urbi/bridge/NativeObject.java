@@ -1,14 +1,16 @@
 package org.urbi.bridge;
 
-import java.util.List;
-import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 import urbi.UCallback;
 import urbi.UObject;
 
 /** A UObject that stands for one of C++. */
 final class NativeObject extends UObject implements AutoCloseable {
-  private final List<Runnable> notifications = new CopyOnWriteArrayList<>();
+  /** What ends notifications, by the addresses of their callbacks. */
+  private final Map<Long, Runnable> notifications = new ConcurrentHashMap<>();
+
   private @Nullable NativeResident resident;
   private boolean ended;
 
@@ -43,8 +45,16 @@ final class NativeObject extends UObject implements AutoCloseable {
   }
 
   /** A notification ends with the object. */
-  void endLater(Runnable notification) {
-    notifications.add(notification);
+  void endLater(long callback, Runnable notification) {
+    notifications.put(callback, notification);
+  }
+
+  /** A notification ends now. */
+  void endNotification(long callback) {
+    Runnable end = notifications.remove(callback);
+    if (end != null) {
+      end.run();
+    }
   }
 
   void bindNative(String urbiName, UCallback function) {
@@ -61,7 +71,7 @@ final class NativeObject extends UObject implements AutoCloseable {
       }
       ended = true;
     }
-    notifications.forEach(Runnable::run);
+    notifications.values().forEach(Runnable::run);
     present.end();
   }
 }

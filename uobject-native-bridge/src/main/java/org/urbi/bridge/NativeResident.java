@@ -69,7 +69,7 @@ final class NativeResident {
       frame.prepare(kind, in.number(), number);
       long made = entries.create(frame.exchange);
       if (made == Exchange.FAILED) {
-        throw new NativeException(in.module() + ": " + className + ": " + frame.error());
+        throw frame.failure();
       }
       address = made;
     } catch (RuntimeException e) {

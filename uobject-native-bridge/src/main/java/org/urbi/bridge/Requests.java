@@ -2,6 +2,8 @@ package org.urbi.bridge;
 
 import static java.util.Objects.requireNonNull;
 
+import java.time.Duration;
+import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -51,8 +53,15 @@ final class Requests {
   private static final int MODE = 33;
   private static final int CONVERT = 34;
   private static final int CHECK = 35;
+  private static final int YIELD = 36;
+  private static final int LOCK = 37;
+  private static final int UNLOCK = 38;
+  private static final int CALLBACK_END = 39;
 
   private static final UProperty[] PROPERTIES = UProperty.values();
+
+  /** What the last request of a thread that has failed has thrown. */
+  private static final ThreadLocal<Throwable> FAILURE = new ThreadLocal<>();
 
   private final NativeContext in;
   private final UContext context;
@@ -77,6 +86,7 @@ final class Requests {
       result = carryOut(exchange, (int) Exchange.operation(exchange), reply);
     } catch (Throwable e) {
       result = Exchange.FAILED;
+      FAILURE.set(e);
       reply.restart();
       String message = e.getMessage();
       reply.plain(message == null || message.isEmpty() ? e.getClass().getSimpleName() : message);
@@ -86,7 +96,15 @@ final class Requests {
     return result;
   }
 
-  private static long carryOut(long exchange, int operation, ValueWriter reply) {
+  /** The failure of a request that C++ code has let pass; null if there is none. */
+  static RuntimeException passed() {
+    Throwable failure = FAILURE.get();
+    FAILURE.remove();
+    return failure instanceof RuntimeException passed ? passed : null;
+  }
+
+  private static long carryOut(long exchange, int operation, ValueWriter reply)
+      throws InterruptedException {
     if (operation == CONVERT) {
       var arguments = new ValueReader(Exchange.data(exchange), Exchange.length(exchange));
       reply.value(Conversions.convert(arguments));
@@ -99,7 +117,7 @@ final class Requests {
     return new Requests(in, exchange, reply).carryOutOperation(operation);
   }
 
-  private long carryOutOperation(int operation) {
+  private long carryOutOperation(int operation) throws InterruptedException {
     if (operation >= VARIABLE_CLOSE && operation <= VARIABLE_RTP) {
       return onVariable(operation, variable());
     }
@@ -122,9 +140,11 @@ final class Requests {
       }
       case TIMER_END -> {
         Runnable end = in.timers.remove(subject);
-        if (end != null) {
-          end.run();
+        if (end == null) {
+          return 0;
         }
+        end.run();
+        return 1;
       }
       case VARIABLE -> {
         String name = arguments.text();
@@ -150,9 +170,23 @@ final class Requests {
       case CHECK -> {
         return 0;
       }
+      case YIELD -> yieldFor(Duration.of(arguments.rawLong(), ChronoUnit.MICROS));
+      case LOCK -> context.lock();
+      case UNLOCK -> context.unlock();
+      case CALLBACK_END ->
+          ((NativeObject) resident(subject).javaSide()).endNotification(arguments.rawLong());
       default -> throw new IllegalStateException("unknown request " + operation);
     }
     return 0;
+  }
+
+  /** Waits; where C++ code runs on the kernel thread, nothing else can be done meanwhile. */
+  private void yieldFor(Duration time) throws InterruptedException {
+    if (Thread.currentThread().isVirtual()) {
+      Thread.sleep(time);
+    } else {
+      context.yieldFor(time);
+    }
   }
 
   // ------------------------------------------------------------------ objects
@@ -266,8 +300,9 @@ final class Requests {
     NativeResident owner = resident(arguments.rawLong());
     NativeObject object = (NativeObject) owner.javaSide();
     String name = owner.name() + (change ? ".onChange(" : ".onAccess(") + slot.name() + ")";
+    long address = arguments.peekLong();
     var callback = NativeCallback.read(arguments, owner, name, slot.name());
     Runnable end = change ? slot.onChange(object, callback) : slot.onAccess(object, callback);
-    object.endLater(end);
+    object.endLater(address, end);
   }
 }

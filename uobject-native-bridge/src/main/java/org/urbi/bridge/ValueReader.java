@@ -38,6 +38,14 @@ final class ValueReader extends ValueDecoder {
     return RawMemory.getLong(take(Long.BYTES));
   }
 
+  /** The number that is next, which stays. */
+  long peekLong() {
+    long start = at;
+    long number = rawLong();
+    at = start;
+    return number;
+  }
+
   double rawDouble() {
     return RawMemory.getDouble(take(Double.BYTES));
   }

@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 /* Modules and hosts of different numbers do not understand one another. */
-#define URBI_BOUNDARY_VERSION 1
+#define URBI_BOUNDARY_VERSION 2
 
 /* One call, in either direction. The caller provides both buffers. Where the reply does not fit, who
    answers allocates it by malloc and changes `reply`; who has called frees it. */
@@ -28,6 +28,10 @@ typedef int64_t (*urbi_host)(struct urbi_exchange*);
 
 #define URBI_FAILED INT64_MIN
 
+/* The operation of a call of the host that has failed because a request of the module had, and the
+   module has let that pass. */
+#define URBI_PASSED -1
+
 /* What modules ask of their host: arguments -> result; reply. Texts and values are as in wire.hh. */
 enum urbi_request
 {
@@ -37,7 +41,7 @@ enum urbi_request
   URBI_HUB_FIND,         /* name -> UObjectHub* or 0 */
   URBI_FUNCTION,         /* subject object; name, callback */
   URBI_EVERY,            /* subject object or hub; milliseconds, number after pass, callback -> timer */
-  URBI_TIMER_END,        /* subject timer */
+  URBI_TIMER_END,        /* subject timer -> whether there was one */
   URBI_VARIABLE,         /* name, number whether it is a port -> variable */
   URBI_VARIABLE_CLOSE,   /* subject */
   URBI_VARIABLE_GET,     /* subject -> ; value */
@@ -63,9 +67,13 @@ enum urbi_request
   URBI_CALL,             /* object, method, values */
   URBI_REPORT,           /* text */
   URBI_THREAD_LIMIT,     /* number */
-  URBI_MODE,             /* -> 1 plugged, 2 remote */
+  URBI_MODE,             /* -> 1 plugged, 2 remote; context 0: where the module is being loaded */
   URBI_CONVERT,          /* no context; value, value of the wanted kind, quality -> ; value */
-  URBI_CHECK             /* -> 0; asks for nothing: what a call costs */
+  URBI_CHECK,            /* -> 0; asks for nothing: what a call costs */
+  URBI_YIELD,            /* microseconds: waits while everything else goes on */
+  URBI_LOCK,             /* nothing but what this thread asks for is done until URBI_UNLOCK */
+  URBI_UNLOCK,
+  URBI_CALLBACK_END      /* subject object; address of a callback of a notification that ends */
 };
 
 /* A callback, in arguments, is: its address, its arity, lock mode, queue size, all as int64_t; the
@@ -85,7 +93,7 @@ enum urbi_request
      int64_t urbi_module_invoke(struct urbi_exchange*)
        Calls the callback at the address `subject` with the values in data. Reply: its result.
      int64_t urbi_module_forget(struct urbi_exchange*)
-       The context is no longer used.
+       The context is no longer used. Returns whether all threads of the module itself have ended: 0 or 1.
      void urbi_module_free(void*)
        Frees a reply.
 

@@ -2,6 +2,7 @@
 #ifndef URBI_DETAIL_CALLBACKS_HH
 #define URBI_DETAIL_CALLBACKS_HH
 
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -195,12 +196,12 @@ namespace urbi
     };
 
     /// A bound function.
-    template <typename Object, typename Function, typename Result, typename... Parameters>
+    template <typename Function, typename Result, typename... Parameters>
     class FunctionCallback final : public Callback
     {
     public:
-      FunctionCallback(Object* object, Function function)
-        : member_{object, function}
+      explicit FunctionCallback(const Function& function)
+        : function_(function)
       {}
 
       int64_t arity() const override
@@ -213,15 +214,15 @@ namespace urbi
         Arguments<Parameters...> arguments(in);
         if constexpr (std::is_void<Result>::value)
         {
-          arguments.pass(member_);
+          arguments.pass(function_);
           out.nothing();
         }
         else
-          write_result(out, arguments.pass(member_));
+          write_result(out, arguments.pass(function_));
       }
 
     private:
-      Member<Object, Function> member_;
+      Function function_;
     };
 
     /// Has a variable know its value, which comes with the call, until that ends.
@@ -252,7 +253,7 @@ namespace urbi
 
     /// A function that is told of changes or accesses: it takes nothing, the UVar, or the value.
     /// The host gives the value to those that do not take it as well, if it was not copied.
-    template <typename Object, typename Function, typename... Parameters>
+    template <typename Function, typename... Parameters>
     class NotificationCallback final : public Callback
     {
       static_assert(sizeof...(Parameters) <= 1, "a notification has at most one argument");
@@ -260,8 +261,8 @@ namespace urbi
 
     public:
       /// \param own  whether the variable lives as long as this
-      NotificationCallback(Object* object, Function function, UVar* variable, bool own)
-        : member_{object, function}
+      NotificationCallback(const Function& function, UVar* variable, bool own)
+        : function_(function)
         , variable_(variable)
         , owned_(own ? variable : nullptr)
       {}
@@ -276,35 +277,23 @@ namespace urbi
         if constexpr (takes_variable || sizeof...(Parameters) == 0)
         {
           Telling telling(*variable_, in);
-          member_(static_cast<plain<Parameters>&>(*variable_)...);
+          function_(static_cast<plain<Parameters>&>(*variable_)...);
         }
         else
         {
           Arguments<Parameters...> arguments(in);
-          arguments.pass(member_);
+          arguments.pass(function_);
         }
         out.nothing();
       }
 
     private:
-      Member<Object, Function> member_;
+      Function function_;
       UVar* variable_;
       std::unique_ptr<UVar> owned_;
     };
 
-    // ---------------------------------------------------------------- from a pointer to a member
-
-    template <typename R, typename C, typename... P>
-    constexpr size_t arity_of(R (C::*)(P...))
-    {
-      return sizeof...(P);
-    }
-
-    template <typename R, typename C, typename... P>
-    constexpr size_t arity_of(R (C::*)(P...) const)
-    {
-      return sizeof...(P);
-    }
+    // ---------------------------------------------------------------- from what is given for a function
 
     /// The object of a class of which a pointer to a member was given.
     template <typename Class, typename Base>
@@ -321,33 +310,49 @@ namespace urbi
       }
     }
 
-    template <typename Base, typename R, typename C, typename... P>
-    std::unique_ptr<Callback> function_callback(Base* base, R (C::*f)(P...))
+    /// What is called, with its signature.
+    template <typename Function, typename Result, typename... Parameters>
+    struct Signed
     {
-      return std::unique_ptr<Callback>(
-        new FunctionCallback<C, R (C::*)(P...), R, P...>(self<C>(base), f));
+      static constexpr size_t arity = sizeof...(Parameters);
+
+      std::unique_ptr<Callback> function() const
+      {
+        return std::unique_ptr<Callback>(
+          new FunctionCallback<Function, Result, Parameters...>(called));
+      }
+
+      std::unique_ptr<Callback> notification(UVar* variable, bool own) const
+      {
+        return std::unique_ptr<Callback>(
+          new NotificationCallback<Function, Parameters...>(called, variable, own));
+      }
+
+      Function called;
+    };
+
+    template <typename Base, typename R, typename C, typename... P>
+    Signed<Member<C, R (C::*)(P...)>, R, P...> bound(Base* base, R (C::*f)(P...))
+    {
+      return {{self<C>(base), f}};
     }
 
     template <typename Base, typename R, typename C, typename... P>
-    std::unique_ptr<Callback> function_callback(Base* base, R (C::*f)(P...) const)
+    Signed<Member<C, R (C::*)(P...) const>, R, P...> bound(Base* base, R (C::*f)(P...) const)
     {
-      return std::unique_ptr<Callback>(
-        new FunctionCallback<C, R (C::*)(P...) const, R, P...>(self<C>(base), f));
+      return {{self<C>(base), f}};
     }
 
-    template <typename Base, typename R, typename C, typename... P>
-    std::unique_ptr<Callback> notification_callback(Base* base, R (C::*f)(P...), UVar* v, bool own)
+    template <typename R, typename... P>
+    Signed<R (*)(P...), R, P...> bound(R (*f)(P...))
     {
-      return std::unique_ptr<Callback>(
-        new NotificationCallback<C, R (C::*)(P...), P...>(self<C>(base), f, v, own));
+      return {f};
     }
 
-    template <typename Base, typename R, typename C, typename... P>
-    std::unique_ptr<Callback> notification_callback(Base* base, R (C::*f)(P...) const, UVar* v,
-                                                    bool own)
+    template <typename R, typename... P>
+    Signed<std::function<R(P...)>, R, P...> bound(const std::function<R(P...)>& f)
     {
-      return std::unique_ptr<Callback>(
-        new NotificationCallback<C, R (C::*)(P...) const, P...>(self<C>(base), f, v, own));
+      return {f};
     }
   }
 }

@@ -4,8 +4,12 @@
 
 #include <array>
 #include <iterator>
+#include <list>
 #include <map>
+#if __cplusplus >= 201703L
 #include <optional>
+#endif
+#include <set>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -53,12 +57,34 @@ namespace urbi
       : is_range<T>
     {};
 
+    /// What can be a T, and nothing that would have to be made of one.
+    template <typename T>
+    struct Exactly
+    {
+      operator const T&() const;
+    };
+
+    /// What is asked whether there is an `operator,` for it. Numbers, enumerations and pointers are
+    /// asked for exactly: a structure with a constructor that takes one of them stands for none.
+    template <typename T>
+    using asked = std::conditional_t<std::is_class<T>::value, T, Exactly<T>>;
+
     /// Whether somebody has written `operator,(UValue&, const T&)`: the one of the language has the
     /// type of its right side.
     template <typename T>
     struct has_comma
-      : std::bool_constant<!std::is_same<decltype((std::declval<UValue&>(), std::declval<const T&>())),
-                                         const T&>::value>
+      : std::bool_constant<!std::is_same<
+          decltype((std::declval<UValue&>(), std::declval<const asked<T>&>())), const asked<T>&>::value>
+    {};
+
+    /// Types that are values by themselves.
+    template <typename T>
+    struct is_plain
+      : std::bool_constant<
+          std::is_arithmetic<T>::value || std::is_same<T, std::string>::value
+          || std::is_same<T, UValue>::value || std::is_same<T, UBinary>::value
+          || std::is_same<T, UImage>::value || std::is_same<T, USound>::value
+          || std::is_same<T, UList>::value || std::is_same<T, UDictionary>::value>
     {};
 
     template <typename T>
@@ -71,28 +97,52 @@ namespace urbi
     template <typename T>
     struct is_optional : std::false_type
     {};
+#if __cplusplus >= 201703L
     template <typename T>
     struct is_optional<std::optional<T>> : std::true_type
     {};
+#endif
 
     // Defined with UObject.
     inline UObject* object_of(const UValue& value);
     inline UValue name_of(const UObject* object);
     inline UValue name_of(const UVar& variable);
 
+    template <typename T>
+    void to_uvalue(UValue& out, const T& object);
+
+    template <typename T>
+    void dictionary_to_uvalue(UValue& out, const T& all)
+    {
+      UDictionary made;
+      for (const auto& each : all)
+        to_uvalue(entry(made, each.first), each.second);
+      out = UValue(made);
+    }
+
+    template <typename T>
+    void range_to_uvalue(UValue& out, const T& all)
+    {
+      out = UValue(UList());
+      for (const auto& element : all)
+        out.list->push_back(static_cast<const typename T::value_type&>(element));
+    }
+
     /// Makes `out` the value that stands for an object.
     template <typename T>
     void to_uvalue(UValue& out, const T& object)
     {
-      if constexpr (has_comma<T>::value)
-        out, object;
-      else if constexpr (std::is_same<T, UValue>::value)
-        out = object;
-      else if constexpr (std::is_arithmetic<T>::value || std::is_same<T, std::string>::value
-                         || std::is_same<T, UBinary>::value || std::is_same<T, UImage>::value
-                         || std::is_same<T, USound>::value || std::is_same<T, UList>::value
-                         || std::is_same<T, UDictionary>::value)
+      if constexpr (is_plain<T>::value)
         out = UValue(object);
+      else if constexpr (is_packed<T>::value)
+      {
+        UBinary bytes;
+        bytes.set("packed", const_cast<void*>(static_cast<const void*>(object.data())),
+                  object.size() * sizeof(typename T::value_type), false);
+        out = UValue(bytes);
+      }
+      else if constexpr (has_comma<T>::value)
+        out, object;
       else if constexpr (std::is_same<T, UImageImpl>::value)
         out = UValue(static_cast<const UImage&>(object));
       else if constexpr (std::is_same<T, USoundImpl>::value)
@@ -106,13 +156,6 @@ namespace urbi
         out = UValue(static_cast<ufloat>(object));
       else if constexpr (std::is_convertible<const T&, const char*>::value)
         out = UValue(static_cast<const char*>(object));
-      else if constexpr (is_packed<T>::value)
-      {
-        UBinary bytes;
-        bytes.set("packed", const_cast<void*>(static_cast<const void*>(object.data())),
-                  object.size() * sizeof(typename T::value_type), false);
-        out = UValue(bytes);
-      }
       else if constexpr (is_optional<T>::value)
       {
         out.clear();
@@ -120,18 +163,9 @@ namespace urbi
           to_uvalue(out, *object);
       }
       else if constexpr (is_dictionary<T>::value)
-      {
-        UDictionary made;
-        for (const auto& each : object)
-          to_uvalue(entry(made, each.first), each.second);
-        out = UValue(made);
-      }
+        dictionary_to_uvalue(out, object);
       else if constexpr (is_range<T>::value)
-      {
-        out = UValue(UList());
-        for (const auto& element : object)
-          out.list->push_back(static_cast<const typename T::value_type&>(element));
-      }
+        range_to_uvalue(out, object);
       else if constexpr (std::is_convertible<const T&, std::string>::value)
         out = UValue(static_cast<std::string>(object));
       else
@@ -185,6 +219,57 @@ namespace urbi
       *this = std::move(made);
     }
     return *this;
+  }
+
+  // ---------------------------------------------------------------- commas
+
+  // Components write `value, object;` in casters of their own. Those that are exact come first: a
+  // structure that can be made of a list is none.
+
+  template <typename T, std::enable_if_t<detail::is_plain<T>::value, int> = 0>
+  inline UValue& operator,(UValue& v, const T& object)
+  {
+    return v = UValue(object);
+  }
+
+  inline UValue& operator,(UValue& v, const char* text)
+  {
+    return v = UValue(text);
+  }
+
+  template <typename... P>
+  inline UValue& operator,(UValue& v, const std::vector<P...>& all)
+  {
+    detail::range_to_uvalue(v, all);
+    return v;
+  }
+
+  template <typename... P>
+  inline UValue& operator,(UValue& v, const std::list<P...>& all)
+  {
+    detail::range_to_uvalue(v, all);
+    return v;
+  }
+
+  template <typename... P>
+  inline UValue& operator,(UValue& v, const std::set<P...>& all)
+  {
+    detail::range_to_uvalue(v, all);
+    return v;
+  }
+
+  template <typename... P>
+  inline UValue& operator,(UValue& v, const std::map<std::string, P...>& all)
+  {
+    detail::dictionary_to_uvalue(v, all);
+    return v;
+  }
+
+  template <typename... P>
+  inline UValue& operator,(UValue& v, const std::unordered_map<std::string, P...>& all)
+  {
+    detail::dictionary_to_uvalue(v, all);
+    return v;
   }
 
   // ---------------------------------------------------------------- casters
@@ -317,6 +402,7 @@ namespace urbi
     }
   };
 
+#if __cplusplus >= 201703L
   template <typename T>
   struct uvalue_caster<std::optional<T>>
   {
@@ -327,6 +413,7 @@ namespace urbi
       return uvalue_cast<T>(v);
     }
   };
+#endif
 
   template <typename T, size_t Size>
   struct uvalue_caster<std::array<T, Size>>
@@ -381,7 +468,7 @@ namespace urbi
     }
   };
 
-  /// Sequences and sets of any kind.
+  /// Sequences and sets of any kind; what is no list is the only element.
   template <typename T>
   struct uvalue_caster<
     T, std::enable_if_t<detail::can_grow<T>::value && !detail::is_dictionary<T>::value
@@ -390,8 +477,11 @@ namespace urbi
     T operator()(UValue& v)
     {
       T made;
-      for (UValue* element : detail::elements(v))
-        made.insert(made.end(), uvalue_cast<typename T::value_type>(*element));
+      if (v.type == DATA_LIST)
+        for (UValue* element : *v.list)
+          made.insert(made.end(), uvalue_cast<typename T::value_type>(*element));
+      else if (v.type != DATA_VOID)
+        made.insert(made.end(), uvalue_cast<typename T::value_type>(v));
       return made;
     }
   };

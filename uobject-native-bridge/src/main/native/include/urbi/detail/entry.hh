@@ -5,11 +5,6 @@
 #include <cstdlib>
 #include <exception>
 #include <string>
-#include <typeinfo>
-
-#if defined __GNUC__
-#include <cxxabi.h>
-#endif
 
 #include <urbi/detail/host.hh>
 #include <urbi/export.hh>
@@ -30,27 +25,26 @@ namespace urbi
       {
         return e.what();
       }
-      catch (const std::string& text)
+      catch (...)
       {
-        return text;
+        return "invalid exception";
       }
-      catch (const char* text)
+    }
+
+    /// Whether the exception that is being handled is one of the host.
+    inline bool is_host_error()
+    {
+      try
       {
-        return text ? text : "";
+        throw;
+      }
+      catch (const HostError&)
+      {
+        return true;
       }
       catch (...)
       {
-#if defined __GNUC__
-        if (const std::type_info* type = abi::__cxa_current_exception_type())
-        {
-          int status = 0;
-          char* readable = abi::__cxa_demangle(type->name(), nullptr, nullptr, &status);
-          std::string text = readable ? readable : type->name();
-          std::free(readable);
-          return "exception of type " + text;
-        }
-#endif
-        return "unknown exception";
+        return false;
       }
     }
 
@@ -77,6 +71,8 @@ namespace urbi
       catch (...)
       {
         result = URBI_FAILED;
+        if (is_host_error())
+          exchange->operation = URBI_PASSED;
         std::string text = current_exception_text();
         out.restart();
         try
@@ -197,10 +193,14 @@ URBI_ENTRY int64_t urbi_module_invoke(urbi_exchange* exchange)
 URBI_ENTRY int64_t urbi_module_forget(urbi_exchange* exchange)
 {
   return urbi::detail::entered(exchange, [=](urbi::detail::Reader&, urbi::detail::Writer&) {
-    std::lock_guard<std::mutex> guard(urbi::detail::module().lock);
-    if (urbi::detail::module().firstContext == exchange->context)
-      urbi::detail::module().firstContext = 0;
-    return int64_t(0);
+    urbi::detail::Module& module = urbi::detail::module();
+    bool ended = true;
+    for (const std::function<bool()>& close : module.closers)
+      ended = close() && ended;
+    std::lock_guard<std::mutex> guard(module.lock);
+    if (module.firstContext == exchange->context)
+      module.firstContext = 0;
+    return int64_t(ended);
   });
 }
 

@@ -2,6 +2,7 @@
 #ifndef URBI_DETAIL_HOST_HH
 #define URBI_DETAIL_HOST_HH
 
+#include <functional>
 #include <list>
 #include <map>
 #include <mutex>
@@ -32,11 +33,20 @@ namespace urbi
     {
       urbi_host host = nullptr;
       int64_t firstContext = 0;
+      /// What has to end before the module is unloaded; they return whether it has.
+      std::list<std::function<bool()>> closers;
       std::mutex lock;
       std::list<baseURBIStarter*> starters;
       std::list<baseURBIStarterHub*> hubStarters;
       std::map<std::pair<int64_t, std::string>, UObject*> objects;
       std::map<std::pair<int64_t, std::string>, UObjectHub*> hubs;
+    };
+
+    /// The version of the kernel that components of 2.7 ask for.
+    enum
+    {
+      KERNEL_MAJOR = 2,
+      KERNEL_MINOR = 7,
     };
 
     /// Makes an object known by its name.
@@ -69,6 +79,7 @@ namespace urbi
       Creation* creation;
       const Told* told;
       bool destroying; ///< whether a destructor runs, from which no exception may come
+      bool sideEffectFree;
     };
 
     URBI_LOCAL inline ThreadState& thread_state()
@@ -106,6 +117,13 @@ namespace urbi
       int64_t before_;
     };
 
+    /// The host has not done what it was asked for.
+    class HostError : public std::runtime_error
+    {
+    public:
+      using std::runtime_error::runtime_error;
+    };
+
     /// One request to the host: write the arguments, send it, read the reply.
     class Request
     {
@@ -130,7 +148,7 @@ namespace urbi
       Request(const Request&) = delete;
       Request& operator=(const Request&) = delete;
 
-      /// \throw std::runtime_error with the host's error
+      /// \throw HostError
       int64_t send()
       {
         urbi_host host = module().host;
@@ -151,8 +169,8 @@ namespace urbi
           return 0;
         }
         if (result == URBI_FAILED)
-          throw std::runtime_error(std::string(reinterpret_cast<const char*>(exchange_.reply),
-                                               static_cast<size_t>(exchange_.reply_length)));
+          throw HostError(std::string(reinterpret_cast<const char*>(exchange_.reply),
+                                      static_cast<size_t>(exchange_.reply_length)));
         return result;
       }
 

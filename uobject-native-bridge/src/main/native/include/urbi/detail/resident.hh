@@ -2,6 +2,8 @@
 #ifndef URBI_DETAIL_RESIDENT_HH
 #define URBI_DETAIL_RESIDENT_HH
 
+#include <cstdlib>
+#include <functional>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -15,9 +17,6 @@
 
 namespace urbi
 {
-  /// A timer that USetTimer has set.
-  typedef int64_t TimerHandle;
-
   namespace detail
   {
     class Creator;
@@ -73,20 +72,29 @@ namespace urbi
       template <typename C, typename R>
       TimerHandle USetTimer(ufloat period, R (C::*function)())
       {
-        return every(period, function_callback(this, function), false);
+        return named(every(period, bound(this, function).function(), false));
       }
 
       template <typename C, typename R>
       TimerHandle USetTimer(ufloat period, R (C::*function)() const)
       {
-        return every(period, function_callback(this, function), false);
+        return named(every(period, bound(this, function).function(), false));
       }
 
-      /// Ends a timer.
-      bool removeTimer(TimerHandle handle)
+      TimerHandle USetTimer(ufloat period, const std::function<void()>& function)
       {
-        Request(URBI_TIMER_END, context(), handle).send();
-        return true;
+        return named(every(period, bound(function).function(), false));
+      }
+
+      /// Ends a timer. \return whether there was such one
+      bool removeTimer(const TimerHandle& handle)
+      {
+        if (!handle || handle->compare(0, timer_prefix().size(), timer_prefix()) != 0)
+          return false;
+        const char* digits = handle->c_str() + timer_prefix().size();
+        char* end = nullptr;
+        int64_t timer = std::strtoll(digits, &end, 10);
+        return end != digits && !*end && Request(URBI_TIMER_END, context(), timer).send();
       }
 
       /// Has update called every so many milliseconds, just after a pass of urbiscript code; -1 for
@@ -94,10 +102,10 @@ namespace urbi
       void USetUpdate(ufloat period)
       {
         if (updates_)
-          removeTimer(updates_);
+          Request(URBI_TIMER_END, context(), updates_).send();
         updates_ = 0;
         if (period >= 0)
-          updates_ = every(period, function_callback(this, &Resident::update), true);
+          updates_ = every(period, bound(this, &Resident::update).function(), true);
       }
 
       /// Called when USetUpdate has asked for it; what it returns does not matter.
@@ -106,10 +114,24 @@ namespace urbi
         return 0;
       }
 
+      static void write_callback(Writer& out, const Callback* callback, const LockSpec* lock)
+      {
+        out.raw(address_of(callback));
+        out.raw(callback->arity());
+        out.raw(lock ? static_cast<int64_t>(lock->lockMode) : int64_t(-1));
+        out.raw(lock ? static_cast<int64_t>(lock->maxQueueSize) : int64_t(0));
+      }
+
+      /// By which the host knows it.
+      static int64_t address_of(const Callback* callback)
+      {
+        return static_cast<int64_t>(reinterpret_cast<intptr_t>(callback));
+      }
+
     protected:
       friend class Creator;
 
-      Resident(int64_t context, int64_t id)
+      Resident(impl::UContextImpl* context, int64_t id)
         : urbi::UContext(context)
         , id_(id)
         , updates_(0)
@@ -125,19 +147,21 @@ namespace urbi
         return callbacks_.back().get();
       }
 
-      static void write_callback(Writer& out, const Callback* callback, const LockSpec* lock)
-      {
-        out.raw(static_cast<int64_t>(reinterpret_cast<intptr_t>(callback)));
-        out.raw(callback->arity());
-        out.raw(lock ? static_cast<int64_t>(lock->lockMode) : int64_t(-1));
-        out.raw(lock ? static_cast<int64_t>(lock->maxQueueSize) : int64_t(0));
-      }
-
       /// Its number on the host's side.
       int64_t id_;
 
     private:
-      TimerHandle every(ufloat period, std::unique_ptr<Callback> made, bool after)
+      static std::string timer_prefix()
+      {
+        return "timer_";
+      }
+
+      static TimerHandle named(int64_t timer)
+      {
+        return std::make_shared<std::string>(timer_prefix() + std::to_string(timer));
+      }
+
+      int64_t every(ufloat period, std::unique_ptr<Callback> made, bool after)
       {
         Callback* callback = own(std::move(made));
         Request request(URBI_EVERY, context(), id_);
@@ -147,7 +171,7 @@ namespace urbi
         return request.send();
       }
 
-      TimerHandle updates_;
+      int64_t updates_;
       std::mutex lock_;
       std::list<std::unique_ptr<Callback>> callbacks_;
     };

@@ -8,22 +8,24 @@ namespace urbi
 {
   // ---------------------------------------------------------------- UObject
 
-  inline UObject::UObject(const std::string& name)
-    : Resident(detail::current_context(), 0)
+  inline UObject::UObject(const std::string& name, impl::UContextImpl* context)
+    : Resident(context, 0)
     , derived(true)
     , remote(false)
+    , autogroup(false)
     , objecthub(nullptr)
+    , cloner(nullptr)
     , ended_(false)
   {
     attach(name);
   }
 
-  inline UObject::UObject()
-    : UObject(std::string())
+  inline UObject::UObject(impl::UContextImpl* context)
+    : UObject(std::string(), context)
   {}
 
-  inline UObject::UObject(int)
-    : UObject(std::string())
+  inline UObject::UObject(int, impl::UContextImpl* context)
+    : UObject(std::string(), context)
   {}
 
   inline void UObject::attach(const std::string& name)
@@ -39,7 +41,7 @@ namespace urbi
     }
     else
     {
-      detail::Request request(URBI_OBJECT_NEW, ctx_);
+      detail::Request request(URBI_OBJECT_NEW, context());
       request.out.text(name);
       id_ = request.send();
       __name = request.reply().text();
@@ -48,7 +50,7 @@ namespace urbi
     remote = isRemoteMode();
     {
       std::lock_guard<std::mutex> guard(detail::module().lock);
-      detail::enlist(detail::module().objects, ctx_, __name, this);
+      detail::enlist(detail::module().objects, context(), __name, this);
     }
     UBindVar(UObject, load);
     load = 1;
@@ -57,6 +59,52 @@ namespace urbi
   inline UObject::~UObject()
   {
     clean();
+  }
+
+  inline UGenericCallback* UObject::hold(urbi_request operation, const std::string& name,
+                                         UVar* target, std::unique_ptr<detail::Callback> function,
+                                         const LockSpec* lock)
+  {
+    UGenericCallback* made
+      = new UGenericCallback(*this, operation, name, target, own(std::move(function)));
+    {
+      std::lock_guard<std::mutex> guard(holding_);
+      held_.emplace_back(made);
+    }
+    made->tell(lock);
+    return made;
+  }
+
+  template <typename S>
+  UGenericCallback* UObject::callback_(const std::string& type, const std::string& name,
+                                       UVar* target, const S& function)
+  {
+    if (type == "function")
+      return bind(own_slot(name), function.function(), nullptr);
+    if (type == "event")
+      return bindAt(own_slot(name), function, nullptr);
+    if (type != "var" && type != "varaccess")
+      throw std::runtime_error("unknown kind of callback: " + type);
+    urbi_request operation = type == "var" ? URBI_VARIABLE_CHANGE : URBI_VARIABLE_ACCESS;
+    return target ? notifySigned(operation, *target, function, nullptr)
+                  : notifySigned(operation, name, function, nullptr);
+  }
+
+  template <typename S, typename E>
+  UGenericCallback* UObject::callback_(const std::string& type, const std::string& name,
+                                       const S& function, const E& end)
+  {
+    if (type != "eventend")
+      throw std::runtime_error("unknown kind of callback: " + type);
+    return bindAtEnd(own_slot(name), function, end, nullptr);
+  }
+
+  inline libport::ThreadPool::rTaskLock UObject::getTaskLock(LockSpec lock, const std::string&)
+  {
+    if (lock.lockMode == LOCK_NONE)
+      return libport::ThreadPool::rTaskLock();
+    return libport::ThreadPool::rTaskLock(
+      new libport::ThreadPool::TaskLock(lock.maxQueueSize, lock.lockMode));
   }
 
   inline void UObject::clean()
@@ -76,7 +124,7 @@ namespace urbi
     }
     {
       std::lock_guard<std::mutex> guard(detail::module().lock);
-      auto found = detail::module().objects.find({ctx_, __name});
+      auto found = detail::module().objects.find({context(), __name});
       if (found != detail::module().objects.end() && found->second == this)
         detail::module().objects.erase(found);
     }
@@ -85,7 +133,7 @@ namespace urbi
     ended_ = true;
     try
     {
-      detail::Request(URBI_OBJECT_GONE, ctx_, id_).send();
+      detail::Request(URBI_OBJECT_GONE, context(), id_).send();
     }
     catch (const std::exception&)
     {
@@ -133,7 +181,7 @@ namespace urbi
   // ---------------------------------------------------------------- UObjectHub
 
   inline UObjectHub::UObjectHub(const std::string& className)
-    : Resident(detail::current_context(), 0)
+    : Resident(nullptr, 0)
     , name(className)
   {
     detail::Creation*& creation = detail::thread_state().creation;
@@ -143,13 +191,13 @@ namespace urbi
       creation = creation->outer;
     }
     std::lock_guard<std::mutex> guard(detail::module().lock);
-    detail::enlist(detail::module().hubs, ctx_, name, this);
+    detail::enlist(detail::module().hubs, context(), name, this);
   }
 
   inline UObjectHub::~UObjectHub()
   {
     std::lock_guard<std::mutex> guard(detail::module().lock);
-    auto found = detail::module().hubs.find({ctx_, name});
+    auto found = detail::module().hubs.find({context(), name});
     if (found != detail::module().hubs.end() && found->second == this)
       detail::module().hubs.erase(found);
   }
@@ -253,22 +301,29 @@ namespace urbi
 
   // ---------------------------------------------------------------- their variables and events
 
-  inline UVar::UVar(UObject& object, const std::string& slot)
+  inline UVar::UVar(UObject& object, const std::string& slot, impl::UContextImpl* context)
     : UVar()
   {
-    init(object.__name, slot);
+    init(object.__name, slot, context ? context : object.ctx_);
   }
 
   inline UVar::UVar(UObject* object, const std::string& slot)
     : UVar(*object, slot)
   {}
 
-  inline InputPort::InputPort(UObject* object, const std::string& slot)
-    : InputPort(object->__name, slot)
-  {}
+  inline InputPort::InputPort(UObject* object, const std::string& slot, impl::UContextImpl* context)
+    : InputPort()
+  {
+    init(object, slot, context);
+  }
 
-  inline UEvent::UEvent(UObject& object, const std::string& slot)
-    : UEvent(object.__name, slot)
+  inline void InputPort::init(UObject* object, const std::string& slot, impl::UContextImpl* context)
+  {
+    UVar::init(object->__name, slot, context ? context : object->ctx_);
+  }
+
+  inline UEvent::UEvent(UObject& object, const std::string& slot, impl::UContextImpl* context)
+    : UEvent(object.__name, slot, context ? context : object.ctx_)
   {}
 }
 

@@ -1,15 +1,19 @@
 package org.urbi.bridge;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.urbi.bridge.CxxCompiler.Run;
 
 /** The headers by themselves, without a JVM. */
@@ -29,6 +33,78 @@ class HeadersTest {
   void addressSanitizer() throws IOException {
     Path program = program("g++", "unit-asan", "-g", "-fsanitize=address");
     assertEquals(new Run(0, "0 failures\n"), CxxCompiler.run(List.of(program.toString())));
+  }
+
+  private static List<String> headers(String folder) throws IOException {
+    try (Stream<Path> all = Files.walk(CxxCompiler.HEADERS.resolve(folder))) {
+      return all.filter(Files::isRegularFile)
+          .map(file -> CxxCompiler.HEADERS.relativize(file).toString())
+          // Qt is the user's.
+          .filter(name -> !name.endsWith("qt_umain.hh"))
+          .sorted()
+          .toList();
+    }
+  }
+
+  /** Headers can be included in any order, without a warning. */
+  @ParameterizedTest
+  @CsvSource({"g++, 17", "clang++, 17"})
+  void anyOrder(String compiler, String version) throws IOException {
+    assumeTrue(CxxCompiler.exists(compiler), "no " + compiler);
+    Files.createDirectories(CxxCompiler.MADE);
+    List<String> libport = headers("libport");
+    List<String> all = new ArrayList<>(libport);
+    all.addAll(headers("serialize"));
+    all.addAll(headers("urbi"));
+    syntax(compiler, version, all);
+    syntax(compiler, version, all.reversed());
+    syntax(compiler, version, libport.reversed());
+    // What is included by what it includes, and what is rarely included by others.
+    for (String header :
+        List.of("customuvar.hxx", "ucallbacks.hh", "ustarter.hxx", "utable.hh")) {
+      syntax(compiler, version, List.of("urbi/" + header));
+    }
+  }
+
+  private static void syntax(String compiler, String version, List<String> headers)
+      throws IOException {
+    StringBuilder code = new StringBuilder();
+    for (String header : headers) {
+      code.append("#include <").append(header).append(">\n");
+    }
+    Path source = Files.writeString(CxxCompiler.MADE.resolve("header.cc"), code.toString());
+    CxxCompiler.Run made =
+        CxxCompiler.run(
+            List.of(
+                compiler,
+                "-std=c++" + version,
+                "-Wall",
+                "-Wextra",
+                "-Werror",
+                "-fsyntax-only",
+                "-I",
+                CxxCompiler.HEADERS.toString(),
+                source.toString()));
+    assertEquals(new Run(0, ""), made, code::toString);
+  }
+
+  /** All headers that components of 2.7 include are there. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "customuvar.hh customuvar.hxx exit.hh export.hh fwd.hh input-port.hh input-port.hxx",
+        "kernel-version.hh package-info.hh socket.hh uabstractclient.hh",
+        "uabstractclient.hxx ubinary.hh ubinary.hxx ublend-type.hh ucallbacks.hh uclient.hh",
+        "ucontext-factory.hh ucontext-impl.hh ucontext-impl.hxx ucontext.hh ucontext.hxx",
+        "uconversion.hh uevent.hh uevent.hxx uexternal.hh uimage.hh umessage.hh",
+        "umessage.hxx uobject-hub.hh uobject.hh uobject.hxx uprop.hh uproperty.hh",
+        "usound.hh ustarter.hh ustarter.hxx usyncclient.hh utable.hh utag.hh utimer-callback.hh",
+        "uvalue-serialize.hh uvalue.hh uvalue.hxx uvar.hh uvar.hxx version-check.hh"
+      })
+  void exist(String names) {
+    for (String name : names.split(" ")) {
+      assertTrue(Files.exists(CxxCompiler.HEADERS.resolve("urbi").resolve(name)), name);
+    }
   }
 
   /** Other compilers and versions of the language understand them, without a warning. */

@@ -52,7 +52,8 @@ final class BoundFunction extends Code {
   @Override
   public UrbiObject call(Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
     if (arguments.length != arity) {
-      throw caller.interpreter().errors().arity(callback.name(), arguments.length, arity, arity);
+      String called = site.calledName() == null ? callback.name() : site.calledName();
+      throw caller.interpreter().errors().arity(called, arguments.length, arity, arity);
     }
     if (gone != null) {
       throw caller

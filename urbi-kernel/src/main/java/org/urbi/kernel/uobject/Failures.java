@@ -32,6 +32,10 @@ final class Failures {
       case Unwinding unwinding -> unwinding;
       case UrbiException thrown -> thrown;
       case RaisedInUrbi raised -> raised.original();
+      case KernelRefusal refusal ->
+          errors.primitive(
+              site.calledName() == null ? function : site.calledName(),
+              Texts.toUrbi(refusal.getMessage()));
       case ConversionFailure e when e.getMessage() == null ->
           argument(context, errors, function, arguments, e);
       case CompletionException e

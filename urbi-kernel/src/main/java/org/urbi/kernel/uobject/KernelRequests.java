@@ -30,6 +30,7 @@ final class KernelRequests {
   private final Interpreter interpreter;
   private final AtomicInteger last = new AtomicInteger();
   private final Map<Integer, Request<?>> pending = new ConcurrentHashMap<>();
+  private final ThreadLocal<KernelHold> held = new ThreadLocal<>();
   private volatile boolean over;
 
   KernelRequests(Interpreter interpreter) {
@@ -47,10 +48,16 @@ final class KernelRequests {
       throw new IllegalStateException("in a replay, threads of components have no say");
     }
     CompletableFuture<T> future = new CompletableFuture<>();
+    Request<T> request = new Request<>(task, future);
     int number = last.incrementAndGet();
-    pending.put(number, new Request<>(task, future));
+    pending.put(number, request);
+    KernelHold hold = held.get();
     try {
-      interpreter.scheduler().inbox().post(new Message.ComponentRequest(number));
+      if (hold == null) {
+        interpreter.scheduler().inbox().post(new Message.ComponentRequest(number));
+      } else {
+        hold.add(request::perform);
+      }
       if (over) {
         throw ended();
       }
@@ -83,6 +90,45 @@ final class KernelRequests {
             job -> request.perform(Frame.top(interpreter, job, lobby, new FrameLayout())))
         .onEnd(() -> request.future().completeExceptionally(new CancellationException("stopped")));
     return true;
+  }
+
+  /** From now on the kernel does nothing but what this thread asks for, until {@link #unlock}. */
+  void lock() {
+    KernelHold present = held.get();
+    if (present != null) {
+      present.again();
+      return;
+    }
+    KernelHold made = new KernelHold(Thread.currentThread(), () -> over);
+    CompletableFuture<Void> begun = new CompletableFuture<>();
+    int number = last.incrementAndGet();
+    pending.put(
+        number,
+        new Request<Void>(
+            frame -> {
+              begun.complete(null);
+              made.serve(frame);
+              return null;
+            },
+            begun));
+    try {
+      interpreter.scheduler().inbox().post(new Message.ComponentRequest(number));
+      if (over) {
+        throw ended();
+      }
+      begun.join();
+      held.set(made);
+    } finally {
+      pending.remove(number);
+    }
+  }
+
+  /** Ends what {@link #lock} began. */
+  void unlock() {
+    KernelHold present = held.get();
+    if (present != null && present.end()) {
+      held.remove();
+    }
   }
 
   private static IllegalStateException ended() {

@@ -601,6 +601,20 @@ public final class PluggedContext implements UContext {
   }
 
   @Override
+  public void lock() {
+    if (!scheduler.isKernelThread()) {
+      requests.lock();
+    }
+  }
+
+  @Override
+  public void unlock() {
+    if (!scheduler.isKernelThread()) {
+      requests.unlock();
+    }
+  }
+
+  @Override
   public Executor threads() {
     return threads;
   }

@@ -27,10 +27,14 @@ final class ThreadedCall {
       return null;
     }
     Outcome outcome = answer.await();
-    if (outcome.failure() != null) {
-      throw outcome.failure();
+    Throwable failure = outcome.failure();
+    if (failure == null) {
+      return outcome.value();
     }
-    return outcome.value();
+    throw failure instanceof RaisedInUrbi || failure instanceof KernelRefusal
+        ? failure
+        : new IllegalStateException(
+            "Exception in threaded call: " + Failures.text(failure), failure);
   }
 
   private static Outcome run(UCallback callback, Object[] arguments) {

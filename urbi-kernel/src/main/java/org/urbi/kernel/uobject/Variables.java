@@ -59,7 +59,7 @@ final class Variables {
     int dot = name.lastIndexOf('.');
     UrbiObject owner = dot <= 0 ? null : owner(frame, name.substring(0, dot));
     if (owner == null || dot == name.length() - 1) {
-      throw new IllegalArgumentException("UVar creation on non existing object: " + name);
+      throw new KernelRefusal("UVar creation on non existing object: " + name);
     }
     return new Place(owner, world.symbol(Texts.toUrbi(name.substring(dot + 1))));
   }

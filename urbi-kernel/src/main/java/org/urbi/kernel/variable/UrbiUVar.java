@@ -8,6 +8,8 @@ import java.util.stream.Stream;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.job.Timers;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
@@ -47,11 +49,15 @@ public final class UrbiUVar extends UrbiObject {
   private static final class Reader {
     private final Job job;
     private UrbiObject value;
+    private boolean late;
 
     Reader(Job job) {
       this.job = job;
     }
   }
+
+  /** How long a reader waits for a value in bypass mode, in nanoseconds. */
+  private static final long BYPASS_PATIENCE = 500_000_000;
 
   private final List<Place> places = new ArrayList<>(1);
   private final Hooks onChange = new Hooks();
@@ -339,7 +345,10 @@ public final class UrbiUVar extends UrbiObject {
 
   // ------------------------------------------------------------------ reading
 
-  /** What everybody reads; hooks are run before. In bypass mode, waits for the next value. */
+  /**
+   * What everybody reads; hooks are run before. In bypass mode, waits for the next value, and reads
+   * {@code nil} if none comes in half a second.
+   */
   public UrbiObject read(Frame frame) {
     if (!onAccess.isEmpty()) {
       onAccess.run(frame, this, visible());
@@ -359,12 +368,23 @@ public final class UrbiUVar extends UrbiObject {
   private UrbiObject awaitValue(Job job) {
     Reader reader = new Reader(job);
     readers.add(reader);
+    Scheduler scheduler = job.scheduler();
+    Timers.Timer limit =
+        scheduler
+            .timers()
+            .add(
+                scheduler.now() + BYPASS_PATIENCE,
+                () -> {
+                  reader.late = true;
+                  job.wake();
+                });
     try {
-      while (reader.value == null) {
+      while (reader.value == null && !reader.late) {
         job.waitForWake();
       }
-      return reader.value;
+      return reader.value == null ? world().values().nil : reader.value;
     } finally {
+      limit.cancel();
       readers.remove(reader);
     }
   }

@@ -1,0 +1,224 @@
+/// A context: where objects, variables and events live.
+#ifndef URBI_UCONTEXT_IMPL_HH
+#define URBI_UCONTEXT_IMPL_HH
+
+#include <atomic>
+#include <mutex>
+#include <string>
+
+#include <dlfcn.h>
+
+#include <libport/asio.hh>
+#include <libport/foreach.hh>
+#include <libport/utime.hh>
+
+#include <urbi/detail/host.hh>
+#include <urbi/fwd.hh>
+
+namespace urbi
+{
+  /// Where the objects of this module live.
+  enum UObjectMode
+  {
+    MODE_PLUGIN = 1, ///< in the process of the kernel
+    MODE_REMOTE = 2, ///< in another one
+  };
+
+  /// Microseconds.
+  typedef libport::utime_t utime_t;
+
+  namespace detail
+  {
+    inline void send_text(int64_t context, const std::string& code)
+    {
+      Request request(URBI_SEND, context);
+      request.out.text(code);
+      request.send();
+    }
+
+    /// Where this module is loaded to, while it is: its host cannot be asked before its static
+    /// variables have been initialized. An even number of `/.` in its path stands for a remote process.
+    inline UObjectMode loading_mode()
+    {
+      Dl_info found;
+      if (!dladdr(reinterpret_cast<void*>(&module), &found) || !found.dli_fname)
+        return MODE_REMOTE;
+      std::string path(found.dli_fname);
+      size_t dots = 0;
+      for (size_t at = path.find("/./"); at != std::string::npos; at = path.find("/./", at + 2))
+        ++dots;
+      return dots % 2 ? MODE_PLUGIN : MODE_REMOTE;
+    }
+
+    inline UObjectMode running_mode(int64_t context)
+    {
+      if (!context || !module().host)
+        return loading_mode();
+      return static_cast<UObjectMode>(Request(URBI_MODE, context).send());
+    }
+
+    inline void yield_for(int64_t context, libport::utime_t microseconds)
+    {
+      Request request(URBI_YIELD, context);
+      request.out.raw(static_cast<int64_t>(microseconds < 0 ? 0 : microseconds));
+      request.send();
+    }
+
+    inline UObject* find_object(int64_t context, const std::string& name);
+    inline UObjectHub* find_hub(int64_t context, const std::string& name);
+  }
+
+  namespace impl
+  {
+    /// What `ctx_` points to. There is one for each context, which lives as long as the module.
+    class UContextImpl
+    {
+    public:
+      explicit UContextImpl(int64_t number)
+        : next(nullptr)
+        , number_(number)
+      {}
+
+      UContextImpl(const UContextImpl&) = delete;
+      UContextImpl& operator=(const UContextImpl&) = delete;
+
+      int64_t number() const
+      {
+        return number_;
+      }
+
+      /// Has the context do nothing but what this thread asks for, until `unlock`.
+      void lock()
+      {
+        detail::Request(URBI_LOCK, number_).send();
+      }
+
+      void unlock()
+      {
+        detail::Request(URBI_UNLOCK, number_).send();
+      }
+
+      void send(const std::string& code)
+      {
+        detail::send_text(number_, code);
+      }
+
+      void send(const char* code)
+      {
+        detail::send_text(number_, code);
+      }
+
+      void send(const void* code, size_t size)
+      {
+        detail::send_text(number_, std::string(static_cast<const char*>(code), size));
+      }
+
+      UObject* getUObject(const std::string& name)
+      {
+        return detail::find_object(number_, name);
+      }
+
+      UObjectHub* getUObjectHub(const std::string& name)
+      {
+        return detail::find_hub(number_, name);
+      }
+
+      UObjectMode getRunningMode() const
+      {
+        return detail::running_mode(number_);
+      }
+
+      void yield() const
+      {
+        detail::yield_for(number_, 0);
+      }
+
+      void yield_for(libport::utime_t microseconds) const
+      {
+        detail::yield_for(number_, microseconds);
+      }
+
+      void yield_until(libport::utime_t deadline) const
+      {
+        detail::yield_for(number_, deadline - libport::utime());
+      }
+
+      void yield_until_things_changed() const
+      {
+        detail::yield_for(number_, 0);
+      }
+
+      /// The next context of this module.
+      UContextImpl* next;
+
+    private:
+      int64_t number_;
+    };
+  }
+
+  namespace detail
+  {
+    /// The contexts of this module: few, and none goes before the module does.
+    struct Contexts
+    {
+      ~Contexts()
+      {
+        for (impl::UContextImpl* each = first; each;)
+        {
+          impl::UContextImpl* gone = each;
+          each = each->next;
+          delete gone;
+        }
+      }
+
+      std::atomic<impl::UContextImpl*> first{nullptr};
+      std::mutex adding;
+    };
+
+    URBI_LOCAL inline Contexts& contexts()
+    {
+      static Contexts all;
+      return all;
+    }
+
+    inline impl::UContextImpl* find_context(int64_t number)
+    {
+      for (impl::UContextImpl* each = contexts().first; each; each = each->next)
+        if (each->number() == number)
+          return each;
+      return nullptr;
+    }
+
+    /// The context of that number; null for 0.
+    inline impl::UContextImpl* context_of(int64_t number)
+    {
+      if (!number)
+        return nullptr;
+      if (impl::UContextImpl* found = find_context(number))
+        return found;
+      std::lock_guard<std::mutex> guard(contexts().adding);
+      if (impl::UContextImpl* found = find_context(number))
+        return found;
+      impl::UContextImpl* made = new impl::UContextImpl(number);
+      made->next = contexts().first;
+      contexts().first = made;
+      return made;
+    }
+  }
+
+  /// The context that code of this thread belongs to; null for none.
+  inline impl::UContextImpl* getCurrentContext()
+  {
+    return detail::context_of(detail::current_context());
+  }
+
+  /// From now on code of this thread belongs to it.
+  inline void setCurrentContext(impl::UContextImpl* context)
+  {
+    detail::thread_state().context = context ? context->number() : 0;
+  }
+}
+
+#include <urbi/ucontext.hh>
+
+#endif

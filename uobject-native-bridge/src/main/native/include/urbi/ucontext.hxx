@@ -1,0 +1,2 @@
+/// What urbi/ucontext.hh declares is defined there; this name is that of 2.7.
+#include <urbi/ucontext.hh>

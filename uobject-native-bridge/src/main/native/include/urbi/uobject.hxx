@@ -1,0 +1,2 @@
+/// What urbi/uobject.hh declares is defined there; this name is that of 2.7.
+#include <urbi/uobject.hh>

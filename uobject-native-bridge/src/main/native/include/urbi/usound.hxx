@@ -1,0 +1,2 @@
+/// What urbi/usound.hh declares is defined there; this name is that of 2.7.
+#include <urbi/usound.hh>
