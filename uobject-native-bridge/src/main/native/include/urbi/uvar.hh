@@ -2,9 +2,11 @@
 #ifndef URBI_UVAR_HH
 #define URBI_UVAR_HH
 
+#include <map>
 #include <mutex>
 #include <ostream>
 #include <string>
+#include <thread>
 
 #include <urbi/ucontext.hh>
 #include <urbi/uprop.hh>
@@ -196,8 +198,16 @@ namespace urbi
     int64_t slot_;
     bool temp_;
     RtpMode rtp_;
+    /// The value that was last read on this thread; to be used with the lock held.
+    UValue& kept() const;
+
+    /// The same, to be looked at without the lock: nobody else changes it.
+    UValue& own() const;
+
     mutable std::mutex lock_;
+    mutable std::thread::id first_; ///< whose `value_` is
     mutable UValue value_;
+    mutable std::map<std::thread::id, UValue> others_; ///< of other threads
   };
 
   /// A port, into which urbiscript leads the values of variables by `>>`.

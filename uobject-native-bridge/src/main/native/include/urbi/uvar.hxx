@@ -172,7 +172,21 @@ namespace urbi
   inline void UVar::tell(detail::Reader& in)
   {
     std::lock_guard<std::mutex> guard(lock_);
-    in.value(value_);
+    in.value(kept());
+  }
+
+  inline UValue& UVar::kept() const
+  {
+    std::thread::id self = std::this_thread::get_id();
+    if (first_ == std::thread::id())
+      first_ = self;
+    return first_ == self ? value_ : others_[self];
+  }
+
+  inline UValue& UVar::own() const
+  {
+    std::lock_guard<std::mutex> guard(lock_);
+    return kept();
   }
 
   inline bool UVar::is_told() const
@@ -186,13 +200,13 @@ namespace urbi
   inline const UValue& UVar::val() const
   {
     if (is_told())
-      return value_;
+      return own();
     UValue read_now;
     detail::Request request(URBI_VARIABLE_GET, context(), slot_);
     read(request).reply().value(read_now);
+    // A reference to it stays good while other threads read.
     std::lock_guard<std::mutex> guard(lock_);
-    value_ = std::move(read_now);
-    return value_;
+    return kept() = std::move(read_now);
   }
 
   inline const UValue& UVar::operator*() const
@@ -211,7 +225,7 @@ namespace urbi
     if constexpr (std::is_same<T, UImage>::value || std::is_same<T, USound>::value)
       return static_cast<T>(val());
     else if (is_told())
-      return uvalue_cast<T>(value_);
+      return uvalue_cast<T>(own());
     else
     {
       UValue value;
@@ -237,7 +251,7 @@ namespace urbi
   UVar::operator T() const
   {
     if (is_told())
-      return static_cast<T>(value_);
+      return static_cast<T>(own());
     detail::Request request(URBI_VARIABLE_GET, context(), slot_);
     detail::Reader reply = read(request).reply();
     ufloat number;
@@ -335,7 +349,7 @@ namespace urbi
     detail::Request request(URBI_VARIABLE_SYNC, context(), slot_);
     read(request).reply().value(read_now);
     std::lock_guard<std::mutex> guard(lock_);
-    value_ = std::move(read_now);
+    kept() = std::move(read_now);
   }
 
   inline void UVar::keepSynchronized()

@@ -12,6 +12,7 @@ final class ValueWriter extends ValueEncoder {
   static final int POINTER = 7;
 
   private final long given;
+  private final long givenCapacity;
   private long begin;
   private long capacity;
   private long length;
@@ -21,6 +22,7 @@ final class ValueWriter extends ValueEncoder {
    */
   ValueWriter(long buffer, long capacity) {
     this.given = buffer;
+    this.givenCapacity = capacity;
     this.begin = buffer;
     this.capacity = capacity;
   }
@@ -45,6 +47,7 @@ final class ValueWriter extends ValueEncoder {
     if (begin != given) {
       Native.free(begin);
       begin = given;
+      capacity = givenCapacity;
     }
   }
 
