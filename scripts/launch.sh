@@ -35,6 +35,12 @@ typing=false
 # Programs that urbi starts find its sister tools, after all others.
 PATH=${PATH:+$PATH:}$root:$root/bin
 export PATH
+if [ -n "${URBI_SHOW_COMMAND:-}" ]; then # by programs that start the JVM themselves: a word a line
+  # shellcheck disable=SC2086
+  printf '%s\n' "$java" $jvm_flags ${URBI_JAVA_OPTS:-} "-Durbi.root=${URBI_ROOT:-$root}" \
+    "-Durbi.uobjects=$root/$dist/uobjects" -Durbi.stdin.terminal=$typing "-Durbi.program=$0" -cp "$cp"
+  exit
+fi
 # shellcheck disable=SC2086
 exec "$java" $jvm_flags ${cache:+"$cache"} ${URBI_JAVA_OPTS:-} -Durbi.root="${URBI_ROOT:-$root}" \
   -Durbi.uobjects="$root/$dist/uobjects" -Durbi.stdin.terminal=$typing -Durbi.program="$0" -cp "$cp" "$main" "$@"

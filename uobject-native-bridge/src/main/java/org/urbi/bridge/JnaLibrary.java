@@ -9,7 +9,6 @@ import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import org.jspecify.annotations.Nullable;
 import urbi.UModuleException;
 
 /** A shared library, as JNA loads it, calls it and is called by it. */
@@ -62,7 +61,7 @@ final class JnaLibrary implements AutoCloseable {
     // Threads of C++ stay known to the JVM: to attach one for each call takes 70 times as long. It
     // has to be said before the callback is used for the first time.
     Native.setCallbackThreadInitializer(
-        host, new CallbackThreadInitializer(true, false, "urbi-native"));
+        host, new CallbackThreadInitializer(true, false, NativeThreads.NAME));
     return host;
   }
 
@@ -73,10 +72,22 @@ final class JnaLibrary implements AutoCloseable {
    * @throws UModuleException if it cannot be loaded, or is no module
    */
   static JnaLibrary open(Path file, String shown) {
-    NativeLibrary library = null;
     try {
-      library =
-          NativeLibrary.getInstance(file.toString(), Map.of(Library.OPTION_OPEN_FLAGS, RTLD_NOW));
+      return of(
+          NativeLibrary.getInstance(file.toString(), Map.of(Library.OPTION_OPEN_FLAGS, RTLD_NOW)),
+          shown);
+    } catch (UnsatisfiedLinkError e) {
+      throw new UModuleException(LoaderErrors.text(file, shown, e.getMessage()), e);
+    }
+  }
+
+  /** The program in whose process this is; its symbols have to be exported. */
+  static JnaLibrary ofProcess(String shown) {
+    return of(NativeLibrary.getProcess(), shown);
+  }
+
+  private static JnaLibrary of(NativeLibrary library, String shown) {
+    try {
       for (String function : FUNCTIONS) {
         checkFunction(library, function, shown);
       }
@@ -85,14 +96,11 @@ final class JnaLibrary implements AutoCloseable {
       ModuleEntries entries =
           (ModuleEntries) mapped.getConstructor(JnaHost.class).newInstance(HOST);
       return new JnaLibrary(library, mapped, entries);
-    } catch (UnsatisfiedLinkError e) {
-      close(library);
-      throw new UModuleException(LoaderErrors.text(file, shown, e.getMessage()), e);
     } catch (ReflectiveOperationException | IOException e) {
-      close(library);
+      library.close();
       throw new UModuleException("cannot load " + shown + ": " + e.getMessage(), e);
     } catch (RuntimeException e) {
-      close(library);
+      library.close();
       throw e;
     }
   }
@@ -119,13 +127,7 @@ final class JnaLibrary implements AutoCloseable {
   @Override
   public void close() {
     Native.unregister(mapped);
-    close(library);
-  }
-
-  private static void close(@Nullable NativeLibrary library) {
-    if (library != null) {
-      library.close();
-    }
+    library.close();
   }
 
   /** Defines one class anew. */

@@ -36,6 +36,7 @@ public final class NativeModule implements AutoCloseable {
   private static final AtomicInteger SPELLINGS = new AtomicInteger();
 
   private final String shown;
+  private final NativeThreads threads = new NativeThreads();
   private final Object fileKey;
   private final JnaLibrary library;
   private final ModuleEntries entries;
@@ -92,6 +93,19 @@ public final class NativeModule implements AutoCloseable {
         throw e;
       }
     }
+  }
+
+  /**
+   * The UObjects of the program in whose process this is.
+   *
+   * @param shown what it is called
+   * @throws UModuleException if it has none, or does not export what they need
+   */
+  static NativeModule ofProcess(String shown) {
+    NativeModule made =
+        new NativeModule(Path.of(shown), new Object(), JnaLibrary.ofProcess(shown));
+    made.open(shown);
+    return made;
   }
 
   private static Object key(Path file) {
@@ -201,6 +215,11 @@ public final class NativeModule implements AutoCloseable {
     }
   }
 
+  /** Those that it has made. */
+  NativeThreads threads() {
+    return threads;
+  }
+
   UTaskQueue queue() {
     return queue;
   }
@@ -243,6 +262,7 @@ public final class NativeModule implements AutoCloseable {
       }
       contexts.clear();
     }
+    ended &= !threads.anyAlive();
     if (ended) {
       synchronized (LOADED) {
         library.close();

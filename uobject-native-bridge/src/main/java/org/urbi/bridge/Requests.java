@@ -114,6 +114,7 @@ final class Requests {
     if (in == null) {
       throw new IllegalStateException("this code belongs to no kernel, or to one that has ended");
     }
+    in.module().threads().met(Thread.currentThread());
     return new Requests(in, exchange, reply).carryOutOperation(operation);
   }
 

@@ -7,6 +7,7 @@ import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import org.urbi.bridge.NativeThreads;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
@@ -100,7 +101,7 @@ final class Server {
     if (console != null) {
       console.close();
     }
-    Runtime.getRuntime().halt(status);
+    NativeThreads.halt(status);
   }
 
   /** Somebody wants the process to end, whatever goes on. */

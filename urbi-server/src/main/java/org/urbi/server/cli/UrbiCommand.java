@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import org.urbi.bridge.NativeThreads;
 import org.urbi.server.Trace;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
@@ -34,7 +35,7 @@ public final class UrbiCommand {
     System.out.flush();
     System.err.flush();
     // All is closed already; an orderly exit would load the JDK's loggers first.
-    Runtime.getRuntime().halt(status);
+    NativeThreads.halt(status);
   }
 
   /** Runs the program and returns its exit status. */

@@ -1,6 +1,7 @@
 package org.urbi.server.launch;
 
 import java.io.PrintStream;
+import org.urbi.bridge.NativeThreads;
 import org.urbi.server.cli.RawArguments;
 
 /** The program {@code urbi-launch}. */
@@ -11,7 +12,7 @@ public final class UrbiLaunch {
     int status = run(RawArguments.of(args), System.out, System.err);
     System.out.flush();
     System.err.flush();
-    Runtime.getRuntime().halt(status);
+    NativeThreads.halt(status);
   }
 
   /** Runs the program and returns its exit status. */

@@ -1,0 +1,151 @@
+package org.urbi.tests.process;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.urbi.tests.Patience;
+
+/** Programs of C++ with a main of their own, {@code urbi/umain.hh}, and a real server. */
+class CxxProgramsTest {
+  private static final String OBJECT =
+      """
+      #include <atomic>
+      #include <cstdio>
+      #include <urbi/umain.hh>
+      static std::atomic<bool> asked(false);
+      class Own : public urbi::UObject
+      {
+      public:
+        Own(const std::string& s) : urbi::UObject(s) { UBindFunctions(Own, twice); }
+        int twice(int n) { asked = true; return 2 * n; }
+      };
+      UStart(Own);
+      """;
+
+  @TempDir Path folder;
+
+  private Path compile(String main) throws IOException, InterruptedException {
+    Path source = Files.writeString(folder.resolve("own.cc"), OBJECT + main);
+    Path program = folder.resolve("own");
+    CxxModules.compileProgram("g++", source, program, "-std=c++17", "-rdynamic");
+    return program;
+  }
+
+  /** An installation that has the classes of these tests. */
+  private Path installation() throws IOException {
+    Path tool = folder.resolve("root/bin/urbi-launch");
+    Files.createDirectories(tool.getParent());
+    String words =
+        String.join(
+            "' '",
+            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            "--enable-native-access=ALL-UNNAMED",
+            "-XX:+UseSerialGC",
+            "-cp",
+            JavaProcess.Setting.in(folder).classPath());
+    Files.writeString(tool, "#!/bin/sh\n[ $URBI_SHOW_COMMAND ] && printf '%s\\n' '" + words + "'\n");
+    assertTrue(tool.toFile().setExecutable(true));
+    return folder.resolve("root");
+  }
+
+  private CompletableFuture<String> start(Path program, String... arguments) throws IOException {
+    List<String> words =
+        new ArrayList<>(List.of("env", "URBI_ROOT=" + installation(), program.toString()));
+    words.addAll(List.of(arguments));
+    return CompletableFuture.supplyAsync(() -> {
+      try {
+        return CxxModules.output(words.toArray(String[]::new));
+      } catch (IOException | InterruptedException e) {
+        throw new AssertionError(e);
+      }
+    });
+  }
+
+  private static String end(CompletableFuture<String> program) throws Exception {
+    return program.get(Patience.LONG.toSeconds(), TimeUnit.SECONDS);
+  }
+
+  private static void ask(ServerProcess server) throws Exception {
+    try (ConsoleClient client = server.connect()) {
+      client.send("waituntil(isdef(Own)); Own.twice(21);\n");
+      String line = client.line();
+      while (!line.endsWith("] 42")) {
+        line = client.line();
+      }
+    }
+  }
+
+  @Test
+  void nothingButItsObjects() throws Exception {
+    Path program = compile("UMAIN();\n");
+    try (ServerProcess server = ServerProcess.in(folder)) {
+      CompletableFuture<String> running = start(program, "--port", "" + server.port());
+      ask(server);
+      assertEquals(0, server.shutDown(), server::text);
+      assertTrue(end(running).contains("started Own"));
+    }
+  }
+
+  @Test
+  void whatItDoesBesides() throws Exception {
+    Path program =
+        compile(
+            """
+            int main(int argc, const char* argv[])
+            {
+              std::puts(urbi::isPluginMode() ? "plugged" : "remote");
+              UrbiRoot root(argv[0]);
+              if (urbi::main(argc, argv, root, false))
+                return 1;
+              while (!asked)
+                usleep(1000);
+              usleep(200000); // for the answer to arrive
+              std::puts("asked");
+              return 0;
+            }
+            """);
+    try (ServerProcess server = ServerProcess.in(folder)) {
+      CompletableFuture<String> running = start(program, "--port", "" + server.port());
+      ask(server);
+      String said = end(running);
+      assertTrue(said.contains("remote\n"), said);
+      assertTrue(said.endsWith("asked\n"), said);
+      assertEquals(0, server.shutDown(), server::text);
+    }
+  }
+
+  @Test
+  void noUrbi() throws Exception {
+    Path program =
+        compile(
+            """
+            int main(int, const char* argv[])
+            {
+              UrbiRoot root("own");
+              try
+              {
+                return urbi::main(1, argv, root, true, true);
+              }
+              catch (const std::exception& e)
+              {
+                std::puts(e.what());
+                return 0;
+              }
+            }
+            """);
+    String said =
+        CxxModules.output("env", "URBI_ROOT=" + folder.resolve("no'where"), program.toString());
+    assertTrue(
+        said.endsWith("no Urbi in " + folder.resolve("no'where") + ": set URBI_ROOT to the folder where it is\n"),
+        said);
+  }
+}

@@ -1,0 +1,47 @@
+package org.urbi.bridge;
+
+import com.sun.jna.NativeLibrary;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+
+/**
+ * The threads that a module has made and that have asked for something. While one lives, the code
+ * and the static variables of its module have to stay where they are.
+ */
+public final class NativeThreads {
+  /** What threads of C++ are called in Java. */
+  static final String NAME = "urbi-native";
+
+  /** Those of all modules. */
+  private static final Set<Thread> ALL = ConcurrentHashMap.newKeySet();
+
+  private final Set<Thread> own = ConcurrentHashMap.newKeySet();
+
+  NativeThreads() {}
+
+  /** A thread has asked for something. */
+  void met(Thread thread) {
+    if (!thread.isVirtual() && thread.getName().startsWith(NAME) && own.add(thread)) {
+      own.removeIf(each -> !each.isAlive());
+      ALL.removeIf(each -> !each.isAlive());
+      ALL.add(thread);
+    }
+  }
+
+  boolean anyAlive() {
+    return own.stream().anyMatch(Thread::isAlive);
+  }
+
+  /**
+   * Ends the process, as {@link Runtime#halt} does. Where threads of modules still run, the static
+   * variables of C++ stay as they are: those threads would stumble over their destructors.
+   */
+  public static void halt(int status) {
+    if (ALL.stream().anyMatch(Thread::isAlive)) {
+      NativeLibrary c = NativeLibrary.getProcess();
+      c.getFunction("fflush").invokeInt(new Object[] {null});
+      c.getFunction("_exit").invokeVoid(new Object[] {status});
+    }
+    Runtime.getRuntime().halt(status);
+  }
+}
