@@ -2,6 +2,7 @@ package urbi.remote;
 
 import java.util.ArrayDeque;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
@@ -204,6 +205,47 @@ final class Dispatcher {
   void release() {
     if (Thread.currentThread() != executor && turn.isHeldByCurrentThread()) {
       turn.unlock();
+    }
+  }
+
+  /**
+   * Waits so long; on the thread that executes tasks, in the middle of one, others are executed
+   * meanwhile.
+   */
+  void letOthers(long nanoseconds) throws InterruptedException {
+    if (Thread.currentThread() != executor) {
+      TimeUnit.NANOSECONDS.sleep(nanoseconds);
+      return;
+    }
+    long deadline = System.nanoTime() + nanoseconds;
+    do {
+      Runnable task = nextUntil(deadline);
+      if (task != null) {
+        guard.accept(task);
+      }
+    } while (System.nanoTime() - deadline < 0);
+  }
+
+  /** The next task; null if none comes in time. The helper reads meanwhile. */
+  private @Nullable Runnable nextUntil(long deadline) throws InterruptedException {
+    synchronized (lock) {
+      try {
+        while (tasks.isEmpty()) {
+          long left = deadline - System.nanoTime();
+          if (left <= 0) {
+            return null;
+          }
+          if (!helperReads && !ended) {
+            helperReads = true;
+            lock.notifyAll();
+          }
+          state = State.WAITS;
+          TimeUnit.NANOSECONDS.timedWait(lock, left);
+        }
+        return tasks.poll();
+      } finally {
+        state = State.EXECUTES;
+      }
     }
   }
 

@@ -16,7 +16,6 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Executor;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiConsumer;
@@ -607,7 +606,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   public void yieldFor(Duration time) {
     // The job in the kernel that waits for a function waits anyway, and the kernel goes on.
     try {
-      TimeUnit.NANOSECONDS.sleep(time.toNanos());
+      dispatcher.letOthers(time.toNanos());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

@@ -63,9 +63,6 @@ namespace urbi
       request.out.raw(static_cast<int64_t>(microseconds < 0 ? 0 : microseconds));
       request.send();
     }
-
-    inline UObject* find_object(int64_t context, const std::string& name);
-    inline UObjectHub* find_hub(int64_t context, const std::string& name);
   }
 
   namespace impl
@@ -113,15 +110,9 @@ namespace urbi
         detail::send_text(number_, std::string(static_cast<const char*>(code), size));
       }
 
-      UObject* getUObject(const std::string& name)
-      {
-        return detail::find_object(number_, name);
-      }
-
-      UObjectHub* getUObjectHub(const std::string& name)
-      {
-        return detail::find_hub(number_, name);
-      }
+      // Defined with UObject.
+      UObject* getUObject(const std::string& name);
+      UObjectHub* getUObjectHub(const std::string& name);
 
       UObjectMode getRunningMode() const
       {

@@ -111,10 +111,10 @@
 
 // ------------------------------------------------------------------ urbiscript
 
-/// Sends code: URBI((...)), or URBI(()) << ... .
-#ifndef URBI
+/// Sends code: URBI((...)), or URBI(()) << ... . Whatever was included before: a UObject uses its context,
+/// and no client.
+#undef URBI
 #define URBI(A) uobject_unarmorAndSend(#A)
-#endif
 
 #define URBI_SEND(Args) (URBI(()) << Args)
 #define URBI_SEND_COMMAND(Args) (URBI(()) << Args << ';')

@@ -344,13 +344,13 @@ namespace urbi
   {
     switch (type)
     {
-    case DATA_BINARY: return "Binary";
-    case DATA_DICTIONARY: return "Dictionary";
-    case DATA_DOUBLE: return "Float";
-    case DATA_LIST: return "List";
-    case DATA_STRING: return "String";
-    case DATA_SLOTNAME: return "Slot name";
-    case DATA_VOID: return "Void";
+    case DATA_BINARY: return "binary";
+    case DATA_DICTIONARY: return "dictionary";
+    case DATA_DOUBLE: return "double";
+    case DATA_LIST: return "list";
+    case DATA_STRING: return "string";
+    case DATA_SLOTNAME: return "slotname";
+    case DATA_VOID: return "void";
     }
     return "";
   }

@@ -62,7 +62,9 @@ final class CallFrame {
     return new ValueReader(Exchange.reply(exchange), Exchange.replyLength(exchange));
   }
 
-  /** Why a call has failed: what C++ code has thrown, or the failure of a request that it let pass. */
+  /**
+   * Why a call has failed: what C++ code has thrown, or the failure of a request that it let pass.
+   */
   RuntimeException failure() {
     RuntimeException passed =
         Exchange.operation(exchange) == Exchange.PASSED ? Requests.passed() : null;

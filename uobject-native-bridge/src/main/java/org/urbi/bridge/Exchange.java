@@ -11,7 +11,9 @@ final class Exchange {
   /** What a call returns that has failed: the reply is the text of the error. */
   static final long FAILED = Long.MIN_VALUE;
 
-  /** The operation of a call that has failed because C++ code has let a failure of its host pass. */
+  /**
+   * The operation of a call that has failed because C++ code has let a failure of its host pass.
+   */
   static final long PASSED = -1;
 
   private static final int OPERATION = 0;

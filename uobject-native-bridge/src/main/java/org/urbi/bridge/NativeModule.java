@@ -102,8 +102,7 @@ public final class NativeModule implements AutoCloseable {
    * @throws UModuleException if it has none, or does not export what they need
    */
   static NativeModule ofProcess(String shown) {
-    NativeModule made =
-        new NativeModule(Path.of(shown), new Object(), JnaLibrary.ofProcess(shown));
+    NativeModule made = new NativeModule(Path.of(shown), new Object(), JnaLibrary.ofProcess(shown));
     made.open(shown);
     return made;
   }

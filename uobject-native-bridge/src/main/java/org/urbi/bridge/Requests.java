@@ -97,7 +97,7 @@ final class Requests {
   }
 
   /** The failure of a request that C++ code has let pass; null if there is none. */
-  static RuntimeException passed() {
+  static @Nullable RuntimeException passed() {
     Throwable failure = FAILURE.get();
     FAILURE.remove();
     return failure instanceof RuntimeException passed ? passed : null;

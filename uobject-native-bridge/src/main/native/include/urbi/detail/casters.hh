@@ -371,7 +371,8 @@ namespace urbi
     }
   };
 
-  /// The C++ object behind an object; null for nothing.
+  /// The C++ object behind an object; null for nothing, and for an object that is in another process or
+  /// of urbiscript alone.
   template <typename T>
   struct uvalue_caster<T*, std::enable_if_t<std::is_base_of<UObject, T>::value>>
   {
@@ -379,10 +380,10 @@ namespace urbi
     {
       if (v.type == DATA_VOID)
         return nullptr;
-      T* found = dynamic_cast<T*>(detail::object_of(v));
-      if (!found)
+      UObject* found = detail::object_of(v);
+      if (found && !dynamic_cast<T*>(found))
         detail::bad_cast("UObject", v);
-      return found;
+      return dynamic_cast<T*>(found);
     }
   };
 

@@ -257,7 +257,7 @@ namespace urbi
       if (value.type != DATA_STRING && value.type != DATA_SLOTNAME)
         bad_cast("UObject", value);
       UObject* found = find_object(current_context(), *value.stringValue);
-      if (!found)
+      if (!found && value.type == DATA_STRING)
         bad_cast("UObject", value);
       return found;
     }
@@ -277,6 +277,16 @@ namespace urbi
       name.type = DATA_SLOTNAME;
       return name;
     }
+  }
+
+  inline UObject* impl::UContextImpl::getUObject(const std::string& name)
+  {
+    return detail::find_object(number_, name);
+  }
+
+  inline UObjectHub* impl::UContextImpl::getUObjectHub(const std::string& name)
+  {
+    return detail::find_hub(number_, name);
   }
 
   inline UObject* UContext::getUObject(const std::string& name) const

@@ -101,9 +101,7 @@ class FailuresTest {
             """);
     RuntimeException e = assertThrows(RuntimeException.class, () -> Dialogue.run("1;", file));
     assertTrue(
-        e.getMessage()
-            .endsWith(
-                "exception caught while constructing Throwing: not today"),
+        e.getMessage().endsWith("exception caught while constructing Throwing: not today"),
         e.getMessage());
   }
 

@@ -60,8 +60,7 @@ class HeadersTest {
     syntax(compiler, version, all.reversed());
     syntax(compiler, version, libport.reversed());
     // What is included by what it includes, and what is rarely included by others.
-    for (String header :
-        List.of("customuvar.hxx", "ucallbacks.hh", "ustarter.hxx", "utable.hh")) {
+    for (String header : List.of("customuvar.hxx", "ucallbacks.hh", "ustarter.hxx", "utable.hh")) {
       syntax(compiler, version, List.of("urbi/" + header));
     }
   }

@@ -52,7 +52,8 @@ class CxxProgramsTest {
             "-XX:+UseSerialGC",
             "-cp",
             JavaProcess.Setting.in(folder).classPath());
-    Files.writeString(tool, "#!/bin/sh\n[ $URBI_SHOW_COMMAND ] && printf '%s\\n' '" + words + "'\n");
+    Files.writeString(
+        tool, "#!/bin/sh\n[ $URBI_SHOW_COMMAND ] && printf '%s\\n' '" + words + "'\n");
     assertTrue(tool.toFile().setExecutable(true));
     return folder.resolve("root");
   }
@@ -145,7 +146,63 @@ class CxxProgramsTest {
     String said =
         CxxModules.output("env", "URBI_ROOT=" + folder.resolve("no'where"), program.toString());
     assertTrue(
-        said.endsWith("no Urbi in " + folder.resolve("no'where") + ": set URBI_ROOT to the folder where it is\n"),
+        said.endsWith(
+            "no Urbi in "
+                + folder.resolve("no'where")
+                + ": set URBI_ROOT to the folder where it is\n"),
         said);
+  }
+
+  /** Threads of a component that never end do not disturb the end of a server. */
+  @Test
+  void threadsThatAreLeft() throws Exception {
+    Path source =
+        Files.writeString(
+            folder.resolve("left.cc"),
+            """
+            #include <map>
+            #include <thread>
+            #include <urbi/uobject.hh>
+            static std::map<int, std::string> all;
+            class Left : public urbi::UObject
+            {
+            public:
+              Left(const std::string& s) : urbi::UObject(s)
+              {
+                UBindVar(Left, v);
+                UBindFunctions(Left, start);
+              }
+              void start()
+              {
+                for (int i = 0; i < 4; ++i)
+                  std::thread([this, i] { run(i); }).detach();
+              }
+              void run(int i)
+              {
+                v = i;
+                for (int n = 0;; ++n)
+                {
+                  static std::mutex lock;
+                  std::lock_guard<std::mutex> guard(lock);
+                  all[n % 100] = std::string(100, 'x');
+                }
+              }
+              urbi::UVar v;
+            };
+            UStart(Left);
+            """);
+    Path library = folder.resolve("left.so");
+    CxxModules.compileProgram("g++", source, library, "-std=c++17", "-shared", "-fPIC");
+    try (JavaProcess server =
+        JavaProcess.start(
+            JavaProcess.Setting.in(folder),
+            "org.urbi.server.cli.UrbiCommand",
+            List.of(
+                "-m",
+                library.toString(),
+                "-e",
+                "Left.start|; waituntil(!Left.v.isVoid)|; sleep(200ms)|; shutdown;"))) {
+      assertEquals(0, server.awaitEnd(), server::text);
+    }
   }
 }

@@ -7,6 +7,7 @@ import java.util.Map;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.UrbiBinary;
 import org.urbi.kernel.object.UrbiDictionary;
@@ -89,12 +90,22 @@ final class ValueExchange {
         .entries()
         .forEach((key, value) -> {
           if (!(key.value() instanceof UrbiString name)) {
-            throw new ConversionFailure(
-                dictionary, "Dictionary", "a key of a dictionary is no String");
+            throw badKey(key.value());
           }
           result.put(Texts.toJava(name.value()), toJava(value, depth + 1));
         });
     return result;
+  }
+
+  private KernelRefusal badKey(UrbiObject key) {
+    return context.inKernel(frame -> {
+      Interpreter interpreter = frame.interpreter();
+      UrbiObject type = key.lookup(interpreter.world().symbol("type"));
+      return new KernelRefusal(
+          "Dictionaries exchanged with UObjects can only have String keys: "
+              + Texts.toJava(interpreter.asString(frame, key))
+              + (type == null ? "" : " (" + Texts.toJava(interpreter.asString(frame, type)) + ")"));
+    });
   }
 
   private static UBinary toJava(UrbiBinary binary) {
