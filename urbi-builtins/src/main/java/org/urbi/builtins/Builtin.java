@@ -44,4 +44,7 @@ public @interface Builtin {
    * it has one argument then, the value.
    */
   boolean setter() default false;
+
+  /** What a lobby needs to call it; by default what its class says. */
+  Need needs() default Need.AS_TYPE;
 }

@@ -52,6 +52,7 @@ final class Declaration {
       int lazyMin,
       int lazyMax,
       boolean setter,
+      Need needs,
       boolean isStatic,
       boolean frame,
       boolean site,

@@ -170,12 +170,24 @@ final class DeclarationReader {
             builtin.min(),
             builtin.max(),
             builtin.setter(),
+            need(method, builtin),
             isStatic(method),
             frame,
             site,
             self,
             arguments,
             result(method)));
+  }
+
+  /** What it needs: what it says itself, or what its class says. */
+  private static Need need(ExecutableElement method, Builtin builtin) {
+    if (builtin.needs() != Need.AS_TYPE) {
+      return builtin.needs();
+    }
+    Element owner = method.getEnclosingElement();
+    UrbiType type = owner.getAnnotation(UrbiType.class);
+    Need need = type == null ? owner.getAnnotation(UrbiTypePart.class).needs() : type.needs();
+    return need == Need.AS_TYPE ? Need.OWNER : need;
   }
 
   private List<Declaration.Parameter> readArguments(ExecutableElement method, int from) {

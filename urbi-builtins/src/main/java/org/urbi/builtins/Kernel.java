@@ -9,6 +9,8 @@ final class Kernel {
   static final String TABLE = "org.urbi.kernel.builtin.BuiltinTable";
   static final String ARGUMENTS = "org.urbi.kernel.builtin.Arguments";
 
+  static final String ROLE = "org.urbi.kernel.trust.Role";
+
   /** The package and the name of the generated list of all tables. */
   static final String INDEX_PACKAGE = "org.urbi.kernel.library";
 

@@ -82,12 +82,15 @@ final class TableWriter {
 
   private static String entry(String name, Declaration.Method method) {
     return String.format(
-        "%n          new Entry(%s, %d, %s, %b, %b, %s, %s)",
+        "%n          new Entry(%s, %d, %s, %b, %b, %s.%s, %b, %s, %s)",
         literal(name),
         method.min(),
         method.max() < 0 ? "Integer.MAX_VALUE" : String.valueOf(method.max()),
         method.lazy(),
         method.setter(),
+        Kernel.ROLE,
+        method.needs().role,
+        method.needs().changes,
         literal(method.formals()),
         literal(method.doc()));
   }

@@ -27,4 +27,7 @@ public @interface UrbiType {
 
   /** What the type is, in a sentence. */
   String doc();
+
+  /** What a lobby needs to call those of its builtins that do not say it; the most by default. */
+  Need needs() default Need.OWNER;
 }

@@ -11,4 +11,7 @@ import java.lang.annotation.Target;
 public @interface UrbiTypePart {
   /** The name of the type in urbiscript. */
   String value();
+
+  /** What a lobby needs to call those of its builtins that do not say it; the most by default. */
+  Need needs() default Need.OWNER;
 }

@@ -14,6 +14,9 @@ final class KernelStubs {
         "org.urbi.kernel.object.UrbiObject",
         "package org.urbi.kernel.object; public class UrbiObject {}");
     sources.put(
+        "org.urbi.kernel.trust.Role",
+        "package org.urbi.kernel.trust; public enum Role { OBSERVER, USER, OWNER }");
+    sources.put(
         "org.urbi.kernel.object.UrbiFloat",
         """
         package org.urbi.kernel.object;
@@ -83,8 +86,8 @@ final class KernelStubs {
         import org.urbi.kernel.object.*;
         public abstract class BuiltinTable {
           public record Entry(
-              String name, int min, int max, boolean lazy, boolean setter, String formals,
-              String doc) {
+              String name, int min, int max, boolean lazy, boolean setter,
+              org.urbi.kernel.trust.Role least, boolean changes, String formals, String doc) {
             @Override public String toString() {
               return name + formals + " " + min + ".." + (max == Integer.MAX_VALUE ? "" : max);
             }

@@ -1,5 +1,7 @@
 package org.urbi.kernel;
 
+import org.urbi.kernel.trust.Role;
+
 /** Who is at the other end of a {@link Connection}. Called on the kernel thread; must not block. */
 public interface Client {
   /** Output, whole lines: every {@code char} is one byte. */
@@ -30,5 +32,10 @@ public interface Client {
   /** The Internet address at the other end; empty when there is none. */
   default String remoteAddress() {
     return "";
+  }
+
+  /** What its lobby may do in the beginning; asked when it connects. */
+  default Role role() {
+    return Role.OWNER;
   }
 }

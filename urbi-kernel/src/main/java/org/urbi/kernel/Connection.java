@@ -2,6 +2,7 @@ package org.urbi.kernel;
 
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import org.urbi.kernel.trust.Role;
 
 /**
  * A line to a lobby of its own: text goes in and is executed, output comes back to the {@link
@@ -19,6 +20,9 @@ public interface Connection {
 
   /** The client has gone: all its jobs end. */
   void close();
+
+  /** For the input that is sent from now on, the lobby may do what that role may. */
+  void giveRole(Role role);
 
   /** Ends the statement being executed, and forgets the input behind it. */
   void interrupt();

@@ -73,6 +73,7 @@ import org.urbi.kernel.tag.UrbiTag;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
 import org.urbi.kernel.time.VirtualClock;
+import org.urbi.kernel.trust.Role;
 import org.urbi.kernel.uobject.PluggedContext;
 import urbi.UClass;
 import urbi.UObject;
@@ -127,6 +128,7 @@ public final class Kernel implements AutoCloseable {
     private LogLevel logLevel = LogLevel.of(System.getenv("GD_LEVEL"));
     private Consumer<String> log = System.err::println;
     private Confinement confinement = Confinement.none();
+    private Confinement users = Confinement.total();
     private OutputStream recording;
     private String recordingName;
     private Replay replay;
@@ -246,6 +248,21 @@ public final class Kernel implements AutoCloseable {
     }
 
     /**
+     * Lets code of users (docs/networking.md, "Roles") use the files below that directory; none
+     * otherwise. Their relative paths start from there.
+     *
+     * @throws UncheckedIOException when there is no such directory
+     */
+    public Builder userDirectory(Path directory) {
+      try {
+        users = Confinement.to(directory);
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
+      return this;
+    }
+
+    /**
      * Writes down the run, so that it can be {@linkplain #replay replayed}: docs/tools.md,
      * "Recording a run". When that becomes impossible the log is told, and the run goes on.
      *
@@ -287,6 +304,10 @@ public final class Kernel implements AutoCloseable {
       commandLine(begun.programName(), begun.arguments());
       logLevel = LogLevel.of(begun.logLevel());
       confinement = Confinement.recorded(begun.confinedTo(), begun.workingDirectory());
+      users =
+          begun.userDirectory() == null
+              ? Confinement.total()
+              : Confinement.recorded(begun.userDirectory(), begun.userDirectory());
       onReboot = begun.reboots() ? () -> {} : null;
       return this;
     }
@@ -316,6 +337,7 @@ public final class Kernel implements AutoCloseable {
               arguments,
               logLevel.name(),
               confinement.isConfined() ? confinement.workingDirectory().toString() : null,
+              users.workingDirectory() == null ? null : users.workingDirectory().toString(),
               confinement.workingDirectory().toString(),
               onReboot != null),
           new RecordingWriter(recordingName, recording, trouble));
@@ -351,7 +373,7 @@ public final class Kernel implements AutoCloseable {
     inbox.setFailures(this::failed);
     this.answers = new AnswerReading();
     inbox.listenTo(answers);
-    this.outside = new Outside(scheduler, builder.confinement);
+    this.outside = new Outside(scheduler, builder.confinement, builder.users);
     this.onHalt = builder.onHalt == null ? this::requestShutdown : builder.onHalt;
     this.onReboot = builder.onReboot;
     var core =
@@ -386,7 +408,7 @@ public final class Kernel implements AutoCloseable {
         uobjects,
         new SearchPath(builder.searchPath, library),
         stackFrames,
-        new WorkingDirectory(builder.confinement.workingDirectory()));
+        new WorkingDirectory(outside, builder.confinement.workingDirectory()));
   }
 
   private static Clock clock(Builder builder) {
@@ -435,7 +457,7 @@ public final class Kernel implements AutoCloseable {
     if (connection == null) {
       connection = new KernelConnection(this, number, replayed.apply(number), opened.holdsTime());
     }
-    connection.open(opened.address());
+    connection.open(opened.address(), Role.valueOf(opened.role()));
   }
 
   private void open(Message.RemoteOpened opened) {
@@ -522,7 +544,7 @@ public final class Kernel implements AutoCloseable {
 
   /** Whether {@link Builder#confinedTo} keeps it away from the machine around it. */
   public boolean isConfined() {
-    return outside.confinement().isConfined();
+    return outside.isConfined();
   }
 
   /**
@@ -674,7 +696,11 @@ public final class Kernel implements AutoCloseable {
     int number = scheduler.inbox().reserve();
     KernelConnection connection = new KernelConnection(this, number, client, holdsTime);
     arriving.put(number, connection);
-    scheduler.inbox().post(new Message.ConnectionOpened(number, holdsTime, client.remoteAddress()));
+    scheduler
+        .inbox()
+        .post(
+            new Message.ConnectionOpened(
+                number, holdsTime, client.remoteAddress(), client.role().name()));
     return connection;
   }
 

@@ -14,6 +14,7 @@ import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Receiver;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.trust.Role;
 
 /** A connection: what others ask of it are messages, the rest runs on the kernel thread. */
 final class KernelConnection implements Connection, Shell.Listener, Receiver {
@@ -62,6 +63,11 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
   }
 
   @Override
+  public void giveRole(Role role) {
+    kernel.inbox().post(new Message.RoleGiven(number, role.name()));
+  }
+
+  @Override
   public void interrupt() {
     interruptRunning();
     kernel.inbox().post(new Message.Interrupted(number));
@@ -69,6 +75,10 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
 
   @Override
   public String interrupt(String other) {
+    UrbiLobby asking = lobby;
+    if ((asking == null ? client.role() : asking.role()) != Role.OWNER) {
+      return "to interrupt other lobbies needs the role owner";
+    }
     return kernel.operator().interrupt(other);
   }
 
@@ -111,7 +121,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
 
   // ------------------------------------------------------------------ on the kernel thread
 
-  void open(String address) {
+  void open(String address, Role role) {
     if (kernel.isStopping()) {
       finished = true;
       client.closed();
@@ -119,7 +129,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
     }
     kernel.inbox().register(number, this);
     Output output = new Output(kernel.scheduler(), this::show);
-    UrbiLobby made = UrbiLobby.start(kernel.interpreter(), output, this);
+    UrbiLobby made = UrbiLobby.start(kernel.interpreter(), output, this, role);
     made.setRemoteAddress(address);
     lobby = made;
     kernel.add(this);
@@ -143,6 +153,8 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
       inputEnded();
     } else if (message instanceof Message.Interrupted) {
       interrupted();
+    } else if (message instanceof Message.RoleGiven given) {
+      roleGiven(Role.valueOf(given.role()));
     } else if (message instanceof Message.ConnectionFailed failed) {
       tell(failed.error());
     } else if (message instanceof Message.CompletionAsked asked) {
@@ -183,6 +195,12 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
     if (!finished) {
       lobby.shell().interrupt();
       consumed();
+    }
+  }
+
+  private void roleGiven(Role role) {
+    if (!finished) {
+      lobby.setRole(role, kernel.scheduler().jobs());
     }
   }
 

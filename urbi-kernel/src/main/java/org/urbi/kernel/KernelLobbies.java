@@ -42,7 +42,8 @@ final class KernelLobbies implements Lobbies {
             }
           }
         };
-    made[0] = UrbiLobby.start(kernel.interpreter(), creator.output().branch(), listener);
+    made[0] =
+        UrbiLobby.start(kernel.interpreter(), creator.output().branch(), listener, creator.role());
     created.add(made[0]);
     made[0].shell().start();
     return made[0];

@@ -33,6 +33,7 @@ import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.World;
+import org.urbi.kernel.trust.Role;
 import org.urbi.lang.parse.UrbiParser;
 import org.urbi.lang.source.Span;
 
@@ -223,7 +224,8 @@ final class WrongCallKernel implements AutoCloseable {
 
                       @Override
                       public void finished() {}
-                    });
+                    },
+                    Role.OWNER);
           }
           judge =
               kernel

@@ -4,6 +4,7 @@ import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
+import org.urbi.kernel.trust.Role;
 
 /**
  * The builtins of one type of the library. The subclasses are generated from the annotations when
@@ -15,10 +16,20 @@ public abstract class BuiltinTable {
    *
    * @param max {@link Integer#MAX_VALUE} when there may be any number of arguments
    * @param setter whether it is called when the slot of that name is assigned
+   * @param least the least role of the lobby for which it is called
+   * @param changes whether the lobby must be allowed to change the target, too
    * @param formals the arguments as the documentation shows them; empty when there are none
    */
   public record Entry(
-      String name, int min, int max, boolean lazy, boolean setter, String formals, String doc) {}
+      String name,
+      int min,
+      int max,
+      boolean lazy,
+      boolean setter,
+      Role least,
+      boolean changes,
+      String formals,
+      String doc) {}
 
   private final String type;
   private final String doc;
@@ -87,6 +98,16 @@ public abstract class BuiltinTable {
    */
   public final boolean isSetter(int index) {
     return entries[index].setter;
+  }
+
+  /** The least role of the lobby for which it is called. */
+  public final Role leastRole(int index) {
+    return entries[index].least;
+  }
+
+  /** Whether the lobby for which it is called must be allowed to change the target. */
+  public final boolean changesTarget(int index) {
+    return entries[index].changes;
   }
 
   /** The arguments as the documentation shows them: {@code (from, to?)}; empty without any. */

@@ -10,6 +10,7 @@ import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.trust.Role;
 
 /** A function of the program around the kernel, as a builtin of its own. */
 final class JavaFunction extends BuiltinTable {
@@ -30,6 +31,8 @@ final class JavaFunction extends BuiltinTable {
               0,
               Integer.MAX_VALUE,
               false,
+              false,
+              Role.USER,
               false,
               "(arguments...)",
               "Does what the program around the kernel says.")

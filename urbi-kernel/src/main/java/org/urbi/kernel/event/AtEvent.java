@@ -71,7 +71,8 @@ public final class AtEvent extends Node {
       Frame matched = handler.home();
       if (!filter.acceptsAll()) {
         matched = matched.fork(emitter, false);
-        if (!filter.accepts(matched, emission.payload())) {
+        Frame scene = matched;
+        if (!emitter.doFor(handler.lobby(), () -> filter.accepts(scene, emission.payload()))) {
           return;
         }
       }

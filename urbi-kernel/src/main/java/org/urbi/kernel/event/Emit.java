@@ -3,6 +3,7 @@ package org.urbi.kernel.event;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Guard;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
@@ -52,6 +53,11 @@ public final class Emit extends Node implements CallSite {
         throw frame.located(e, span());
       }
       return nothing;
+    }
+    try {
+      Guard.checkChange(frame, "emit", emitted);
+    } catch (UrbiException e) {
+      throw frame.located(e, span());
     }
     if (duration == null) {
       emitted.emit(frame.job(), false, payload);

@@ -12,6 +12,7 @@ public final class FunctionHandler implements Subscription, TagScope.Attachment 
   private final UrbiEvent event;
   private final Frame home;
   private final TagScope scope;
+  private final UrbiObject lobby;
   private final UrbiObject guard;
   private final UrbiObject enter;
   private final UrbiObject leave;
@@ -28,6 +29,7 @@ public final class FunctionHandler implements Subscription, TagScope.Attachment 
     this.event = event;
     this.home = home;
     this.scope = home.job().scope();
+    this.lobby = home.job().lobby();
     this.guard = guard;
     this.enter = enter;
     this.leave = leave;
@@ -93,13 +95,12 @@ public final class FunctionHandler implements Subscription, TagScope.Attachment 
       call(emitter, function, arguments);
       return;
     }
-    emitter
-        .scheduler()
-        .startDetached(home.job().lobby(), scope, "at", job -> call(job, function, arguments));
+    emitter.scheduler().startDetached(lobby, scope, "at", job -> call(job, function, arguments));
   }
 
   private UrbiObject call(Job job, UrbiObject function, UrbiObject... arguments) {
-    return home.interpreter().call(home.in(job), function, home.self(), arguments);
+    return job.doFor(
+        lobby, () -> home.interpreter().call(home.in(job), function, home.self(), arguments));
   }
 
   @Override

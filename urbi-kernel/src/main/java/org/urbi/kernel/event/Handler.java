@@ -6,6 +6,7 @@ import org.urbi.kernel.job.Timers;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Profiler;
+import org.urbi.kernel.object.UrbiObject;
 
 /**
  * What {@code at} does when its condition begins and ceases to hold: executes the body and the
@@ -18,6 +19,10 @@ final class Handler {
 
   private final Frame home;
   private final TagScope scope;
+
+  /** For which it was written; the job of its home may run for another one meanwhile. */
+  private final UrbiObject lobby;
+
   private final Node body;
   private final Node onLeave;
   private final boolean sync;
@@ -29,6 +34,7 @@ final class Handler {
   Handler(Frame home, Node body, Node onLeave, boolean sync) {
     this.home = home;
     this.scope = home.job().scope();
+    this.lobby = home.job().lobby();
     this.body = Profiler.observing(home.job(), "event", body);
     this.onLeave = Profiler.observing(home.job(), "event", onLeave);
     this.sync = sync;
@@ -36,6 +42,10 @@ final class Handler {
 
   Frame home() {
     return home;
+  }
+
+  UrbiObject lobby() {
+    return lobby;
   }
 
   TagScope scope() {
@@ -67,8 +77,7 @@ final class Handler {
   void leaveStopped(Frame frame, TagScope by) {
     if (onLeave != null && by != null) {
       Detached detached = new Detached(onLeave);
-      Job job =
-          home.job().scheduler().startDetached(home.job().lobby(), by.parent(), "at", detached);
+      Job job = home.job().scheduler().startDetached(lobby, by.parent(), "at", detached);
       detached.frame = frame.fork(job, false);
     }
   }
@@ -79,14 +88,14 @@ final class Handler {
         throw frame.interpreter().errors().scheduling("stack space exhausted");
       }
       try {
-        code.execute(frame.fork(trigger, false));
+        trigger.doFor(lobby, () -> code.execute(frame.fork(trigger, false)));
       } finally {
         trigger.endSend();
       }
       return;
     }
     Detached detached = new Detached(code);
-    Job job = trigger.scheduler().startDetached(home.job().lobby(), scope, "at", detached);
+    Job job = trigger.scheduler().startDetached(lobby, scope, "at", detached);
     detached.frame = frame.fork(job, false);
   }
 
@@ -97,7 +106,7 @@ final class Handler {
         .timers()
         .add(
             scheduler.now() + nanoseconds,
-            () -> scheduler.startDetached(home.job().lobby(), scope, "at", action));
+            () -> scheduler.startDetached(lobby, scope, "at", action));
   }
 
   /** Code in a job that nobody waits for. */

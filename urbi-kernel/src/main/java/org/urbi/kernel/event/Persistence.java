@@ -13,6 +13,7 @@ import org.urbi.kernel.object.UrbiObject;
 public final class Persistence implements Watch.Listener, TagScope.Attachment {
   private final Frame home;
   private final TagScope scope;
+  private final UrbiObject lobby;
   private final UrbiObject shown;
   private final long hold;
   private Watch watch;
@@ -21,6 +22,7 @@ public final class Persistence implements Watch.Listener, TagScope.Attachment {
   private Persistence(Frame home, long hold, UrbiObject shown) {
     this.home = home;
     this.scope = home.job().scope();
+    this.lobby = home.job().lobby();
     this.hold = hold;
     this.shown = shown;
   }
@@ -53,15 +55,13 @@ public final class Persistence implements Watch.Listener, TagScope.Attachment {
   }
 
   private void timeIsUp() {
-    home.job()
-        .scheduler()
-        .startDetached(home.job().lobby(), scope, "persist", job -> set(job, true));
+    home.job().scheduler().startDetached(lobby, scope, "persist", job -> set(job, true));
   }
 
   private void set(Job job, boolean holds) {
     Frame frame = home.in(job);
-    SlotUpdate.assign(
-        frame, shown, shown.world().symbol("val"), frame.interpreter().values().bool(holds));
+    UrbiObject value = frame.interpreter().values().bool(holds);
+    job.doFor(lobby, () -> SlotUpdate.assign(frame, shown, shown.world().symbol("val"), value));
   }
 
   private void cancel() {

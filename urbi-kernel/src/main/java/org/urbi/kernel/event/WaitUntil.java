@@ -130,8 +130,11 @@ public final class WaitUntil extends Node {
 
   /** For an event to come. */
   private final class ForEvent extends Waiting implements Subscription {
+    private final UrbiObject lobby;
+
     ForEvent(Frame frame, long hold) {
       super(frame, hold);
+      lobby = frame.job().lobby();
     }
 
     @Override
@@ -139,7 +142,7 @@ public final class WaitUntil extends Node {
       // The variables of the pattern are those of the code that waits; the first event has them.
       if (!isDone()
           && !frame.job().isFrozen()
-          && filter.accepts(frame.in(emitter), emission.payload())) {
+          && emitter.doFor(lobby, () -> filter.accepts(frame.in(emitter), emission.payload()))) {
         emission.note(this, this);
         holds();
       }

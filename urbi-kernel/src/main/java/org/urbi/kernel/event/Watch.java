@@ -28,6 +28,7 @@ final class Watch implements Dependencies.Watcher {
 
   private final Frame home;
   private final Node expression;
+  private final UrbiObject lobby;
   private final Listener listener;
   private Set<Dependencies> sources = new LinkedHashSet<>();
   private Job evaluator;
@@ -37,6 +38,7 @@ final class Watch implements Dependencies.Watcher {
   Watch(Frame home, Node expression, Listener listener) {
     this.home = home;
     this.expression = expression;
+    this.lobby = home.job().lobby();
     this.listener = listener;
   }
 
@@ -49,7 +51,7 @@ final class Watch implements Dependencies.Watcher {
     world.tracker = read::add;
     evaluator = job;
     try {
-      return expression.execute(home.in(job));
+      return job.doFor(lobby, () -> expression.execute(home.in(job)));
     } finally {
       evaluator = null;
       world.tracker = outer;
@@ -88,8 +90,7 @@ final class Watch implements Dependencies.Watcher {
       return;
     }
     if (running == null) {
-      scheduler.startDetached(
-          home.job().lobby(), scheduler.rootScope(), "watch", this::evaluateAgain);
+      scheduler.startDetached(lobby, scheduler.rootScope(), "watch", this::evaluateAgain);
     } else {
       evaluateAgain(running);
     }

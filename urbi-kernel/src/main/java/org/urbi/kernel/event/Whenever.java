@@ -77,11 +77,13 @@ public final class Whenever extends Node {
   private abstract static class Repeating implements TagScope.Attachment {
     final Frame home;
     final TagScope scope;
+    final UrbiObject lobby;
     boolean stopped;
 
     Repeating(Frame home) {
       this.home = home;
       this.scope = home.job().scope();
+      this.lobby = home.job().lobby();
     }
 
     /** Repeats a clause in a job of its own as long as that says so. */
@@ -101,7 +103,7 @@ public final class Whenever extends Node {
             }
           };
       // Of emissions at the same time, the last one comes first.
-      Job job = home.job().scheduler().startAhead(home.job().lobby(), scope, "whenever", code);
+      Job job = home.job().scheduler().startAhead(lobby, scope, "whenever", code);
       code.frame = variables.fork(job, false);
     }
   }
@@ -184,7 +186,7 @@ public final class Whenever extends Node {
         return;
       }
       Frame matched = home.fork(emitter, false);
-      if (!filter.accepts(matched, emission.payload())) {
+      if (!emitter.doFor(lobby, () -> filter.accepts(matched, emission.payload()))) {
         return;
       }
       turn++;

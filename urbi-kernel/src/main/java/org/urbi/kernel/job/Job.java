@@ -2,8 +2,11 @@ package org.urbi.kernel.job;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Supplier;
 import org.urbi.kernel.object.Dependencies;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.trust.Role;
+import org.urbi.kernel.trust.Trusted;
 
 /**
  * A light thread of urbiscript (manual, "Job"). Its stack is that of a virtual thread which the
@@ -43,6 +46,7 @@ public final class Job implements Runnable {
   private final long number;
   private final String name;
   private UrbiObject lobby;
+  private Role role;
   private final JobGroup group;
   private final JobThread thread;
   private boolean resting;
@@ -93,6 +97,7 @@ public final class Job implements Runnable {
     this.number = scheduler.nextNumber();
     this.name = prefix + "_" + number;
     this.lobby = lobby;
+    this.role = Trusted.roleOf(lobby);
     this.scope = scope;
     this.group = group;
     this.timeShift = timeShift;
@@ -132,6 +137,31 @@ public final class Job implements Runnable {
   /** From now on it runs for another lobby. */
   public void runFor(UrbiObject other) {
     lobby = other;
+    role = Trusted.roleOf(other);
+  }
+
+  /** What it may do: the role of its lobby. */
+  public Role role() {
+    return role;
+  }
+
+  /** Whether it may do everything. */
+  public boolean isOwner() {
+    return role == Role.OWNER;
+  }
+
+  /** Has something done for another lobby if that may do something else than its own. */
+  public <T> T doFor(UrbiObject other, Supplier<T> action) {
+    if (other == lobby || role == Role.OWNER && Trusted.roleOf(other) == Role.OWNER) {
+      return action.get();
+    }
+    UrbiObject own = lobby;
+    runFor(other);
+    try {
+      return action.get();
+    } finally {
+      runFor(own);
+    }
   }
 
   /** Whether it only waits for somebody to send something, so that it keeps no run going. */

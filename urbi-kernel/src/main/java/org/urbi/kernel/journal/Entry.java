@@ -15,6 +15,7 @@ public sealed interface Entry {
    * @param library the folder of the library's own sources, or null
    * @param logLevel how much of the log is shown
    * @param confinedTo the directory to which the kernel is confined, or null
+   * @param userDirectory the directory whose files users may use, or null
    * @param reboots whether somebody starts another kernel after {@code System.reboot}
    */
   record Begun(
@@ -30,6 +31,7 @@ public sealed interface Entry {
       List<String> arguments,
       String logLevel,
       String confinedTo,
+      String userDirectory,
       String workingDirectory,
       boolean reboots)
       implements Entry {}

@@ -15,7 +15,6 @@ public final class EntryForm {
   private static final Map<Class<?>, Kind> BY_TYPE = new HashMap<>();
 
   static {
-    add(1, Entry.Begun.class);
     add(2, Entry.Tick.class);
     add(3, Entry.Taken.class);
     add(4, Entry.Looked.class);
@@ -25,15 +24,17 @@ public final class EntryForm {
     add(8, Entry.Ended.class);
     add(9, Entry.Overdue.class);
     add(10, Entry.Cut.class);
+    add(11, Entry.Begun.class);
     add(20, Message.Shutdown.class);
     add(21, Message.Resumed.class);
-    add(22, Message.ConnectionOpened.class);
     add(23, Message.ConsoleBytes.class);
     add(24, Message.InputEnded.class);
     add(25, Message.Interrupted.class);
     add(26, Message.ConnectionClosed.class);
     add(27, Message.CompletionAsked.class);
     add(28, Message.ConnectionFailed.class);
+    add(29, Message.ConnectionOpened.class);
+    add(30, Message.RoleGiven.class);
     add(40, Message.RemoteOpened.class);
     add(41, Message.RemoteFrame.class);
     add(42, Message.RemoteBehind.class);

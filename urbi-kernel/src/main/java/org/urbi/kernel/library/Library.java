@@ -23,6 +23,7 @@ import org.urbi.kernel.library.object.UrbiFinalizable;
 import org.urbi.kernel.library.system.EvaluateVariable;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.ClassNodes;
+import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.CorePrototypes;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
@@ -95,6 +96,20 @@ public final class Library {
     interpreter.setAfterStatements(
         ((UrbiFinalizable) types.get("Finalizable")).finalization()::run);
     interpreter.rememberNumberOperators();
+    keep();
+  }
+
+  /** All this belongs to the system: the prototypes, and what their slots hold. */
+  private void keep() {
+    for (UrbiObject type : types.values()) {
+      type.setKeeper(values.object);
+      for (Symbol name : type.localSlotNames()) {
+        UrbiObject value = type.localSlot(name);
+        if (!(value instanceof Code)) {
+          value.setKeeper(values.object);
+        }
+      }
+    }
   }
 
   /** The prototypes that exist before the library does. */

@@ -1,18 +1,23 @@
 package org.urbi.kernel.lobby;
 
+import java.util.Collection;
 import org.urbi.kernel.event.UrbiEvent;
+import org.urbi.kernel.job.Job;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.tag.UrbiTag;
+import org.urbi.kernel.trust.Role;
+import org.urbi.kernel.trust.Trusted;
 
 /** The environment of one connection (manual, "Lobby"): {@code this} at its top level. */
-public final class UrbiLobby extends UrbiObject {
+public final class UrbiLobby extends UrbiObject implements Trusted {
   private final UrbiTag connectionTag;
   private Output output;
   private Shell shell;
   private String name = "Lobby";
   private volatile String remoteAddress = "";
+  private volatile Role role = Role.OWNER;
 
   /**
    * @param connectionTag labels all the code executed for this lobby
@@ -20,6 +25,10 @@ public final class UrbiLobby extends UrbiObject {
   public UrbiLobby(Shape shape, UrbiTag connectionTag) {
     super(shape);
     this.connectionTag = connectionTag;
+    setKeeper(this);
+    if (connectionTag != null) {
+      connectionTag.setKeeper(this);
+    }
   }
 
   /** The tag of all the code that is executed for this lobby. */
@@ -30,6 +39,25 @@ public final class UrbiLobby extends UrbiObject {
   /** The name of its {@link #connectionTag}, by which people know it. */
   public String name() {
     return name;
+  }
+
+  @Override
+  public Role role() {
+    return role;
+  }
+
+  /**
+   * Says what its code may do from now on.
+   *
+   * @param jobs that run, for whomever
+   */
+  public void setRole(Role other, Collection<Job> jobs) {
+    role = other;
+    for (Job job : jobs) {
+      if (job.lobby() == this) {
+        job.runFor(this);
+      }
+    }
   }
 
   public void attach(Output to) {
@@ -65,7 +93,8 @@ public final class UrbiLobby extends UrbiObject {
   }
 
   /** Makes a lobby, which begins to execute what it is sent. */
-  public static UrbiLobby start(Interpreter interpreter, Output output, Shell.Listener listener) {
+  public static UrbiLobby start(
+      Interpreter interpreter, Output output, Shell.Listener listener, Role role) {
     UrbiObject prototype = interpreter.world().prototype("Lobby");
     long number = interpreter.scheduler().nextNumber();
     String name = "Lobby_" + number;
@@ -73,6 +102,7 @@ public final class UrbiLobby extends UrbiObject {
     made.name = name;
     made.attach(output);
     made.attach(new Shell(interpreter, made, listener));
+    made.role = role;
     return made;
   }
 

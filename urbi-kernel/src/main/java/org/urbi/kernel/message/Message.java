@@ -56,13 +56,18 @@ public sealed interface Message {
    * @param connection the number of the connection from now on
    * @param holdsTime whether a simulated time waits for its input
    * @param address the Internet address of the client; empty when it has none
+   * @param role the name of what its lobby may do
    */
-  record ConnectionOpened(int connection, boolean holdsTime, String address) implements Message {
+  record ConnectionOpened(int connection, boolean holdsTime, String address, String role)
+      implements Message {
     @Override
     public int to() {
       return KERNEL;
     }
   }
+
+  /** A client has shown who it is: its lobby may do what the role of that name may. */
+  record RoleGiven(int to, String role) implements Message {}
 
   /** A client has sent bytes, one in each character. */
   record ConsoleBytes(int to, String bytes) implements Message {}

@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.urbi.kernel.job.Job;
 import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
@@ -12,11 +13,16 @@ public final class CallMessages {
   public static final class Lazy extends UrbiObject {
     private final Node code;
     private final Frame frame;
+    private final UrbiObject lobby;
 
-    public Lazy(Shape shape, Node code, Frame frame) {
+    /**
+     * @param lobby for which it is evaluated if its evaluator may do something else
+     */
+    public Lazy(Shape shape, Node code, Frame frame, UrbiObject lobby) {
       super(shape);
       this.code = code;
       this.frame = frame;
+      this.lobby = lobby;
     }
 
     /** The code; null in the prototype and in those made by hand. */
@@ -26,12 +32,13 @@ public final class CallMessages {
 
     /** Evaluates the argument in the activation of the caller; each time anew. */
     public UrbiObject evaluate(Frame evaluator) {
-      return code.execute(frame.in(evaluator.job));
+      Job job = evaluator.job;
+      return job.doFor(lobby, () -> code.execute(frame.in(job)));
     }
 
     @Override
     public UrbiObject cloned() {
-      return new Lazy(cloneShape(), code, frame);
+      return new Lazy(cloneShape(), code, frame, lobby);
     }
   }
 
@@ -43,7 +50,9 @@ public final class CallMessages {
     var arguments = new Elements(0);
     if (frame.site != null && frame.site.argumentNodes() != null) {
       for (Node node : frame.site.argumentNodes()) {
-        arguments.add(new Lazy(interpreter.prototypes.lazy.cloneShape(), node, frame.caller));
+        arguments.add(
+            new Lazy(
+                interpreter.prototypes.lazy.cloneShape(), node, frame.caller, frame.job.lobby()));
       }
     }
     message.addSlot(world.symbol("target"), frame.self);

@@ -46,6 +46,7 @@ public final class ClassNodes {
         object.setProtos(parents);
       }
       nameType(interpreter, object, name);
+      Guard.keepIfObserved(frame, object);
       return object;
     }
   }

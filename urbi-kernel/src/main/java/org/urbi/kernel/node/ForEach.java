@@ -180,10 +180,12 @@ public final class ForEach extends Node implements CallSite {
   /** The body of the loop as a function of one argument. */
   private final class Body extends Code {
     private final Frame home;
+    private final UrbiObject lobby;
 
     Body(Shape shape, Frame home) {
       super(shape);
       this.home = home;
+      this.lobby = home.job.lobby();
     }
 
     @Override
@@ -198,7 +200,7 @@ public final class ForEach extends Node implements CallSite {
       }
       Frame frame = caller.job == home.job ? home : home.fork(caller.job, true);
       variable.declare(frame, arguments[0]);
-      UrbiObject value = body.execute(frame);
+      UrbiObject value = caller.job.doFor(lobby, () -> body.execute(frame));
       if (frame.completion != null) {
         Frame.Completion completion = frame.completion;
         frame.completion = null;

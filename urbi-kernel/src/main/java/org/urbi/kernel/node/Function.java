@@ -64,7 +64,10 @@ public final class Function extends Code {
   /** The target of closures; null in functions, whose target is that of the call. */
   private final UrbiObject boundSelf;
 
-  /** The lobby of closures, for which their code runs; null in functions. */
+  /**
+   * The lobby of closures, for which their code runs, and of all functions that were made for a
+   * lobby which may not do everything: whoever calls them lends them no rights. Null in others.
+   */
   private final UrbiObject boundLobby;
 
   /** The activation that a {@code return} in a closure ends; null when there is none. */
@@ -135,7 +138,7 @@ public final class Function extends Code {
 
   /** Runs with the variables made ready: the parameters first, then room for the others. */
   UrbiObject run(Frame caller, CallSite site, UrbiObject self, UrbiObject[] locals) {
-    if (boundLobby != null && boundLobby != caller.job.lobby()) {
+    if (boundLobby != null && boundLobby != caller.job.lobby() && changesLobby(caller)) {
       UrbiObject lobby = caller.job.lobby();
       caller.job.runFor(boundLobby);
       try {
@@ -147,6 +150,11 @@ public final class Function extends Code {
     return caller.interpreter.profiling
         ? runProfiled(caller, site, self, locals)
         : execute(caller, site, self, locals);
+  }
+
+  /** Code of the caller is not evaluated for a lobby that may do more. */
+  private boolean changesLobby(Frame caller) {
+    return caller.job.isOwner() || !isLazy();
   }
 
   private UrbiObject runProfiled(

@@ -136,7 +136,7 @@ public final class Literals {
           body,
           captured,
           bound ? frame.self : null,
-          bound ? frame.job.lobby() : null,
+          bound || !frame.job.isOwner() ? frame.job.lobby() : null,
           body.leavesHome ? home(frame) : null);
     }
 

@@ -53,6 +53,7 @@ public final class Properties {
       return;
     }
     UrbiObject holder = holder(frame, target, slot);
+    Guard.checkChange(frame, "setProperty", holder);
     BlendMode blend = property.equals("blend") ? blendMode(frame, value) : null;
     SlotData data = holder.ensureSlotData(slot);
     data.properties.put(property, value);
@@ -85,6 +86,7 @@ public final class Properties {
   /** Removes a property; null when there was none. */
   public static UrbiObject remove(Frame frame, UrbiObject target, Symbol slot, String property) {
     UrbiObject holder = holder(frame, target, slot);
+    Guard.checkChange(frame, "removeProperty", holder);
     SlotData data = holder.slotData(slot);
     if (data == null) {
       return null;
@@ -190,6 +192,7 @@ public final class Properties {
       UrbiObject object = target.execute(frame);
       UrbiObject value = function.execute(frame);
       if (!object.hasLocalSlot(slot)) {
+        Guard.checkChange(frame, "setSlot", object);
         object.addSlot(slot, frame.interpreter.values().voidObject);
       }
       set(frame, object, slot, setter ? "set" : "get", value);

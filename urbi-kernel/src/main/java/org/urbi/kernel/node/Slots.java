@@ -89,7 +89,8 @@ public final class Slots {
 
     /** Returns the value of the assignment. */
     UrbiObject assign(Frame frame, UrbiObject object, UrbiObject assigned) {
-      if (object.shape() == knownShape) {
+      if (object.shape() == knownShape
+          && (frame.job.isOwner() || Guard.allowsChange(frame.job, object))) {
         object.setSlotAt(knownIndex, assigned);
         return assigned;
       }

@@ -130,11 +130,13 @@ public final class Trajectory extends Node implements CallSite {
   /** The variable, as a function that reads or writes it. */
   private final class Accessor extends Code {
     private final Frame home;
+    private final UrbiObject lobby;
     private final boolean writes;
 
     Accessor(Shape shape, Frame home, boolean writes) {
       super(shape);
       this.home = home;
+      this.lobby = home.job.lobby();
       this.writes = writes;
     }
 
@@ -147,10 +149,10 @@ public final class Trajectory extends Node implements CallSite {
     public UrbiObject call(Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
       Frame frame = home.in(caller.job);
       if (!writes) {
-        return variable.execute(frame);
+        return caller.job.doFor(lobby, () -> variable.execute(frame));
       }
       written.declare(frame, arguments[0]);
-      return write.execute(frame);
+      return caller.job.doFor(lobby, () -> write.execute(frame));
     }
   }
 }

@@ -33,6 +33,7 @@ public class UrbiObject {
     Map<Symbol, SlotData> slotData;
     Dependencies structure;
     Dependencies content;
+    UrbiObject keeper;
   }
 
   /** An object of that shape, whose slots are all unset: use a shape without slots. */
@@ -343,6 +344,22 @@ public class UrbiObject {
       // Goes on with the next one.
     }
     return at != null;
+  }
+
+  // ------------------------------------------------------------------ who may change it
+
+  /**
+   * Whose it is, so that not everybody may change it: the lobby to which it belongs, the prototype
+   * of all objects when it belongs to the system; null when it is anybody's.
+   */
+  public UrbiObject keeper() {
+    Extra x = extraOrNull();
+    return x == null ? null : x.keeper;
+  }
+
+  /** From now on it belongs to that lobby; to the system if it is the prototype of all objects. */
+  public final void setKeeper(UrbiObject whose) {
+    extra().keeper = whose;
   }
 
   // ------------------------------------------------------------------ dependency tracking

@@ -8,8 +8,8 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 
 /**
- * What one kernel may do to the machine around it. Everything in this package that touches files,
- * processes or connections asks here first.
+ * What one kernel, or one kind of its clients, may do to the machine around it. Everything in this
+ * package that touches files, processes or connections asks here first.
  */
 public final class Confinement {
   private static final int MOST_LINKS = 40;
@@ -19,9 +19,13 @@ public final class Confinement {
 
   private final Path working;
 
-  private Confinement(Path directory, Path working) {
+  /** Whether nothing at all is allowed. */
+  private final boolean closed;
+
+  private Confinement(Path directory, Path working, boolean closed) {
     this.directory = directory;
     this.working = working;
+    this.closed = closed;
   }
 
   /**
@@ -31,12 +35,17 @@ public final class Confinement {
    * @param working where relative paths started from
    */
   public static Confinement recorded(String directory, String working) {
-    return new Confinement(directory == null ? null : Path.of(directory), Path.of(working));
+    return new Confinement(directory == null ? null : Path.of(directory), Path.of(working), false);
   }
 
   /** All is allowed that the operating system allows. */
   public static Confinement none() {
-    return new Confinement(null, Path.of("").toAbsolutePath());
+    return new Confinement(null, Path.of("").toAbsolutePath(), false);
+  }
+
+  /** Nothing is allowed. */
+  public static Confinement total() {
+    return new Confinement(null, null, true);
   }
 
   /**
@@ -49,15 +58,15 @@ public final class Confinement {
     if (!Files.isDirectory(real)) {
       throw new IOException("not a directory: " + directory);
     }
-    return new Confinement(real, real);
+    return new Confinement(real, real, false);
   }
 
   /** Whether anything is forbidden. */
   public boolean isConfined() {
-    return directory != null;
+    return closed || directory != null;
   }
 
-  /** Where relative paths start from in the beginning. */
+  /** Where relative paths start from in the beginning; null when no files are allowed. */
   public Path workingDirectory() {
     return working;
   }
@@ -68,6 +77,7 @@ public final class Confinement {
    * @throws ConfinedException when it may not be used
    */
   Path followed(Path path) throws IOException {
+    checkFiles();
     return directory == null ? path : checked(resolved(path));
   }
 
@@ -77,6 +87,7 @@ public final class Confinement {
    * @throws ConfinedException when it may not be used
    */
   Path entry(Path path) throws IOException {
+    checkFiles();
     Path name = path.getFileName();
     return directory == null || name == null
         ? followed(path)
@@ -94,6 +105,12 @@ public final class Confinement {
       throw new ConfinedException("is the directory of this kernel");
     }
     return entry;
+  }
+
+  private void checkFiles() throws ConfinedException {
+    if (closed) {
+      throw new ConfinedException("files are not allowed to this lobby");
+    }
   }
 
   private Path checked(Path resolved) throws ConfinedException {
@@ -134,21 +151,21 @@ public final class Confinement {
 
   /** Refuses to start a program if that is not allowed. */
   void checkProcesses() throws ConfinedException {
-    if (directory != null) {
+    if (isConfined()) {
       throw new ConfinedException("processes are not allowed in this kernel");
     }
   }
 
   /** Refuses code of the machine, such as a program could have written to a file. */
   public void checkModules() throws ConfinedException {
-    if (directory != null) {
+    if (isConfined()) {
       throw new ConfinedException("modules are not allowed in this kernel");
     }
   }
 
   /** Refuses connections, over the network or a serial line, if they are not allowed. */
   public void checkConnections() throws ConfinedException {
-    if (directory != null) {
+    if (isConfined()) {
       throw new ConfinedException("connections are not allowed in this kernel");
     }
   }

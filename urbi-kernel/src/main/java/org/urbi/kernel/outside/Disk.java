@@ -20,12 +20,15 @@ import java.util.concurrent.TimeUnit;
  * ConfinedException}.
  */
 public final class Disk {
-  private final Confinement confinement;
   private final Outside outside;
 
-  Disk(Confinement confinement, Outside outside) {
-    this.confinement = confinement;
+  Disk(Outside outside) {
     this.outside = outside;
+  }
+
+  /** What is allowed to the code that asks. */
+  private Confinement confinement() {
+    return outside.confinement();
   }
 
   /** Something that is done, without a result. */
@@ -44,58 +47,58 @@ public final class Disk {
 
   /** Whether there is something of that name; a link to nowhere is nothing. */
   public boolean exists(Path path) throws IOException {
-    return outside.look(() -> Files.exists(confinement.followed(path)));
+    return outside.look(() -> Files.exists(confinement().followed(path)));
   }
 
   /** Whether there is something of that name, be it a link to nowhere. */
   public boolean hasEntry(Path path) throws IOException {
-    return outside.look(() -> Files.exists(confinement.entry(path), LinkOption.NOFOLLOW_LINKS));
+    return outside.look(() -> Files.exists(confinement().entry(path), LinkOption.NOFOLLOW_LINKS));
   }
 
   public boolean isDirectory(Path path) throws IOException {
-    return outside.look(() -> Files.isDirectory(confinement.followed(path)));
+    return outside.look(() -> Files.isDirectory(confinement().followed(path)));
   }
 
   public boolean isRegularFile(Path path) throws IOException {
-    return outside.look(() -> Files.isRegularFile(confinement.followed(path)));
+    return outside.look(() -> Files.isRegularFile(confinement().followed(path)));
   }
 
   public boolean isReadable(Path path) throws IOException {
-    return outside.look(() -> Files.isReadable(confinement.followed(path)));
+    return outside.look(() -> Files.isReadable(confinement().followed(path)));
   }
 
   public boolean isWritable(Path path) throws IOException {
-    return outside.look(() -> Files.isWritable(confinement.followed(path)));
+    return outside.look(() -> Files.isWritable(confinement().followed(path)));
   }
 
   /** By what a file is known, whatever the links that lead there. */
   public Path real(Path path) throws IOException {
-    return outside.look(() -> confinement.followed(path).toRealPath());
+    return outside.look(() -> confinement().followed(path).toRealPath());
   }
 
   /** The size of a file, in bytes. */
   public long size(Path path) throws IOException {
-    return outside.look(() -> Files.size(confinement.followed(path)));
+    return outside.look(() -> Files.size(confinement().followed(path)));
   }
 
   /** When it was last modified, in microseconds since 1970. */
   public long lastModified(Path path) throws IOException {
     return outside.look(
-        () -> Files.getLastModifiedTime(confinement.followed(path)).to(TimeUnit.MICROSECONDS));
+        () -> Files.getLastModifiedTime(confinement().followed(path)).to(TimeUnit.MICROSECONDS));
   }
 
   // ------------------------------------------------------------------ content
 
   /** All bytes of a file. */
   public byte[] read(Path path) throws IOException {
-    return outside.look(() -> Files.readAllBytes(confinement.followed(path)));
+    return outside.look(() -> Files.readAllBytes(confinement().followed(path)));
   }
 
   /** Gives a file that content; it is made if there is none. */
   public void write(Path path, byte[] bytes) throws IOException {
     change(() -> {
       Files.write(
-          confinement.followed(path),
+          confinement().followed(path),
           bytes,
           StandardOpenOption.CREATE,
           StandardOpenOption.WRITE,
@@ -107,7 +110,8 @@ public final class Disk {
   public FileSource source(Path path) throws IOException {
     return new FileSource(
         outside,
-        outside.look(() -> FileChannel.open(confinement.followed(path), StandardOpenOption.READ)));
+        outside.look(
+            () -> FileChannel.open(confinement().followed(path), StandardOpenOption.READ)));
   }
 
   /** The end of a regular file, to write there. */
@@ -116,17 +120,19 @@ public final class Disk {
         outside,
         outside.look(() ->
             FileChannel.open(
-                confinement.followed(path), StandardOpenOption.WRITE, StandardOpenOption.APPEND)));
+                confinement().followed(path),
+                StandardOpenOption.WRITE,
+                StandardOpenOption.APPEND)));
   }
 
   /** The bytes of what may let its readers wait. */
   public InputStream input(Path path) throws IOException {
-    return outside.look(() -> new FileInputStream(confinement.followed(path).toFile()));
+    return outside.look(() -> new FileInputStream(confinement().followed(path).toFile()));
   }
 
   /** The end of what may let its writers wait. */
   public OutputStream output(Path path) throws IOException {
-    return outside.look(() -> new FileOutputStream(confinement.followed(path).toFile(), true));
+    return outside.look(() -> new FileOutputStream(confinement().followed(path).toFile(), true));
   }
 
   // ------------------------------------------------------------------ files
@@ -134,7 +140,7 @@ public final class Disk {
   /** Copies a file; there must not be anything of the new name. */
   public void copy(Path from, Path to) throws IOException {
     change(() -> {
-      Files.copy(confinement.followed(from), confinement.changed(to));
+      Files.copy(confinement().followed(from), confinement().changed(to));
     });
   }
 
@@ -142,21 +148,23 @@ public final class Disk {
   public void replace(Path from, Path to) throws IOException {
     change(() -> {
       Files.move(
-          confinement.changed(from), confinement.changed(to), StandardCopyOption.REPLACE_EXISTING);
+          confinement().changed(from),
+          confinement().changed(to),
+          StandardCopyOption.REPLACE_EXISTING);
     });
   }
 
   /** Gives a file or directory another name, which nothing must have. */
   public void move(Path from, Path to) throws IOException {
     change(() -> {
-      Files.move(confinement.changed(from), confinement.changed(to));
+      Files.move(confinement().changed(from), confinement().changed(to));
     });
   }
 
   /** Deletes a file, or a directory in which there is nothing. */
   public void delete(Path path) throws IOException {
     change(() -> {
-      Files.delete(confinement.changed(path));
+      Files.delete(confinement().changed(path));
     });
   }
 
@@ -165,42 +173,42 @@ public final class Disk {
   /** Creates a directory; there must not be anything of that name. */
   public void createDirectory(Path path) throws IOException {
     change(() -> {
-      Files.createDirectory(confinement.changed(path));
+      Files.createDirectory(confinement().changed(path));
     });
   }
 
   /** Creates a directory and those around it, if they are missing. */
   public void createDirectories(Path path) throws IOException {
     change(() -> {
-      Files.createDirectories(confinement.followed(path));
+      Files.createDirectories(confinement().followed(path));
     });
   }
 
   /** The names of what is in a directory, in no order. */
   public List<Path> names(Path path) throws IOException {
-    return outside.look(() -> DirectoryTree.names(confinement.followed(path)));
+    return outside.look(() -> DirectoryTree.names(confinement().followed(path)));
   }
 
   public boolean isEmpty(Path path) throws IOException {
-    return outside.look(() -> DirectoryTree.isEmpty(confinement.followed(path)));
+    return outside.look(() -> DirectoryTree.isEmpty(confinement().followed(path)));
   }
 
   /** The sizes of all files in it and its directories together, in bytes. */
   public long treeSize(Path path) throws IOException {
-    return outside.look(() -> DirectoryTree.size(confinement.entry(path)));
+    return outside.look(() -> DirectoryTree.size(confinement().entry(path)));
   }
 
   /** Copies a directory and all that is in it; there must not be anything of the new name. */
   public void copyTree(Path from, Path to) throws IOException {
     change(() -> {
-      DirectoryTree.copy(confinement.entry(from), confinement.changed(to));
+      DirectoryTree.copy(confinement().entry(from), confinement().changed(to));
     });
   }
 
   /** Removes all that is in a directory, which must not be the root. */
   public void clear(Path path) throws IOException {
     change(() -> {
-      Path directory = confinement.followed(path).toRealPath();
+      Path directory = confinement().followed(path).toRealPath();
       checkNotRoot(directory);
       DirectoryTree.clear(directory);
     });
@@ -209,7 +217,7 @@ public final class Disk {
   /** Removes a directory, which must not be the root, and all that is in it. */
   public void removeTree(Path path) throws IOException {
     change(() -> {
-      Path directory = confinement.changed(path);
+      Path directory = confinement().changed(path);
       checkNotRoot(directory.toRealPath());
       DirectoryTree.remove(directory);
     });

@@ -19,6 +19,7 @@ import org.urbi.kernel.job.PendingAnswer;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Outcome;
+import org.urbi.kernel.trust.Role;
 
 /**
  * What one kernel has to do with the machine around it: threads for what takes time, so that the
@@ -31,8 +32,12 @@ public final class Outside implements Closeable {
   /** As long as it takes the JDK to begin to watch directories; once. */
   private static final int WATCH_SPINS = 10_000_000;
 
+  /** What is allowed to the job for which a thread of the outside works. */
+  private static final ScopedValue<Confinement> LENT = ScopedValue.newInstance();
+
   private final Scheduler scheduler;
   private final Confinement confinement;
+  private final Confinement users;
   private final Disk disk;
   private final ExecutorService threads =
       Executors.newCachedThreadPool(
@@ -41,15 +46,44 @@ public final class Outside implements Closeable {
   private DirectoryWatch directories;
   private boolean closed;
 
-  public Outside(Scheduler scheduler, Confinement confinement) {
+  /**
+   * @param confinement what is allowed to the kernel
+   * @param users what is allowed to the code of users
+   */
+  public Outside(Scheduler scheduler, Confinement confinement, Confinement users) {
     this.scheduler = scheduler;
     this.confinement = confinement;
-    disk = new Disk(confinement, this);
+    this.users = users;
+    disk = new Disk(this);
   }
 
-  /** What is allowed. */
+  /** What is allowed to the code that runs; to the kernel itself, when none does. */
   public Confinement confinement() {
-    return confinement;
+    if (LENT.isBound()) {
+      return LENT.get();
+    }
+    Job running = scheduler.isKernelThread() ? scheduler.running() : null;
+    if (running == null || running.isOwner()) {
+      return confinement;
+    }
+    return running.role() == Role.USER ? users : Confinement.total();
+  }
+
+  /** Whether there is something that the kernel may not do. */
+  public boolean isConfined() {
+    return confinement.isConfined();
+  }
+
+  /**
+   * Where relative paths of the code that runs start from.
+   *
+   * @param otherwise unless it has a directory of its own
+   */
+  public Path startOfPaths(Path otherwise) {
+    Confinement own = confinement();
+    return own == confinement || own.workingDirectory() == null
+        ? otherwise
+        : own.workingDirectory();
   }
 
   /** Files and directories. */
@@ -118,7 +152,7 @@ public final class Outside implements Closeable {
       await(
           job,
           () -> {
-            directories().watch(confinement.followed(directory), number);
+            directories().watch(confinement().followed(directory), number);
             return null;
           },
           WATCH_SPINS);
@@ -157,8 +191,9 @@ public final class Outside implements Closeable {
   private <T> T await(Job job, Callable<T> work, int spins) throws IOException {
     PendingAnswer answer = new PendingAnswer(job);
     AtomicReference<Outcome> early = new AtomicReference<>();
+    Confinement allowed = confinement();
     start(() -> {
-      Outcome outcome = Outcome.of(work::call);
+      Outcome outcome = Outcome.of(() -> ScopedValue.where(LENT, allowed).call(work::call));
       early.set(outcome);
       answer.post(outcome);
     });

@@ -5,8 +5,10 @@ import java.util.concurrent.CompletionStage;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Guard;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.trust.Role;
 import urbi.UCallback;
 
 /** A function of a UObject, as urbiscript calls it (manual, "Binding functions"). */
@@ -54,6 +56,9 @@ final class BoundFunction extends Code {
     if (arguments.length != arity) {
       String called = site.calledName() == null ? callback.name() : site.calledName();
       throw caller.interpreter().errors().arity(called, arguments.length, arity, arity);
+    }
+    if (!caller.job().isOwner()) {
+      Guard.checkRole(caller, site.calledName(), Role.USER);
     }
     if (gone != null) {
       throw caller

@@ -5,6 +5,7 @@ import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.trust.Role;
 
 /**
  * The lobby of code that belongs to no connection, such as what UObjects send; made when it is
@@ -34,7 +35,8 @@ final class SystemLobby {
             }
           };
       lobby =
-          UrbiLobby.start(interpreter, new Output(interpreter.scheduler(), this::write), listener);
+          UrbiLobby.start(
+              interpreter, new Output(interpreter.scheduler(), this::write), listener, Role.OWNER);
       lobby.shell().start();
     }
     return lobby;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.urbi.kernel.Connection;
+import org.urbi.kernel.trust.Role;
 
 /** A lobby that only notes what is done to it, and has as much unread input as a test wants. */
 final class RecordingConnection implements Connection {
@@ -28,6 +29,11 @@ final class RecordingConnection implements Connection {
   @Override
   public void failed(String where, Throwable failure) {
     throw new AssertionError(where, failure);
+  }
+
+  @Override
+  public void giveRole(Role role) {
+    calls.add("giveRole " + role.text());
   }
 
   @Override

@@ -3,6 +3,7 @@ package org.urbi.kernel.library.code;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
@@ -14,7 +15,10 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
 /** How a function was called (manual, "CallMessage"). */
-@UrbiType(value = "CallMessage", doc = "A call: its target, its name, its arguments.")
+@UrbiType(
+    value = "CallMessage",
+    doc = "A call: its target, its name, its arguments.",
+    needs = Need.NOTHING)
 final class CallMessageType {
   private CallMessageType() {}
 

@@ -2,6 +2,7 @@ package org.urbi.kernel.library.code;
 
 import java.util.Arrays;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.library.object.ObjectType;
@@ -17,7 +18,8 @@ import org.urbi.lang.print.Printer;
 @UrbiType(
     value = "Code",
     protos = {"Comparable", "Executable"},
-    doc = "A function written in urbiscript.")
+    doc = "A function written in urbiscript.",
+    needs = Need.NOTHING)
 final class CodeType {
   private CodeType() {}
 

@@ -1,11 +1,15 @@
 package org.urbi.kernel.library.code;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.object.UrbiObject;
 
 /** What can be called (manual, "Executable"). */
-@UrbiType(value = "Executable", doc = "What can be called: functions and primitives.")
+@UrbiType(
+    value = "Executable",
+    doc = "What can be called: functions and primitives.",
+    needs = Need.NOTHING)
 final class ExecutableType {
   private ExecutableType() {}
 

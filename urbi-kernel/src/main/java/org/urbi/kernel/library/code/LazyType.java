@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.code;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.CallMessages.Lazy;
@@ -14,7 +15,8 @@ import org.urbi.kernel.object.World;
 @UrbiType(
     value = "Lazy",
     protos = {"Comparable"},
-    doc = "An expression that is evaluated when asked for.")
+    doc = "An expression that is evaluated when asked for.",
+    needs = Need.NOTHING)
 final class LazyType {
   private LazyType() {}
 
@@ -26,7 +28,7 @@ final class LazyType {
     return self.world().symbol("valueCache");
   }
 
-  @Builtin(doc = "Evaluates that function without arguments when asked for.")
+  @Builtin(doc = "Evaluates that function without arguments when asked for.", needs = Need.CHANGE)
   static void init(UrbiObject self, UrbiObject function) {
     OwnSlots.put(self, "code", function);
   }
@@ -84,6 +86,6 @@ final class LazyType {
   }
 
   static UrbiObject newPrototype(World world) {
-    return new Lazy(world.values().object.cloneShape(), null, null);
+    return new Lazy(world.values().object.cloneShape(), null, null, null);
   }
 }

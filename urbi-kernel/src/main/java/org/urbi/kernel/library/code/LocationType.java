@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.code;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
@@ -13,7 +14,10 @@ import org.urbi.lang.source.Location;
 import org.urbi.lang.source.Span;
 
 /** Pieces of files, from a position to another one (manual, "Location"). */
-@UrbiType(value = "Location", doc = "A piece of a file, from a position up to another one.")
+@UrbiType(
+    value = "Location",
+    doc = "A piece of a file, from a position up to another one.",
+    needs = Need.NOTHING)
 public final class LocationType {
   private LocationType() {}
 
@@ -35,7 +39,9 @@ public final class LocationType {
     return frame.interpreter().send(frame, position.world().prototype("Position"), "new", position);
   }
 
-  @Builtin(doc = "From a position to another one; without any, the very beginning.")
+  @Builtin(
+      doc = "From a position to another one; without any, the very beginning.",
+      needs = Need.CHANGE)
   static void init(
       Frame frame,
       CallSite site,

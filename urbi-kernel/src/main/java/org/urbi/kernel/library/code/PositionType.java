@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.code;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.library.file.UrbiPath;
@@ -16,7 +17,8 @@ import org.urbi.kernel.object.World;
 @UrbiType(
     value = "Position",
     protos = {"Orderable"},
-    doc = "A place in a file: a line and a column, counted from 1.")
+    doc = "A place in a file: a line and a column, counted from 1.",
+    needs = Need.NOTHING)
 public final class PositionType {
   private PositionType() {}
 
@@ -58,7 +60,9 @@ public final class PositionType {
     return file == self.world().values().nil ? null : frame.interpreter().asString(frame, file);
   }
 
-  @Builtin(doc = "Of another position, or of a file (which may be left out), a line, a column.")
+  @Builtin(
+      doc = "Of another position, or of a file (which may be left out), a line, a column.",
+      needs = Need.CHANGE)
   static void init(Frame frame, CallSite site, UrbiObject self, UrbiObject... arguments) {
     switch (arguments.length) {
       case 0 -> fill(self, self.world().values().nil, 1, 1);

@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.code;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
@@ -12,7 +13,8 @@ import org.urbi.kernel.object.UrbiObject;
 @UrbiType(
     value = "Primitive",
     protos = {"Executable"},
-    doc = "A function of the library written in Java.")
+    doc = "A function of the library written in Java.",
+    needs = Need.NOTHING)
 final class PrimitiveType {
   private PrimitiveType() {}
 

@@ -2,6 +2,7 @@ package org.urbi.kernel.library.code;
 
 import java.util.Locale;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.Frame;
@@ -9,7 +10,10 @@ import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 
 /** The calls of one function in a profile (manual, "Profile.Function"). */
-@UrbiType(value = "Profile.Function", doc = "The calls of a function that a profile counts.")
+@UrbiType(
+    value = "Profile.Function",
+    doc = "The calls of a function that a profile counts.",
+    needs = Need.NOTHING)
 final class ProfileFunctionType {
   private ProfileFunctionType() {}
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.library.value.OwnSlots;
@@ -12,7 +13,10 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
 /** What {@code System.profile} has measured (manual, "Profile"). */
-@UrbiType(value = "Profile", doc = "What a piece of code has called, and for how long.")
+@UrbiType(
+    value = "Profile",
+    doc = "What a piece of code has called, and for how long.",
+    needs = Need.NOTHING)
 final class ProfileType {
   private ProfileType() {}
 

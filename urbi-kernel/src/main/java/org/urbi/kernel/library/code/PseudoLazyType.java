@@ -1,16 +1,20 @@
 package org.urbi.kernel.library.code;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.object.UrbiObject;
 
 /** Evaluated values in the place of lazy ones (manual, "PseudoLazy"). */
-@UrbiType(value = "PseudoLazy", doc = "A value that is used like one not evaluated yet.")
+@UrbiType(
+    value = "PseudoLazy",
+    doc = "A value that is used like one not evaluated yet.",
+    needs = Need.NOTHING)
 final class PseudoLazyType {
   private PseudoLazyType() {}
 
-  @Builtin(doc = "Holds that value.")
+  @Builtin(doc = "Holds that value.", needs = Need.CHANGE)
   static void init(UrbiObject self, UrbiObject value) {
     OwnSlots.put(self, "value", value);
   }

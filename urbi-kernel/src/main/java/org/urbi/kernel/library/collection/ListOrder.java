@@ -3,6 +3,7 @@ package org.urbi.kernel.library.collection;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.Errors;
@@ -15,7 +16,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
 /** The order of lists, and of their elements (manual, "List"). */
-@UrbiTypePart("List")
+@UrbiTypePart(value = "List", needs = Need.NOTHING)
 public final class ListOrder {
   private ListOrder() {}
 

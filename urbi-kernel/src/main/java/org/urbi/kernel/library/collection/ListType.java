@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
@@ -27,7 +28,8 @@ import org.urbi.kernel.object.Values;
 @UrbiType(
     value = "List",
     protos = {"Container", "RangeIterable", "Orderable"},
-    doc = "An ordered sequence of any objects.")
+    doc = "An ordered sequence of any objects.",
+    needs = Need.NOTHING)
 final class ListType {
   private ListType() {}
 
@@ -84,7 +86,10 @@ final class ListType {
     return elements.get(Counting.index(caller, site, index, elements.size()));
   }
 
-  @Builtin(value = "[]=", doc = "Replaces the element at an index; returns the value.")
+  @Builtin(
+      value = "[]=",
+      doc = "Replaces the element at an index; returns the value.",
+      needs = Need.CHANGE)
   static UrbiObject set(
       Frame caller, CallSite site, UrbiList self, UrbiFloat index, UrbiObject value) {
     Elements elements = self.modify();
@@ -151,7 +156,7 @@ final class ListType {
 
   // ------------------------------------------------------------------ changes
 
-  @Builtin(doc = "Removes all elements.")
+  @Builtin(doc = "Removes all elements.", needs = Need.CHANGE)
   static UrbiObject clear(UrbiList self) {
     self.modify().clear();
     return changed(self);
@@ -162,7 +167,9 @@ final class ListType {
     return self;
   }
 
-  @Builtin(doc = "Inserts an element before the one at an index; returns the target.")
+  @Builtin(
+      doc = "Inserts an element before the one at an index; returns the target.",
+      needs = Need.CHANGE)
   static UrbiObject insert(Frame caller, CallSite site, UrbiList self, int where, UrbiObject what) {
     Elements elements = self.modify();
     if (where < 0 || where >= elements.size()) {
@@ -174,36 +181,42 @@ final class ListType {
 
   @Builtin(
       value = {"insertBack", "<<"},
-      doc = "Adds an element at the end; returns the target.")
+      doc = "Adds an element at the end; returns the target.",
+      needs = Need.CHANGE)
   static UrbiObject insertBack(UrbiList self, UrbiObject that) {
     self.modify().add(that);
     return changed(self);
   }
 
-  @Builtin(doc = "Adds an element at the beginning; returns the target.")
+  @Builtin(doc = "Adds an element at the beginning; returns the target.", needs = Need.CHANGE)
   static UrbiObject insertFront(UrbiList self, UrbiObject that) {
     self.modify().add(0, that);
     return changed(self);
   }
 
-  @Builtin(doc = "Adds an element at the end, unless the list has it; returns the target.")
+  @Builtin(
+      doc = "Adds an element at the end, unless the list has it; returns the target.",
+      needs = Need.CHANGE)
   static UrbiObject insertUnique(Frame caller, UrbiList self, UrbiObject that) {
     return ListSearch.has(caller, self, that) ? self : insertBack(self, that);
   }
 
-  @Builtin(value = "+=", doc = "Adds the elements of a list at the end; returns the target.")
+  @Builtin(
+      value = "+=",
+      doc = "Adds the elements of a list at the end; returns the target.",
+      needs = Need.CHANGE)
   static UrbiObject addAll(UrbiList self, UrbiList that) {
     self.modify().addAll(List.copyOf(that.elements()));
     return changed(self);
   }
 
-  @Builtin(doc = "Deprecated: use '+='.")
+  @Builtin(doc = "Deprecated: use '+='.", needs = Need.CHANGE)
   static UrbiObject append(Frame caller, CallSite site, UrbiList self, UrbiList that) {
     Warnings.deprecated(caller, site, "list.append(that)", "list += that");
     return addAll(self, that);
   }
 
-  @Builtin(doc = "Removes all elements equal to a value; returns the target.")
+  @Builtin(doc = "Removes all elements equal to a value; returns the target.", needs = Need.CHANGE)
   static UrbiObject remove(Frame caller, UrbiList self, UrbiObject val) {
     for (UrbiObject element : List.copyOf(self.elements())) {
       if (Comparison.equal(caller, element, val)) {
@@ -219,13 +232,15 @@ final class ListType {
     }
   }
 
-  @Builtin(doc = "Removes all elements that are the very object; returns the target.")
+  @Builtin(
+      doc = "Removes all elements that are the very object; returns the target.",
+      needs = Need.CHANGE)
   static UrbiObject removeById(UrbiList self, UrbiObject that) {
     removeSame(self, that);
     return self;
   }
 
-  @Builtin(doc = "Removes and returns the last element.")
+  @Builtin(doc = "Removes and returns the last element.", needs = Need.CHANGE)
   static UrbiObject removeBack(Frame caller, CallSite site, UrbiList self) {
     notEmpty(caller, site, self);
     UrbiObject removed = self.modify().removeLast();
@@ -233,7 +248,7 @@ final class ListType {
     return removed;
   }
 
-  @Builtin(doc = "Removes and returns the first element.")
+  @Builtin(doc = "Removes and returns the first element.", needs = Need.CHANGE)
   static UrbiObject removeFront(Frame caller, CallSite site, UrbiList self) {
     notEmpty(caller, site, self);
     UrbiObject removed = self.modify().removeFirst();

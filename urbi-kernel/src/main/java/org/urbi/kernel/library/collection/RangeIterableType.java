@@ -2,6 +2,7 @@ package org.urbi.kernel.library.collection;
 
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.library.value.Iteration;
@@ -11,7 +12,10 @@ import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 
 /** Objects with {@code asList} (manual, "RangeIterable"). */
-@UrbiType(value = "RangeIterable", doc = "Objects whose members can be gone through.")
+@UrbiType(
+    value = "RangeIterable",
+    doc = "Objects whose members can be gone through.",
+    needs = Need.NOTHING)
 final class RangeIterableType {
   private RangeIterableType() {}
 

@@ -3,6 +3,7 @@ package org.urbi.kernel.library.collection;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.library.value.Comparison;
@@ -18,11 +19,11 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiTuple;
 
 /** Tuples (manual, "Tuple"). */
-@UrbiType(value = "Tuple", doc = "A fixed number of objects.")
+@UrbiType(value = "Tuple", doc = "A fixed number of objects.", needs = Need.NOTHING)
 final class TupleType {
   private TupleType() {}
 
-  @Builtin(doc = "Makes the elements of a list the members.")
+  @Builtin(doc = "Makes the elements of a list the members.", needs = Need.CHANGE)
   static UrbiObject init(UrbiTuple self, UrbiList members) {
     self.setElements(members.elements());
     return self;
@@ -65,7 +66,10 @@ final class TupleType {
     return members.get(Counting.index(caller, site, index, members.size()));
   }
 
-  @Builtin(value = "[]=", doc = "Replaces the member at an index; returns the value.")
+  @Builtin(
+      value = "[]=",
+      doc = "Replaces the member at an index; returns the value.",
+      needs = Need.CHANGE)
   static UrbiObject set(Frame caller, CallSite site, UrbiTuple self, int index, UrbiObject value) {
     self.set(Counting.index(caller, site, index, self.size()), value);
     return value;

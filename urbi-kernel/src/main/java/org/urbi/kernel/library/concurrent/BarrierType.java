@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.concurrent;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
@@ -9,7 +10,10 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
 /** Where jobs wait for others to signal them (manual, "Barrier"). */
-@UrbiType(value = "Barrier", doc = "Where jobs wait until others signal them.")
+@UrbiType(
+    value = "Barrier",
+    doc = "Where jobs wait until others signal them.",
+    needs = Need.NOTHING)
 final class BarrierType {
   private BarrierType() {}
 
@@ -27,12 +31,14 @@ final class BarrierType {
     return self.await(frame.job());
   }
 
-  @Builtin(doc = "Wakes the job that has waited longest; the number of jobs woken.")
+  @Builtin(
+      doc = "Wakes the job that has waited longest; the number of jobs woken.",
+      needs = Need.CHANGE)
   static double signal(Frame frame, UrbiBarrier self, @Optional UrbiObject payload) {
     return self.signal(payload(frame, payload)) ? 1 : 0;
   }
 
-  @Builtin(doc = "Wakes all the jobs that wait; the number of jobs woken.")
+  @Builtin(doc = "Wakes all the jobs that wait; the number of jobs woken.", needs = Need.CHANGE)
   static double signalAll(Frame frame, UrbiBarrier self, @Optional UrbiObject payload) {
     int woken = 0;
     while (self.signal(payload(frame, payload))) {

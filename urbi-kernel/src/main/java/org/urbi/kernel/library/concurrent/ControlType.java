@@ -2,6 +2,7 @@ package org.urbi.kernel.library.concurrent;
 
 import java.util.function.Consumer;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.event.Durations;
@@ -17,7 +18,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
 /** Control of the flow of execution (manual, "Control"). */
-@UrbiType(value = "Control", doc = "Ways to control the flow of execution.")
+@UrbiType(value = "Control", doc = "Ways to control the flow of execution.", needs = Need.NOTHING)
 public final class ControlType {
   private ControlType() {}
 

@@ -1,13 +1,14 @@
 package org.urbi.kernel.library.concurrent;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
 /** What {@code trigger} of events returns (manual, "Event"). */
-@UrbiType(value = "EventHandler", doc = "An event that is being emitted.")
+@UrbiType(value = "EventHandler", doc = "An event that is being emitted.", needs = Need.CHANGE)
 final class EmissionType {
   private EmissionType() {}
 

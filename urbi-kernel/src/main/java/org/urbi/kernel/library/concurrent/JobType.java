@@ -3,6 +3,7 @@ package org.urbi.kernel.library.concurrent;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.Durations;
@@ -14,6 +15,7 @@ import org.urbi.kernel.library.lobby.LobbyType;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Guard;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.tag.UrbiTag;
@@ -22,7 +24,8 @@ import org.urbi.kernel.tag.UrbiTag;
 @UrbiType(
     value = "Job",
     protos = {"Object", "Traceable"},
-    doc = "A light thread of execution.")
+    doc = "A light thread of execution.",
+    needs = Need.NOTHING)
 public final class JobType {
   /** The objects that show the jobs; made when asked for. */
   private static final JobLocal<UrbiObject> SHOWN = new JobLocal<>();
@@ -99,6 +102,7 @@ public final class JobType {
   @Builtin(doc = "Ends the job.")
   static void terminate(Frame frame, CallSite site, UrbiJob self) {
     if (self.job() != null) {
+      Guard.checkChange(frame, site.calledName(), self.job());
       self.job().terminate();
       if (self.job() == frame.job()) {
         frame.job().checkInjected();
@@ -177,7 +181,9 @@ public final class JobType {
     }
   }
 
-  @Builtin(doc = "Says whether what this job does concerns the others; of no effect here.")
+  @Builtin(
+      doc = "Says whether what this job does concerns the others; of no effect here.",
+      needs = Need.USER)
   static void setSideEffectFree(UrbiJob self, UrbiObject value) {
     // Jobs are run in a fixed order, whatever they do.
   }

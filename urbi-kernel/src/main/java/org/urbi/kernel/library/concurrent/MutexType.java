@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.concurrent;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.object.ObjectType;
 import org.urbi.kernel.node.CallSite;
@@ -12,7 +13,8 @@ import org.urbi.kernel.object.World;
 @UrbiType(
     value = "Mutex",
     protos = {"Tag"},
-    doc = "A tag for critical sections: one job at a time runs under it.")
+    doc = "A tag for critical sections: one job at a time runs under it.",
+    needs = Need.NOTHING)
 final class MutexType {
   private MutexType() {}
 
@@ -20,7 +22,7 @@ final class MutexType {
     return new UrbiMutex(world.values().object.cloneShape());
   }
 
-  @Builtin(doc = "Without arguments.")
+  @Builtin(doc = "Without arguments.", needs = Need.CHANGE)
   static void init(UrbiMutex self) {}
 
   @Builtin(doc = "The mutex itself.")
@@ -33,13 +35,13 @@ final class MutexType {
     return ObjectType.asString(frame, self);
   }
 
-  @Builtin(doc = "Enters the critical section, until unlock.")
+  @Builtin(doc = "Enters the critical section, until unlock.", needs = Need.CHANGE)
   static void lock(Frame frame, CallSite site, UrbiMutex self) {
     Activity.note(frame, site);
     self.entering(frame);
   }
 
-  @Builtin(doc = "Leaves the critical section that lock has entered.")
+  @Builtin(doc = "Leaves the critical section that lock has entered.", needs = Need.CHANGE)
   static void unlock(Frame frame, UrbiMutex self) {
     self.left(frame);
   }

@@ -2,6 +2,7 @@ package org.urbi.kernel.library.concurrent;
 
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.Frame;
@@ -9,11 +10,14 @@ import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 
 /** Values published to subscribers (manual, "PubSub"). */
-@UrbiType(value = "PubSub", doc = "Values that are published, and queued for each subscriber.")
+@UrbiType(
+    value = "PubSub",
+    doc = "Values that are published, and queued for each subscriber.",
+    needs = Need.NOTHING)
 final class PubSubType {
   private PubSubType() {}
 
-  @Builtin(doc = "Without any subscriber.")
+  @Builtin(doc = "Without any subscriber.", needs = Need.CHANGE)
   static void init(UrbiObject self) {
     OwnSlots.put(self, "subscribers", self.world().values().list(List.of()));
   }
@@ -26,7 +30,7 @@ final class PubSubType {
     throw frame.interpreter().errors().type(all, self.world().prototype("List"));
   }
 
-  @Builtin(doc = "Queues a value for each subscriber, and returns it.")
+  @Builtin(doc = "Queues a value for each subscriber, and returns it.", needs = Need.CHANGE)
   static UrbiObject publish(Frame frame, UrbiObject self, UrbiObject ev) {
     for (UrbiObject each : List.copyOf(subscribers(frame, self).elements())) {
       if (each instanceof UrbiSubscriber subscriber) {
@@ -45,7 +49,7 @@ final class PubSubType {
     return subscriber;
   }
 
-  @Builtin(doc = "Queues nothing more for that subscriber.")
+  @Builtin(doc = "Queues nothing more for that subscriber.", needs = Need.CHANGE)
   static void unsubscribe(Frame frame, UrbiObject self, UrbiObject sub) {
     UrbiList all = subscribers(frame, self);
     all.modify().removeIf(each -> each == sub);

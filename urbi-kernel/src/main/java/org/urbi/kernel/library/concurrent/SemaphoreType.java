@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.concurrent;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -8,7 +9,10 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
 /** Limits for the number of jobs in critical sections (manual, "Semaphore"). */
-@UrbiType(value = "Semaphore", doc = "A limit for the number of jobs that use something.")
+@UrbiType(
+    value = "Semaphore",
+    doc = "A limit for the number of jobs that use something.",
+    needs = Need.CHANGE)
 final class SemaphoreType {
   private SemaphoreType() {}
 

@@ -2,6 +2,7 @@ package org.urbi.kernel.library.concurrent;
 
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -9,7 +10,10 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
 /** Who reads what is published (manual, "PubSub.Subscriber"). */
-@UrbiType(value = "PubSub.Subscriber", doc = "Who reads the values that are published.")
+@UrbiType(
+    value = "PubSub.Subscriber",
+    doc = "Who reads the values that are published.",
+    needs = Need.NOTHING)
 final class SubscriberType {
   private SubscriberType() {}
 
@@ -31,7 +35,7 @@ final class SubscriberType {
     return self.pollAll();
   }
 
-  @Builtin(doc = "Puts a value into the queue.")
+  @Builtin(doc = "Puts a value into the queue.", needs = Need.CHANGE)
   static void enqueue(UrbiSubscriber self, UrbiObject ev) {
     self.enqueue(ev);
   }

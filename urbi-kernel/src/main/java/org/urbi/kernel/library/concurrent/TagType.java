@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.concurrent;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.event.Emission;
@@ -17,11 +18,14 @@ import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.tag.UrbiTag;
 
 /** Labels of code, to control it (manual, "Tag"). */
-@UrbiType(value = "Tag", doc = "A label of code, to stop, block or freeze it.")
+@UrbiType(
+    value = "Tag",
+    doc = "A label of code, to stop, block or freeze it.",
+    needs = Need.NOTHING)
 public final class TagType {
   private TagType() {}
 
-  @Builtin(doc = "Gives the tag a name; without one it gets a number.")
+  @Builtin(doc = "Gives the tag a name; without one it gets a number.", needs = Need.CHANGE)
   static void init(Frame frame, UrbiTag self, @Optional String name) {
     Symbol slot = self.world().symbol("name");
     String chosen = name == null ? "tag_" + frame.job().scheduler().nextNumber() : name;
@@ -61,19 +65,21 @@ public final class TagType {
     return tag;
   }
 
-  @Builtin(doc = "Ends the code under the tag, which returns that value.")
+  @Builtin(doc = "Ends the code under the tag, which returns that value.", needs = Need.CHANGE)
   static void stop(Frame frame, UrbiTag self, @Optional UrbiObject result) {
     self.state().stop(result(frame, result));
     frame.job().checkInjected();
   }
 
-  @Builtin(doc = "Ends the code under the tag, and lets none begin; it returns that value.")
+  @Builtin(
+      doc = "Ends the code under the tag, and lets none begin; it returns that value.",
+      needs = Need.CHANGE)
   static void block(Frame frame, UrbiTag self, @Optional UrbiObject result) {
     self.state().block(result(frame, result));
     frame.job().checkInjected();
   }
 
-  @Builtin(doc = "Lets code under the tag begin again.")
+  @Builtin(doc = "Lets code under the tag begin again.", needs = Need.CHANGE)
   static void unblock(UrbiTag self) {
     self.state().unblock();
   }
@@ -83,13 +89,15 @@ public final class TagType {
     return self.state().isBlocked();
   }
 
-  @Builtin(doc = "Suspends the code under the tag, and the code that enters it.")
+  @Builtin(
+      doc = "Suspends the code under the tag, and the code that enters it.",
+      needs = Need.CHANGE)
   static void freeze(Frame frame, UrbiTag self) {
     self.state().freeze();
     frame.job().holdIfFrozen();
   }
 
-  @Builtin(doc = "Lets the code under the tag go on.")
+  @Builtin(doc = "Lets the code under the tag go on.", needs = Need.CHANGE)
   static void unfreeze(UrbiTag self) {
     self.state().unfreeze();
   }
@@ -110,7 +118,8 @@ public final class TagType {
   }
 
   @Builtin(
-      doc = "Has code that enters the tag from now on run before all code of a lower priority.")
+      doc = "Has code that enters the tag from now on run before all code of a lower priority.",
+      needs = Need.CHANGE)
   static void setPriority(UrbiTag self, double priority) {
     self.setPriority(Math.max(0, priority));
   }

@@ -1,12 +1,14 @@
 package org.urbi.kernel.library.concurrent;
 
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 
 /** Where implicit tags are made (manual, "Tag"). */
 @UrbiType(
     value = "Tag.tags",
     protos = {"Object"},
-    doc = "The tags that were made by being used.")
+    doc = "The tags that were made by being used.",
+    needs = Need.NOTHING)
 final class TagsType {
   private TagsType() {}
 }

@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.concurrent;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.event.Durations;
@@ -14,7 +15,8 @@ import org.urbi.kernel.object.World;
 @UrbiType(
     value = "Timeout",
     protos = {"Tag"},
-    doc = "A tag for code that has limited time.")
+    doc = "A tag for code that has limited time.",
+    needs = Need.NOTHING)
 final class TimeoutType {
   private TimeoutType() {}
 
@@ -22,12 +24,14 @@ final class TimeoutType {
     return new UrbiTimeout(world.values().object.cloneShape());
   }
 
-  @Builtin(doc = "For code that has so many seconds; whether to throw when they are over.")
+  @Builtin(
+      doc = "For code that has so many seconds; whether to throw when they are over.",
+      needs = Need.CHANGE)
   static void init(Frame frame, UrbiTimeout self, double duration, @Optional UrbiObject throwing) {
     self.set(Durations.nanoseconds(duration), throwing == null || Truth.of(frame, throwing));
   }
 
-  @Builtin(doc = "Begins to count down.")
+  @Builtin(doc = "Begins to count down.", needs = Need.CHANGE)
   static void launch(Frame frame, UrbiTimeout self) {
     self.launch(frame);
   }

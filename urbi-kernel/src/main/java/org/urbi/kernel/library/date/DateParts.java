@@ -3,6 +3,7 @@ package org.urbi.kernel.library.date;
 import java.time.DateTimeException;
 import java.time.temporal.ChronoField;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.library.value.Printing;
@@ -10,7 +11,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiFloat;
 
 /** The parts of dates, which can be assigned (manual, "Date"). */
-@UrbiTypePart("Date")
+@UrbiTypePart(value = "Date", needs = Need.NOTHING)
 final class DateParts {
   /** The microseconds in a day. */
   private static final long DAY = 86_400_000_000L;
@@ -51,7 +52,7 @@ final class DateParts {
     return self.dateTime().getYear();
   }
 
-  @Builtin(value = "year", setter = true, doc = "Sets the year.")
+  @Builtin(value = "year", setter = true, doc = "Sets the year.", needs = Need.CHANGE)
   static void setYear(Frame caller, UrbiDate self, UrbiFloat value) {
     set(caller, self, ChronoField.YEAR, value);
   }
@@ -61,7 +62,7 @@ final class DateParts {
     return self.dateTime().getMonthValue();
   }
 
-  @Builtin(value = "month", setter = true, doc = "Sets the month.")
+  @Builtin(value = "month", setter = true, doc = "Sets the month.", needs = Need.CHANGE)
   static void setMonth(Frame caller, UrbiDate self, UrbiFloat value) {
     set(caller, self, ChronoField.MONTH_OF_YEAR, value);
   }
@@ -71,7 +72,7 @@ final class DateParts {
     return self.dateTime().getDayOfMonth();
   }
 
-  @Builtin(value = "day", setter = true, doc = "Sets the day.")
+  @Builtin(value = "day", setter = true, doc = "Sets the day.", needs = Need.CHANGE)
   static void setDay(Frame caller, UrbiDate self, UrbiFloat value) {
     set(caller, self, ChronoField.DAY_OF_MONTH, value);
   }
@@ -81,7 +82,7 @@ final class DateParts {
     return self.dateTime().getHour();
   }
 
-  @Builtin(value = "hour", setter = true, doc = "Sets the hour.")
+  @Builtin(value = "hour", setter = true, doc = "Sets the hour.", needs = Need.CHANGE)
   static void setHour(Frame caller, UrbiDate self, UrbiFloat value) {
     set(caller, self, ChronoField.HOUR_OF_DAY, value);
   }
@@ -91,7 +92,7 @@ final class DateParts {
     return self.dateTime().getMinute();
   }
 
-  @Builtin(value = "minute", setter = true, doc = "Sets the minute.")
+  @Builtin(value = "minute", setter = true, doc = "Sets the minute.", needs = Need.CHANGE)
   static void setMinute(Frame caller, UrbiDate self, UrbiFloat value) {
     set(caller, self, ChronoField.MINUTE_OF_HOUR, value);
   }
@@ -101,7 +102,7 @@ final class DateParts {
     return self.dateTime().getSecond();
   }
 
-  @Builtin(value = "second", setter = true, doc = "Sets the second.")
+  @Builtin(value = "second", setter = true, doc = "Sets the second.", needs = Need.CHANGE)
   static void setSecond(Frame caller, UrbiDate self, UrbiFloat value) {
     set(caller, self, ChronoField.SECOND_OF_MINUTE, value);
   }
@@ -111,7 +112,7 @@ final class DateParts {
     return self.dateTime().getNano() / 1000;
   }
 
-  @Builtin(value = "microsecond", setter = true, doc = "Sets the microsecond.")
+  @Builtin(value = "microsecond", setter = true, doc = "Sets the microsecond.", needs = Need.CHANGE)
   static void setMicrosecond(Frame caller, UrbiDate self, UrbiFloat value) {
     set(caller, self, ChronoField.MICRO_OF_SECOND, value);
   }
@@ -121,7 +122,11 @@ final class DateParts {
     return Math.floorMod(self.microseconds(), DAY);
   }
 
-  @Builtin(value = "us", setter = true, doc = "Sets the number of microseconds since midnight.")
+  @Builtin(
+      value = "us",
+      setter = true,
+      doc = "Sets the number of microseconds since midnight.",
+      needs = Need.CHANGE)
   static void setUs(Frame caller, UrbiDate self, UrbiFloat value) {
     double given = value.value();
     if (given < 0 || given >= DAY) {

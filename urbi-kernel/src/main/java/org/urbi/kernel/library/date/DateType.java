@@ -2,6 +2,7 @@ package org.urbi.kernel.library.date;
 
 import java.time.LocalDateTime;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
@@ -18,7 +19,8 @@ import org.urbi.kernel.object.World;
 @UrbiType(
     value = "Date",
     protos = {"Orderable", "Comparable"},
-    doc = "A date in time, to the microsecond.")
+    doc = "A date in time, to the microsecond.",
+    needs = Need.NOTHING)
 final class DateType {
   private DateType() {}
 
@@ -42,7 +44,9 @@ final class DateType {
 
   // ------------------------------------------------------------------ construction
 
-  @Builtin(doc = "Makes it the date that the string denotes; the current one without a string.")
+  @Builtin(
+      doc = "Makes it the date that the string denotes; the current one without a string.",
+      needs = Need.CHANGE)
   static UrbiObject init(Frame caller, CallSite site, UrbiDate self, @Optional String d) {
     if (d == null) {
       self.setMicroseconds(currentMicroseconds(caller));

@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.date;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
@@ -10,7 +11,11 @@ import org.urbi.kernel.object.World;
 import org.urbi.lang.print.FloatFormat;
 
 /** Differences of dates (manual, "Duration"). */
-@UrbiType(value = "Duration", protos = "Float", doc = "A number of seconds between two dates.")
+@UrbiType(
+    value = "Duration",
+    protos = "Float",
+    doc = "A number of seconds between two dates.",
+    needs = Need.NOTHING)
 final class DurationType {
   private DurationType() {}
 

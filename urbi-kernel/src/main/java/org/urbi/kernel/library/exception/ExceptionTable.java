@@ -7,6 +7,7 @@ import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.trust.Role;
 
 /** One type of exceptions: how it is made, and how it is shown. */
 final class ExceptionTable extends BuiltinTable {
@@ -47,7 +48,8 @@ final class ExceptionTable extends BuiltinTable {
     private Entry entry() {
       int least = (int) formals.stream().filter(formal -> !formal.endsWith("?")).count();
       String shown = formals.isEmpty() ? "" : "(" + String.join(", ", formals) + ")";
-      return new Entry("init", least, formals.size(), false, false, shown, doc);
+      return new Entry(
+          "init", least, formals.size(), false, false, Role.OBSERVER, true, shown, doc);
     }
   }
 
@@ -73,7 +75,7 @@ final class ExceptionTable extends BuiltinTable {
     }
 
     private Entry entry() {
-      return new Entry("asString", 0, 0, false, false, "", doc);
+      return new Entry("asString", 0, 0, false, false, Role.OBSERVER, false, "", doc);
     }
   }
 

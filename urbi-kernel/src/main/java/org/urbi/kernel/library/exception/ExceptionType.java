@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.exception;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.OwnSlots;
@@ -12,7 +13,8 @@ import org.urbi.kernel.object.UrbiString;
 @UrbiType(
     value = "Exception",
     protos = {"Object", "Traceable"},
-    doc = "An error, with a message.")
+    doc = "An error, with a message.",
+    needs = Need.NOTHING)
 public final class ExceptionType {
   private ExceptionType() {}
 
@@ -24,7 +26,7 @@ public final class ExceptionType {
         : frame.interpreter().asString(frame, value);
   }
 
-  @Builtin(doc = "Makes an exception with that message.")
+  @Builtin(doc = "Makes an exception with that message.", needs = Need.CHANGE)
   static void init(UrbiObject self, @Optional UrbiObject message) {
     if (message != null) {
       OwnSlots.put(self, "message", message);

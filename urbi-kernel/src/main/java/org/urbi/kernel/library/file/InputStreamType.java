@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -18,7 +19,8 @@ import org.urbi.kernel.outside.PipeSource;
 @UrbiType(
     value = "InputStream",
     protos = {"Stream"},
-    doc = "Bytes that are read from a file, or from a process.")
+    doc = "Bytes that are read from a file, or from a process.",
+    needs = Need.USER)
 public final class InputStreamType {
   private final FileAccess files;
   private final Outside outside;

@@ -2,6 +2,7 @@ package org.urbi.kernel.library.file;
 
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.UrbiException;
@@ -18,7 +19,8 @@ import org.urbi.lang.print.StringEscape;
 @UrbiType(
     value = "Path",
     protos = {"Comparable", "Orderable"},
-    doc = "The name of a file or directory.")
+    doc = "The name of a file or directory.",
+    needs = Need.NOTHING)
 final class PathType {
   private final FileAccess files;
   private final WorkingDirectory workingDirectory;
@@ -36,7 +38,7 @@ final class PathType {
     return caller.interpreter().errors().primitive(site.calledName(), message);
   }
 
-  @Builtin(doc = "Makes it the path of that text.")
+  @Builtin(doc = "Makes it the path of that text.", needs = Need.CHANGE)
   static UrbiObject init(Frame caller, CallSite site, UrbiPath self, String path) {
     FileAccess.checkNotPrototype(caller, site, self, "Path");
     if (path.isEmpty() || path.indexOf('\0') >= 0) {
@@ -106,7 +108,7 @@ final class PathType {
 
   // ------------------------------------------------------------------ the file
 
-  @Builtin(doc = "Makes it the working directory, and returns that.")
+  @Builtin(doc = "Makes it the working directory, and returns that.", needs = Need.OWNER)
   UrbiObject cd(Frame caller, CallSite site, UrbiPath self) {
     if (!files.isDirectory(caller, site, self)) {
       throw error(caller, site, "no such directory: " + self.text());
@@ -120,22 +122,22 @@ final class PathType {
     return self.sibling(UrbiPath.encoded(self.working().path()));
   }
 
-  @Builtin(doc = "Whether there is something of that name.")
+  @Builtin(doc = "Whether there is something of that name.", needs = Need.USER)
   boolean exists(Frame caller, CallSite site, UrbiPath self) {
     return files.exists(caller, site, self);
   }
 
-  @Builtin(doc = "Whether it is a directory.")
+  @Builtin(doc = "Whether it is a directory.", needs = Need.USER)
   boolean isDir(Frame caller, CallSite site, UrbiPath self) {
     return files.isDirectory(caller, site, self);
   }
 
-  @Builtin(doc = "Whether it is a regular file.")
+  @Builtin(doc = "Whether it is a regular file.", needs = Need.USER)
   boolean isReg(Frame caller, CallSite site, UrbiPath self) {
     return files.isRegularFile(caller, site, self);
   }
 
-  @Builtin(doc = "The File or the Directory of that name.")
+  @Builtin(doc = "The File or the Directory of that name.", needs = Need.USER)
   UrbiObject open(Frame caller, CallSite site, UrbiPath self) {
     checkExists(caller, site, self);
     String type = files.isDirectory(caller, site, self) ? "Directory" : "File";
@@ -144,13 +146,13 @@ final class PathType {
         .send(caller, caller.interpreter().world().prototype(type), "new", self);
   }
 
-  @Builtin(doc = "Whether it can be read.")
+  @Builtin(doc = "Whether it can be read.", needs = Need.USER)
   boolean readable(Frame caller, CallSite site, UrbiPath self) {
     checkExists(caller, site, self);
     return FileAccess.quickly(caller, site, self, () -> files.disk().isReadable(self.file()));
   }
 
-  @Builtin(doc = "Whether it can be written.")
+  @Builtin(doc = "Whether it can be written.", needs = Need.USER)
   boolean writable(Frame caller, CallSite site, UrbiPath self) {
     checkExists(caller, site, self);
     return FileAccess.quickly(caller, site, self, () -> files.disk().isWritable(self.file()));

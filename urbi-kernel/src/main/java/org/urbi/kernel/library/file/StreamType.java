@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.file;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -8,7 +9,10 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.outside.Outside;
 
 /** What InputStream and OutputStream have in common (manual, "Stream"). */
-@UrbiType(value = "Stream", doc = "Bytes that go from or to a file, or a process.")
+@UrbiType(
+    value = "Stream",
+    doc = "Bytes that go from or to a file, or a process.",
+    needs = Need.USER)
 final class StreamType {
   private final Outside outside;
 

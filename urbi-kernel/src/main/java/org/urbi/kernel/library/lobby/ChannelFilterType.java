@@ -6,6 +6,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Set;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiDictionary;
@@ -18,7 +19,8 @@ import org.urbi.kernel.object.UrbiString;
 @UrbiType(
     value = "Channel.Filter",
     protos = {"Channel"},
-    doc = "A channel that sends what the client library cannot read as messages.")
+    doc = "A channel that sends what the client library cannot read as messages.",
+    needs = Need.NOTHING)
 final class ChannelFilterType {
   private ChannelFilterType() {}
 

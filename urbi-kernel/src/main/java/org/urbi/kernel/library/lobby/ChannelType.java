@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.lobby;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.UrbiLobby;
@@ -10,11 +11,14 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 
 /** Labelled output (manual, "Channel"). */
-@UrbiType(value = "Channel", doc = "A label under which values are sent to the client.")
+@UrbiType(
+    value = "Channel",
+    doc = "A label under which values are sent to the client.",
+    needs = Need.NOTHING)
 final class ChannelType {
   private ChannelType() {}
 
-  @Builtin(doc = "Labels the output with that name.")
+  @Builtin(doc = "Labels the output with that name.", needs = Need.CHANGE)
   static void init(Frame frame, UrbiObject self, String name) {
     self.addSlot(self.world().symbol("name"), frame.interpreter().values().string(name));
   }

@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.lobby;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.lobby.Lobbies;
@@ -9,7 +10,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 
 /** What code that names no lobby can send (manual, "Global": echo, wall, warn). */
-@UrbiTypePart("Global")
+@UrbiTypePart(value = "Global", needs = Need.NOTHING)
 final class GlobalOutput {
   private final Lobbies lobbies;
 
@@ -27,12 +28,15 @@ final class GlobalOutput {
     LobbyType.echo(frame, LobbyType.of(frame), value, channel, prefix);
   }
 
-  @Builtin(doc = "Sends a value as text to all lobbies, on a channel if one is given.")
+  @Builtin(
+      doc = "Sends a value as text to all lobbies, on a channel if one is given.",
+      needs = Need.USER)
   void wall(Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
+    String text = "*** " + frame.interpreter().asString(frame, value);
     for (UrbiLobby lobby : lobbies.all()) {
       // What a lobby made by a program is sent goes to its creator, who is told anyway.
       if (!lobby.output().isBranch()) {
-        LobbyType.echo(frame, lobby, value, channel, null);
+        lobby.output().send(channel == null ? "" : channel, text);
       }
     }
   }

@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.lobby;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.node.Frame;
@@ -8,7 +9,7 @@ import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 
 /** What a lobby tells of this software (manual, "Lobby": {@code banner}, {@code authors}…). */
-@UrbiTypePart("Lobby")
+@UrbiTypePart(value = "Lobby", needs = Need.NOTHING)
 final class LobbyCredits {
   private static final String STARS = "********************************************************";
 

@@ -3,6 +3,7 @@ package org.urbi.kernel.library.lobby;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.lobby.Lobbies;
@@ -11,6 +12,7 @@ import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Guard;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
@@ -19,7 +21,8 @@ import org.urbi.kernel.object.World;
 @UrbiType(
     value = "Lobby",
     protos = {"Channel.topLevel"},
-    doc = "The environment of a connection.")
+    doc = "The environment of a connection.",
+    needs = Need.NOTHING)
 public final class LobbyType {
   private final Lobbies lobbies;
 
@@ -38,6 +41,14 @@ public final class LobbyType {
         : of(frame).output();
   }
 
+  /** Where output goes that others see: a lobby is told nothing in the name of another one. */
+  private static Output output(Frame frame, String routine, UrbiObject self) {
+    if (self instanceof UrbiLobby lobby && lobby.output() != null) {
+      Guard.checkChange(frame, routine, lobby);
+    }
+    return output(frame, self);
+  }
+
   @Builtin(doc = "Sends a value as text after a prefix, '*** ', on a channel if one is given.")
   static void echo(
       Frame frame,
@@ -46,7 +57,7 @@ public final class LobbyType {
       @Optional String channel,
       @Optional String prefix) {
     String text = frame.interpreter().asString(frame, value);
-    output(frame, self)
+    output(frame, "echo", self)
         .send(channel == null ? "" : channel, (prefix == null ? "*** " : prefix) + text);
   }
 
@@ -59,12 +70,12 @@ public final class LobbyType {
 
   @Builtin(doc = "Sends text with a time stamp, on a channel if one is given.")
   static void send(Frame frame, UrbiObject self, String text, @Optional String channel) {
-    output(frame, self).send(channel == null ? "" : channel, text);
+    output(frame, "send", self).send(channel == null ? "" : channel, text);
   }
 
   @Builtin(doc = "Sends bytes as they are.")
   static void write(Frame frame, UrbiObject self, String bytes) {
-    output(frame, self).write(bytes);
+    output(frame, "write", self).write(bytes);
   }
 
   @Builtin(doc = "The lobby for which this code runs.")
@@ -95,6 +106,7 @@ public final class LobbyType {
   @Builtin(doc = "Closes the connection.")
   static void quit(Frame frame, UrbiObject self) {
     UrbiLobby lobby = self instanceof UrbiLobby own && own.shell() != null ? own : of(frame);
+    Guard.checkChange(frame, "quit", lobby);
     if (lobby.shell() == null) {
       lobby.connectionTag().state().stop(frame.interpreter().values().voidObject);
     } else {
@@ -113,7 +125,7 @@ public final class LobbyType {
         .primitive(site.calledName(), "`Lobby' objects cannot be cloned");
   }
 
-  @Builtin(doc = "A fresh lobby, whose output goes to this connection.")
+  @Builtin(doc = "A fresh lobby, whose output goes to this connection.", needs = Need.USER)
   UrbiObject create(Frame frame, UrbiObject self) {
     return lobbies.create(of(frame));
   }
@@ -139,7 +151,9 @@ public final class LobbyType {
 
   @Builtin(doc = "Executes text as if the client had sent it.")
   static void receive(Frame frame, UrbiObject self, String value) {
-    Shell shell = own(frame, self).shell();
+    UrbiLobby lobby = own(frame, self);
+    Guard.checkChange(frame, "receive", lobby);
+    Shell shell = lobby.shell();
     if (shell != null) {
       shell.receive(value);
     }
@@ -151,7 +165,9 @@ public final class LobbyType {
     receive(frame, self, "maybeLoad(\"local.u\");");
   }
 
-  @Builtin(doc = "Sends a value as text to all lobbies, on a channel if one is given.")
+  @Builtin(
+      doc = "Sends a value as text to all lobbies, on a channel if one is given.",
+      needs = Need.USER)
   void wall(Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
     new GlobalOutput(lobbies).wall(frame, self, value, channel);
   }

@@ -2,6 +2,7 @@ package org.urbi.kernel.library.lobby;
 
 import java.util.Arrays;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
@@ -16,7 +17,8 @@ import org.urbi.kernel.object.World;
 @UrbiType(
     value = "Logger",
     protos = {"Tag"},
-    doc = "A category of messages for the administrator of the server.")
+    doc = "A category of messages for the administrator of the server.",
+    needs = Need.NOTHING)
 final class LoggerType {
   private final KernelLog log;
 
@@ -29,7 +31,9 @@ final class LoggerType {
         world.values().object.cloneShape(), new UrbiLogger.Depth(), "Logger", null);
   }
 
-  @Builtin(doc = "Of that category; the level is that of what is sent with <<.")
+  @Builtin(
+      doc = "Of that category; the level is that of what is sent with <<.",
+      needs = Need.CHANGE)
   static void init(
       Frame frame,
       CallSite site,

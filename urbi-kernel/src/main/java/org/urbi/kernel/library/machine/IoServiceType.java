@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.machine;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.node.Frame;
@@ -8,7 +9,10 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
 /** Looks after sockets (manual, "IoService"). */
-@UrbiType(value = "IoService", doc = "Looks after sockets and servers, and tells what happens.")
+@UrbiType(
+    value = "IoService",
+    doc = "Looks after sockets and servers, and tells what happens.",
+    needs = Need.OWNER)
 final class IoServiceType {
   private IoServiceType() {}
 

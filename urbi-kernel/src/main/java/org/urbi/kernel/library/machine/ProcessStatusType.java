@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.machine;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.exception.ExceptionType;
 import org.urbi.kernel.node.Frame;
@@ -14,7 +15,10 @@ import org.urbi.kernel.outside.ChildProcess;
  * started}, is {@code running}, has {@code exited} or was {@code signaled}, and then with which
  * {@code exitStatus} or {@code signal}.
  */
-@UrbiType(value = "Process.Status", doc = "How a program is: not started, running, ended.")
+@UrbiType(
+    value = "Process.Status",
+    doc = "How a program is: not started, running, ended.",
+    needs = Need.NOTHING)
 final class ProcessStatusType {
   private ProcessStatusType() {}
 

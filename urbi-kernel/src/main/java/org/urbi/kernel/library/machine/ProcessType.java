@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.UrbiException;
@@ -22,7 +23,7 @@ import org.urbi.kernel.outside.ChildProcess;
 import org.urbi.kernel.outside.Outside;
 
 /** Programs of the machine (manual, "Process"). */
-@UrbiType(value = "Process", doc = "A program that the operating system runs.")
+@UrbiType(value = "Process", doc = "A program that the operating system runs.", needs = Need.OWNER)
 public final class ProcessType {
   private final Outside outside;
   private final Environment environment;

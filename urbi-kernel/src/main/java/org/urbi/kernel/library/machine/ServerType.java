@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.library.file.FileAccess;
@@ -16,7 +17,10 @@ import org.urbi.kernel.outside.Network;
 import org.urbi.kernel.outside.Outside;
 
 /** Places where connections come in (manual, "Server"). */
-@UrbiType(value = "Server", doc = "A place where connections over the network come in.")
+@UrbiType(
+    value = "Server",
+    doc = "A place where connections over the network come in.",
+    needs = Need.OWNER)
 final class ServerType {
   private final Outside outside;
 

@@ -3,6 +3,7 @@ package org.urbi.kernel.library.machine;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.UrbiException;
@@ -20,7 +21,10 @@ import org.urbi.kernel.outside.Network;
 import org.urbi.kernel.outside.Outside;
 
 /** Connections over the network (manual, "Socket"). */
-@UrbiType(value = "Socket", doc = "One end of a connection, over the network or a serial line.")
+@UrbiType(
+    value = "Socket",
+    doc = "One end of a connection, over the network or a serial line.",
+    needs = Need.OWNER)
 final class SocketType {
   private static final double DEFAULT_INTERVAL = 0.01;
 

@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.machine;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.CallSite;
@@ -8,7 +9,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 
 /** Variables of the environment (manual, "System": getenv, setenv, unsetenv). */
-@UrbiTypePart("System")
+@UrbiTypePart(value = "System", needs = Need.OWNER)
 final class SystemEnvironment {
   private final Environment environment;
 

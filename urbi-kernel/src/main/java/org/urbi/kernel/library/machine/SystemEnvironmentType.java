@@ -2,6 +2,7 @@ package org.urbi.kernel.library.machine;
 
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.CallSite;
@@ -13,7 +14,8 @@ import org.urbi.kernel.object.UrbiString;
 @UrbiType(
     value = "System.env",
     protos = {"Singleton"},
-    doc = "The variables of the environment.")
+    doc = "The variables of the environment.",
+    needs = Need.OWNER)
 final class SystemEnvironmentType {
   private final Environment environment;
   private final SystemEnvironment functions;

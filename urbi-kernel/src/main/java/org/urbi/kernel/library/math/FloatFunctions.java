@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.math;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.library.value.Printing;
 import org.urbi.kernel.node.CallSite;
@@ -8,7 +9,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiFloat;
 
 /** The mathematical functions of numbers (manual, "Float"). */
-@UrbiTypePart("Float")
+@UrbiTypePart(value = "Float", needs = Need.NOTHING)
 final class FloatFunctions {
   private FloatFunctions() {}
 
@@ -130,7 +131,7 @@ final class FloatFunctions {
     return caller.interpreter().world().randomness().below(self.value());
   }
 
-  @Builtin(doc = "Makes the target the seed of the random numbers that follow.")
+  @Builtin(doc = "Makes the target the seed of the random numbers that follow.", needs = Need.USER)
   static void srandom(Frame caller, UrbiFloat self) {
     caller.interpreter().world().randomness().seed((long) self.value());
   }

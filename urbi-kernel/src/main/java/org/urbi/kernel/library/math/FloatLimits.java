@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.math;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -8,7 +9,8 @@ import org.urbi.kernel.object.UrbiObject;
 @UrbiType(
     value = "Float.limits",
     protos = "Singleton",
-    doc = "The limits of what Floats can represent.")
+    doc = "The limits of what Floats can represent.",
+    needs = Need.NOTHING)
 final class FloatLimits {
   private FloatLimits() {}
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.UrbiException;
@@ -24,7 +25,8 @@ import org.urbi.lang.print.FloatFormat;
 @UrbiType(
     value = "Float",
     protos = {"Comparable", "Orderable", "RangeIterable"},
-    doc = "A floating point number, which integers are too.")
+    doc = "A floating point number, which integers are too.",
+    needs = Need.NOTHING)
 public final class FloatType {
   /** How much "almost equal" numbers differ at most. */
   public static final double TOLERANCE = 1e-4;

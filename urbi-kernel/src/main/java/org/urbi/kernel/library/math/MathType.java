@@ -2,6 +2,7 @@ package org.urbi.kernel.library.math;
 
 import java.util.Arrays;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.collection.ListOrder;
 import org.urbi.kernel.node.CallSite;
@@ -13,7 +14,8 @@ import org.urbi.kernel.object.UrbiObject;
 @UrbiType(
     value = "Math",
     protos = "Singleton",
-    doc = "The mathematical functions, with their usual notation.")
+    doc = "The mathematical functions, with their usual notation.",
+    needs = Need.NOTHING)
 final class MathType {
   private MathType() {}
 
@@ -90,7 +92,7 @@ final class MathType {
     return bounce(caller, site, x, "sqrt");
   }
 
-  @Builtin(doc = "Makes x the seed of the random numbers that follow.")
+  @Builtin(doc = "Makes x the seed of the random numbers that follow.", needs = Need.USER)
   static UrbiObject srandom(Frame caller, CallSite site, UrbiObject self, UrbiObject x) {
     return bounce(caller, site, x, "srandom");
   }

@@ -9,6 +9,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.trust.Role;
 
 /** The kinds of trajectories (manual, "TrajectoryGenerator"), one row each. */
 public final class TrajectoryKinds {
@@ -78,6 +79,8 @@ public final class TrajectoryKinds {
             4,
             false,
             false,
+            Role.OBSERVER,
+            true,
             "(read, write, target, attributes)",
             "Moves a variable to a target so.");
 

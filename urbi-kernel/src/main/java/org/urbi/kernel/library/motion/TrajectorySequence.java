@@ -1,12 +1,14 @@
 package org.urbi.kernel.library.motion;
 
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 
 /** Motions one after the other. */
 @UrbiType(
     value = "TrajectoryGenerator.Sequence",
     protos = "TrajectoryGenerator",
-    doc = "A motion, and then another one.")
+    doc = "A motion, and then another one.",
+    needs = Need.NOTHING)
 public final class TrajectorySequence {
   /** What {@code run} does. */
   public static final String RUN = "function () { first.run() | second.run() }";

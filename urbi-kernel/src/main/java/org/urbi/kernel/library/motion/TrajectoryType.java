@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.motion;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.library.object.UrbiGroup;
@@ -15,14 +16,16 @@ import org.urbi.kernel.object.UrbiObject;
 /** Moves a variable to a target over time (manual, "TrajectoryGenerator"). */
 @UrbiType(
     value = "TrajectoryGenerator",
-    doc = "Changes a variable over time, from its initial value to a target.")
+    doc = "Changes a variable over time, from its initial value to a target.",
+    needs = Need.NOTHING)
 final class TrajectoryType {
   private TrajectoryType() {}
 
   @Builtin(
       doc =
           "A motion to be run: the attributes, with the target as base and the functions getter and"
-              + " setter.")
+              + " setter.",
+      needs = Need.CHANGE)
   static void init(UrbiObject self, UrbiDictionary attributes) {
     OwnSlots.put(self, "attributes", attributes);
   }

@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.object;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -9,7 +10,8 @@ import org.urbi.kernel.object.World;
 /** Objects that do something when they are reclaimed (manual, "Finalizable"). */
 @UrbiType(
     value = "Finalizable",
-    doc = "An object whose method finalize is called when nobody refers to it any more.")
+    doc = "An object whose method finalize is called when nobody refers to it any more.",
+    needs = Need.NOTHING)
 final class FinalizableType {
   private FinalizableType() {}
 

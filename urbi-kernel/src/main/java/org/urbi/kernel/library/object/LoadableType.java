@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.object;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.OwnSlots;
@@ -10,7 +11,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
 /** Objects that can be switched on and off (manual, "Loadable"). */
-@UrbiType(value = "Loadable", doc = "What can be switched on and off.")
+@UrbiType(value = "Loadable", doc = "What can be switched on and off.", needs = Need.CHANGE)
 final class LoadableType {
   private LoadableType() {}
 

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.library.lobby.LobbyType;
@@ -27,7 +28,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 
 /** What objects tell about themselves (manual, "Object": {@code inspect}, {@code dump}). */
-@UrbiTypePart("Object")
+@UrbiTypePart(value = "Object", needs = Need.NOTHING)
 final class ObjectDescription {
   private ObjectDescription() {}
 

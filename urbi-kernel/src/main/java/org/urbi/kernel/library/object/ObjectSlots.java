@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.library.lobby.Warnings;
 import org.urbi.kernel.node.CallSite;
@@ -20,7 +21,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 
 /** Slots and their properties (manual, "Object"). */
-@UrbiTypePart("Object")
+@UrbiTypePart(value = "Object", needs = Need.NOTHING)
 final class ObjectSlots {
   private ObjectSlots() {}
 
@@ -65,20 +66,23 @@ final class ObjectSlots {
 
   @Builtin(
       value = {"setSlot", "setSlotValue"},
-      doc = "Creates a slot with a value; returns the value.")
+      doc = "Creates a slot with a value; returns the value.",
+      needs = Need.CHANGE)
   static UrbiObject setSlot(Frame frame, UrbiObject self, String name, UrbiObject value) {
     SlotUpdate.create(frame, self, symbol(self, name), value);
     return value;
   }
 
-  @Builtin(doc = "Creates a constant slot with a value; returns the value.")
+  @Builtin(doc = "Creates a constant slot with a value; returns the value.", needs = Need.CHANGE)
   static UrbiObject setConstSlot(Frame frame, UrbiObject self, String name, UrbiObject value) {
     SlotUpdate.create(frame, self, symbol(self, name), value);
     SlotUpdate.setConstant(self, symbol(self, name), frame.interpreter().values().trueObject, true);
     return value;
   }
 
-  @Builtin(doc = "Sets a slot; a value that it had is kept in a slot named name$old.")
+  @Builtin(
+      doc = "Sets a slot; a value that it had is kept in a slot named name$old.",
+      needs = Need.CHANGE)
   static UrbiObject overrideSlot(UrbiObject self, String name, UrbiObject value) {
     UrbiObject old = self.lookup(symbol(self, name));
     if (old != null) {
@@ -93,7 +97,7 @@ final class ObjectSlots {
     self.addSlot(name, value);
   }
 
-  @Builtin(doc = "Creates a slot whose value is void.")
+  @Builtin(doc = "Creates a slot whose value is void.", needs = Need.CHANGE)
   static UrbiObject createSlot(Frame frame, UrbiObject self, String name) {
     UrbiObject nothing = frame.interpreter().values().voidObject;
     SlotUpdate.create(frame, self, symbol(self, name), nothing);
@@ -108,7 +112,7 @@ final class ObjectSlots {
     return value;
   }
 
-  @Builtin(doc = "Removes the object's own slot; warns if there is none.")
+  @Builtin(doc = "Removes the object's own slot; warns if there is none.", needs = Need.CHANGE)
   static UrbiObject removeSlot(Frame frame, CallSite site, UrbiObject self, String name) {
     if (!self.removeSlot(symbol(self, name))) {
       Warnings.inside(frame, site, "no such local slot: " + name);
@@ -116,7 +120,7 @@ final class ObjectSlots {
     return self;
   }
 
-  @Builtin(doc = "Removes the object's own slot.")
+  @Builtin(doc = "Removes the object's own slot.", needs = Need.CHANGE)
   static UrbiObject removeLocalSlot(Frame frame, UrbiObject self, String name) {
     if (!self.removeSlot(symbol(self, name))) {
       throw frame.interpreter().errors().lookup(self, name);
@@ -167,14 +171,18 @@ final class ObjectSlots {
     return names.stream().<UrbiObject>map(name -> self.world().values().string(name)).toList();
   }
 
-  @Builtin(doc = "Copies a slot of this object to a new one with the same value.")
+  @Builtin(
+      doc = "Copies a slot of this object to a new one with the same value.",
+      needs = Need.CHANGE)
   static UrbiObject copySlot(Frame frame, UrbiObject self, String from, String to) {
     UrbiObject value = getSlot(frame, self, from);
     SlotUpdate.create(frame, self, symbol(self, to), value);
     return value;
   }
 
-  @Builtin(doc = "Copies a slot of this object to a new one with a clone of the value.")
+  @Builtin(
+      doc = "Copies a slot of this object to a new one with a clone of the value.",
+      needs = Need.CHANGE)
   static UrbiObject cloneSlot(Frame frame, UrbiObject self, String from, String to) {
     UrbiObject value = frame.interpreter().send(frame, getSlot(frame, self, from), "clone");
     SlotUpdate.create(frame, self, symbol(self, to), value);

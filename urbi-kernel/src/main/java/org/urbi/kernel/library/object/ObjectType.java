@@ -5,9 +5,11 @@ import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.Set;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Guard;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiFloat;
@@ -19,7 +21,8 @@ import org.urbi.kernel.object.Values;
 @UrbiType(
     value = "Object",
     protos = {"Comparable", "Global"},
-    doc = "What all objects inherit from.")
+    doc = "What all objects inherit from.",
+    needs = Need.NOTHING)
 public final class ObjectType {
   private ObjectType() {}
 
@@ -30,7 +33,7 @@ public final class ObjectType {
     return self;
   }
 
-  @Builtin(doc = "Puts a prototype in front of the others.")
+  @Builtin(doc = "Puts a prototype in front of the others.", needs = Need.CHANGE)
   static UrbiObject addProto(Frame frame, CallSite site, UrbiObject self, UrbiObject proto) {
     FinalizableType.check(frame, site.calledName(), self, proto);
     checkNumber(frame, site, self, proto);
@@ -103,8 +106,10 @@ public final class ObjectType {
   @Builtin(
       value = {"clone"},
       doc = "A fresh object whose only prototype is the target.")
-  static UrbiObject cloneOf(UrbiObject self) {
-    return self.cloned();
+  static UrbiObject cloneOf(Frame frame, UrbiObject self) {
+    UrbiObject made = self.cloned();
+    Guard.keepIfObserved(frame, made);
+    return made;
   }
 
   @Builtin(
@@ -112,6 +117,7 @@ public final class ObjectType {
       doc = "A clone, initialized by its method init with these arguments.")
   static UrbiObject newOf(Frame frame, CallSite site, UrbiObject self, UrbiObject... arguments) {
     UrbiObject made = frame.interpreter().send(frame, self, "clone");
+    Guard.keepIfObserved(frame, made);
     frame.interpreter().send(frame, site, made, frame.interpreter().symbols().init, arguments);
     return made;
   }
@@ -142,24 +148,30 @@ public final class ObjectType {
   }
 
   @Builtin(doc = "The list of the prototypes, first looked up first; it may be modified.")
-  static UrbiObject protos(UrbiObject self) {
+  static UrbiObject protos(Frame frame, UrbiObject self) {
     UrbiList protos = self.world().values().list(Arrays.asList(self.protos()));
-    protos.watchContent(() -> self.setProtos(protos.elements().toArray(UrbiObject[]::new)));
+    if (Guard.allowsChange(frame, self)) {
+      protos.watchContent(() -> self.setProtos(protos.elements().toArray(UrbiObject[]::new)));
+    }
     return protos;
   }
 
-  @Builtin(value = "protos", setter = true, doc = "Replaces the list of the prototypes.")
+  @Builtin(
+      value = "protos",
+      setter = true,
+      doc = "Replaces the list of the prototypes.",
+      needs = Need.CHANGE)
   static void assignProtos(Frame frame, UrbiObject self, UrbiList protos) {
     replaceProtos(frame, "updateSlot", self, protos);
   }
 
-  @Builtin(doc = "Takes a prototype away.")
+  @Builtin(doc = "Takes a prototype away.", needs = Need.CHANGE)
   static UrbiObject removeProto(UrbiObject self, UrbiObject proto) {
     self.removeProto(proto);
     return self;
   }
 
-  @Builtin(doc = "Replaces the list of the prototypes.")
+  @Builtin(doc = "Replaces the list of the prototypes.", needs = Need.CHANGE)
   static void setProtos(Frame frame, CallSite site, UrbiObject self, UrbiList protos) {
     replaceProtos(frame, site.calledName(), self, protos);
   }

@@ -2,6 +2,7 @@ package org.urbi.kernel.library.object;
 
 import java.util.Map;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.Frame;
@@ -9,7 +10,10 @@ import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 
 /** Objects that values are matched against (manual, "Pattern"). */
-@UrbiType(value = "Pattern", doc = "What values are matched against, and what they have bound.")
+@UrbiType(
+    value = "Pattern",
+    doc = "What values are matched against, and what they have bound.",
+    needs = Need.NOTHING)
 final class PatternType {
   private static final String PATTERN = "pattern";
 
@@ -21,7 +25,9 @@ final class PatternType {
 
   private PatternType() {}
 
-  @Builtin(doc = "Matches values against that one, parts of which may be bindings.")
+  @Builtin(
+      doc = "Matches values against that one, parts of which may be bindings.",
+      needs = Need.CHANGE)
   static UrbiObject init(UrbiObject self, UrbiObject pattern) {
     OwnSlots.put(self, PATTERN, pattern);
     forget(self);

@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.system;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.library.lobby.LobbyType;
@@ -13,7 +14,8 @@ import org.urbi.kernel.object.UrbiObject;
 @UrbiType(
     value = "Kernel1",
     protos = {"Singleton"},
-    doc = "Functions that are there for old programs only.")
+    doc = "Functions that are there for old programs only.",
+    needs = Need.NOTHING)
 final class Kernel1Type {
   private Kernel1Type() {}
 

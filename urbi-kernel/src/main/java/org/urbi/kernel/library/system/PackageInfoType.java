@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.system;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -8,7 +9,10 @@ import org.urbi.kernel.object.UrbiObject;
  * The Urbi SDK whose language and library these are (manual, "System.PackageInfo"); {@code
  * lobby.copyright} tells of this software.
  */
-@UrbiType(value = "System.PackageInfo", doc = "The Urbi SDK, whose language this is.")
+@UrbiType(
+    value = "System.PackageInfo",
+    doc = "The Urbi SDK, whose language this is.",
+    needs = Need.NOTHING)
 final class PackageInfoType {
   private PackageInfoType() {}
 

@@ -2,11 +2,15 @@ package org.urbi.kernel.library.system;
 
 import java.util.Locale;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.object.UrbiObject;
 
 /** The machine on which the server runs (manual, "System.Platform"). */
-@UrbiType(value = "System.Platform", doc = "The machine on which the server runs.")
+@UrbiType(
+    value = "System.Platform",
+    doc = "The machine on which the server runs.",
+    needs = Need.NOTHING)
 final class PlatformType {
   private PlatformType() {}
 

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.Errors;
@@ -19,7 +20,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 
 /** Source files and where they are looked for (manual, "System" and "Environment Variables"). */
-@UrbiTypePart("System")
+@UrbiTypePart(value = "System", needs = Need.USER)
 final class SystemFiles {
   private final FileAccess files;
   private final SearchPath searchPath;

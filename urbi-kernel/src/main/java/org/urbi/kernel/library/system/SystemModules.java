@@ -2,6 +2,7 @@ package org.urbi.kernel.library.system;
 
 import java.nio.file.Path;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.library.file.FileAccess;
@@ -16,7 +17,7 @@ import urbi.UModuleException;
 import urbi.rtp.RtpOptions;
 
 /** Modules with UObjects (manual, "System": loadModule, loadLibrary). */
-@UrbiTypePart("System")
+@UrbiTypePart(value = "System", needs = Need.OWNER)
 final class SystemModules {
   private final PluggedContext uobjects;
   private final Outside outside;

@@ -6,6 +6,7 @@ import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Properties;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.library.date.UrbiDate;
@@ -29,7 +30,7 @@ import org.urbi.lang.parse.UrbiParser;
 import org.urbi.lang.print.Printer;
 
 /** The server as a program among others (manual, "System"). */
-@UrbiTypePart("System")
+@UrbiTypePart(value = "System", needs = Need.NOTHING)
 final class SystemServer {
   private static final int STATUS_SHIFT = 8;
 
@@ -117,7 +118,9 @@ final class SystemServer {
 
   // ------------------------------------------------------------------ its end
 
-  @Builtin(doc = "Ends the server at once, with that exit status; nothing is closed.")
+  @Builtin(
+      doc = "Ends the server at once, with that exit status; nothing is closed.",
+      needs = Need.OWNER)
   void _exit(Frame frame, UrbiObject self, int status) {
     // What was said before is still heard.
     for (UrbiLobby lobby : lobbies.all()) {
@@ -127,7 +130,7 @@ final class SystemServer {
     frame.job().waitForWake();
   }
 
-  @Builtin(doc = "Starts the server anew.")
+  @Builtin(doc = "Starts the server anew.", needs = Need.OWNER)
   void reboot(Frame frame, CallSite site, UrbiObject self) {
     if (!kernelEnd.requestReboot()) {
       throw error(frame, site, "not possible here");
@@ -135,7 +138,7 @@ final class SystemServer {
     frame.job().waitForWake();
   }
 
-  @Builtin(doc = "Ends the code that runs for each connection.")
+  @Builtin(doc = "Ends the code that runs for each connection.", needs = Need.OWNER)
   void stopall(Frame frame, UrbiObject self) {
     Job here = frame.job();
     for (UrbiLobby lobby : lobbies.all()) {
@@ -146,7 +149,9 @@ final class SystemServer {
 
   // ------------------------------------------------------------------ other programs
 
-  @Builtin(doc = "Has the shell of the machine run a command, and returns its exit status.")
+  @Builtin(
+      doc = "Has the shell of the machine run a command, and returns its exit status.",
+      needs = Need.OWNER)
   double system(Frame frame, CallSite site, UrbiObject self, String command) {
     if (command.indexOf('\0') >= 0) {
       throw error(frame, site, "invalid command");

@@ -3,6 +3,7 @@ package org.urbi.kernel.library.system;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.event.Durations;
@@ -17,7 +18,7 @@ import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 
 /** The server (manual, "System"). */
-@UrbiType(value = "System", doc = "The server on which the code runs.")
+@UrbiType(value = "System", doc = "The server on which the code runs.", needs = Need.NOTHING)
 final class SystemType {
   private final KernelEnd kernelEnd;
 
@@ -52,7 +53,7 @@ final class SystemType {
     return frame.job().scheduler().cycle();
   }
 
-  @Builtin(doc = "Ends the server.")
+  @Builtin(doc = "Ends the server.", needs = Need.OWNER)
   void shutdown(Frame frame, UrbiObject self, @Optional Integer status) {
     kernelEnd.requestShutdown(status == null ? 0 : status);
     frame.job().waitForWake();
@@ -103,7 +104,11 @@ final class SystemType {
     return frame.interpreter().assertionsDisabled();
   }
 
-  @Builtin(value = "ndebug", setter = true, doc = "Sets whether assertions are not checked.")
+  @Builtin(
+      value = "ndebug",
+      setter = true,
+      doc = "Sets whether assertions are not checked.",
+      needs = Need.OWNER)
   static void setNdebug(Frame frame, UrbiObject self, UrbiObject value) {
     frame.interpreter().disableAssertions(Truth.of(frame, value));
   }
@@ -113,7 +118,11 @@ final class SystemType {
     return frame.interpreter().assertionsShowValues();
   }
 
-  @Builtin(value = "assertVerbose", setter = true, doc = "Sets whether it shows the values.")
+  @Builtin(
+      value = "assertVerbose",
+      setter = true,
+      doc = "Sets whether it shows the values.",
+      needs = Need.OWNER)
   static void setAssertVerbose(Frame frame, UrbiObject self, UrbiObject value) {
     frame.interpreter().showValuesOfAssertions(Truth.of(frame, value));
   }

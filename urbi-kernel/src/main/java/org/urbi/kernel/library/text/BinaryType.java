@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.text;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.Hashing;
 import org.urbi.kernel.node.Frame;
@@ -10,7 +11,10 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
 /** Raw memory with a header (manual, "Binary"). */
-@UrbiType(value = "Binary", doc = "Raw memory, with a header that says what it is.")
+@UrbiType(
+    value = "Binary",
+    doc = "Raw memory, with a header that says what it is.",
+    needs = Need.NOTHING)
 public final class BinaryType {
   private BinaryType() {}
 
@@ -23,7 +27,7 @@ public final class BinaryType {
     return new UrbiBinary(prototype.cloneShape(), keywords, data);
   }
 
-  @Builtin(doc = "Makes it the binary with that header and these data.")
+  @Builtin(doc = "Makes it the binary with that header and these data.", needs = Need.CHANGE)
   static UrbiObject init(UrbiBinary self, String keywords, String data) {
     self.setKeywords(keywords);
     self.setData(data);
@@ -70,7 +74,7 @@ public final class BinaryType {
     return self.data();
   }
 
-  @Builtin(value = "data", setter = true, doc = "Sets the data.")
+  @Builtin(value = "data", setter = true, doc = "Sets the data.", needs = Need.CHANGE)
   static void setData(UrbiBinary self, String data) {
     self.setData(data);
   }
@@ -85,7 +89,7 @@ public final class BinaryType {
     return self.keywords();
   }
 
-  @Builtin(value = "keywords", setter = true, doc = "Sets the header.")
+  @Builtin(value = "keywords", setter = true, doc = "Sets the header.", needs = Need.CHANGE)
   static void setKeywords(UrbiBinary self, String keywords) {
     self.setKeywords(keywords);
   }

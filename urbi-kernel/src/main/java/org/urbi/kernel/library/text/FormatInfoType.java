@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.text;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -8,7 +9,10 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
 /** One format (manual, "FormatInfo"). */
-@UrbiType(value = "FormatInfo", doc = "How to show one value: a format as of printf.")
+@UrbiType(
+    value = "FormatInfo",
+    doc = "How to show one value: a format as of printf.",
+    needs = Need.NOTHING)
 final class FormatInfoType {
   private FormatInfoType() {}
 
@@ -16,7 +20,7 @@ final class FormatInfoType {
     return new UrbiFormatInfo(world.values().object.cloneShape(), UrbiFormatInfo.Format.DEFAULT);
   }
 
-  @Builtin(doc = "Makes it the format that the pattern says.")
+  @Builtin(doc = "Makes it the format that the pattern says.", needs = Need.CHANGE)
   static UrbiObject init(Frame caller, CallSite site, UrbiFormatInfo self, String pattern) {
     try {
       FormatParser parser = new FormatParser(pattern, 0);

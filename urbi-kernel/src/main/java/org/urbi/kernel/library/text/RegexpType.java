@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.PatternSyntaxException;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.library.lobby.Warnings;
@@ -18,7 +19,8 @@ import org.urbi.lang.print.StringEscape;
 @UrbiType(
     value = "Regexp",
     protos = {"Container", "Object"},
-    doc = "A regular expression, with the syntax of Perl.")
+    doc = "A regular expression, with the syntax of Perl.",
+    needs = Need.NOTHING)
 final class RegexpType {
   private RegexpType() {}
 
@@ -26,7 +28,7 @@ final class RegexpType {
     return new UrbiRegexp(world.values().object.cloneShape(), ".", RegexpSyntax.compile("."));
   }
 
-  @Builtin(doc = "Makes it the regular expression of that text.")
+  @Builtin(doc = "Makes it the regular expression of that text.", needs = Need.CHANGE)
   static UrbiObject init(Frame caller, CallSite site, UrbiRegexp self, String text) {
     if (text.isEmpty()) {
       throw invalid(caller, site, text, "Empty expression");

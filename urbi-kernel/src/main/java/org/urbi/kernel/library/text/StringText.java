@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.builtin.Arguments;
@@ -16,7 +17,7 @@ import org.urbi.kernel.object.UrbiString;
 import org.urbi.lang.grammar.Checkpoint;
 
 /** Strings as texts (manual, "String"): splitting, likeness, kinds of characters. */
-@UrbiTypePart("String")
+@UrbiTypePart(value = "String", needs = Need.NOTHING)
 final class StringText {
   private static final List<String> SPACES = List.of(" ", "\t", "\n", "\r");
 

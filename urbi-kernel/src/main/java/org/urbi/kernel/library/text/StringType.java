@@ -3,6 +3,7 @@ package org.urbi.kernel.library.text;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
@@ -23,7 +24,8 @@ import org.urbi.lang.print.StringEscape;
 @UrbiType(
     value = "String",
     protos = {"Comparable", "Orderable", "RangeIterable"},
-    doc = "A sequence of characters.")
+    doc = "A sequence of characters.",
+    needs = Need.NOTHING)
 public final class StringType {
   private StringType() {}
 
@@ -37,7 +39,7 @@ public final class StringType {
 
   // ------------------------------------------------------------------ conversions
 
-  @Builtin(doc = "Makes it the same string as another one.")
+  @Builtin(doc = "Makes it the same string as another one.", needs = Need.CHANGE)
   static UrbiObject init(UrbiString self, @Optional String value) {
     if (value != null) {
       self.setValue(value);
@@ -173,7 +175,10 @@ public final class StringType {
     return self.part(bounds[0], bounds[1]);
   }
 
-  @Builtin(value = "[]=", doc = "Replaces the characters from an index, to another one; in place.")
+  @Builtin(
+      value = "[]=",
+      doc = "Replaces the characters from an index, to another one; in place.",
+      needs = Need.CHANGE)
   static UrbiObject set(
       Frame caller,
       CallSite site,
@@ -201,7 +206,9 @@ public final class StringType {
     return new int[] {from, end};
   }
 
-  @Builtin(doc = "Makes it the same string as another one, in place; returns the target.")
+  @Builtin(
+      doc = "Makes it the same string as another one, in place; returns the target.",
+      needs = Need.CHANGE)
   static UrbiObject set(UrbiString self, String value) {
     self.setValue(value);
     return self;

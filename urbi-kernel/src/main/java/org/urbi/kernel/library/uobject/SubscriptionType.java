@@ -2,6 +2,7 @@ package org.urbi.kernel.library.uobject;
 
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.event.FunctionHandler;
@@ -20,7 +21,8 @@ import org.urbi.kernel.variable.UrbiConnection;
  */
 @UrbiType(
     value = "Subscription",
-    doc = "Somebody who listens to an event or to a variable, and on which terms.")
+    doc = "Somebody who listens to an event or to a variable, and on which terms.",
+    needs = Need.NOTHING)
 final class SubscriptionType {
   private static final double NANOSECONDS = 1e9;
 
@@ -34,7 +36,9 @@ final class SubscriptionType {
     return new UrbiSubscription(world.values().object.cloneShape());
   }
 
-  @Builtin(doc = "Calls a function with what is sent with an event, once it is subscribed to one.")
+  @Builtin(
+      doc = "Calls a function with what is sent with an event, once it is subscribed to one.",
+      needs = Need.CHANGE)
   static void init(UrbiSubscription self, UrbiObject function) {
     self.setListener((frame, event) -> FunctionHandler.plain(frame, event, function));
   }
@@ -44,7 +48,11 @@ final class SubscriptionType {
     return self.gate().isEnabled();
   }
 
-  @Builtin(value = "enabled", setter = true, doc = "Disables or enables the calls.")
+  @Builtin(
+      value = "enabled",
+      setter = true,
+      doc = "Disables or enables the calls.",
+      needs = Need.CHANGE)
   static void assignEnabled(Frame frame, UrbiSubscription self, UrbiObject on) {
     self.gate().setEnabled(Truth.of(frame, on));
   }
@@ -54,7 +62,11 @@ final class SubscriptionType {
     return self.gate().minInterval() / NANOSECONDS;
   }
 
-  @Builtin(value = "minInterval", setter = true, doc = "Limits the rate of the calls.")
+  @Builtin(
+      value = "minInterval",
+      setter = true,
+      doc = "Limits the rate of the calls.",
+      needs = Need.CHANGE)
   static void assignMinInterval(UrbiSubscription self, double seconds) {
     self.gate().setMinInterval(Durations.nanoseconds(seconds));
   }
@@ -67,17 +79,18 @@ final class SubscriptionType {
   @Builtin(
       value = "asynchronous",
       setter = true,
-      doc = "Has calls made in a job of their own; what comes while it runs is dropped.")
+      doc = "Has calls made in a job of their own; what comes while it runs is dropped.",
+      needs = Need.CHANGE)
   static void assignAsynchronous(Frame frame, UrbiSubscription self, UrbiObject on) {
     self.gate().setAsynchronous(Truth.of(frame, on));
   }
 
-  @Builtin(doc = "Ends it.")
+  @Builtin(doc = "Ends it.", needs = Need.CHANGE)
   static void disconnect(UrbiSubscription self) {
     self.disconnect();
   }
 
-  @Builtin(doc = "Has it listen to another event.")
+  @Builtin(doc = "Has it listen to another event.", needs = Need.CHANGE)
   static void reconnect(Frame frame, UrbiSubscription self, UrbiEvent src) {
     if (!self.canListen()) {
       throw frame
@@ -115,7 +128,7 @@ final class SubscriptionType {
     return self.gate().times().most();
   }
 
-  @Builtin(doc = "Forgets the statistics.")
+  @Builtin(doc = "Forgets the statistics.", needs = Need.CHANGE)
   static void resetStats(UrbiSubscription self) {
     self.gate().times().reset();
   }

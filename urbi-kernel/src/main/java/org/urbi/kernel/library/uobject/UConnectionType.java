@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.uobject;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -13,7 +14,8 @@ import org.urbi.kernel.variable.UrbiUVar;
 @UrbiType(
     value = "UConnection",
     protos = {"Subscription"},
-    doc = "Leads each new value of one variable to another.")
+    doc = "Leads each new value of one variable to another.",
+    needs = Need.NOTHING)
 final class UConnectionType {
   private final PluggedContext uobjects;
 
@@ -25,19 +27,19 @@ final class UConnectionType {
     return new UrbiConnection(world.values().object.cloneShape());
   }
 
-  @Builtin(doc = "Leads the values of a variable to another.")
+  @Builtin(doc = "Leads the values of a variable to another.", needs = Need.CHANGE)
   void init(Frame frame, UrbiConnection self, UrbiUVar source, UrbiUVar target) {
     self.connect(frame, source, target);
     uobjects.connections().add(self);
   }
 
-  @Builtin(doc = "Ends the link.")
+  @Builtin(doc = "Ends the link.", needs = Need.CHANGE)
   void disconnect(Frame frame, UrbiConnection self) {
     self.disconnect();
     uobjects.connections().remove(self);
   }
 
-  @Builtin(doc = "Has the link begin at another variable.")
+  @Builtin(doc = "Has the link begin at another variable.", needs = Need.CHANGE)
   void reconnect(Frame frame, UrbiConnection self, UrbiUVar src) {
     if (self.target() == null) {
       throw frame.interpreter().errors().primitive("reconnect", "the link has no target");

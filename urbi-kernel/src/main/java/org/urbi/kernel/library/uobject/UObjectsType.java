@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.event.CallTimes;
 import org.urbi.kernel.library.lobby.LobbyType;
@@ -21,7 +22,10 @@ import org.urbi.kernel.uobject.PluggedContext;
 import org.urbi.kernel.variable.UrbiConnection;
 
 /** Where the UObjects are (manual, "uobjects"). */
-@UrbiType(value = "uobjects", doc = "The namespace of the UObjects, each under its unique name.")
+@UrbiType(
+    value = "uobjects",
+    doc = "The namespace of the UObjects, each under its unique name.",
+    needs = Need.NOTHING)
 final class UObjectsType {
   private final PluggedContext uobjects;
   private final KernelLog log;
@@ -31,12 +35,12 @@ final class UObjectsType {
     this.log = log;
   }
 
-  @Builtin(doc = "Enables or disables the measuring of bound functions.")
+  @Builtin(doc = "Enables or disables the measuring of bound functions.", needs = Need.OWNER)
   void enableStats(Frame frame, UrbiObject self, UrbiObject on) {
     uobjects.statistics().enable(Truth.of(frame, on));
   }
 
-  @Builtin(doc = "Forgets what was measured of bound functions.")
+  @Builtin(doc = "Forgets what was measured of bound functions.", needs = Need.OWNER)
   void clearStats(Frame frame, UrbiObject self) {
     uobjects.statistics().clear();
   }
@@ -91,12 +95,14 @@ final class UObjectsType {
     }
   }
 
-  @Builtin(doc = "Forgets the statistics of all the links between variables.")
+  @Builtin(doc = "Forgets the statistics of all the links between variables.", needs = Need.OWNER)
   void resetConnectionStats(Frame frame, UrbiObject self) {
     uobjects.connections().all().forEach(link -> link.gate().times().reset());
   }
 
-  @Builtin(doc = "Enables or disables messages of the log about each call of a bound function.")
+  @Builtin(
+      doc = "Enables or disables messages of the log about each call of a bound function.",
+      needs = Need.OWNER)
   void setTrace(Frame frame, UrbiObject self, UrbiObject on) {
     uobjects.statistics().trace(Truth.of(frame, on) ? log::write : null);
   }

@@ -2,8 +2,10 @@ package org.urbi.kernel.library.uobject;
 
 import java.util.List;
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Guard;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
@@ -16,7 +18,10 @@ import org.urbi.kernel.variable.UrbiConnection;
 import org.urbi.kernel.variable.UrbiUVar;
 
 /** Variables that can be hooked (manual, "UVar"). */
-@UrbiType(value = "UVar", doc = "A variable whose changes and accesses can be hooked.")
+@UrbiType(
+    value = "UVar",
+    doc = "A variable whose changes and accesses can be hooked.",
+    needs = Need.NOTHING)
 final class UVarType {
   private final PluggedContext uobjects;
 
@@ -28,17 +33,18 @@ final class UVarType {
     return new UrbiUVar(world.values().object.cloneShape());
   }
 
-  @Builtin(doc = "Stands behind the slot of that name of an object.")
+  @Builtin(doc = "Stands behind the slot of that name of an object.", needs = Need.CHANGE)
   void init(Frame frame, UrbiUVar self, UrbiObject owner, String name) {
-    bind(frame, self, owner, name);
+    bind(frame, "init", self, owner, name);
   }
 
-  @Builtin(doc = "Stands behind a slot of another object, too.")
+  @Builtin(doc = "Stands behind a slot of another object, too.", needs = Need.USER)
   void copy(Frame frame, UrbiUVar self, UrbiObject targetObject, String targetName) {
-    bind(frame, self, targetObject, targetName);
+    bind(frame, "copy", self, targetObject, targetName);
   }
 
-  private void bind(Frame frame, UrbiUVar self, UrbiObject owner, String name) {
+  private void bind(Frame frame, String routine, UrbiUVar self, UrbiObject owner, String name) {
+    Guard.checkChange(frame, routine, owner);
     Symbol slot = self.world().symbol(name);
     UrbiObject hooked = self.lookup(self.world().symbol("hookChanged"));
     self.bind(
@@ -66,17 +72,17 @@ final class UVarType {
     return self.notifyAccess(frame, Hook.calling(onAccess));
   }
 
-  @Builtin(doc = "Removes a function that notifyChange has installed.")
+  @Builtin(doc = "Removes a function that notifyChange has installed.", needs = Need.CHANGE)
   static boolean removeNotifyChange(UrbiUVar self, double id) {
     return self.removeChange((long) id);
   }
 
-  @Builtin(doc = "Removes a function that notifyChangeOwned has installed.")
+  @Builtin(doc = "Removes a function that notifyChangeOwned has installed.", needs = Need.CHANGE)
   static boolean removeNotifyChangeOwned(UrbiUVar self, double id) {
     return self.removeChangeOwned((long) id);
   }
 
-  @Builtin(doc = "Removes a function that notifyAccess has installed.")
+  @Builtin(doc = "Removes a function that notifyAccess has installed.", needs = Need.CHANGE)
   static boolean removeNotifyAccess(UrbiUVar self, double id) {
     return self.removeAccess((long) id);
   }
@@ -93,7 +99,11 @@ final class UVarType {
     return self.isOwned();
   }
 
-  @Builtin(value = "owned", setter = true, doc = "Gives it both a sensed and a commanded value.")
+  @Builtin(
+      value = "owned",
+      setter = true,
+      doc = "Gives it both a sensed and a commanded value.",
+      needs = Need.CHANGE)
   static void assignOwned(Frame frame, UrbiUVar self, UrbiObject on) {
     if (Truth.of(frame, on)) {
       self.own();
@@ -113,7 +123,8 @@ final class UVarType {
   @Builtin(
       value = "rtp",
       setter = true,
-      doc = "Says whether its values travel in datagrams; UVar.rtp, whether those of all do.")
+      doc = "Says whether its values travel in datagrams; UVar.rtp, whether those of all do.",
+      needs = Need.CHANGE)
   static void assignRtp(Frame frame, UrbiUVar self, UrbiObject on) {
     self.setRtp(on == frame.interpreter().values().nil ? null : (Boolean) Truth.of(frame, on));
   }
@@ -128,7 +139,8 @@ final class UVarType {
   @Builtin(
       value = {"val", "value"},
       setter = true,
-      doc = "Sets the value; if it has two, the commanded one.")
+      doc = "Sets the value; if it has two, the commanded one.",
+      needs = Need.CHANGE)
   static void assignVal(Frame frame, UrbiUVar self, UrbiObject value) {
     self.write(frame, new Datum(value));
   }
@@ -138,20 +150,30 @@ final class UVarType {
     return self.visible().value();
   }
 
-  @Builtin(value = "valsensor", setter = true, doc = "Sets the value that everybody reads.")
+  @Builtin(
+      value = "valsensor",
+      setter = true,
+      doc = "Sets the value that everybody reads.",
+      needs = Need.CHANGE)
   static void assignValsensor(Frame frame, UrbiUVar self, UrbiObject value) {
     self.set(frame, new Datum(value));
   }
 
   // ------------------------------------------------------------------ connections
 
-  @Builtin(value = ">>", doc = "Leads each new value to another variable: a UConnection.")
+  @Builtin(
+      value = ">>",
+      doc = "Leads each new value to another variable: a UConnection.",
+      needs = Need.USER)
   static UrbiObject lead(Frame frame, UrbiUVar self, UrbiUVar target) {
     UrbiObject prototype = frame.interpreter().world().prototype("UConnection");
     return frame.interpreter().send(frame, prototype, "new", self, target);
   }
 
-  @Builtin(value = "<<", doc = "Leads each new value of another variable here: a UConnection.")
+  @Builtin(
+      value = "<<",
+      doc = "Leads each new value of another variable here: a UConnection.",
+      needs = Need.CHANGE)
   static UrbiObject take(Frame frame, UrbiUVar self, UrbiUVar source) {
     return lead(frame, source, self);
   }

@@ -1,13 +1,18 @@
 package org.urbi.kernel.library.value;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Values;
 
 /** What {@code true} and {@code false} inherit from (manual, "Boolean"). */
-@UrbiType(value = "Boolean", protos = "Singleton", doc = "The truth values, true and false.")
+@UrbiType(
+    value = "Boolean",
+    protos = "Singleton",
+    doc = "The truth values, true and false.",
+    needs = Need.NOTHING)
 final class BooleanType {
   private BooleanType() {}
 

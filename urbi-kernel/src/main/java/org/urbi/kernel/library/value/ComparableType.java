@@ -1,13 +1,17 @@
 package org.urbi.kernel.library.value;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 
 /** Objects with one of the operators of equality (manual, "Comparable"). */
-@UrbiType(value = "Comparable", doc = "Objects that can be compared for equality.")
+@UrbiType(
+    value = "Comparable",
+    doc = "Objects that can be compared for equality.",
+    needs = Need.NOTHING)
 final class ComparableType {
   private ComparableType() {}
 

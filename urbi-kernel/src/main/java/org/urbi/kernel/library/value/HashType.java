@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.value;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiHash;
@@ -10,7 +11,8 @@ import org.urbi.kernel.object.World;
 /** Hashes (manual, "Hash"). */
 @UrbiType(
     value = "Hash",
-    doc = "What stands for a value in the search for it: equal values have equal ones.")
+    doc = "What stands for a value in the search for it: equal values have equal ones.",
+    needs = Need.NOTHING)
 final class HashType {
   private HashType() {}
 
@@ -23,7 +25,9 @@ final class HashType {
     return self.code();
   }
 
-  @Builtin(doc = "Combines the hash of that with the target; returns the target.")
+  @Builtin(
+      doc = "Combines the hash of that with the target; returns the target.",
+      needs = Need.CHANGE)
   static UrbiObject combine(Frame caller, UrbiHash self, UrbiObject that) {
     self.combine(Hashing.code(caller, that));
     return self;

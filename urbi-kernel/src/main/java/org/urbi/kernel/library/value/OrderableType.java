@@ -1,13 +1,17 @@
 package org.urbi.kernel.library.value;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 
 /** Objects with one of the operators of order (manual, "Orderable"). */
-@UrbiType(value = "Orderable", doc = "Objects that can be compared for order.")
+@UrbiType(
+    value = "Orderable",
+    doc = "Objects that can be compared for order.",
+    needs = Need.NOTHING)
 final class OrderableType {
   private OrderableType() {}
 

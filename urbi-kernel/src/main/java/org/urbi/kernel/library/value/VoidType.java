@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.value;
 
 import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -9,7 +10,8 @@ import org.urbi.kernel.object.UrbiObject;
 @UrbiType(
     value = "void",
     protos = {},
-    doc = "No value: what cannot be read, nor passed on.")
+    doc = "No value: what cannot be read, nor passed on.",
+    needs = Need.NOTHING)
 final class VoidType {
   private VoidType() {}
 

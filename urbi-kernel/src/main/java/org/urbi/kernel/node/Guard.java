@@ -1,0 +1,80 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.trust.Role;
+
+/** Keeps code from what the lobby for which it runs may not do. */
+public final class Guard {
+  private Guard() {}
+
+  /** Whether the caller may change an object: its slots, its prototypes, its content. */
+  public static boolean allowsChange(Frame caller, UrbiObject target) {
+    return allowsChange(caller.job, target);
+  }
+
+  /** Whether a job may change an object: its slots, its prototypes, its content. */
+  static boolean allowsChange(Job job, UrbiObject target) {
+    if (job.isOwner()) {
+      return true;
+    }
+    UrbiObject keeper = target.keeper();
+    return keeper == null ? job.role() == Role.USER : keeper == job.lobby();
+  }
+
+  /**
+   * Refuses to change an object if the job of the caller may not.
+   *
+   * @param routine what would change it
+   */
+  public static void checkChange(Frame caller, String routine, UrbiObject target) {
+    if (allowsChange(caller.job, target)) {
+      return;
+    }
+    UrbiObject keeper = target.keeper();
+    if (keeper == null) {
+      throw refused(caller, routine, "changing what is not its own", Role.USER);
+    }
+    boolean systems = keeper == caller.interpreter.values().object;
+    throw refused(
+        caller,
+        routine,
+        systems ? "changing what belongs to the system" : "changing what belongs to another lobby",
+        Role.OWNER);
+  }
+
+  /** Refuses to touch a job, unless it runs for the lobby of the caller. */
+  public static void checkChange(Frame caller, String routine, Job target) {
+    if (!caller.job.isOwner() && target.lobby() != caller.job.lobby()) {
+      throw refused(caller, routine, "changing a job of another lobby", Role.OWNER);
+    }
+  }
+
+  /** Refuses what wants a higher role than that of the caller. */
+  public static void checkRole(Frame caller, String routine, Role least) {
+    if (caller.job.role().compareTo(least) < 0) {
+      throw refused(caller, routine, "this", least);
+    }
+  }
+
+  /** An observer may change what it makes, and nobody else. */
+  public static void keepIfObserved(Frame maker, UrbiObject made) {
+    if (maker.job.role() == Role.OBSERVER && made.keeper() == null) {
+      made.setKeeper(maker.job.lobby());
+    }
+  }
+
+  private static UrbiException refused(Frame caller, String routine, String what, Role needed) {
+    return caller
+        .interpreter
+        .errors()
+        .primitive(
+            routine,
+            what
+                + " needs the role "
+                + needed.text()
+                + ", and this lobby has the role "
+                + caller.job.role().text());
+  }
+}

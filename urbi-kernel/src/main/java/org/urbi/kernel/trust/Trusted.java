@@ -1,0 +1,12 @@
+package org.urbi.kernel.trust;
+
+/** Something for which code runs, and which says what that may do. */
+public interface Trusted {
+  /** What the code may do. */
+  Role role();
+
+  /** The role of that thing; everything is allowed to what has none. */
+  static Role roleOf(Object of) {
+    return of instanceof Trusted trusted ? trusted.role() : Role.OWNER;
+  }
+}

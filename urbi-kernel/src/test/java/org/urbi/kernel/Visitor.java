@@ -1,0 +1,66 @@
+package org.urbi.kernel;
+
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.urbi.kernel.trust.Role;
+
+/** A client with a role, and what it hears. */
+final class Visitor implements Client {
+  private static final int SECONDS = 60;
+
+  private final Role role;
+  private final LinkedBlockingQueue<String> heard = new LinkedBlockingQueue<>();
+  private final Connection connection;
+  private int asked;
+
+  Visitor(Kernel kernel, Role role) {
+    this.role = role;
+    connection = kernel.connect(this, false);
+  }
+
+  Connection connection() {
+    return connection;
+  }
+
+  @Override
+  public void output(String bytes) {
+    bytes.lines().forEach(heard::add);
+  }
+
+  @Override
+  public void closed() {
+    heard.add("closed");
+  }
+
+  @Override
+  public Role role() {
+    return role;
+  }
+
+  /** Sends statements; returns what has come until they were over, without time stamps. */
+  String say(String code) {
+    String mark = "said " + ++asked;
+    connection.send(code + "\nlobby.send(\"" + mark + "\", \"mark\");\n");
+    StringBuilder answer = new StringBuilder();
+    while (true) {
+      String line = next();
+      if (line == null || line.equals("closed")) {
+        throw new AssertionError("no answer to " + code + " but " + answer);
+      }
+      if (line.contains(mark)) {
+        return answer.toString().strip();
+      }
+      answer.append(line.replaceFirst("^\\[\\d+(:\\w+)?\\] ", "")).append('\n');
+    }
+  }
+
+  /** The next line, null if there is none for long. */
+  String next() {
+    try {
+      return heard.poll(SECONDS, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return null;
+    }
+  }
+}
