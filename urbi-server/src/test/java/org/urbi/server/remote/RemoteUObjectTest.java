@@ -15,6 +15,7 @@ import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.BlockingQueue;
@@ -34,6 +35,7 @@ import urbi.LockMode;
 import urbi.UBinary;
 import urbi.UClass;
 import urbi.UClientException;
+import urbi.UContext;
 import urbi.UEvent;
 import urbi.UImage;
 import urbi.UModule;
@@ -316,6 +318,39 @@ class RemoteUObjectTest {
         eval(
             "{ var t = time; var r = []; { r << Watcher.wait_ } & { r << Watcher.wait_ };"
                 + " r << (time - t < 550ms) }"));
+  }
+
+  static class Yielding extends UObject {
+    private boolean called;
+
+    Yielding(String name) {
+      super(name);
+      UBindFunctions("waits", "comes");
+    }
+
+    /** Waits, and lets others be called, until one was. */
+    public String waits() {
+      long deadline = System.nanoTime() + Patience.LONG.toNanos();
+      while (!called && System.nanoTime() - deadline < 0) {
+        UContext.current().yieldFor(Duration.ofMillis(20));
+      }
+      return called ? "called" : "not called";
+    }
+
+    public int comes() {
+      called = true;
+      return 7;
+    }
+  }
+
+  @Test
+  void whoYieldsLetsOthersBeCalled() {
+    remote.start(type("Yielding", Yielding::new));
+    assertEquals(
+        "[1, 1]",
+        eval(
+            "{ var r = []; { r << Yielding.waits } & { sleep(50ms); r << Yielding.comes };"
+                + " [r.has(\"called\"), r.has(7)] }"));
   }
 
   static class Ticker extends UObject {
