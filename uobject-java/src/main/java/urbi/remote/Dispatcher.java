@@ -7,6 +7,7 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import urbi.time.Stopwatch;
 
 /**
  * Reads frames, and executes tasks one after the other on one thread, which never changes. That
@@ -217,13 +218,13 @@ final class Dispatcher {
       TimeUnit.NANOSECONDS.sleep(nanoseconds);
       return;
     }
-    long deadline = System.nanoTime() + nanoseconds;
+    long deadline = Stopwatch.nanoseconds() + nanoseconds;
     do {
       Runnable task = nextUntil(deadline);
       if (task != null) {
         guard.accept(task);
       }
-    } while (System.nanoTime() - deadline < 0);
+    } while (Stopwatch.nanoseconds() - deadline < 0);
   }
 
   /** The next task; null if none comes in time. The helper reads meanwhile. */
@@ -231,7 +232,7 @@ final class Dispatcher {
     synchronized (lock) {
       try {
         while (tasks.isEmpty()) {
-          long left = deadline - System.nanoTime();
+          long left = deadline - Stopwatch.nanoseconds();
           if (left <= 0) {
             return null;
           }

@@ -106,19 +106,20 @@ class ComponentVariableTest {
         var r = Robot.new|;
         { echo(r.image.data.size); echo("one") },
         { echo(r.image.keywords); echo("other") },
-        sleep(1s);
+        sleep(400ms);
         r.take;
-        [00001000] 1
-        [00001000] *** 3
-        [00001000] *** rgb 1 1
-        [00001000] *** one
-        [00001000] *** other
+        [00000400] 1
+        [00000400] *** 3
+        [00000400] *** rgb 1 1
+        [00000400] *** one
+        [00000400] *** other
         { r.image|; echo("never") },
         r.take;
-        [00001000] 2
-        [00001000] *** never
-        { r.image|; echo("stopped") },
+        [00000400] 2
+        [00000400] *** never
+        { echo(r.image == nil) },
         sleep(1s);
+        [00000900] *** true
         """);
   }
 
@@ -197,10 +198,10 @@ class ComponentVariableTest {
         r.&image.val;
         [00000000] "goal"
         { echo(r.image.data.size) },
-        sleep(1s);
+        sleep(400ms);
         r.take;
-        [00001000] 2
-        [00001000] *** 3
+        [00000400] 2
+        [00000400] *** 3
         """);
   }
 
