@@ -122,7 +122,7 @@ public final class Errors {
 
   /** {@code property lookup failed: slot->property}. */
   public UrbiException property(UrbiObject target, String slot, String property) {
-    return of("Lookup", "property lookup failed: " + slot + "->" + property)
+    return of("PropertyLookup", "property lookup failed: " + slot + "->" + property)
         .with("object", target)
         .with("name", slot + "->" + property)
         .build();

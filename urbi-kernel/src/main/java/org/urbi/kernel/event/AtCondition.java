@@ -4,6 +4,7 @@ import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.Timers;
+import org.urbi.kernel.job.WeakAttachment;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Profiler;
@@ -38,7 +39,7 @@ public final class AtCondition extends Node {
     long hold = Durations.nanoseconds(frame, duration);
     Frame home = frame.fork(frame.job(), false);
     var armed = new Armed(new Handler(home, body, onLeave, sync), hold);
-    armed.handler.scope().add(armed);
+    armed.handler.scope().add(armed.attachment);
     boolean ready = false;
     try {
       armed.evaluated(armed.watch.evaluate(frame.job()), frame.job());
@@ -56,6 +57,7 @@ public final class AtCondition extends Node {
     private final Handler handler;
     private final long hold;
     private final Watch watch;
+    private final WeakAttachment attachment = new WeakAttachment(this);
     private boolean holds;
     private boolean entered;
     private Timers.Timer timer;
@@ -69,6 +71,12 @@ public final class AtCondition extends Node {
               ? condition
               : Profiler.observing(creator, "at: { " + condition.span().text() + " }", condition);
       this.watch = new Watch(handler.home(), watched, this);
+    }
+
+    /** From its entering to its leaving, it has something to do when its tag is stopped. */
+    private void setEntered(boolean on) {
+      entered = on;
+      attachment.keep(on);
     }
 
     @Override
@@ -87,7 +95,7 @@ public final class AtCondition extends Node {
       }
       if (holds) {
         if (hold == 0) {
-          entered = true;
+          setEntered(true);
           handler.enter(handler.home(), evaluator, false);
         } else {
           timer =
@@ -97,7 +105,7 @@ public final class AtCondition extends Node {
                   job -> {
                     timer = null;
                     if (holds) {
-                      entered = true;
+                      setEntered(true);
                       handler.enter(handler.home(), job, true);
                     }
                   });
@@ -108,7 +116,7 @@ public final class AtCondition extends Node {
           timer = null;
         }
         if (entered) {
-          entered = false;
+          setEntered(false);
           handler.leave(handler.home(), evaluator, false);
         }
       }
@@ -120,7 +128,7 @@ public final class AtCondition extends Node {
       if (timer != null) {
         timer.cancel();
       }
-      handler.scope().remove(this);
+      handler.scope().remove(attachment);
       if (entered) {
         entered = false;
         handler.leaveStopped(handler.home(), by);

@@ -3,6 +3,7 @@ package org.urbi.kernel.event;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.Timers;
+import org.urbi.kernel.job.WeakAttachment;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.object.UrbiObject;
@@ -45,7 +46,7 @@ public final class AtEvent extends Node {
     // Later activations of the same code must not share variables with this one.
     Frame home = frame.fork(frame.job(), false);
     var armed = new Armed(source, new Handler(home, body, onLeave, sync), hold);
-    armed.handler.scope().add(armed);
+    armed.handler.scope().add(armed.attachment);
     source.subscribe(armed, frame.job());
     return frame.interpreter().values().voidObject;
   }
@@ -55,6 +56,7 @@ public final class AtEvent extends Node {
     private final UrbiEvent source;
     private final Handler handler;
     private final long hold;
+    private final WeakAttachment attachment = new WeakAttachment(this);
     private boolean stopped;
 
     Armed(UrbiEvent source, Handler handler, long hold) {
@@ -116,7 +118,7 @@ public final class AtEvent extends Node {
     public void stopped(TagScope by) {
       stopped = true;
       source.unsubscribe(this);
-      handler.scope().remove(this);
+      handler.scope().remove(attachment);
     }
   }
 

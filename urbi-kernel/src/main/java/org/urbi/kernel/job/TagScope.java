@@ -19,7 +19,14 @@ public final class TagScope {
      * @param by the scope whose tag was stopped; null when nothing more is to happen
      */
     void stopped(TagScope by);
+
+    /** Whether nobody can bring about any more what it waited for. */
+    default boolean isGone() {
+      return false;
+    }
   }
+
+  private static final int SWEPT_FROM = 16;
 
   private final TagState tag;
   private final TagScope parent;
@@ -28,6 +35,7 @@ public final class TagScope {
   private final Set<TagScope> inner = new LinkedHashSet<>();
   private final Set<Job> jobs = new LinkedHashSet<>();
   private final Set<Attachment> attachments = new LinkedHashSet<>();
+  private int sweptAt = SWEPT_FROM;
   private boolean closed;
 
   /** The root of the tree of a kernel: under no tag at all. */
@@ -80,6 +88,10 @@ public final class TagScope {
   /** Something waits under this scope without a job; it hears when the scope is stopped. */
   public void add(Attachment attachment) {
     attachments.add(attachment);
+    if (attachments.size() > sweptAt) {
+      attachments.removeIf(Attachment::isGone);
+      sweptAt = Math.max(SWEPT_FROM, 2 * attachments.size());
+    }
   }
 
   public void remove(Attachment attachment) {

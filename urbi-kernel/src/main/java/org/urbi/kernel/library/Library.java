@@ -205,6 +205,7 @@ public final class Library {
     script(values.stringProto, "asList", "function () { split(\"\") }");
     script(types.get("TrajectoryGenerator.Until"), "run", TrajectoryUntil.RUN);
     script(types.get("TrajectoryGenerator.Sequence"), "run", TrajectorySequence.RUN);
+    OldNames.add(interpreter, types);
     EventType.fill(types.get("Event"));
     for (String name : List.of("detach", "disown", "persist", "waituntil")) {
       global.addSlot(world.symbol(name), types.get("Control").localSlot(world.symbol(name)));

@@ -345,7 +345,11 @@ public final class Shell {
   }
 
   private void show(SyntaxWarning warning) {
-    lobby.output().send("warning", "!!! " + warning.span().location() + ": " + warning.message());
+    if (!WarningChannel.isOff(interpreter.world())) {
+      lobby
+          .output()
+          .send(WarningChannel.NAME, "!!! " + warning.span().location() + ": " + warning.message());
+    }
   }
 
   private void show(SyntaxError error) {

@@ -193,6 +193,19 @@ class JobTest {
   }
 
   @Test
+  void allJobsAreShown() {
+    Dialogue.hold(
+        """
+        System.ps;
+        [00000000] *** Job: shell_2
+        [00000000] ***   State: running
+        [00000000] ***   Tags:
+        [00000000] ***     Tag<Lobby_1>
+        [00000000] ***   Backtrace:
+        """);
+  }
+
+  @Test
   void aJobThatNeverWaitsLetsTimePass() {
     Dialogue.hold(
         """

@@ -1,12 +1,14 @@
 package org.urbi.lang.source;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * Where something is, as people read it (manual, "Location" and "Position"). Lines and columns
  * count from 1; the end column is exclusive.
  *
  * @param file null when the text was typed
  */
-public record Location(String file, int line, int column, int endLine, int endColumn) {
+public record Location(@Nullable String file, int line, int column, int endLine, int endColumn) {
   /** {@code file:1.5-7}, {@code 1.5-2.3}, or {@code 1.5} for one character. */
   @Override
   public String toString() {

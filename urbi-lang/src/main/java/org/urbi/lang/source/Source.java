@@ -1,6 +1,7 @@
 package org.urbi.lang.source;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A text and the one table that turns its offsets into lines and columns.
@@ -11,7 +12,7 @@ import java.util.Arrays;
  */
 public final class Source {
   /** A line: the offset of its first character, the file and the number it goes by. */
-  public record Line(int offset, String file, int number) {}
+  public record Line(int offset, @Nullable String file, int number) {}
 
   private final String text;
   private final int firstColumn;

@@ -13,20 +13,21 @@ import org.urbi.lang.source.Source;
 public final class LineTable {
   private static final Pattern SYNCLINE =
       Pattern.compile("//#(line|push)[ \\t]+([0-9]{1,9})[ \\t]+\"([^\"]*)\"[ \\t\\r]*");
+  private static final Pattern PUSH = Pattern.compile("//#push[ \\t]+([0-9]{1,9})[ \\t\\r]*");
   private static final Pattern POP = Pattern.compile("//#pop[ \\t\\r]*");
 
-  private record Position(String file, int number) {}
+  private record Position(@Nullable String file, int number) {}
 
   private final Deque<Position> saved = new ArrayDeque<>();
   private List<Source.Line> lines = new ArrayList<>();
-  private String file;
+  private @Nullable String file;
   private int number;
   private int lineStart;
   private int firstColumn = 1;
   private @Nullable Position following;
 
   /** The table of a text that starts at the beginning of a line. */
-  public LineTable(String file, int number) {
+  public LineTable(@Nullable String file, int number) {
     this.file = file;
     this.number = number;
     lines.add(new Source.Line(0, file, number));
@@ -48,11 +49,16 @@ public final class LineTable {
   /** A comment was read that is a whole line: it may say where the next line is. */
   void comment(String comment) {
     Matcher matcher = SYNCLINE.matcher(comment);
+    Matcher push = PUSH.matcher(comment);
     if (matcher.matches()) {
       if (matcher.group(1).equals("push")) {
         saved.push(new Position(file, number));
       }
       following = new Position(matcher.group(3), Integer.parseInt(matcher.group(2)));
+    } else if (push.matches()) {
+      // Without a file it leads away from the one that is read, into none.
+      saved.push(new Position(file, number));
+      following = new Position(null, Integer.parseInt(push.group(1)));
     } else if (POP.matcher(comment).matches() && !saved.isEmpty()) {
       Position position = saved.pop();
       following = new Position(position.file(), position.number() + 1);

@@ -137,6 +137,7 @@ final class Server {
               kernel::connectRemote,
               Limits.DEFAULT.withConnections(settings.maxConnections()),
               settings.trace());
+      kernel.evalAsync("System.listenPort = " + server.port() + "|");
       writePortFile(server.port());
       if (!settings.quiet()) {
         settings.trace().log("listening on " + settings.host() + ":" + server.port());

@@ -121,7 +121,7 @@ public final class UrbiCommand {
     }
     Settings.Input input = Settings.Input.NONE;
     if (arguments.has("--interactive")
-        || rest.isEmpty() && inputs.isEmpty() && !arguments.has("--port")) {
+        || rest.isEmpty() && inputs.isEmpty() && modules.isEmpty() && !arguments.has("--port")) {
       input = Settings.Input.SESSION;
     } else if (!rest.isEmpty() && !Terminal.isStandardInput()) {
       input = Settings.Input.STREAM;

@@ -30,6 +30,17 @@ public final class LoadedFiles {
     systemFiles.add(name);
   }
 
+  /** What messages call the files of the library. */
+  public List<String> systemFiles() {
+    return systemFiles.stream().sorted().toList();
+  }
+
+  /** From now on, these are the files of the library. */
+  public void setSystemFiles(List<String> names) {
+    systemFiles.clear();
+    systemFiles.addAll(names);
+  }
+
   /** Whether messages call a file of the library so. */
   boolean isSystemFile(String name) {
     return systemFiles.contains(name);

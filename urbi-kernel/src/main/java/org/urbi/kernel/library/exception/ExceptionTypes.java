@@ -146,6 +146,12 @@ public final class ExceptionTypes {
             Init.of("Of that routine, with that message.", "routine", "message"),
             Shown.as("The routine and the message.", "{routine}: {message}")),
         new ExceptionTable(
+            "Exception.PropertyLookup",
+            "Exception.Lookup",
+            "A property that was not found.",
+            Init.of("Of that name, slot->property, of that object.", "name", "object"),
+            Shown.as("The slot and the property.", "property lookup failed: {name}")),
+        new ExceptionTable(
             "Exception.Redefinition",
             EXCEPTION,
             "A slot that is there already.",
@@ -259,9 +265,6 @@ public final class ExceptionTypes {
 
   private static String lookup(Frame frame, UrbiObject self) {
     String name = text(frame, self, "name");
-    if (name.contains("->")) {
-      return "property lookup failed: " + name;
-    }
     String meant = meant(frame, self, name);
     return "lookup failed: "
         + name

@@ -128,7 +128,9 @@ final class ObjectSlots {
     return self;
   }
 
-  @Builtin(doc = "Whether the object itself has the slot.")
+  @Builtin(
+      value = {"hasLocalSlot", "ownsSlot"},
+      doc = "Whether the object itself has the slot.")
   static boolean hasLocalSlot(UrbiObject self, String name) {
     return self.hasLocalSlot(symbol(self, name));
   }

@@ -39,6 +39,11 @@ final class Kernel1Type {
       doc = "Does nothing.")
   static void nothing(UrbiObject self) {}
 
+  @Builtin(doc = "Warns that something is deprecated, and names what to use instead.")
+  static void deprecated(Frame frame, UrbiObject self, String old, String other) {
+    Warnings.deprecated(frame, old, other);
+  }
+
   private static UrbiObject bounce(
       Frame frame, CallSite site, String argument, UrbiObject value, String method) {
     Warnings.deprecated(

@@ -17,6 +17,7 @@ import org.urbi.kernel.library.file.UrbiPath;
 import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 
 /** Source files and where they are looked for (manual, "System" and "Environment Variables"). */
@@ -95,6 +96,45 @@ final class SystemFiles {
     if (!loadedFiles.contains(frame.job(), key(frame, path))) {
       evaluate(frame, site, self, path, target);
     }
+  }
+
+  @Builtin(doc = "The folder with the source files of the library; empty when there is none.")
+  String urbiShareDir(Frame frame, UrbiObject self) {
+    return searchPath.library() == null ? "" : UrbiPath.encoded(searchPath.library());
+  }
+
+  @Builtin(doc = "The folder in which Urbi is installed; empty when that is not known.")
+  String urbiRoot(Frame frame, UrbiObject self) {
+    Path library = searchPath.library();
+    Path root = library == null ? null : library.toAbsolutePath().normalize().getParent();
+    return root == null ? "" : UrbiPath.encoded(root);
+  }
+
+  @Builtin(doc = "The source files whose calls backtraces do not show.")
+  List<UrbiObject> systemFiles(Frame frame, UrbiObject self) {
+    return loadedFiles.systemFiles().stream()
+        .map(name -> (UrbiObject) frame.interpreter().values().string(name))
+        .toList();
+  }
+
+  @Builtin(
+      value = {"systemFiles"},
+      setter = true,
+      doc = "Sets which source files these are.",
+      needs = Need.OWNER)
+  void assignSystemFiles(Frame frame, UrbiObject self, UrbiList files) {
+    loadedFiles.setSystemFiles(
+        files.elements().stream().map(file -> frame.interpreter().asString(frame, file)).toList());
+  }
+
+  @Builtin(doc = "Sets which source files these are.", needs = Need.OWNER)
+  void setSystemFiles(Frame frame, UrbiObject self, UrbiList files) {
+    assignSystemFiles(frame, self, files);
+  }
+
+  @Builtin(doc = "Adds a source file to them.", needs = Need.OWNER)
+  void addSystemFile(Frame frame, UrbiObject self, UrbiObject file) {
+    loadedFiles.noteSystemFile(frame.interpreter().asString(frame, file));
   }
 
   private boolean isFile(Frame frame, CallSite site, Path path) {

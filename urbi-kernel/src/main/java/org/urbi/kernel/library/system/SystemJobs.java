@@ -43,6 +43,16 @@ final class SystemJobs {
     }
   }
 
+  @Builtin(doc = "Shows all the jobs: what each does, under which tags, called from where.")
+  static void ps(Frame frame, UrbiObject self) {
+    for (UrbiObject job : SystemType.jobs(frame, self)) {
+      frame.interpreter().send(frame, job, "dumpState");
+    }
+  }
+
+  @Builtin(doc = "Does nothing: what comes from outside is taken at the start of each cycle.")
+  static void poll(UrbiObject self) {}
+
   @Builtin(doc = "The lobbies that are alive, the prototype of lobbies included.")
   List<UrbiObject> lobbies(Frame frame, UrbiObject self) {
     return LobbyType.instances(self.world(), lobbies);

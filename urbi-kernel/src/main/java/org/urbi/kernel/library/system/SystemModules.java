@@ -27,7 +27,7 @@ final class SystemModules {
     this.outside = outside;
   }
 
-  private Path file(Frame frame, UrbiObject module) {
+  private Path file(Frame frame, CallSite site, UrbiObject module) {
     String name = frame.interpreter().asString(frame, module);
     Path working = FileAccess.anyPath(frame).working().path();
     Path found = uobjects.modules().find(working, NativeText.toJava(name));
@@ -37,6 +37,7 @@ final class SystemModules {
           .errors()
           .of("FileNotFound", "file not found: " + name)
           .with("name", name)
+          .with("routine", site.calledName())
           .build();
     }
     return found;
@@ -71,7 +72,7 @@ final class SystemModules {
         outside.confinement().checkConnections();
         uobjects.rtp().turn(true);
       } else {
-        uobjects.modules().load(frame, file(frame, module), library);
+        uobjects.modules().load(frame, file(frame, site, module), library);
       }
     } catch (UModuleException | ConfinedException e) {
       throw frame
@@ -86,7 +87,7 @@ final class SystemModules {
     boolean unloaded =
         isRtp(frame, module)
             ? uobjects.rtp().turn(false)
-            : uobjects.modules().unload(frame, file(frame, module));
+            : uobjects.modules().unload(frame, file(frame, site, module));
     if (!unloaded) {
       throw frame
           .interpreter()

@@ -35,7 +35,7 @@ final class SystemServer {
   private static final int STATUS_SHIFT = 8;
 
   /** What clients ask for to know how to speak. */
-  private static final String DIALECT = "2.7.5";
+  static final String DIALECT = "2.7.5";
 
   private final CommandLine commandLine;
   private final KernelEnd kernelEnd;

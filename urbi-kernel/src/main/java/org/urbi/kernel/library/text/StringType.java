@@ -47,6 +47,11 @@ public final class StringType {
     return self;
   }
 
+  @Builtin(doc = "The string as a FormatInfo says.")
+  static String format(Frame caller, CallSite site, UrbiString self, UrbiFormatInfo finfo) {
+    return Formatting.format(caller, site.calledName(), self, finfo);
+  }
+
   @Builtin(doc = "Whether it is not empty.")
   static boolean asBool(UrbiString self) {
     return !self.value().isEmpty();

@@ -55,6 +55,22 @@ final class UVarType {
         hooked == null || Truth.of(frame, hooked));
   }
 
+  @Builtin(doc = "The object behind whose slot it stands; nil when that has gone.")
+  static UrbiObject owner(Frame frame, UrbiUVar self) {
+    UrbiObject owner = self.owner();
+    return owner == null ? frame.interpreter().values().nil : owner;
+  }
+
+  @Builtin(doc = "The name under which it was made: that of the object, a period, the slot.")
+  static String initialName(UrbiUVar self) {
+    return self.name();
+  }
+
+  @Builtin(doc = "The name of the object under which it was made.")
+  static String ownerName(UrbiUVar self) {
+    return self.name().replaceFirst("\\.[^.]*$", "");
+  }
+
   // ------------------------------------------------------------------ hooks
 
   @Builtin(doc = "Calls a function at each change; returns a handle to remove it.")

@@ -1,0 +1,58 @@
+package org.urbi.kernel.library;
+
+import java.util.List;
+import java.util.Map;
+import org.urbi.kernel.library.code.ScriptCode;
+import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Values;
+
+/**
+ * Names that every Urbi 2.7.5 had, which its manual does not explain, and which programs used all
+ * the same: other spellings of what there is, and what prototypes have that have not been set up.
+ */
+final class OldNames {
+  /** A function in urbiscript. */
+  private record Function(String type, String name, String text) {}
+
+  private static final List<Function> FUNCTIONS =
+      List.of(
+          new Function("Object", "++", "function () { this + 1 }"),
+          new Function("Object", "--", "function () { this - 1 }"),
+          new Function("Float", "sgn", "function () { sign }"),
+          new Function("Lazy", "val", "function () { value }"),
+          new Function("Date", "yearSet", "function (v) { year = v }"),
+          new Function("Date", "monthSet", "function (v) { month = v }"),
+          new Function("Date", "daySet", "function (v) { day = v }"),
+          new Function("Date", "hourSet", "function (v) { hour = v }"),
+          new Function("Date", "minuteSet", "function (v) { minute = v }"),
+          new Function("Date", "secondSet", "function (v) { second = v }"),
+          new Function("Date", "microsecondSet", "function (v) { microsecond = v }"),
+          new Function("Date", "usSet", "function (v) { us = v }"));
+
+  private OldNames() {}
+
+  /** Adds them to the types. */
+  static void add(Interpreter interpreter, Map<String, UrbiObject> types) {
+    for (Function function : FUNCTIONS) {
+      add(
+          types.get(function.type),
+          function.name,
+          new ScriptCode(interpreter.prototypes().code.cloneShape(), function.text));
+    }
+    Values values = interpreter.values();
+    add(types.get("Exception"), "location", values.nil);
+    add(types.get("StackFrame"), "name", values.string(""));
+    add(types.get("StackFrame"), "location", values.nil);
+    add(types.get("Lazy"), "code", values.nil);
+    add(types.get("Enumeration"), "name", values.string("Enumeration"));
+    add(types.get("Enumeration"), "values", values.list(List.of()));
+    // The server says so when it listens.
+    add(types.get("System"), "listenPort", values.number(-1));
+    add(types.get("Global"), "FunctionProfile", types.get("Profile.Function"));
+  }
+
+  private static void add(UrbiObject type, String name, UrbiObject value) {
+    type.addSlot(type.world().symbol(name), value);
+  }
+}
