@@ -18,6 +18,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
+import urbi.wire.TokenLine;
 
 /**
  * A client of a server, over TCP.
@@ -70,6 +71,7 @@ public class UClient extends UAbstractClient implements AutoCloseable {
       socket.setTcpNoDelay(true);
       socket.setKeepAlive(true);
       socket.connect(new InetSocketAddress(host, port), (int) timeout.toMillis());
+      socket.getOutputStream().write(TokenLine.bytes());
     } catch (IOException e) {
       close(reason(e));
       return;

@@ -16,6 +16,7 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import urbi.UClientException;
 import urbi.wire.Protocol;
+import urbi.wire.TokenLine;
 import urbi.wire.WireException;
 import urbi.wire.WireInput;
 import urbi.wire.WireOutput;
@@ -61,6 +62,7 @@ final class Link implements AutoCloseable {
       socket.connect(new InetSocketAddress(host, port));
       in = socket.getInputStream();
       out = socket.getOutputStream();
+      out.write(TokenLine.bytes());
       out.write(Protocol.request().getBytes(StandardCharsets.US_ASCII));
       awaitAgreement();
     } catch (IOException e) {

@@ -50,7 +50,7 @@ final class Server {
 
   private int runOnce() {
     kernel =
-        recorded(Kernel.builder())
+        withFiles(recorded(Kernel.builder()))
             .virtualTime(settings.fast())
             .searchPath(settings.searchPath().directories())
             .library(SearchPath.library(SearchPath.root()))
@@ -80,6 +80,11 @@ final class Server {
         console.close();
       }
     }
+  }
+
+  private Kernel.Builder withFiles(Kernel.Builder builder) {
+    Path users = settings.access().userDirectory();
+    return users == null ? builder : builder.userDirectory(users);
   }
 
   /** Each kernel of the process has a recording of its own: FILE, and after a reboot FILE.2. */
@@ -129,6 +134,10 @@ final class Server {
     if (address.isUnresolved()) {
       throw Failure.of("unknown host: " + settings.host());
     }
+    String warning = settings.access().checkAddress(address);
+    if (warning != null) {
+      settings.trace().log(warning);
+    }
     try {
       ConsoleServer server =
           new ConsoleServer(
@@ -136,6 +145,7 @@ final class Server {
               client -> connect(client, false),
               kernel::connectRemote,
               Limits.DEFAULT.withConnections(settings.maxConnections()),
+              settings.access().admission(),
               settings.trace());
       kernel.evalAsync("System.listenPort = " + server.port() + "|");
       writePortFile(server.port());

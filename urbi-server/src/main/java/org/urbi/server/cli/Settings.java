@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import org.urbi.server.Trace;
+import org.urbi.server.trust.AccessOptions;
 
 /**
  * What the command line of {@code urbi} asks for.
@@ -16,6 +17,7 @@ import org.urbi.server.Trace;
  * @param port where to listen; 0 for any, {@link #NO_PORT} for nowhere
  * @param portFile where to write the port's number, or null
  * @param maxConnections how many clients of the port there may be at a time; 0: any number
+ * @param access who is let in by the port, and as what
  * @param record where to record the run, or null
  * @param strict whether the exit status tells of errors even after {@code shutdown}
  * @param text what the console's lobby is sent first
@@ -34,6 +36,7 @@ record Settings(
     String host,
     int port,
     Path portFile,
+    AccessOptions access,
     String record,
     int maxConnections,
     boolean strict,

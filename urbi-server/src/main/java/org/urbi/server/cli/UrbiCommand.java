@@ -12,6 +12,7 @@ import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
 import org.urbi.server.source.Inputs;
 import org.urbi.server.source.SourceText;
+import org.urbi.server.trust.AccessOptions;
 
 /** The program {@code urbi}: runs an Urbi server (manual, section 21.3). */
 public final class UrbiCommand {
@@ -82,7 +83,8 @@ public final class UrbiCommand {
             "Serve so many clients of the port at a time; 0 (the default): any number.",
             "--max-connections")
         .option(
-            "FILE", "Write the number of the port to FILE once it is open.", "-w", "--port-file")
+            "FILE", "Write the number of the port to FILE once it is open.", "-w", "--port-file");
+    AccessOptions.declare(program)
         .option("FILE", "Record the run to FILE, so that it can be replayed.", "--record")
         .option(
             "FILE", "Replay the run that FILE is a recording of, and do nothing else.", "--replay");
@@ -145,6 +147,7 @@ public final class UrbiCommand {
         arguments.value("--host", "127.0.0.1"),
         port,
         portFile == null ? null : Path.of(portFile),
+        AccessOptions.of(arguments),
         arguments.value("--record", null),
         arguments.number("--max-connections", 0, 0, Integer.MAX_VALUE),
         arguments.has("--strict"),

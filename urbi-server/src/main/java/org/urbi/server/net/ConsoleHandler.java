@@ -13,6 +13,7 @@ import java.util.function.Function;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.log.FailureLog;
+import org.urbi.kernel.trust.Role;
 import org.urbi.server.Trace;
 
 /**
@@ -38,8 +39,12 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
   }
 
   @Override
-  public void channelActive(ChannelHandlerContext context) {
+  public void handlerAdded(ChannelHandlerContext context) {
     this.context = context;
+  }
+
+  @Override
+  public void channelActive(ChannelHandlerContext context) {
     output =
         new ClientOutput(
             context.channel(),
@@ -77,6 +82,8 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
       String told =
           "[00000000" + OperatorRequest.ANSWER + connection.interrupt(request.lobby()) + "\n";
       context.writeAndFlush(Unpooled.copiedBuffer(told, StandardCharsets.ISO_8859_1));
+    } else if (event instanceof Role role && !over) {
+      connection.giveRole(role);
     } else if (event == TelnetInterrupt.INSTANCE && !over) {
       connection.interrupt();
     } else if (event == ChannelInputShutdownEvent.INSTANCE) {
@@ -139,6 +146,11 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
   public void closed() {
     over = true;
     output.finish();
+  }
+
+  @Override
+  public Role role() {
+    return TokenGate.role(context);
   }
 
   @Override

@@ -22,8 +22,11 @@ import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.remote.RemoteWire;
+import org.urbi.kernel.time.SystemClock;
 import org.urbi.server.Trace;
 import org.urbi.server.Version;
+import org.urbi.server.trust.Admission;
+import org.urbi.server.trust.WrongTokens;
 
 /**
  * Listens for telnet-like clients and gives each its lobby (options {@code --host} and {@code
@@ -51,7 +54,22 @@ public final class ConsoleServer implements AutoCloseable {
   public ConsoleServer(
       InetSocketAddress address, Function<Client, Connection> lobbies, Limits limits, Trace trace)
       throws IOException {
-    this(address, lobbies, null, limits, trace);
+    this(address, lobbies, null, limits, Admission.ALL, trace);
+  }
+
+  /**
+   * Starts listening, for processes with UObjects, too; everybody is let in.
+   *
+   * @throws IOException if the address cannot be listened to; the message says which and why
+   */
+  public ConsoleServer(
+      InetSocketAddress address,
+      Function<Client, Connection> lobbies,
+      BiFunction<String, RemoteWire, RemotePeer> remotes,
+      Limits limits,
+      Trace trace)
+      throws IOException {
+    this(address, lobbies, remotes, limits, Admission.ALL, trace);
   }
 
   /**
@@ -62,6 +80,7 @@ public final class ConsoleServer implements AutoCloseable {
    *     thread
    * @param remotes makes the kernel's side of a process with UObjects, given its name for people
    *     and the way to it; null if there are to be none
+   * @param admission who is let in, and as what
    * @throws IOException if the address cannot be listened to; the message says which and why
    */
   public ConsoleServer(
@@ -69,6 +88,7 @@ public final class ConsoleServer implements AutoCloseable {
       Function<Client, Connection> lobbies,
       BiFunction<String, RemoteWire, RemotePeer> remotes,
       Limits limits,
+      Admission admission,
       Trace trace)
       throws IOException {
     loop =
@@ -76,6 +96,7 @@ public final class ConsoleServer implements AutoCloseable {
             1, new DefaultThreadFactory("urbi-network", true), NioIoHandler.newFactory());
     datagrams =
         new DatagramPort(loop, () -> new InetSocketAddress(address.getAddress(), port()), trace);
+    WrongTokens wrong = new WrongTokens(new SystemClock());
     CrowdLimit crowd = new CrowdLimit(clients, limits.connections(), trace);
     ChannelFuture bound =
         new ServerBootstrap()
@@ -94,6 +115,9 @@ public final class ConsoleServer implements AutoCloseable {
                       return;
                     }
                     client.pipeline().addLast(new ProtocolRefusal(trace));
+                    if (admission.asks()) {
+                      client.pipeline().addLast(new TokenGate(admission, wrong, trace));
+                    }
                     if (remotes != null) {
                       client
                           .pipeline()

@@ -8,6 +8,7 @@ import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
 import java.nio.charset.StandardCharsets;
 import java.util.function.Supplier;
+import org.urbi.kernel.trust.Role;
 import urbi.wire.Protocol;
 
 /**
@@ -56,6 +57,11 @@ final class ProtocolSwitch extends ChannelInboundHandlerAdapter {
                   + " to "
                   + Protocol.HIGHEST_VERSION
                   + " of the UObject protocol")
+          .addListener(ChannelFutureListener.CLOSE);
+      return;
+    }
+    if (TokenGate.role(context) != Role.OWNER) {
+      line(context, "!!! to bring UObjects needs the role owner")
           .addListener(ChannelFutureListener.CLOSE);
       return;
     }

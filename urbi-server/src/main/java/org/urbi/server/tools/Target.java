@@ -12,6 +12,7 @@ import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
 import urbi.UClientException;
 import urbi.USyncClient;
+import urbi.wire.TokenLine;
 
 /**
  * The server that a tool is to talk to: options {@code --host}, {@code --port}, {@code
@@ -29,7 +30,11 @@ public record Target(String host, int port) {
     return program
         .option("HOST", "Address to connect to (default: 127.0.0.1).", "-H", "--host")
         .option("PORT", "Port to connect to (default: " + USUAL_PORT + ").", "-P", "--port")
-        .option("FILE", "Connect to the port that is written in FILE.", "--port-file");
+        .option("FILE", "Connect to the port that is written in FILE.", "--port-file")
+        .option(
+            "FILE",
+            "Show the server the token that is in FILE (default: that in URBI_TOKEN).",
+            "--token");
   }
 
   /**
@@ -38,6 +43,7 @@ public record Target(String host, int port) {
    * @throws Failure if they make no sense, or the port's file cannot be read
    */
   public static Target of(Arguments arguments, String host) {
+    useToken(arguments.value("--token", null));
     String file = arguments.value("--port-file", null);
     if (file == null) {
       return new Target(host, arguments.number("--port", USUAL_PORT, 1, HIGHEST_PORT));
@@ -50,6 +56,17 @@ public record Target(String host, int port) {
       return new Target(host, Arguments.number("port in " + file, text.strip(), 1, HIGHEST_PORT));
     } catch (IOException e) {
       throw Failure.of("cannot read the port file " + file + ": is the server running?");
+    }
+  }
+
+  /** Whatever this process connects to is shown that token from now on. */
+  private static void useToken(String file) {
+    if (file != null) {
+      try {
+        System.setProperty(TokenLine.PROPERTY, Files.readString(Path.of(file)).strip());
+      } catch (IOException e) {
+        throw Failure.of("cannot read the token file " + file);
+      }
     }
   }
 
@@ -85,6 +102,7 @@ public record Target(String host, int port) {
     try {
       socket.setTcpNoDelay(true);
       socket.connect(new InetSocketAddress(host, port), CONNECT_MILLISECONDS);
+      socket.getOutputStream().write(TokenLine.bytes());
       return socket;
     } catch (UnknownHostException e) {
       throw Failure.of("unknown host: " + host);

@@ -1,0 +1,93 @@
+package org.urbi.server.trust;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.urbi.kernel.trust.Role;
+import org.urbi.server.options.Arguments;
+import org.urbi.server.options.Failure;
+import org.urbi.server.options.Program;
+
+/**
+ * The options of {@code urbi} that say who is let in, and as what.
+ *
+ * @param admission of clients of the network
+ * @param userDirectory where users have files; null when they have none
+ * @param insecure whether other machines are let in without a token
+ */
+public record AccessOptions(Admission admission, Path userDirectory, boolean insecure) {
+  private static final String NOBODY = "none";
+
+  /** Adds the options to a program. */
+  public static Program declare(Program program) {
+    return program
+        .option("FILE", "Ask clients for one of the tokens in FILE.", "--tokens")
+        .option(
+            "ROLE",
+            "What clients without a token may do: owner, user, observer, or none (the default):"
+                + " they are not let in.",
+            "--default-role")
+        .option("DIRECTORY", "Where clients with the role user have files.", "--user-directory")
+        .flag("Let other machines in without a token.", "--insecure");
+  }
+
+  /**
+   * What the options say.
+   *
+   * @throws Failure if they make no sense, or a file is not as it must be
+   */
+  public static AccessOptions of(Arguments arguments) {
+    String tokens = arguments.value("--tokens", null);
+    if (tokens == null && arguments.has("--default-role")) {
+      throw Failure.usage("--default-role is for clients without a token: it needs --tokens");
+    }
+    String directory = arguments.value("--user-directory", null);
+    if (directory != null && !Files.isDirectory(Path.of(directory))) {
+      throw Failure.of("--user-directory: no such directory: " + directory);
+    }
+    return new AccessOptions(
+        tokens == null
+            ? Admission.ALL
+            : new Admission(
+                read(Path.of(tokens)), defaultRole(arguments.value("--default-role", NOBODY))),
+        directory == null ? null : Path.of(directory),
+        arguments.has("--insecure"));
+  }
+
+  private static Role defaultRole(String name) {
+    Role role = Role.of(name);
+    if (role == null && !name.equals(NOBODY)) {
+      throw Failure.usage("--default-role is owner, user, observer or none, not " + name);
+    }
+    return role;
+  }
+
+  private static Tokens read(Path file) {
+    try {
+      return Tokens.read(file);
+    } catch (IOException e) {
+      throw Failure.of("cannot use the tokens: " + e.getMessage());
+    }
+  }
+
+  /**
+   * Refuses to let other machines in without a token, unless that is wanted.
+   *
+   * @return a warning; null when nothing is to be feared
+   * @throws Failure if it is not wanted
+   */
+  public String checkAddress(InetSocketAddress address) {
+    if (address.getAddress().isLoopbackAddress() || admission.asks()) {
+      return null;
+    }
+    if (!insecure) {
+      throw Failure.usage(
+          "--host "
+              + address.getHostString()
+              + " lets every machine that reaches it do everything: give --tokens FILE, or"
+              + " --insecure");
+    }
+    return "other machines are let in without a token, and may do everything";
+  }
+}
