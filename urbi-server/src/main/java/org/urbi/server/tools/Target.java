@@ -10,9 +10,9 @@ import java.time.Duration;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
+import urbi.TokenLine;
 import urbi.UClientException;
 import urbi.USyncClient;
-import urbi.wire.TokenLine;
 
 /**
  * The server that a tool is to talk to: options {@code --host}, {@code --port}, {@code

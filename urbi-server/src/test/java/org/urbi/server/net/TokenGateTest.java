@@ -22,9 +22,9 @@ import org.urbi.kernel.trust.Role;
 import org.urbi.server.Trace;
 import org.urbi.server.trust.Admission;
 import org.urbi.server.trust.Tokens;
+import urbi.TokenLine;
 import urbi.USyncClient;
 import urbi.wire.Protocol;
-import urbi.wire.TokenLine;
 
 /** A server that asks for tokens, and those who have one, none, or the wrong one. */
 class TokenGateTest {

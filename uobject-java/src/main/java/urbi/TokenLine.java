@@ -1,4 +1,4 @@
-package urbi.wire;
+package urbi;
 
 import java.nio.charset.StandardCharsets;
 
