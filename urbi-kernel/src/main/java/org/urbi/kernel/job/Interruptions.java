@@ -129,12 +129,13 @@ public final class Interruptions {
       endingTurn = turn;
       failure = null;
       farewellUntil = machine.now() + FAREWELL;
+      // Not again for the same ending: its message may have come while others were let run.
+      if (decided == Ending.WANTED && lobby != null && !all) {
+        lobbies.remove(lobby);
+        interrupted.add(lobby);
+      }
     }
     ending = decided;
-    if (decided == Ending.WANTED && lobby != null && !all) {
-      lobbies.remove(lobby);
-      interrupted.add(lobby);
-    }
     return decided;
   }
 

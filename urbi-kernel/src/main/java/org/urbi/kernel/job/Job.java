@@ -340,13 +340,17 @@ public final class Job implements Runnable {
 
   /** Leaves many calls by an exception, which takes long: lets others run if there are any. */
   public void breathe() {
-    if (nonInterruptible == 0 && scheduler.hasOthers()) {
-      Interruptions.Farewell farewell = scheduler.interruptions().pause();
-      try {
+    if (nonInterruptible > 0) {
+      return;
+    }
+    // The turn is another one afterwards even if there is nobody else: what ends goes on to end.
+    Interruptions.Farewell farewell = scheduler.interruptions().pause();
+    try {
+      if (scheduler.hasOthers()) {
         yieldNow();
-      } finally {
-        scheduler.interruptions().resume(farewell);
       }
+    } finally {
+      scheduler.interruptions().resume(farewell);
     }
   }
 
