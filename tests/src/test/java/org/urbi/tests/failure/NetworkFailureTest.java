@@ -15,11 +15,9 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A class that the network thread cannot load. */
-@Timeout(60)
 class NetworkFailureTest {
   private static final byte[] INTERRUPT = {(byte) 255, (byte) 244};
 

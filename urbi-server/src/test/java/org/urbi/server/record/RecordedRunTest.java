@@ -19,11 +19,9 @@ import java.util.Arrays;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
@@ -46,7 +44,6 @@ import urbi.remote.RemoteContext;
  * A run is recorded that has two clients, a remote component, a process, a file, real time and
  * random numbers; and replayed where there is none of them.
  */
-@Timeout(value = 120, unit = TimeUnit.SECONDS)
 class RecordedRunTest {
   private static final String HOST = "127.0.0.1";
 
@@ -154,14 +151,14 @@ class RecordedRunTest {
       remote.start(new UClass("Adder", new UModule("test"), Adder::new));
       two.connection.send("every (10ms) echo(\"tick \" + System.time),\n");
       one.connection.send(program(file));
-      one.over.get(100, TimeUnit.SECONDS);
+      one.over.get();
       two.connection.send("echo(40 + 2);\n");
       two.connection.send("loop|{},\n");
       // A loop that never lets others run ends by an interruption alone.
       Thread.sleep(50);
       two.connection.interrupt();
       two.connection.send("echo(\"is over\");\n");
-      two.over.get(100, TimeUnit.SECONDS);
+      two.over.get();
       kernel.requestShutdown(5);
       assertEquals(5, kernel.awaitTermination());
       remote.close();
@@ -307,8 +304,6 @@ class RecordedRunTest {
         writer.flush();
       }
     }
-    assertEquals(
-        "the run is not recorded any more: run: No space left on device",
-        told.get(10, TimeUnit.SECONDS));
+    assertEquals("the run is not recorded any more: run: No space left on device", told.get());
   }
 }
