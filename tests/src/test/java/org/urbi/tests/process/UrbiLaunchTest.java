@@ -78,7 +78,7 @@ class UrbiLaunchTest {
       String port = "--port=" + server.port();
       assertEquals("", program.output("--plugin", port, "machine"));
       program.talkByUrbiSend(port);
-      program.fails(1, "urbi-launch: file not found: nowhere", "-p", port, "nowhere");
+      program.fails(1, "urbi-launch: loadModule: file not found: nowhere", "-p", port, "nowhere");
       assertEquals(0, server.shutDown(), server::text);
     }
   }
