@@ -127,7 +127,8 @@ class UrbiLaunchJavaTest {
       assertEquals("", program().output("--plugin", port, "machine"));
       assertEquals("", program().output("-p", port, modules.jar("adder").toString()));
       program().talkByUrbiSend(port);
-      failsToLaunch("urbi-launch-java: loadModule: file not found: nowhere", "--plugin", port, "nowhere");
+      failsToLaunch(
+          "urbi-launch-java: loadModule: file not found: nowhere", "--plugin", port, "nowhere");
       assertEquals(0, server.shutDown(), server::text);
     }
   }
