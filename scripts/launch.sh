@@ -30,6 +30,10 @@ fi
 class_path "$root/$dist"
 cache=
 [ -f "$root/$dist/urbi.aot" ] && cache=-XX:AOTCache=$root/$dist/urbi.aot
+# A closed descriptor would be that of the next file that Java opens.
+[ -e /dev/fd/0 ] || exec </dev/null
+[ -e /dev/fd/1 ] || exec >/dev/null
+[ -e /dev/fd/2 ] || exec 2>/dev/null
 typing=false
 [ -t 0 ] && typing=true
 # Programs that urbi starts find its sister tools, after all others.

@@ -704,6 +704,32 @@ public final class Kernel implements AutoCloseable {
     return connection;
   }
 
+  /** For how long a job has held the kernel, in nanoseconds; if {@link Builder#maxHold} is set. */
+  public long heldFor() {
+    return operator.heldFor();
+  }
+
+  /** What holds the kernel, for people, with its Java stack. */
+  public String holder() {
+    return operator.holder();
+  }
+
+  /**
+   * Memory is nearly exhausted: ends all that the lobby does which uses the kernel most, and tells
+   * its client. To be called on a thread of one's own.
+   *
+   * @return which one it was, for people
+   */
+  public String relieve() throws InterruptedException {
+    return operator.relieve();
+  }
+
+  /** Ends the kernel as soon as possible, whatever its jobs do; from any thread. */
+  public void abort(int exitStatus) {
+    requestShutdown(exitStatus);
+    scheduler.interruptions().wantAll();
+  }
+
   Operator operator() {
     return operator;
   }

@@ -88,6 +88,12 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
     kernel.inbox().post(new Message.ConnectionFailed(number, FailureLog.text(failure)));
   }
 
+  /** Ends all that the lobby does, for that reason. */
+  void evict(String why) {
+    interruptRunning();
+    kernel.inbox().post(new Message.Evicted(number, why));
+  }
+
   /** Code that never lets others run cannot wait for the inbox. */
   private void interruptRunning() {
     UrbiObject of = lobby;
@@ -155,6 +161,8 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
       interrupted();
     } else if (message instanceof Message.RoleGiven given) {
       roleGiven(Role.valueOf(given.role()));
+    } else if (message instanceof Message.Evicted evicted) {
+      evicted(evicted.reason());
     } else if (message instanceof Message.ConnectionFailed failed) {
       tell(failed.error());
     } else if (message instanceof Message.CompletionAsked asked) {
@@ -201,6 +209,16 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
   private void roleGiven(Role role) {
     if (!finished) {
       lobby.setRole(role, kernel.scheduler().jobs());
+    }
+  }
+
+  private void evicted(String reason) {
+    kernel.scheduler().interruptions().clear(lobby);
+    if (!finished) {
+      lobby.shell().interrupt();
+      lobby.connectionTag().state().stop(kernel.interpreter().values().voidObject);
+      tell(reason + ": the jobs of this lobby are ended");
+      consumed();
     }
   }
 

@@ -59,6 +59,11 @@ final class BatonThread implements JobThread {
   }
 
   @Override
+  public StackTraceElement[] stackTrace() {
+    return thread.getStackTrace();
+  }
+
+  @Override
   public boolean isCurrent() {
     return Thread.currentThread() == thread;
   }

@@ -460,6 +460,11 @@ public final class Job implements Runnable {
     return component;
   }
 
+  /** What it executes right now, in Java; from another thread. */
+  public StackTraceElement[] stackTrace() {
+    return thread.stackTrace();
+  }
+
   /** Has the Java code of a component end its wait; from another thread. */
   synchronized void interruptComponent(long turn) {
     if (component != null && scheduler.turn() == turn) {

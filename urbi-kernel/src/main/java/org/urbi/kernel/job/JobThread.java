@@ -20,6 +20,9 @@ interface JobThread {
   /** Ends what the job waits for in Java, while it keeps the loop waiting; from another thread. */
   void interrupt();
 
+  /** What it executes right now, in Java; from another thread. */
+  StackTraceElement[] stackTrace();
+
   /** Whether the code that asks is that of the job. */
   boolean isCurrent();
 

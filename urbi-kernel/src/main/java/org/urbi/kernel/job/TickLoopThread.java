@@ -131,6 +131,11 @@ final class TickLoopThread implements JobThread, Executor {
   }
 
   @Override
+  public StackTraceElement[] stackTrace() {
+    return thread.getStackTrace();
+  }
+
+  @Override
   public boolean isCurrent() {
     return Thread.currentThread() == thread;
   }

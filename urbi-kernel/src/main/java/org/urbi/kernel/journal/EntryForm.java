@@ -35,6 +35,7 @@ public final class EntryForm {
     add(28, Message.ConnectionFailed.class);
     add(29, Message.ConnectionOpened.class);
     add(30, Message.RoleGiven.class);
+    add(31, Message.Evicted.class);
     add(40, Message.RemoteOpened.class);
     add(41, Message.RemoteFrame.class);
     add(42, Message.RemoteBehind.class);

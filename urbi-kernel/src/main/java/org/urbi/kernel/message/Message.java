@@ -78,6 +78,9 @@ public sealed interface Message {
   /** A client wants the statement that is executed to end. */
   record Interrupted(int to) implements Message {}
 
+  /** All that a lobby does is to end, for that reason. */
+  record Evicted(int to, String reason) implements Message {}
+
   /** A client has gone. */
   record ConnectionClosed(int to) implements Message {}
 

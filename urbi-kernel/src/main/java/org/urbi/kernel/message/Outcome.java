@@ -28,7 +28,8 @@ public record Outcome(Object value, Throwable failure) {
   /**
    * The result.
    *
-   * @throws IOException as the work did, or because of what else it threw
+   * @throws IOException as the work did, or because of what else it threw; memory that was not
+   *     enough for the work is no reason for anything else to end
    */
   @SuppressWarnings("unchecked")
   public <T> T get() throws IOException {
@@ -40,6 +41,9 @@ public record Outcome(Object value, Throwable failure) {
     }
     if (failure instanceof RuntimeException e) {
       throw e;
+    }
+    if (failure instanceof OutOfMemoryError) {
+      throw new IOException("memory exhausted", failure);
     }
     if (failure instanceof Error e) {
       throw e;

@@ -1,5 +1,6 @@
 package org.urbi.kernel.outside;
 
+import java.io.Closeable;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -34,10 +35,15 @@ public final class ChildProcess {
     outside.scheduler().pace().begin();
     int number = outside.inbox().register(message -> ended(outside, message));
     if (live) {
+      // The process holds on to what kills it as long as it runs.
+      Closeable end = process::destroyForcibly;
+      outside.opened(end);
       process
           .onExit()
-          .thenRun(
-              () -> outside.inbox().post(new Message.ProcessEnded(number, process.exitValue())));
+          .thenRun(() -> {
+            outside.closed(end);
+            outside.inbox().post(new Message.ProcessEnded(number, process.exitValue()));
+          });
     }
   }
 
@@ -46,6 +52,7 @@ public final class ChildProcess {
     outside.inbox().forget(end.to());
     outside.scheduler().pace().end();
     status = end.status();
+    in.readerGone();
     waiters.wake();
   }
 
@@ -71,7 +78,18 @@ public final class ChildProcess {
       Outside outside, Job job, List<String> command, Path directory, Map<String, String> env)
       throws IOException {
     outside.confinement().checkProcesses();
-    return outside.await(job, () -> builder(command, directory, env).inheritIO().start().waitFor());
+    return outside.await(
+        job,
+        () -> {
+          Process process = builder(command, directory, env).inheritIO().start();
+          Closeable end = process::destroyForcibly;
+          outside.opened(end);
+          try {
+            return process.waitFor();
+          } finally {
+            outside.closed(end);
+          }
+        });
   }
 
   private static ProcessBuilder builder(

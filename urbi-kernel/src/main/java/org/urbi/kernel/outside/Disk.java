@@ -20,6 +20,9 @@ import java.util.concurrent.TimeUnit;
  * ConfinedException}.
  */
 public final class Disk {
+  /** What is no regular file is read as far as that, in bytes. */
+  private static final int LARGEST_DEVICE = 1 << 26;
+
   private final Outside outside;
 
   Disk(Outside outside) {
@@ -91,7 +94,21 @@ public final class Disk {
 
   /** All bytes of a file. */
   public byte[] read(Path path) throws IOException {
-    return outside.look(() -> Files.readAllBytes(confinement().followed(path)));
+    return outside.look(() -> readWhole(confinement().followed(path)));
+  }
+
+  /** Devices and pipes have no size, and may have no end. */
+  private static byte[] readWhole(Path path) throws IOException {
+    if (Files.isRegularFile(path)) {
+      return Files.readAllBytes(path);
+    }
+    try (InputStream in = Files.newInputStream(path)) {
+      byte[] bytes = in.readNBytes(LARGEST_DEVICE);
+      if (bytes.length == LARGEST_DEVICE && in.read() >= 0) {
+        throw new IOException("file too large");
+      }
+      return bytes;
+    }
   }
 
   /** Gives a file that content; it is made if there is none. */

@@ -9,7 +9,7 @@ import org.urbi.kernel.message.Message;
 
 /**
  * Writes to what may let its writers wait: a pipe, a connection. A thread does the writing, in the
- * order of the calls.
+ * order of the calls; there is none before the first.
  */
 public final class PipeSink implements ByteSink {
   private static final byte[] END = new byte[0];
@@ -22,6 +22,8 @@ public final class PipeSink implements ByteSink {
   private final int number;
   private final Waiters waiters = new Waiters();
   private final LinkedBlockingQueue<byte[]> queue = new LinkedBlockingQueue<>();
+  private final boolean network;
+  private boolean started;
   private int underWay;
   private boolean closed;
   private String failure;
@@ -32,11 +34,19 @@ public final class PipeSink implements ByteSink {
   public PipeSink(Outside outside, OutputStream out, boolean network) {
     this.outside = outside;
     this.out = out;
+    this.network = network;
     number = outside.inbox().register(this::take);
-    if (network) {
-      outside.startVirtual(this::writeAll);
-    } else {
-      outside.start(this::writeAll);
+  }
+
+  private void enqueue(byte[] bytes) {
+    queue.add(bytes);
+    if (!started) {
+      started = true;
+      if (network) {
+        outside.startVirtual(this::writeAll);
+      } else {
+        outside.start(this::writeAll);
+      }
     }
   }
 
@@ -75,7 +85,7 @@ public final class PipeSink implements ByteSink {
       waiters.await(job, () -> underWay < LARGE || failure != null || closed);
       check();
       underWay += bytes.length;
-      queue.add(bytes);
+      enqueue(bytes);
     }
   }
 
@@ -94,12 +104,21 @@ public final class PipeSink implements ByteSink {
     }
   }
 
+  /** Nobody reads any more: the thread ends, and what is written from now on fails. */
+  void readerGone() {
+    if (!closed && failure == null) {
+      failure = "Broken pipe";
+      enqueue(END);
+      waiters.wake();
+    }
+  }
+
   /** Closes it as soon as all that was given to it is written. */
   @Override
   public void close() {
     if (!closed) {
       closed = true;
-      queue.add(END);
+      enqueue(END);
       outside.inbox().forget(number);
       waiters.wake();
     }

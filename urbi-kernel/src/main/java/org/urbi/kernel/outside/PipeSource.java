@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
 
 /**
@@ -53,6 +54,9 @@ public final class PipeSource implements ByteSource {
       outside.inbox().post(new Message.BytesEnded(number, null));
     } catch (IOException e) {
       outside.inbox().post(new Message.BytesEnded(number, Outside.reason(e)));
+    } catch (Throwable e) {
+      FailureLog.internal("reading a pipe", e);
+      outside.inbox().post(new Message.BytesEnded(number, FailureLog.text(e)));
     }
   }
 

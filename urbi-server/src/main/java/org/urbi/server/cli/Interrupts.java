@@ -51,7 +51,7 @@ final class Interrupts {
 
   /** Listens to the signal of the interrupt key; a terminal session tells of it by itself. */
   void install() {
-    InterruptKey.whenHit(this::interrupted);
+    Signals.whenInterrupted(this::interrupted);
   }
 
   /** The interrupt key was hit. */

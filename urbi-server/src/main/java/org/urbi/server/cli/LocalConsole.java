@@ -2,6 +2,9 @@ package org.urbi.server.cli;
 
 import java.io.FileDescriptor;
 import java.io.FileInputStream;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintStream;
 import java.util.function.BiFunction;
 import org.urbi.kernel.Client;
@@ -31,6 +34,8 @@ final class LocalConsole implements AutoCloseable {
   private final Screen screen;
   private final TerminalSession terminal;
   private final Console console;
+  private final PrintStream err;
+  private volatile boolean outputLost;
   private Connection connection;
 
   LocalConsole(
@@ -38,15 +43,37 @@ final class LocalConsole implements AutoCloseable {
       Kernel kernel,
       BiFunction<Client, Boolean, Connection> lobbies,
       Runnable end,
-      PrintStream out) {
+      PrintStream out,
+      PrintStream err) {
+    this.err = err;
     this.settings = settings;
     this.kernel = kernel;
     this.lobbies = lobbies;
     this.end = end;
     boolean session = settings.input() == Settings.Input.SESSION;
     terminal = session && Terminal.isBoth() ? new TerminalSession() : null;
-    screen = terminal != null ? terminal.screen() : new StandardOutput(out);
+    screen =
+        terminal != null ? terminal.screen() : new StandardOutput(stream(out), this::outputLost);
     console = new Console(screen::add, this::lobbyClosed);
+  }
+
+  /** A print stream keeps its failures to itself. */
+  private static OutputStream stream(PrintStream out) {
+    return out == System.out ? new FileOutputStream(FileDescriptor.out) : out;
+  }
+
+  /** Nobody hears the rest: a run that is there for its output is over. */
+  private void outputLost(IOException failure) {
+    outputLost = true;
+    err.println("urbi: cannot write the output: " + failure.getMessage());
+    if (!settings.keepsServing()) {
+      kernel.abort(ExitStatus.OUTPUT_LOST);
+    }
+  }
+
+  /** Whether something could not be written; certain when this has been closed. */
+  boolean isOutputLost() {
+    return outputLost;
   }
 
   /** Opens the lobby, sends what there is to send, and reads on in a thread of its own. */

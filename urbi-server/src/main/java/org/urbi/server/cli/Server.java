@@ -7,6 +7,7 @@ import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.time.Duration;
 import org.urbi.bridge.NativeThreads;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
@@ -30,6 +31,9 @@ final class Server {
   private volatile LocalConsole console;
   private volatile boolean reboot;
   private volatile boolean ending;
+  private volatile boolean terminated;
+  private volatile ConsoleServer listening;
+  private boolean outputLost;
 
   Server(Settings settings, PrintStream out, PrintStream err) {
     this.settings = settings;
@@ -45,7 +49,10 @@ final class Server {
       reboot = false;
       status = runOnce();
     } while (reboot && !ending);
-    return status;
+    if (terminated) {
+      return ExitStatus.TERMINATED;
+    }
+    return outputLost ? ExitStatus.OUTPUT_LOST : status;
   }
 
   private int runOnce() {
@@ -63,21 +70,26 @@ final class Server {
             .onReboot(() -> reboot = true)
             .start();
     ConsoleServer network = null;
+    Watchdog watchdog = watch();
     try {
       startFiles.loadGlobal(kernel, err);
       network = settings.hasPort() ? listen() : null;
-      console = new LocalConsole(settings, kernel, this::connect, this::end, out);
+      listening = network;
+      console = new LocalConsole(settings, kernel, this::connect, this::end, out, err);
       console.start();
       int status = kernel.awaitTermination();
       return status == 0 && settings.strict() && console.hasFailed() ? LocalConsole.FAILED : status;
     } finally {
       kernel.close();
+      listening = null;
       if (network != null) {
         network.close();
         removePortFile();
       }
+      watchdog.stop();
       if (console != null) {
         console.close();
+        outputLost = !settings.keepsServing() && console.isOutputLost();
       }
     }
   }
@@ -85,6 +97,31 @@ final class Server {
   private Kernel.Builder withFiles(Kernel.Builder builder) {
     Path users = settings.access().userDirectory();
     return users == null ? builder : builder.userDirectory(users);
+  }
+
+  private Watchdog watch() {
+    Kernel watched = kernel;
+    Watchdog watchdog =
+        new Watchdog(
+            watched,
+            this::networkSilence,
+            settings.hasPort() ? settings.watchdog() : Duration.ZERO,
+            err,
+            Runtime.getRuntime()::halt);
+    watchdog.start();
+    Signals.whenTerminated(() -> {
+      watchdog.terminating();
+      terminated = true;
+      ending = true;
+      watched.abort(ExitStatus.TERMINATED);
+    });
+    return watchdog;
+  }
+
+  /** For how long the network thread has not turned, in nanoseconds. */
+  private long networkSilence() {
+    ConsoleServer server = listening;
+    return server == null ? 0 : server.silence();
   }
 
   /** Each kernel of the process has a recording of its own: FILE, and after a reboot FILE.2. */

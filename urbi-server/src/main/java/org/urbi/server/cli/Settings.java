@@ -13,6 +13,8 @@ import org.urbi.server.trust.AccessOptions;
  * @param fast whether time is simulated
  * @param stackSize of a job, in KiB; 0: the kernel's choice
  * @param maxHold how long a job may hold the kernel; zero for as long as it likes
+ * @param watchdog how long kernel and network of a server may not turn before it gives up; zero for
+ *     as long as they like
  * @param quiet whether clients are not sent a banner
  * @param port where to listen; 0 for any, {@link #NO_PORT} for nowhere
  * @param portFile where to write the port's number, or null
@@ -32,6 +34,7 @@ record Settings(
     boolean fast,
     int stackSize,
     Duration maxHold,
+    Duration watchdog,
     boolean quiet,
     String host,
     int port,

@@ -18,6 +18,8 @@ import org.urbi.server.trust.AccessOptions;
 public final class UrbiCommand {
   private static final int HIGHEST_PORT = 65_535;
 
+  private static final Duration WATCHDOG = Duration.ofSeconds(60);
+
   /** Of a server. */
   private static final Duration MAX_HOLD = Duration.ofSeconds(5);
 
@@ -78,6 +80,11 @@ public final class UrbiCommand {
             "End a job that holds the kernel for longer without letting others run, as 500ms or 5s;"
                 + " 0: none (default: 5s with a port, otherwise none).",
             "--max-hold")
+        .option(
+            "TIME",
+            "With a port, end the process when kernel or network have not turned for so long; 0:"
+                + " never (default: 60s).",
+            "--watchdog")
         .option(
             "NUMBER",
             "Serve so many clients of the port at a time; 0 (the default): any number.",
@@ -143,6 +150,7 @@ public final class UrbiCommand {
         arguments.has("--fast"),
         stackSize(arguments),
         arguments.duration("--max-hold", port != Settings.NO_PORT ? MAX_HOLD : Duration.ZERO),
+        arguments.duration("--watchdog", WATCHDOG),
         arguments.has("--quiet"),
         arguments.value("--host", "127.0.0.1"),
         port,

@@ -7,6 +7,7 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
 import org.urbi.kernel.log.FailureLog;
 
 /**
@@ -22,14 +23,19 @@ public final class StandardOutput implements Screen {
   private static final long PAUSE_NANOSECONDS = 50_000;
 
   private final OutputStream stream;
+  private final Consumer<IOException> lost;
   private final Thread writer;
   private final Queue<String> waiting = new ConcurrentLinkedQueue<>();
   private final AtomicLong size = new AtomicLong();
   private volatile boolean closed;
   private volatile boolean broken;
 
-  public StandardOutput(OutputStream stream) {
+  /**
+   * @param lost told once when the stream cannot be written any more; what comes is dropped then
+   */
+  public StandardOutput(OutputStream stream, Consumer<IOException> lost) {
     this.stream = stream;
+    this.lost = lost;
     writer = Thread.ofPlatform().daemon().name("urbi-output").unstarted(this::write);
     writer.start();
   }
@@ -86,6 +92,7 @@ public final class StandardOutput implements Screen {
       }
     } catch (IOException e) {
       broken = true;
+      lost.accept(e);
     } catch (Throwable failure) {
       // Nobody may wait for room that will never be there.
       broken = true;

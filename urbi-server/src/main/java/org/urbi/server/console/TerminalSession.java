@@ -68,7 +68,8 @@ public final class TerminalSession implements AutoCloseable {
           public void write(byte[] bytes, int offset, int length) {
             reader.printAbove(new String(bytes, offset, length, StandardCharsets.UTF_8));
           }
-        });
+        },
+        failure -> {});
   }
 
   /**

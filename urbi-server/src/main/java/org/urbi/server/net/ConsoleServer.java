@@ -22,6 +22,7 @@ import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.remote.RemoteWire;
+import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
 import org.urbi.server.Trace;
 import org.urbi.server.Version;
@@ -38,10 +39,13 @@ public final class ConsoleServer implements AutoCloseable {
 
   private static final int FAREWELL_SECONDS = 1;
 
+  private final Clock clock = new SystemClock();
   private final EventLoopGroup loop;
   private final ChannelGroup clients = new DefaultChannelGroup(GlobalEventExecutor.INSTANCE);
   private final Channel listener;
   private final DatagramPort datagrams;
+  private volatile boolean answered = true;
+  private long asked;
 
   /**
    * Starts listening.
@@ -150,6 +154,20 @@ public final class ConsoleServer implements AutoCloseable {
           bound.cause());
     }
     listener = bound.channel();
+  }
+
+  /**
+   * For how long the network thread has not turned, in nanoseconds; to be asked now and then, by
+   * one thread.
+   */
+  public long silence() {
+    if (answered) {
+      answered = false;
+      asked = clock.now();
+      NetworkThread.execute(loop.next(), () -> answered = true);
+      return 0;
+    }
+    return clock.now() - asked;
   }
 
   /** The port that is listened to. */

@@ -1,0 +1,97 @@
+package org.urbi.tests.process;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.urbi.tests.Patience;
+
+/** What the machine does to a server, and how the server ends (docs/robustness.md). */
+class FaultsTest {
+  private static final int OUTPUT_LOST = 74;
+  private static final int MEMORY_EXHAUSTED = 71;
+  private static final int TERMINATED = 143;
+
+  @TempDir private Path folder;
+
+  private JavaProcess urbi(String shellCommand, String... arguments) throws IOException {
+    return JavaProcess.start(
+        JavaProcess.Setting.in(folder).after(shellCommand),
+        "org.urbi.server.cli.UrbiCommand",
+        List.of(arguments));
+  }
+
+  @Test
+  void aFullDiskEndsARunWithAMessage() throws Exception {
+    try (JavaProcess urbi = urbi("exec >/dev/full", "-q", "-e", "loop| { echo(1) };")) {
+      assertEquals(OUTPUT_LOST, urbi.awaitEnd());
+      assertEquals("urbi: cannot write the output: No space left on device", urbi.text());
+    }
+  }
+
+  @Test
+  void whatIsTooLateForTheOutputCountsToo() throws Exception {
+    try (JavaProcess urbi = urbi("exec >/dev/full", "-q", "-e", "echo(1);")) {
+      assertEquals(OUTPUT_LOST, urbi.awaitEnd());
+    }
+  }
+
+  @Test
+  void whoIsToldToTerminateDoesSoWithHisChildren() throws Exception {
+    String program =
+        "var p = Process.new(\"sh\", [\"-c\", \"echo $$; exec sleep 1000\"])|; p.run;"
+            + " echo(\"child \" + p.stdout.getLine); sleep(10ms); loop| {};";
+    try (JavaProcess urbi = urbi(":", "-q", "-e", program)) {
+      String line = urbi.awaitText("child ");
+      long child = Long.parseLong(line.substring(line.indexOf("child ") + 6).strip());
+      urbi.terminate();
+      assertEquals(TERMINATED, urbi.awaitEnd());
+      var process = ProcessHandle.of(child);
+      if (process.isPresent()) {
+        process.get().onExit().get(Patience.LONG.toSeconds(), TimeUnit.SECONDS);
+      }
+    }
+  }
+
+  @Test
+  void memoryThatCannotBeFreedEndsTheServer() throws Exception {
+    JavaProcess.Setting small =
+        JavaProcess.Setting.in(folder).with("JAVA_TOOL_OPTIONS", "-Xmx100m");
+    JavaProcess process =
+        JavaProcess.start(
+            small, "org.urbi.server.cli.UrbiCommand", List.of("-P", "0", "--max-hold", "0"));
+    try (ServerProcess server = new ServerProcess(process);
+        ConsoleClient client = server.connect()) {
+      client.send("var Global.l = []|; loop { l << \"x\" * 1000 };\n");
+      assertEquals(MEMORY_EXHAUSTED, process.awaitEnd());
+      assertTrue(server.text().contains("urbi: memory "), server.text());
+    }
+  }
+
+  @Test
+  void processesLeaveNoThreads() throws Exception {
+    String program =
+        "for| (100) { var p = Process.new(\"true\", []) | p.run | p.join };"
+            + " echo(Directory.new(\"/proc/self/task\").content.size < 60);";
+    try (JavaProcess urbi = urbi(":", "-q", "-e", program)) {
+      assertEquals(0, urbi.awaitEnd());
+      assertTrue(urbi.text().endsWith("*** true"), urbi.text());
+    }
+  }
+
+  @Test
+  void aDeviceWithoutEndIsAnErrorToWhoReadsIt() throws Exception {
+    String program =
+        "try { File.new(\"/dev/zero\").content } catch (var e) { echo(e.message) }; echo(\"on\");";
+    try (JavaProcess urbi = urbi(":", "-q", "-e", program)) {
+      assertEquals(0, urbi.awaitEnd());
+      assertTrue(urbi.text().contains("/dev/zero"), urbi.text());
+      assertTrue(urbi.text().endsWith("*** on"), urbi.text());
+    }
+  }
+}
