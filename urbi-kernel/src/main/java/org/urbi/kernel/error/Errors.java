@@ -2,6 +2,7 @@ package org.urbi.kernel.error;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Values;
 import org.urbi.kernel.object.World;
@@ -27,7 +28,7 @@ public final class Errors {
   }
 
   /** The prototype of a type of exceptions. */
-  public UrbiObject prototype(String type) {
+  public @Nullable UrbiObject prototype(String type) {
     return prototypes.get(type);
   }
 
@@ -42,7 +43,7 @@ public final class Errors {
   }
 
   /** An exception of that type, with that message. */
-  public Builder of(String type, String message) {
+  public Builder of(String type, @Nullable String message) {
     return of(type).with("message", values.string(message));
   }
 
@@ -111,7 +112,7 @@ public final class Errors {
   }
 
   /** {@code routine: message}. */
-  public UrbiException primitive(String routine, String message) {
+  public UrbiException primitive(String routine, @Nullable String message) {
     return of("Primitive", message).with("routine", named(routine)).build();
   }
 

@@ -1,6 +1,7 @@
 package org.urbi.kernel.error;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
@@ -14,7 +15,7 @@ public final class UrbiException extends RuntimeException {
    *
    * @param span null when it is not known
    */
-  public record Call(String name, Span span) {
+  public record Call(String name, @Nullable Span span) {
     /** What stands for that many calls which are not shown. */
     public static Call leftOut(int count) {
       return new Call("(" + count + " more calls)", null);
@@ -23,8 +24,8 @@ public final class UrbiException extends RuntimeException {
 
   private final transient UrbiObject value;
   private final boolean uncatchable;
-  private transient Span span;
-  private transient List<Call> backtrace;
+  private transient @Nullable Span span;
+  private transient @Nullable List<Call> backtrace;
 
   public UrbiException(UrbiObject value) {
     this(value, false);
@@ -57,13 +58,13 @@ public final class UrbiException extends RuntimeException {
   }
 
   /** Says where it was thrown; the innermost call comes first. */
-  public void locate(Span where, List<Call> calls) {
+  public void locate(@Nullable Span where, List<Call> calls) {
     span = where;
     backtrace = calls;
   }
 
   /** Where it was thrown, or null. */
-  public Span span() {
+  public @Nullable Span span() {
     return span;
   }
 

@@ -1,6 +1,7 @@
 package org.urbi.kernel.journal;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 
@@ -25,12 +26,12 @@ public sealed interface Entry {
       long seed,
       int stackSize,
       List<String> searchPath,
-      String library,
+      @Nullable String library,
       List<String> modulePath,
       String programName,
       List<String> arguments,
       String logLevel,
-      String confinedTo,
+      @Nullable String confinedTo,
       String userDirectory,
       String workingDirectory,
       boolean reboots)

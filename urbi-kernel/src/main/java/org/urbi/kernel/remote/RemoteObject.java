@@ -6,6 +6,7 @@ import java.lang.invoke.MethodType;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.uobject.Perishable;
 import urbi.UCallback;
 import urbi.UObject;
@@ -57,7 +58,7 @@ final class RemoteObject extends UObject implements AutoCloseable, Perishable {
   }
 
   @Override
-  public String whyGone() {
+  public @Nullable String whyGone() {
     return peer.lost();
   }
 

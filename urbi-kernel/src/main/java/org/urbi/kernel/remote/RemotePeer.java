@@ -12,6 +12,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
@@ -51,7 +52,7 @@ public final class RemotePeer {
   private final PluggedContext context;
   private final RemoteWire wire;
   private final AnswerReading reading;
-  private volatile SocketWatch.Socket socket;
+  private volatile SocketWatch.@Nullable Socket socket;
   private boolean wanting;
   private final UModule module;
   private final RemoteTasks tasks;
@@ -72,8 +73,8 @@ public final class RemotePeer {
   private boolean behind;
   private boolean greeted;
   private boolean broken;
-  private String lost;
-  private Runnable rtpEnd;
+  private @Nullable String lost;
+  private @Nullable Runnable rtpEnd;
 
   /**
    * @param number of the receiver of its messages
@@ -127,7 +128,7 @@ public final class RemotePeer {
     scheduler.inbox().post(new Message.RemoteReadable(number));
   }
 
-  SocketWatch.Socket socket() {
+  SocketWatch.@Nullable Socket socket() {
     return socket;
   }
 
@@ -203,7 +204,7 @@ public final class RemotePeer {
     return thrown;
   }
 
-  private void complete(int number, UValue value, RuntimeException error) {
+  private void complete(int number, @Nullable UValue value, @Nullable RuntimeException error) {
     // Whoever waits finds done what came before the result: what the function has bound, say.
     tasks.hurry();
     CompletableFuture<UValue> call = calls.remove(number);
@@ -434,7 +435,7 @@ public final class RemotePeer {
   }
 
   /** Why the connection is lost; null while it is not. */
-  String lost() {
+  @Nullable String lost() {
     return lost;
   }
 
@@ -473,7 +474,7 @@ public final class RemotePeer {
     return variable;
   }
 
-  private void emit(String name, UValue[] payload) {
+  private void emit(String name, UValue @Nullable [] payload) {
     UEmitter emitter = events.computeIfAbsent(name, context::event);
     if (payload != null) {
       emitter.emit(payload);
@@ -663,7 +664,9 @@ public final class RemotePeer {
     all.forEach(UObject::clean);
     classes.values().forEach(context::stop);
     module.leave(context);
-    rtpEnd.run();
+    if (rtpEnd != null) {
+      rtpEnd.run();
+    }
     tasks.end();
     reading.forget(this);
   }

@@ -31,7 +31,7 @@ public final class StatementReader {
   private boolean ended;
 
   /** A reader without limit to the size of a statement. */
-  public StatementReader(String file) {
+  public StatementReader(@Nullable String file) {
     this(file, Integer.MAX_VALUE, () -> {});
   }
 
@@ -40,7 +40,7 @@ public final class StatementReader {
    *
    * @param checkpoint called again and again by {@link #next}, which it ends by an exception
    */
-  public StatementReader(String file, Runnable checkpoint) {
+  public StatementReader(@Nullable String file, Runnable checkpoint) {
     this(file, Integer.MAX_VALUE, checkpoint);
   }
 
@@ -50,11 +50,11 @@ public final class StatementReader {
    * @param file the name that locations show, or null
    * @param maximumSize the length, in characters, beyond which a statement is refused
    */
-  public StatementReader(String file, int maximumSize) {
+  public StatementReader(@Nullable String file, int maximumSize) {
     this(file, maximumSize, () -> {});
   }
 
-  private StatementReader(String file, int maximumSize, Runnable checkpoint) {
+  private StatementReader(@Nullable String file, int maximumSize, Runnable checkpoint) {
     this.lines = new LineTable(file, 1);
     this.splitter = new Splitter(lines);
     this.maximumSize = maximumSize;

@@ -2,6 +2,7 @@ package org.urbi.kernel.library.code;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
@@ -119,7 +120,7 @@ final class CallMessageType {
     }
 
     @Override
-    public Span calledSpan() {
+    public @Nullable Span calledSpan() {
       return null;
     }
 

@@ -4,6 +4,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.library.exception.ExceptionTable.Init;
@@ -271,7 +272,7 @@ public final class ExceptionTypes {
         + (meant == null ? "" : " (possible misspelling of " + meant + ")");
   }
 
-  private static String meant(Frame frame, UrbiObject self, String name) {
+  private static @Nullable String meant(Frame frame, UrbiObject self, String name) {
     UrbiObject object = self.lookup(self.world().symbol("object"));
     if (object == null || !Truth.of(frame, OwnSlots.get(frame, self, "fixSpelling"))) {
       return null;

@@ -2,6 +2,7 @@ package org.urbi.kernel.library.file;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
@@ -24,7 +25,7 @@ final class DirectoryEvents implements DirectoryWatch.Listener {
   private final UrbiDirectory directory;
   private final UrbiEvent created;
   private final UrbiEvent deleted;
-  private Path watched;
+  private @Nullable Path watched;
 
   private DirectoryEvents(Frame frame, Outside outside, UrbiDirectory directory) {
     this.interpreter = frame.interpreter();
