@@ -2,7 +2,6 @@ package org.urbi.builtins;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 
 /** A class of builtins, read from its annotations and ready to be written as a table. */
 final class Declaration {
@@ -18,9 +17,9 @@ final class Declaration {
     REST("rest");
 
     /** The method of {@code Arguments} that unwraps it. */
-    final @Nullable String unwrapper;
+    final String unwrapper;
 
-    Kind(@Nullable String unwrapper) {
+    Kind(String unwrapper) {
       this.unwrapper = unwrapper;
     }
   }
@@ -107,7 +106,7 @@ final class Declaration {
   final String type;
 
   /** The prototypes; null in a part of a type that another class declares. */
-  final @Nullable List<String> protos;
+  final List<String> protos;
 
   final String doc;
 
@@ -129,7 +128,7 @@ final class Declaration {
       String packageName,
       String className,
       String type,
-      @Nullable List<String> protos,
+      List<String> protos,
       String doc,
       Prototype prototype,
       List<Service> services) {

@@ -1,7 +1,5 @@
 package org.urbi.builtins;
 
-import org.jspecify.annotations.Nullable;
-
 /** What a lobby must be allowed so that its code can call a builtin (docs/networking.md). */
 public enum Need {
   /** Nothing: it only reads, or what it makes is new. */
@@ -20,12 +18,12 @@ public enum Need {
   AS_TYPE(null, false);
 
   /** The name of the least role in the kernel. */
-  final @Nullable String role;
+  final String role;
 
   /** Whether the target is changed. */
   final boolean changes;
 
-  Need(@Nullable String role, boolean changes) {
+  Need(String role, boolean changes) {
     this.role = role;
     this.changes = changes;
   }

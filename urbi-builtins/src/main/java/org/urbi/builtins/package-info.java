@@ -5,7 +5,4 @@
  *
  * <p>This module is needed at compile time only and knows the kernel's classes by name.
  */
-@NullMarked
 package org.urbi.builtins;
-
-import org.jspecify.annotations.NullMarked;

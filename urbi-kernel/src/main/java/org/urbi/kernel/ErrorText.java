@@ -1,8 +1,11 @@
 package org.urbi.kernel;
 
+import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.error.ProblemKind;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Unwinding;
+import org.urbi.kernel.lobby.Complaint;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.log.FailureLog;
@@ -10,7 +13,6 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
-import org.urbi.lang.source.Span;
 
 /** Shows errors that no code has caught, as the manual does. */
 final class ErrorText {
@@ -29,32 +31,24 @@ final class ErrorText {
     Output output = lobby.output();
     switch (failure) {
       case UrbiException e -> {
-        String place = isPlaced(interpreter, e.value()) ? place(e.span()) : "";
-        output.send("error", "!!! " + place + text(interpreter, job, lobby, e));
-        for (UrbiException.Call call : e.backtrace()) {
-          if (call.name() != null) {
-            output.send("error", "!!!    called from: " + place(call.span()) + call.name());
-          }
-        }
+        String place = isPlaced(interpreter, e.value()) ? Complaint.place(e.span()) : "";
+        Complaint.error(output, place + text(interpreter, job, lobby, e));
+        Complaint.callersOfError(output, e.backtrace());
       }
-      case StackOverflowError e -> output.send("error", "!!! stack space exhausted");
-      case OutOfMemoryError e -> output.send("error", "!!! memory exhausted");
+      case StackOverflowError e -> Complaint.error(output, Problem.STACK_EXHAUSTED.text());
+      case OutOfMemoryError e -> Complaint.error(output, Problem.MEMORY_EXHAUSTED.text());
       case Unwinding e -> {
         // A return or a break that had nothing to leave.
       }
-      default -> output.send("error", "!!! " + FailureLog.text(failure));
+      default -> Complaint.error(output, FailureLog.text(failure));
     }
   }
 
   /** What is no exception has no place; an exception may tell its own. */
   private static boolean isPlaced(Interpreter interpreter, UrbiObject value) {
     return value.isA(interpreter.world().prototype("Exception"))
-        && !value.isA(interpreter.errors().prototype("Syntax"))
+        && !interpreter.errors().is(value, ProblemKind.SYNTAX)
         && !interpreter.errors().tellsPlace(value);
-  }
-
-  private static String place(Span span) {
-    return span == null ? "" : span.location() + ": ";
   }
 
   private static String text(
@@ -63,7 +57,7 @@ final class ErrorText {
     try {
       return interpreter.asString(frame, exception.value());
     } catch (UrbiException e) {
-      return "exception that cannot be shown";
+      return Problem.UNPRINTABLE.text();
     }
   }
 }

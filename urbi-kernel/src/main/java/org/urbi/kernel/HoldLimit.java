@@ -2,6 +2,7 @@ package org.urbi.kernel;
 
 import java.time.Duration;
 import org.urbi.kernel.error.Errors;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.HoldWatch;
 import org.urbi.kernel.job.Job;
@@ -39,7 +40,7 @@ final class HoldLimit {
   }
 
   private UrbiException failure(Job job) {
-    return errors.limit(described(job, job.component()) + " has held the kernel for too long");
+    return errors.limit(Problem.HELD_TOO_LONG, described(job, job.component()));
   }
 
   /** Another thread tells: it looks at nothing but names. */
@@ -47,10 +48,7 @@ final class HoldLimit {
     if (log.shows(LogLevel.LOG)) {
       log.write(
           "urbi: "
-              + described(job, component)
-              + " has held the kernel for more than "
-              + limit.toMillis() / 1000.0
-              + " s without letting others run, ending it");
+              + Problem.HOLDS_KERNEL.text(described(job, component), limit.toMillis() / 1000.0));
     }
   }
 

@@ -52,6 +52,7 @@ import org.urbi.kernel.library.machine.Environment;
 import org.urbi.kernel.library.system.CommandLine;
 import org.urbi.kernel.library.system.KernelEnd;
 import org.urbi.kernel.library.system.SearchPath;
+import org.urbi.kernel.lobby.Complaint;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.log.KernelLog;
@@ -848,7 +849,7 @@ public final class Kernel implements AutoCloseable {
         throw unwinding;
       } catch (Throwable unable) {
         FailureLog.internal("showing an error", unable);
-        lobby.output().send("error", "!!! " + FailureLog.text(unable));
+        Complaint.error(lobby.output(), FailureLog.text(unable));
       }
     }
   }

@@ -6,6 +6,8 @@ import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.lobby.Complaint;
 import org.urbi.kernel.lobby.Completion;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.Shell;
@@ -77,7 +79,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
   public String interrupt(String other) {
     UrbiLobby asking = lobby;
     if ((asking == null ? client.role() : asking.role()) != Role.OWNER) {
-      return "to interrupt other lobbies needs the role owner";
+      return Problem.MAY_NOT_INTERRUPT.text();
     }
     return kernel.operator().interrupt(other);
   }
@@ -217,7 +219,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
     if (!finished) {
       lobby.shell().interrupt();
       lobby.connectionTag().state().stop(kernel.interpreter().values().voidObject);
-      tell(reason + ": the jobs of this lobby are ended");
+      tell(Problem.EVICTED.text(reason));
       consumed();
     }
   }
@@ -229,7 +231,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
   /** Tells the client of an error; on the kernel thread. */
   void tell(String error) {
     if (!finished && lobby != null) {
-      lobby.output().send("error", "!!! " + error);
+      Complaint.error(lobby.output(), error);
     }
   }
 

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.stream.Collectors;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.HoldWatch;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
@@ -61,7 +62,7 @@ final class Operator {
   String holder() {
     Job job = scheduler.running();
     if (job == null) {
-      return "nobody holds the kernel";
+      return Problem.NOBODY_HOLDS.text();
     }
     StringBuilder text = new StringBuilder(HoldLimit.described(job, job.component()));
     StackTraceElement[] calls = job.stackTrace();
@@ -89,7 +90,7 @@ final class Operator {
       return "no lobby";
     }
     KernelConnection most = Collections.max(seen.entrySet(), Map.Entry.comparingByValue()).getKey();
-    most.evict("memory exhausted");
+    most.evict(Problem.MEMORY_EXHAUSTED.text());
     return HoldLimit.described(most.lobby());
   }
 
@@ -98,14 +99,11 @@ final class Operator {
     Job job = scheduler.running();
     long held = who == null ? 0 : who.heldFor();
     if (held < SHORTEST_HOLD || job == null) {
-      return "nobody holds the kernel";
+      return Problem.NOBODY_HOLDS.text();
     }
     String told =
-        "interrupted: "
-            + HoldLimit.described(job, job.component())
-            + " held the kernel for "
-            + held / 100_000_000 / 10.0
-            + " s";
+        Problem.INTERRUPTED_HOLDER.text(
+            HoldLimit.described(job, job.component()), held / 100_000_000 / 10.0);
     who.interrupt();
     return told;
   }
@@ -113,14 +111,13 @@ final class Operator {
   private String interruptLobby(String lobby) {
     KernelConnection connection = connections.get(lobby);
     if (connection == null) {
-      return "no such lobby: "
-          + lobby
-          + "; there are "
-          + connections.values().stream()
+      return Problem.NO_SUCH_LOBBY.text(
+          lobby,
+          connections.values().stream()
               .map(each -> HoldLimit.described(each.lobby()))
-              .collect(Collectors.joining(", "));
+              .collect(Collectors.joining(", ")));
     }
     connection.interrupt();
-    return "interrupted: " + HoldLimit.described(connection.lobby());
+    return Problem.INTERRUPTED_LOBBY.text(HoldLimit.described(connection.lobby()));
   }
 }

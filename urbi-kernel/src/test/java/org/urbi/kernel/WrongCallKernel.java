@@ -14,6 +14,7 @@ import java.util.regex.Pattern;
 import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.error.Errors;
+import org.urbi.kernel.error.ProblemKind;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagStop;
@@ -459,12 +460,12 @@ final class WrongCallKernel implements AutoCloseable {
         defect = "wrong text: " + text;
       } else if (call.hasWrongArity()) {
         String expected =
-            Errors.arityMessage(
+            Errors.arityText(
                 call.name(),
                 call.arguments().size(),
                 call.table().minArguments(call.index()),
                 call.table().maxArguments(call.index()));
-        if (!value.isA(interpreter.errors().prototype("Arity")) || !text.equals(expected)) {
+        if (!interpreter.errors().is(value, ProblemKind.ARITY) || !text.equals(expected)) {
           defect = "not “" + expected + "” but “" + text + "”";
         }
       }

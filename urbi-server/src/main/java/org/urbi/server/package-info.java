@@ -6,7 +6,4 @@
  * urbi-send} and {@code urbi-ping}, which only know a socket. This package itself holds what they
  * share.
  */
-@NullMarked
 package org.urbi.server;
-
-import org.jspecify.annotations.NullMarked;

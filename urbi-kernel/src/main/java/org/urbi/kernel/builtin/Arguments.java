@@ -2,6 +2,7 @@ package org.urbi.kernel.builtin;
 
 import java.util.Arrays;
 import org.urbi.kernel.error.Errors;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -76,7 +77,7 @@ public final class Arguments {
     return caller
         .interpreter()
         .errors()
-        .argumentNumber("BadInteger", site.calledName(), place, "expected integer, got ", given);
+        .argumentNumber(site.calledName(), place, Problem.NOT_INTEGER, given);
   }
 
   /** {@code routine: argument 1: expected non-negative integer, got -2}. */
@@ -85,8 +86,7 @@ public final class Arguments {
     return caller
         .interpreter()
         .errors()
-        .argumentNumber(
-            "BadInteger", site.calledName(), place, "expected non-negative integer, got ", given);
+        .argumentNumber(site.calledName(), place, Problem.NOT_NON_NEGATIVE_INTEGER, given);
   }
 
   /** The text of a String. */

@@ -1,8 +1,5 @@
 package org.urbi.kernel.builtin;
 
-import static java.util.Objects.requireNonNull;
-
-import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -36,10 +33,10 @@ public abstract class BuiltinTable {
 
   private final String type;
   private final String doc;
-  private final String @Nullable [] protos;
+  private final String[] protos;
   private final Entry[] entries;
 
-  protected BuiltinTable(String type, String doc, String @Nullable [] protos, Entry[] entries) {
+  protected BuiltinTable(String type, String doc, String[] protos, Entry[] entries) {
     this.type = type;
     this.doc = doc;
     this.protos = protos;
@@ -63,14 +60,14 @@ public abstract class BuiltinTable {
 
   /** The names of the prototypes, first looked up first; not for a {@linkplain #isPart part}. */
   public final String[] protos() {
-    return requireNonNull(protos, "a part has none").clone();
+    return protos.clone();
   }
 
   /**
    * A new object of the Java class that the values of this type have, to become the prototype of
    * the type; null when a plain object will do.
    */
-  public @Nullable UrbiObject newPrototype(World world) {
+  public UrbiObject newPrototype(World world) {
     return null;
   }
 

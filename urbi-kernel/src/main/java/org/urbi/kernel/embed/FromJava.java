@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.urbi.kernel.embed.JavaValues.Maker;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.Elements;
@@ -65,11 +66,11 @@ final class FromJava {
   private Maker container(Object value) {
     for (Object container : around) {
       if (container == value) {
-        throw new IllegalArgumentException("a container in itself");
+        throw new IllegalArgumentException(Problem.CONTAINS_ITSELF.text());
       }
     }
     if (around.size() >= JavaValues.DEEPEST) {
-      throw new IllegalArgumentException("containers nested too deeply");
+      throw new IllegalArgumentException(Problem.CONTAINERS_TOO_DEEP.text());
     }
     around.addLast(value);
     try {
@@ -85,8 +86,7 @@ final class FromJava {
 
   private static Collection<Object> elements(Object array) {
     if (!array.getClass().isArray()) {
-      throw new IllegalArgumentException(
-          "there is nothing like this in urbiscript: " + array.getClass().getName());
+      throw new IllegalArgumentException(Problem.NOTHING_LIKE.text(array.getClass().getName()));
     }
     List<Object> elements = new ArrayList<>();
     for (int i = 0; i < Array.getLength(array); i++) {

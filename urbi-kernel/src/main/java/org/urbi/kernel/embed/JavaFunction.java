@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.function.Function;
 import org.urbi.kernel.builtin.BuiltinTable;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.node.CallSite;
@@ -75,6 +76,6 @@ final class JavaFunction extends BuiltinTable {
 
   private UrbiException failure(Frame caller, RuntimeException e) {
     String text = e.getMessage() == null ? e.getClass().getName() : e.getMessage();
-    return caller.interpreter().errors().primitive(name(0), JavaValues.bytes(text));
+    return caller.interpreter().errors().primitive(name(0), Problem.REASON, JavaValues.bytes(text));
   }
 }

@@ -6,6 +6,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
@@ -102,7 +103,7 @@ public final class JavaValues {
   private static Object converted(Object value, Class<?> type) {
     if (value == null) {
       if (type.isPrimitive() && type != void.class) {
-        throw new ClassCastException("nil or void is no " + type.getName());
+        throw new ClassCastException(Problem.NIL_IS_NO.text(type.getName()));
       }
       return null;
     }
@@ -124,8 +125,8 @@ public final class JavaValues {
     if (made == null) {
       throw new ClassCastException(
           value instanceof Number || value instanceof Boolean
-              ? value + " is no " + type.getName()
-              : "a " + value.getClass().getSimpleName() + " is no " + type.getName());
+              ? Problem.IS_NO.text(value, type.getName())
+              : Problem.A_IS_NO.text(value.getClass().getSimpleName(), type.getName()));
     }
     return made;
   }

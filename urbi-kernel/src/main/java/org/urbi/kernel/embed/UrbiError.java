@@ -1,7 +1,9 @@
 package org.urbi.kernel.embed;
 
 import java.util.List;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.lobby.Complaint;
 import org.urbi.lang.source.Location;
 
 /**
@@ -90,9 +92,9 @@ public final class UrbiError extends RuntimeException {
 
   /** The error as the console shows it: {@code !!!} lines, without time stamps. */
   public String report() {
-    var text = new StringBuilder("!!! ").append(getMessage());
+    var text = new StringBuilder(Complaint.MARK).append(getMessage());
     for (Call call : backtrace) {
-      text.append("\n!!!    called from: ").append(call);
+      text.append('\n').append(Complaint.MARK).append(Problem.CALLED_FROM.text("", call));
     }
     return text.toString();
   }

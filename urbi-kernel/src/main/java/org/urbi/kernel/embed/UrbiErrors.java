@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.error.ProblemKind;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.node.Frame;
@@ -23,8 +25,8 @@ final class UrbiErrors {
   static UrbiError of(Embedding embedding, Frame frame, Throwable failure) {
     return switch (failure) {
       case UrbiException e -> thrown(embedding, frame, e);
-      case StackOverflowError e -> simple("stack space exhausted", e);
-      case OutOfMemoryError e -> simple("memory exhausted", e);
+      case StackOverflowError e -> simple(Problem.STACK_EXHAUSTED.text(), e);
+      case OutOfMemoryError e -> simple(Problem.MEMORY_EXHAUSTED.text(), e);
       default -> {
         FailureLog.internal("an evaluation", failure);
         yield simple(FailureLog.text(failure), failure);
@@ -62,16 +64,14 @@ final class UrbiErrors {
     try {
       return JavaValues.text(frame.interpreter().asString(frame, exception.value()));
     } catch (UrbiException | StackOverflowError e) {
-      return "exception that cannot be shown";
+      return Problem.UNPRINTABLE.text();
     }
   }
 
   /** Source that does not parse is not executed: its place is a slot of the exception. */
   private static Location placeOfSyntaxError(Frame frame, UrbiObject value) {
     Interpreter interpreter = frame.interpreter();
-    UrbiObject syntax = interpreter.errors().prototype("Syntax");
-    if (syntax == null
-        || !value.isA(syntax)
+    if (!interpreter.errors().is(value, ProblemKind.SYNTAX)
         || !(value.lookup(interpreter.world().symbol("loc")) instanceof UrbiString text)) {
       return null;
     }

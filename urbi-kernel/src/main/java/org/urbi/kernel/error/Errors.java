@@ -1,35 +1,22 @@
 package org.urbi.kernel.error;
 
-import java.util.LinkedHashMap;
-import java.util.Map;
-import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Values;
 import org.urbi.kernel.object.World;
 import org.urbi.lang.parse.SyntaxError;
 
 /**
- * Every error that the language itself reports, with the text of the manual ("Exception"). Each is
- * an object cloned from the prototype of its type, so that programs can tell them apart.
+ * Makes exceptions of urbiscript of the {@linkplain Problem problems} of the catalogue (manual,
+ * "Exception"). Each is an object cloned from the prototype of its type, so that programs can tell
+ * them apart.
  */
 public final class Errors {
   private final World world;
   private final Values values;
-  private final Map<String, UrbiObject> prototypes = new LinkedHashMap<>();
 
   public Errors(World world) {
     this.world = world;
     this.values = world.values();
-  }
-
-  /** Declares the prototype of a type of exceptions, such as "Arity". */
-  public void declare(String type, UrbiObject prototype) {
-    prototypes.put(type, prototype);
-  }
-
-  /** The prototype of a type of exceptions. */
-  public @Nullable UrbiObject prototype(String type) {
-    return prototypes.get(type);
   }
 
   /**
@@ -37,28 +24,39 @@ public final class Errors {
    * error of syntax tells its place in the source.
    */
   public boolean tellsPlace(UrbiObject exception) {
-    UrbiObject syntax = prototypes.get("Syntax");
     return exception.localSlot(world.symbol("location")) != null
-        && !(syntax != null && exception.isA(syntax));
+        && !is(exception, ProblemKind.SYNTAX);
   }
 
-  /** An exception of that type, with that message. */
-  public Builder of(String type, @Nullable String message) {
-    return of(type).with("message", values.string(message));
+  /** Whether an exception is of the type of such problems. */
+  public boolean is(UrbiObject exception, ProblemKind kind) {
+    UrbiObject prototype = world.prototype(kind.type());
+    return prototype != null && exception.isA(prototype);
   }
 
-  /** An exception of that type; who catches it finds as its message what its asString says. */
-  private Builder of(String type) {
-    UrbiObject prototype = prototypes.get(type);
-    return new Builder(prototype == null ? values.object.cloned() : prototype.cloned());
+  /** The exception for a problem; the values stand for the places of its text. */
+  public Builder of(Problem problem, Object... places) {
+    return untold(problem).with("message", problem.text(places));
+  }
+
+  /** The same without a message; who catches it finds as its message what its asString says. */
+  private Builder untold(Problem problem) {
+    String type = problem.kind().type();
+    if (type == null) {
+      throw new IllegalArgumentException(problem + " is no exception");
+    }
+    UrbiObject prototype = world.prototype(type);
+    return new Builder(prototype == null ? values.object.cloned() : prototype.cloned(), problem);
   }
 
   /** An exception being filled. */
   public final class Builder {
     private final UrbiObject exception;
+    private final Problem problem;
 
-    private Builder(UrbiObject exception) {
+    private Builder(UrbiObject exception, Problem problem) {
       this.exception = exception;
+      this.problem = problem;
     }
 
     public Builder with(String slot, UrbiObject value) {
@@ -79,7 +77,7 @@ public final class Errors {
     }
 
     public UrbiException build() {
-      return new UrbiException(exception);
+      return new UrbiException(exception, problem);
     }
   }
 
@@ -88,32 +86,32 @@ public final class Errors {
     if (target == values.voidObject) {
       return unexpectedVoid();
     }
-    return of("Lookup", "lookup failed: " + name).with("object", target).with("name", name).build();
+    return of(Problem.NOT_FOUND, name).with("object", target).with("name", name).build();
   }
 
   /** {@code unexpected void}. */
   public UrbiException unexpectedVoid() {
-    return of("UnexpectedVoid", "unexpected void").build();
+    return of(Problem.VOID).build();
   }
 
   /** {@code cannot modify const slot}. */
   public UrbiException constness() {
-    return of("Constness", "cannot modify const slot").build();
+    return of(Problem.CONSTANT).build();
   }
 
   /** {@code slot redefinition: name}. */
   public UrbiException redefinition(String name) {
-    return of("Redefinition", "slot redefinition: " + name).with("name", name).build();
+    return of(Problem.REDEFINED, name).with("name", name).build();
   }
 
   /** {@code pattern did not match}. */
   public UrbiException matchFailure() {
-    return of("MatchFailure", "pattern did not match").build();
+    return of(Problem.UNMATCHED).build();
   }
 
-  /** {@code routine: message}. */
-  public UrbiException primitive(String routine, @Nullable String message) {
-    return of("Primitive", message).with("routine", named(routine)).build();
+  /** {@code routine: problem}. */
+  public UrbiException primitive(String routine, Problem problem, Object... places) {
+    return of(problem, places).with("routine", named(routine)).build();
   }
 
   /** Code that is called from Java, as when a variable changes, may be called by no name. */
@@ -123,7 +121,7 @@ public final class Errors {
 
   /** {@code property lookup failed: slot->property}. */
   public UrbiException property(UrbiObject target, String slot, String property) {
-    return of("PropertyLookup", "property lookup failed: " + slot + "->" + property)
+    return of(Problem.PROPERTY_NOT_FOUND, slot + "->" + property)
         .with("object", target)
         .with("name", slot + "->" + property)
         .build();
@@ -131,19 +129,21 @@ public final class Errors {
 
   /** {@code 1.5: syntax error: message}. */
   public UrbiException syntax(SyntaxError error, String input) {
-    return of("Syntax", error.message().replaceFirst("^syntax error: ", ""))
+    return untold(Problem.SYNTAX_ERROR)
+        .with("message", error.reason())
         .with("loc", error.span().location().toString())
         .with("input", input)
         .build();
   }
 
-  public UrbiException scheduling(String message) {
-    return of("Scheduling", message).build();
+  /** A problem with jobs. */
+  public UrbiException scheduling(Problem problem, Object... places) {
+    return of(problem, places).build();
   }
 
   /** Ends a job that has gone beyond what is allowed; it cannot be caught. */
-  public UrbiException limit(String message) {
-    return scheduling(message).uncatchable();
+  public UrbiException limit(Problem problem, Object... places) {
+    return scheduling(problem, places).uncatchable();
   }
 
   /**
@@ -154,7 +154,8 @@ public final class Errors {
    */
   public UrbiException arity(String routine, int given, int min, int max) {
     String name = named(routine);
-    return of("Arity", arityMessage(name, given, min, max))
+    return untold(arityProblem(min, max))
+        .with("message", arityText(name, given, min, max))
         .with("routine", name)
         .with("effective", given)
         .with("minimum", min)
@@ -162,22 +163,29 @@ public final class Errors {
         .build();
   }
 
-  /** {@code routine: cannot inherit from a Finalizable without being one}. */
-  public UrbiException finalizable(String routine) {
-    return primitive(routine, "cannot inherit from a Finalizable without being one");
+  private static Problem arityProblem(int min, int max) {
+    if (max == min) {
+      return Problem.ARGUMENTS_EXACTLY;
+    }
+    return max == Integer.MAX_VALUE ? Problem.ARGUMENTS_AT_LEAST : Problem.ARGUMENTS_BETWEEN;
   }
 
   /** The text of an arity error. */
-  public static String arityMessage(String routine, int given, int min, int max) {
-    String expected;
-    if (max == min) {
-      expected = min + (min < 2 ? " argument" : " arguments");
-    } else if (max == Integer.MAX_VALUE) {
-      expected = "at least " + min + (min < 2 ? " argument" : " arguments");
-    } else {
-      expected = "between " + min + " and " + max + (max < 2 ? " argument" : " arguments");
-    }
-    return routine + ": expected " + expected + ", given " + given;
+  public static String arityText(String routine, int given, int min, int max) {
+    return max == min
+        ? Problem.ARGUMENTS_EXACTLY.text(routine, min, plural(min), given)
+        : max == Integer.MAX_VALUE
+            ? Problem.ARGUMENTS_AT_LEAST.text(routine, min, plural(min), given)
+            : Problem.ARGUMENTS_BETWEEN.text(routine, min, max, plural(max), given);
+  }
+
+  private static String plural(int count) {
+    return count < 2 ? "" : "s";
+  }
+
+  /** {@code routine: cannot inherit from a Finalizable without being one}. */
+  public UrbiException finalizable(String routine) {
+    return primitive(routine, Problem.NOT_INHERITABLE_FINALIZABLE);
   }
 
   /** {@code routine: argument 1: unexpected "x", expected a Float}; 0 is the target. */
@@ -188,22 +196,23 @@ public final class Errors {
 
   /** {@code unexpected "x", expected a Float}. */
   public UrbiException type(UrbiObject effective, UrbiObject expected) {
-    return of("Type").with("effective", effective).with("expected", expected).build();
+    return untold(Problem.WRONG_TYPE)
+        .with("effective", effective)
+        .with("expected", expected)
+        .build();
   }
 
   /**
    * {@code routine: argument 1: expected integer, got 0.5}; about the target, {@code routine:
    * expected integer, got 0.5}.
-   *
-   * @param type such as "BadInteger"
-   * @param message what precedes the number
    */
   public UrbiException argumentNumber(
-      String type, String routine, int index, String message, UrbiObject effective) {
+      String routine, int index, Problem problem, UrbiObject effective) {
     if (index == 0) {
-      return badNumber(type, routine, message + "%s", effective);
+      return badNumber(routine, problem, effective);
     }
-    UrbiObject cause = of(type).with("fmt", message + "%s").with("effective", effective).object();
+    UrbiObject cause =
+        untold(problem).with("fmt", problem.text("%s")).with("effective", effective).object();
     return argument(routine, index, cause);
   }
 
@@ -213,19 +222,30 @@ public final class Errors {
    * @param cause what was wrong with the argument
    */
   public UrbiException argument(String routine, int index, UrbiObject cause) {
-    return of("Argument")
+    return untold(index == 0 ? Problem.WRONG_TARGET : Problem.WRONG_ARGUMENT)
         .with("routine", named(routine))
         .with("index", index)
         .with("exception", cause)
         .build();
   }
 
-  /** {@code routine: message} about a number. */
+  /** {@code routine: expected integer, got 0.5}. */
+  public UrbiException badNumber(String routine, Problem problem, UrbiObject effective) {
+    return badNumber(routine, problem, effective, "%s");
+  }
+
+  /**
+   * The same.
+   *
+   * @param shown how the number is written
+   */
   public UrbiException badNumber(
-      String type, String routine, String message, UrbiObject effective) {
-    return of(type, message)
+      String routine, Problem problem, UrbiObject effective, String shown) {
+    String format = problem.text(shown);
+    return untold(problem)
+        .with("message", format)
         .with("routine", named(routine))
-        .with("fmt", message)
+        .with("fmt", format)
         .with("effective", effective)
         .build();
   }

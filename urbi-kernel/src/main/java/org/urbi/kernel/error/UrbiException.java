@@ -1,7 +1,6 @@
 package org.urbi.kernel.error;
 
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
@@ -15,31 +14,37 @@ public final class UrbiException extends RuntimeException {
    *
    * @param span null when it is not known
    */
-  public record Call(String name, @Nullable Span span) {
+  public record Call(String name, Span span) {
     /** What stands for that many calls which are not shown. */
     public static Call leftOut(int count) {
-      return new Call("(" + count + " more calls)", null);
+      return new Call(Problem.LEFT_OUT.text(count), null);
     }
   }
 
   private final transient UrbiObject value;
+  private final transient Problem problem;
   private final boolean uncatchable;
-  private transient @Nullable Span span;
-  private transient @Nullable List<Call> backtrace;
+  private transient Span span;
+  private transient List<Call> backtrace;
 
   public UrbiException(UrbiObject value) {
-    this(value, false);
+    this(value, null);
   }
 
-  private UrbiException(UrbiObject value, boolean uncatchable) {
+  UrbiException(UrbiObject value, Problem problem) {
+    this(value, problem, false);
+  }
+
+  private UrbiException(UrbiObject value, Problem problem, boolean uncatchable) {
     super(null, null, false, false);
     this.value = value;
+    this.problem = problem;
     this.uncatchable = uncatchable;
   }
 
   /** The same, but no code can catch it: the job is to end. */
   UrbiException uncatchable() {
-    return new UrbiException(value, true);
+    return new UrbiException(value, problem, true);
   }
 
   /** Whether no {@code catch} clause is asked. */
@@ -52,19 +57,24 @@ public final class UrbiException extends RuntimeException {
     return value;
   }
 
+  /** Which message of the catalogue it is; null for what a program has thrown. */
+  public Problem problem() {
+    return problem;
+  }
+
   /** Whether it is known where it was thrown. */
   public boolean isLocated() {
     return backtrace != null;
   }
 
   /** Says where it was thrown; the innermost call comes first. */
-  public void locate(@Nullable Span where, List<Call> calls) {
+  public void locate(Span where, List<Call> calls) {
     span = where;
     backtrace = calls;
   }
 
   /** Where it was thrown, or null. */
-  public @Nullable Span span() {
+  public Span span() {
     return span;
   }
 

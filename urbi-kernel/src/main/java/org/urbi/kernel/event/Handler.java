@@ -1,5 +1,6 @@
 package org.urbi.kernel.event;
 
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.Timers;
@@ -85,7 +86,7 @@ final class Handler {
   private void run(Frame frame, Job trigger, Node code, boolean wait) {
     if (sync || wait) {
       if (!trigger.beginSend(MAXIMUM_NESTED)) {
-        throw frame.interpreter().errors().scheduling("stack space exhausted");
+        throw frame.interpreter().errors().scheduling(Problem.STACK_EXHAUSTED);
       }
       try {
         trigger.doFor(lobby, () -> code.execute(frame.fork(trigger, false)));

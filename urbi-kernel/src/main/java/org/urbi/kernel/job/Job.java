@@ -3,6 +3,7 @@ package org.urbi.kernel.job;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.object.Dependencies;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.trust.Role;
@@ -329,7 +330,7 @@ public final class Job implements Runnable {
   public void yieldNow() {
     if (nonInterruptible > 0) {
       if (frozenDepth > 0) {
-        throw scheduler.refusal("attempt to wait in non-interruptible code");
+        throw scheduler.refusal(Problem.WAITS_UNINTERRUPTIBLE);
       }
       checkInjected();
       return;
@@ -366,7 +367,7 @@ public final class Job implements Runnable {
    */
   public void sleepUntil(long deadline) {
     if (nonInterruptible > 0) {
-      throw scheduler.refusal("attempt to sleep in non-interruptible code");
+      throw scheduler.refusal(Problem.SLEEPS_UNINTERRUPTIBLE);
     }
     state = State.SLEEPING;
     timer = scheduler.timers().add(deadline, this::timeIsUp);
@@ -385,7 +386,7 @@ public final class Job implements Runnable {
    */
   public void waitForWake() {
     if (nonInterruptible > 0) {
-      throw scheduler.refusal("attempt to wait in non-interruptible code");
+      throw scheduler.refusal(Problem.WAITS_UNINTERRUPTIBLE);
     }
     state = State.WAITING;
     switchOut();

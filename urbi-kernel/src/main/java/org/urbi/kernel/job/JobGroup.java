@@ -3,6 +3,7 @@ package org.urbi.kernel.job;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.Set;
+import org.urbi.kernel.error.Problem;
 
 /**
  * The jobs that a job starts and waits for: the operands of {@code &}, the statements that {@code
@@ -50,7 +51,7 @@ public final class JobGroup {
    */
   public void join() {
     if (!live.isEmpty() && failure == null && parent.nonInterruptible() > 0) {
-      throw parent.scheduler().refusal("dependency on other task in non-interruptible code");
+      throw parent.scheduler().refusal(Problem.DEPENDS_UNINTERRUPTIBLE);
     }
     while (!live.isEmpty() && failure == null) {
       parent.waitForWake();

@@ -10,6 +10,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.object.UrbiObject;
@@ -56,7 +57,8 @@ public final class Scheduler {
   private final TagScope rootScope = new TagScope();
   private final List<Runnable> endOfTick = new ArrayList<>();
   private final BiConsumer<Job, Throwable> uncaught;
-  private Function<String, RuntimeException> refusals = IllegalStateException::new;
+  private Function<Problem, RuntimeException> refusals =
+      problem -> new IllegalStateException(problem.text());
   private final AtomicLong turns = new AtomicLong();
   private int births;
   private int spins;
@@ -294,12 +296,12 @@ public final class Scheduler {
   }
 
   /** What a job is left with that waits where it must not. */
-  RuntimeException refusal(String message) {
-    return refusals.apply(message);
+  RuntimeException refusal(Problem problem) {
+    return refusals.apply(problem);
   }
 
   /** Sets how errors of jobs are made; once, by the interpreter. */
-  public void setRefusals(Function<String, RuntimeException> how) {
+  public void setRefusals(Function<Problem, RuntimeException> how) {
     refusals = how;
   }
 

@@ -9,7 +9,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 import urbi.UValue;
@@ -64,7 +63,7 @@ final class DataReader {
   }
 
   /** Reads a component of that type. */
-  @Nullable Object part(Class<?> type) {
+  Object part(Class<?> type) {
     if (type == int.class) {
       return (int) number();
     } else if (type == long.class) {
@@ -91,7 +90,7 @@ final class DataReader {
   }
 
   /** Reads a value of one of the types that there are. */
-  @Nullable Object any() {
+  Object any() {
     int kind = octet();
     return switch (kind) {
       case DataWriter.NULL, DataWriter.LIVE -> null;

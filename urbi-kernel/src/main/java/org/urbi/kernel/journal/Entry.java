@@ -1,7 +1,6 @@
 package org.urbi.kernel.journal;
 
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 
@@ -26,12 +25,12 @@ public sealed interface Entry {
       long seed,
       int stackSize,
       List<String> searchPath,
-      @Nullable String library,
+      String library,
       List<String> modulePath,
       String programName,
       List<String> arguments,
       String logLevel,
-      @Nullable String confinedTo,
+      String confinedTo,
       String userDirectory,
       String workingDirectory,
       boolean reboots)

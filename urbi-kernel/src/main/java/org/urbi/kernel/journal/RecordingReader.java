@@ -7,7 +7,6 @@ import java.io.InputStream;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.zip.CRC32C;
-import org.jspecify.annotations.Nullable;
 import urbi.wire.WireException;
 
 /**
@@ -52,7 +51,7 @@ public final class RecordingReader implements AutoCloseable {
    *
    * @throws RecordingException if the file is damaged
    */
-  public @Nullable Entry next() {
+  public Entry next() {
     while (entries.isEmpty() && !cutOff) {
       byte[] block = block();
       if (block == null) {
@@ -68,7 +67,7 @@ public final class RecordingReader implements AutoCloseable {
     return cutOff;
   }
 
-  private byte @Nullable [] block() {
+  private byte[] block() {
     try {
       int first = in.read();
       if (first < 0) {

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.function.Supplier;
-import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 
@@ -24,12 +23,12 @@ public final class Replay implements Journal {
 
   private final RecordingReader recording;
   private final Entry.Begun beginning;
-  private @Nullable Entry next;
+  private Entry next;
   private long now;
   private long ticks;
   private long safepoints;
   private boolean over;
-  private @Nullable String difference;
+  private String difference;
 
   /**
    * @throws RecordingException if the file is damaged
@@ -49,7 +48,7 @@ public final class Replay implements Journal {
   }
 
   /** How the run differed from the recorded one, or why it could not go on; null if it did not. */
-  public @Nullable String difference() {
+  public String difference() {
     return difference;
   }
 
@@ -88,7 +87,7 @@ public final class Replay implements Journal {
     return new Left();
   }
 
-  private static String described(@Nullable Entry entry) {
+  private static String described(Entry entry) {
     return switch (entry) {
       case null -> "nothing";
       case Entry.Sent sent -> "sent " + text(sent);
@@ -139,7 +138,7 @@ public final class Replay implements Journal {
   }
 
   @Override
-  public @Nullable Message next(Supplier<Message> unused) {
+  public Message next(Supplier<Message> unused) {
     if (next instanceof Entry.Taken taken && !over) {
       advance();
       return taken.message();
@@ -149,7 +148,7 @@ public final class Replay implements Journal {
 
   @Override
   @SuppressWarnings("unchecked")
-  public <T> @Nullable T look(Outcome.Work<T> unused) throws IOException {
+  public <T> T look(Outcome.Work<T> unused) throws IOException {
     if (ranOut()) {
       throw new Left();
     }

@@ -1,7 +1,5 @@
 package org.urbi.kernel.library;
 
-import static java.util.Objects.requireNonNull;
-
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -9,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.builtin.Primitive;
-import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.library.code.IdentityCode;
 import org.urbi.kernel.library.code.LocationType;
@@ -85,7 +82,7 @@ public final class Library {
     types.forEach(world::declarePrototype);
     interpreter.prototypes().asThis = new IdentityCode(interpreter.prototypes().code);
     for (BuiltinTable table : tables) {
-      UrbiObject type = type(table.type());
+      UrbiObject type = types.get(table.type());
       if (!table.isPart()) {
         name(table, type);
       }
@@ -94,8 +91,9 @@ public final class Library {
     inheritance(tables);
     constants();
     EvaluateVariable.install(interpreter);
-    errors();
-    interpreter.setAfterStatements(((UrbiFinalizable) type("Finalizable")).finalization()::run);
+    interpreter.setDescriber(this::describe);
+    interpreter.setAfterStatements(
+        ((UrbiFinalizable) types.get("Finalizable")).finalization()::run);
     interpreter.rememberNumberOperators();
     keep();
   }
@@ -136,10 +134,6 @@ public final class Library {
     types.put("Tag.tags", core.tags);
   }
 
-  private UrbiObject type(String name) {
-    return requireNonNull(types.get(name), "every type has been made before");
-  }
-
   private UrbiObject prototype(BuiltinTable table) {
     UrbiObject made = table.newPrototype(world);
     return made == null ? values.object.cloned() : made;
@@ -154,7 +148,7 @@ public final class Library {
     String full = table.type();
     int dot = full.lastIndexOf('.');
     String simple = full.substring(dot + 1);
-    UrbiObject owner = dot < 0 ? type("Global") : type(full.substring(0, dot));
+    UrbiObject owner = dot < 0 ? types.get("Global") : types.get(full.substring(0, dot));
     owner.addSlot(world.symbol(simple), type);
     ClassNodes.nameType(interpreter, type, simple);
     if (full.equals("Exception") || full.startsWith("Exception.")) {
@@ -186,16 +180,16 @@ public final class Library {
             protos.add(found);
           }
         }
-        type(table.type()).setProtos(protos.toArray(UrbiObject[]::new));
+        types.get(table.type()).setProtos(protos.toArray(UrbiObject[]::new));
       }
     }
   }
 
   private void constants() {
-    UrbiObject global = type("Global");
+    UrbiObject global = types.get("Global");
     global.addSlot(world.symbol("true"), values.trueObject);
     global.addSlot(world.symbol("false"), values.falseObject);
-    UrbiObject channel = type("Channel");
+    UrbiObject channel = types.get("Channel");
     channel.addSlot(world.symbol("name"), values.string(""));
     channel.addSlot(world.symbol("enabled"), values.trueObject);
     channel.addSlot(world.symbol("quote"), values.trueObject);
@@ -208,24 +202,24 @@ public final class Library {
     global.addSlot(world.symbol("clog"), channel(channel, "clog", true));
     global.addSlot(world.symbol("cout"), channel(channel, "output", true));
     script(values.stringProto, "asList", "function () { split(\"\") }");
-    script(type("TrajectoryGenerator.Until"), "run", TrajectoryUntil.RUN);
-    script(type("TrajectoryGenerator.Sequence"), "run", TrajectorySequence.RUN);
+    script(types.get("TrajectoryGenerator.Until"), "run", TrajectoryUntil.RUN);
+    script(types.get("TrajectoryGenerator.Sequence"), "run", TrajectorySequence.RUN);
     OldNames.add(interpreter, types);
-    EventType.fill(type("Event"));
+    EventType.fill(types.get("Event"));
     for (String name : List.of("detach", "disown", "persist", "waituntil")) {
-      global.addSlot(world.symbol(name), type("Control").localSlot(world.symbol(name)));
+      global.addSlot(world.symbol(name), types.get("Control").localSlot(world.symbol(name)));
     }
-    UrbiObject lobby = type("Lobby");
+    UrbiObject lobby = types.get("Lobby");
     lobby.setProtos(topLevel);
     lobby.addSlot(world.symbol("topLevel"), topLevel);
     lobby.addSlot(world.symbol("onDisconnect"), interpreter.prototypes().event.cloned());
     channel.addSlot(world.symbol("warning"), channel(channel, "warning", false));
-    type("Float").addSlot(world.symbol("epsilonTilde"), values.number(FloatType.TOLERANCE));
-    type("System").addSlot(world.symbol("period"), values.number(0.02));
-    type("Exception.Lookup").addSlot(world.symbol("fixSpelling"), values.trueObject);
-    type("UVar").addSlot(world.symbol("hookChanged"), values.trueObject);
-    type("UVar").addSlot(world.symbol("eraseThrowingCallbacks"), values.falseObject);
-    type("Exception").addSlot(world.symbol("message"), values.string("<no message>"));
+    types.get("Float").addSlot(world.symbol("epsilonTilde"), values.number(FloatType.TOLERANCE));
+    types.get("System").addSlot(world.symbol("period"), values.number(0.02));
+    types.get("Exception.Lookup").addSlot(world.symbol("fixSpelling"), values.trueObject);
+    types.get("UVar").addSlot(world.symbol("hookChanged"), values.trueObject);
+    types.get("UVar").addSlot(world.symbol("eraseThrowingCallbacks"), values.falseObject);
+    types.get("Exception").addSlot(world.symbol("message"), values.string("<no message>"));
   }
 
   /** Gives a type a function written in urbiscript. */
@@ -244,20 +238,10 @@ public final class Library {
     return channel;
   }
 
-  private void errors() {
-    Errors errors = interpreter.errors();
-    types.forEach((name, type) -> {
-      if (name.startsWith("Exception.")) {
-        errors.declare(name.substring("Exception.".length()), type);
-      }
-    });
-    interpreter.setDescriber(this::describe);
-  }
-
   /** Gives a caught exception the place where it was thrown, and its message. */
   private void describe(Frame frame, UrbiException exception) {
     UrbiObject value = exception.value();
-    if (!value.isA(type("Exception"))) {
+    if (!value.isA(types.get("Exception"))) {
       return;
     }
     addMessage(frame, value);
@@ -271,8 +255,10 @@ public final class Library {
 
   /** An exception of the library that shows values has no message before it is caught. */
   private void addMessage(Frame frame, UrbiObject value) {
-    boolean argument = value.isA(type("Exception.Argument"));
-    if ((argument || value.isA(type("Exception.Type")) || value.isA(type("Exception.BadNumber")))
+    boolean argument = value.isA(types.get("Exception.Argument"));
+    if ((argument
+            || value.isA(types.get("Exception.Type"))
+            || value.isA(types.get("Exception.BadNumber")))
         && value.localSlot(world.symbol("message")) == null) {
       if (argument && value.localSlot(world.symbol("exception")) instanceof UrbiObject cause) {
         addMessage(frame, cause);

@@ -1,6 +1,7 @@
 package org.urbi.kernel.lobby;
 
 import org.urbi.kernel.compile.Compilation;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
@@ -128,7 +129,7 @@ public final class Shell {
     if (busy) {
       UrbiObject nothing = interpreter.values().voidObject;
       foregroundTag.state().stop(nothing);
-      lobby.output().send("error", "!!! received interruption, killing foreground job.");
+      Complaint.error(lobby.output(), Problem.INTERRUPTED.text());
     }
   }
 
@@ -305,7 +306,7 @@ public final class Shell {
   /** A failure of our own, which is no code's: the client is told, and goes on. */
   public void failed(String where, Throwable failure) {
     FailureLog.internal(where, failure);
-    lobby.output().send("error", "!!! " + FailureLog.text(failure));
+    Complaint.error(lobby.output(), FailureLog.text(failure));
   }
 
   private void runAndShow(Job shell, Compilation.Compiled compiled) {
@@ -346,14 +347,12 @@ public final class Shell {
 
   private void show(SyntaxWarning warning) {
     if (!WarningChannel.isOff(interpreter.world())) {
-      lobby
-          .output()
-          .send(WarningChannel.NAME, "!!! " + warning.span().location() + ": " + warning.message());
+      Complaint.warning(lobby.output(), Complaint.place(warning.span()) + warning.message());
     }
   }
 
   private void show(SyntaxError error) {
     listener.failed();
-    lobby.output().send("error", "!!! " + error.span().location() + ": " + error.message());
+    Complaint.error(lobby.output(), Complaint.place(error.span()) + error.message());
   }
 }

@@ -2,6 +2,7 @@ package org.urbi.kernel.log;
 
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.urbi.kernel.error.Problem;
 
 /**
  * Keeps the stack traces of what went wrong in Java: of failures of our own, of which urbiscript is
@@ -17,7 +18,7 @@ public final class FailureLog {
 
   /** What those are told whom a failure of our own concerns. */
   public static String text(Throwable failure) {
-    return "internal error: " + failure;
+    return Problem.INTERNAL_ERROR.text(failure);
   }
 
   /**

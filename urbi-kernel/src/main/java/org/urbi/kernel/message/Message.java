@@ -1,7 +1,6 @@
 package org.urbi.kernel.message;
 
 import java.net.InetSocketAddress;
-import org.jspecify.annotations.Nullable;
 import urbi.UValue;
 
 /**
@@ -137,7 +136,7 @@ public sealed interface Message {
    *
    * @param error what went wrong, or null
    */
-  record BytesEnded(int to, @Nullable String error) implements Message {}
+  record BytesEnded(int to, String error) implements Message {}
 
   /** So many bytes have been written. */
   record BytesWritten(int to, int count) implements Message {}

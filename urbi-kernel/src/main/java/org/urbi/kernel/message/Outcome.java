@@ -1,7 +1,6 @@
 package org.urbi.kernel.message;
 
 import java.io.IOException;
-import org.jspecify.annotations.Nullable;
 
 /**
  * What has become of something that was done outside the kernel thread.
@@ -10,11 +9,11 @@ import org.jspecify.annotations.Nullable;
  *     that a replay has to do without
  * @param failure what was thrown, or null
  */
-public record Outcome(@Nullable Object value, @Nullable Throwable failure) {
+public record Outcome(Object value, Throwable failure) {
   /** Something that can be done. */
   @FunctionalInterface
   public interface Work<T> {
-    @Nullable T run() throws Exception;
+    T run() throws Exception;
   }
 
   /** Does something, and keeps what comes of it. */
@@ -33,7 +32,7 @@ public record Outcome(@Nullable Object value, @Nullable Throwable failure) {
    *     enough for the work is no reason for anything else to end
    */
   @SuppressWarnings("unchecked")
-  public <T> @Nullable T get() throws IOException {
+  public <T> T get() throws IOException {
     if (failure == null) {
       return (T) value;
     }

@@ -1,6 +1,8 @@
 package org.urbi.kernel.node;
 
 import java.util.List;
+import org.urbi.kernel.error.Errors;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
@@ -87,19 +89,12 @@ public final class Assertion extends Node {
    * @param effective the claim with the values of its parts, or null
    */
   private void fail(Frame frame, String effective) {
-    UrbiException error =
-        frame
-            .interpreter
-            .errors()
-            .of(
-                "Assertion",
-                "failed assertion: "
-                    + claim.text
-                    + (frame.interpreter.assertionsShowValues() && effective != null
-                        ? " (" + effective + ")"
-                        : ""))
-            .build();
-    throw frame.located(error, span());
+    Errors errors = frame.interpreter.errors();
+    Errors.Builder error =
+        frame.interpreter.assertionsShowValues() && effective != null
+            ? errors.of(Problem.ASSERTION_FAILED_WITH, claim.text, effective)
+            : errors.of(Problem.ASSERTION_FAILED, claim.text);
+    throw frame.located(error.build(), span());
   }
 
   /** What holds where a comparison does not. */

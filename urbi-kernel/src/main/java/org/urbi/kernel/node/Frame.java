@@ -3,6 +3,7 @@ package org.urbi.kernel.node;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.object.UrbiObject;
@@ -277,6 +278,11 @@ public final class Frame {
       }
     }
     return false;
+  }
+
+  /** What is thrown for a problem by what is called at that site. */
+  public UrbiException error(CallSite at, Problem problem, Object... places) {
+    return interpreter.errors().primitive(at.calledName(), problem, places);
   }
 
   /** The name by which the innermost function was called; null at the top level. */

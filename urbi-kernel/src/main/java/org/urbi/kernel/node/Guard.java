@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.object.UrbiObject;
@@ -34,27 +35,24 @@ public final class Guard {
     }
     UrbiObject keeper = target.keeper();
     if (keeper == null) {
-      throw refused(caller, routine, "changing what is not its own", Role.USER);
+      throw refused(caller, routine, Problem.CHANGES_FOREIGN, Role.USER);
     }
     boolean systems = keeper == caller.interpreter.values().object;
     throw refused(
-        caller,
-        routine,
-        systems ? "changing what belongs to the system" : "changing what belongs to another lobby",
-        Role.OWNER);
+        caller, routine, systems ? Problem.CHANGES_SYSTEM : Problem.CHANGES_LOBBY, Role.OWNER);
   }
 
   /** Refuses to touch a job, unless it runs for the lobby of the caller. */
   public static void checkChange(Frame caller, String routine, Job target) {
     if (!caller.job.isOwner() && target.lobby() != caller.job.lobby()) {
-      throw refused(caller, routine, "changing a job of another lobby", Role.OWNER);
+      throw refused(caller, routine, Problem.CHANGES_JOB, Role.OWNER);
     }
   }
 
   /** Refuses what wants a higher role than that of the caller. */
   public static void checkRole(Frame caller, String routine, Role least) {
     if (caller.job.role().compareTo(least) < 0) {
-      throw refused(caller, routine, "this", least);
+      throw refused(caller, routine, Problem.NEEDS_ROLE, least);
     }
   }
 
@@ -65,16 +63,10 @@ public final class Guard {
     }
   }
 
-  private static UrbiException refused(Frame caller, String routine, String what, Role needed) {
+  private static UrbiException refused(Frame caller, String routine, Problem problem, Role needed) {
     return caller
         .interpreter
         .errors()
-        .primitive(
-            routine,
-            what
-                + " needs the role "
-                + needed.text()
-                + ", and this lobby has the role "
-                + caller.job.role().text());
+        .primitive(routine, problem, needed.text(), caller.job.role().text());
   }
 }

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.urbi.kernel.error.Errors;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
@@ -116,7 +117,7 @@ public final class Interpreter {
     if (frame.depth > callLimit) {
       frame.job.checkInterrupted();
       if (frame.depth > maximumDepth) {
-        throw errors.scheduling("stack space exhausted");
+        throw errors.scheduling(Problem.STACK_EXHAUSTED);
       }
     }
   }
@@ -199,7 +200,7 @@ public final class Interpreter {
   public UrbiObject send(Frame caller, UrbiObject target, String message, UrbiObject... arguments) {
     caller.job.checkInterrupted();
     if (!caller.job.beginSend(Math.min(MAXIMUM_NESTED_SENDS, maximumDepth))) {
-      throw errors.scheduling("stack space exhausted");
+      throw errors.scheduling(Problem.STACK_EXHAUSTED);
     }
     try {
       return send(caller, new JavaSite(message), target, world.symbol(message), arguments);

@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
@@ -84,8 +85,7 @@ public final class Jumps {
         throw frame.located(new UrbiException(value.execute(frame)), span());
       }
       if (frame.caught == null) {
-        throw frame.located(
-            frame.interpreter.errors().scheduling("no exception to rethrow"), span());
+        throw frame.located(frame.interpreter.errors().scheduling(Problem.NOTHING_CAUGHT), span());
       }
       throw frame.caught;
     }

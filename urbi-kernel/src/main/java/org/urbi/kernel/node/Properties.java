@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.BlendMode;
 import org.urbi.kernel.object.SlotData;
@@ -78,7 +79,7 @@ public final class Properties {
           .interpreter
           .errors()
           .primitive(
-              "setProperty", "invalid blend mode: " + frame.interpreter.asPrintable(frame, value));
+              "setProperty", Problem.BLEND_MODE, frame.interpreter.asPrintable(frame, value));
     }
     return mode;
   }

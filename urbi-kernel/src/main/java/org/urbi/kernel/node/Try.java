@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
@@ -55,15 +56,15 @@ public final class Try extends Node {
     } catch (UrbiException e) {
       return handle(frame, e);
     } catch (StackOverflowError e) {
-      return handle(frame, exhausted(frame, "stack space exhausted"));
+      return handle(frame, exhausted(frame, Problem.STACK_EXHAUSTED));
     } catch (OutOfMemoryError e) {
-      return handle(frame, exhausted(frame, "memory exhausted"));
+      return handle(frame, exhausted(frame, Problem.MEMORY_EXHAUSTED));
     }
     return elseClause == null || frame.completion != null ? value : elseClause.execute(frame);
   }
 
-  private UrbiException exhausted(Frame frame, String message) {
-    return frame.located(frame.interpreter.errors().scheduling(message), span());
+  private UrbiException exhausted(Frame frame, Problem problem) {
+    return frame.located(frame.interpreter.errors().scheduling(problem), span());
   }
 
   private UrbiObject handle(Frame frame, UrbiException exception) {

@@ -1,12 +1,13 @@
 package org.urbi.kernel.outside;
 
 import java.io.IOException;
+import org.urbi.kernel.error.Problem;
 
 /** A confined kernel may not do that; the message says what. */
 public final class ConfinedException extends IOException {
   private static final long serialVersionUID = 1;
 
-  ConfinedException(String message) {
-    super(message);
+  ConfinedException(Problem problem) {
+    super(problem.text());
   }
 }

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import org.urbi.kernel.error.Problem;
 
 /**
  * What one kernel, or one kind of its clients, may do to the machine around it. Everything in this
@@ -102,20 +103,20 @@ public final class Confinement {
   Path changed(Path path) throws IOException {
     Path entry = entry(path);
     if (entry.equals(directory)) {
-      throw new ConfinedException("is the directory of this kernel");
+      throw new ConfinedException(Problem.CONFINED_DIRECTORY);
     }
     return entry;
   }
 
   private void checkFiles() throws ConfinedException {
     if (closed) {
-      throw new ConfinedException("files are not allowed to this lobby");
+      throw new ConfinedException(Problem.CONFINED_FILES);
     }
   }
 
   private Path checked(Path resolved) throws ConfinedException {
     if (!resolved.startsWith(directory)) {
-      throw new ConfinedException("outside of the directory of this kernel");
+      throw new ConfinedException(Problem.CONFINED_OUTSIDE);
     }
     return resolved;
   }
@@ -152,21 +153,21 @@ public final class Confinement {
   /** Refuses to start a program if that is not allowed. */
   void checkProcesses() throws ConfinedException {
     if (isConfined()) {
-      throw new ConfinedException("processes are not allowed in this kernel");
+      throw new ConfinedException(Problem.CONFINED_PROCESSES);
     }
   }
 
   /** Refuses code of the machine, such as a program could have written to a file. */
   public void checkModules() throws ConfinedException {
     if (isConfined()) {
-      throw new ConfinedException("modules are not allowed in this kernel");
+      throw new ConfinedException(Problem.CONFINED_MODULES);
     }
   }
 
   /** Refuses connections, over the network or a serial line, if they are not allowed. */
   public void checkConnections() throws ConfinedException {
     if (isConfined()) {
-      throw new ConfinedException("connections are not allowed in this kernel");
+      throw new ConfinedException(Problem.CONFINED_CONNECTIONS);
     }
   }
 }

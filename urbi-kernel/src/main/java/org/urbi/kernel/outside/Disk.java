@@ -13,6 +13,7 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import org.urbi.kernel.error.Problem;
 
 /**
  * The files and directories of the machine, so far as one kernel may use them. All paths are
@@ -105,7 +106,7 @@ public final class Disk {
     try (InputStream in = Files.newInputStream(path)) {
       byte[] bytes = in.readNBytes(LARGEST_DEVICE);
       if (bytes.length == LARGEST_DEVICE && in.read() >= 0) {
-        throw new IOException("file too large");
+        throw new IOException(Problem.FILE_TOO_LARGE.text());
       }
       return bytes;
     }
@@ -242,7 +243,7 @@ public final class Disk {
 
   private static void checkNotRoot(Path directory) throws IOException {
     if (directory.getNameCount() == 0) {
-      throw new IOException("is the root directory");
+      throw new IOException(Problem.IS_THE_ROOT.text());
     }
   }
 }

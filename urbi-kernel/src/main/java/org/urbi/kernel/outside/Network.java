@@ -16,6 +16,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Job;
 
 /** Makes connections, and listens for them. */
@@ -103,7 +104,7 @@ public final class Network {
     try {
       address = InetAddress.getByName(host);
     } catch (UnknownHostException e) {
-      throw new IOException("unknown host: " + host, e);
+      throw new IOException(Problem.UNKNOWN_HOST.text(host), e);
     }
     return new InetSocketAddress(address, port(port));
   }
@@ -112,7 +113,7 @@ public final class Network {
     if (name.matches("-?[0-9]+")) {
       int port = name.length() > 5 ? MAXIMUM_PORT + 1 : Integer.parseInt(name);
       if (port < 0 || port > MAXIMUM_PORT) {
-        throw new IOException("invalid port: " + name);
+        throw new IOException(Problem.INVALID_PORT.text(name));
       }
       return port;
     }
@@ -133,7 +134,7 @@ public final class Network {
     } catch (NoSuchFileException e) {
       // Then there are no names.
     }
-    throw new IOException("service not found: " + name);
+    throw new IOException(Problem.UNKNOWN_SERVICE.text(name));
   }
 
   /**

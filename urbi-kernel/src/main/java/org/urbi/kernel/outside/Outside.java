@@ -13,6 +13,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicReference;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Inbox;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.PendingAnswer;
@@ -209,7 +210,7 @@ public final class Outside implements Closeable {
 
   /** What went wrong, in a word. */
   static String reason(IOException e) {
-    return e.getMessage() == null ? "input/output error" : e.getMessage();
+    return e.getMessage() == null ? Problem.INPUT_OUTPUT.text() : e.getMessage();
   }
 
   // ------------------------------------------------------------------ the end

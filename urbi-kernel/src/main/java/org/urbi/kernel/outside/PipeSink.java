@@ -3,6 +3,7 @@ package org.urbi.kernel.outside;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.util.concurrent.LinkedBlockingQueue;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
@@ -100,14 +101,14 @@ public final class PipeSink implements ByteSink {
       throw new IOException(failure);
     }
     if (closed) {
-      throw new IOException("connection is closed");
+      throw new IOException(Problem.CONNECTION_CLOSED.text());
     }
   }
 
   /** Nobody reads any more: the thread ends, and what is written from now on fails. */
   void readerGone() {
     if (!closed && failure == null) {
-      failure = "Broken pipe";
+      failure = Problem.BROKEN_PIPE.text();
       enqueue(END);
       waiters.wake();
     }

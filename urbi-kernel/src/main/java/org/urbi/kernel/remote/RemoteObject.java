@@ -6,7 +6,6 @@ import java.lang.invoke.MethodType;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
-import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.uobject.Perishable;
 import urbi.UCallback;
 import urbi.UObject;
@@ -58,7 +57,7 @@ final class RemoteObject extends UObject implements AutoCloseable, Perishable {
   }
 
   @Override
-  public @Nullable String whyGone() {
+  public String whyGone() {
     return peer.lost();
   }
 

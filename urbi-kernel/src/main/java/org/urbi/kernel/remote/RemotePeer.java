@@ -12,7 +12,6 @@ import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
-import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
@@ -52,7 +51,7 @@ public final class RemotePeer {
   private final PluggedContext context;
   private final RemoteWire wire;
   private final AnswerReading reading;
-  private volatile SocketWatch.@Nullable Socket socket;
+  private volatile SocketWatch.Socket socket;
   private boolean wanting;
   private final UModule module;
   private final RemoteTasks tasks;
@@ -73,8 +72,8 @@ public final class RemotePeer {
   private boolean behind;
   private boolean greeted;
   private boolean broken;
-  private @Nullable String lost;
-  private @Nullable Runnable rtpEnd;
+  private String lost;
+  private Runnable rtpEnd;
 
   /**
    * @param number of the receiver of its messages
@@ -128,7 +127,7 @@ public final class RemotePeer {
     scheduler.inbox().post(new Message.RemoteReadable(number));
   }
 
-  SocketWatch.@Nullable Socket socket() {
+  SocketWatch.Socket socket() {
     return socket;
   }
 
@@ -204,7 +203,7 @@ public final class RemotePeer {
     return thrown;
   }
 
-  private void complete(int number, @Nullable UValue value, @Nullable RuntimeException error) {
+  private void complete(int number, UValue value, RuntimeException error) {
     // Whoever waits finds done what came before the result: what the function has bound, say.
     tasks.hurry();
     CompletableFuture<UValue> call = calls.remove(number);
@@ -435,7 +434,7 @@ public final class RemotePeer {
   }
 
   /** Why the connection is lost; null while it is not. */
-  @Nullable String lost() {
+  String lost() {
     return lost;
   }
 
@@ -474,7 +473,7 @@ public final class RemotePeer {
     return variable;
   }
 
-  private void emit(String name, UValue @Nullable [] payload) {
+  private void emit(String name, UValue[] payload) {
     UEmitter emitter = events.computeIfAbsent(name, context::event);
     if (payload != null) {
       emitter.emit(payload);
@@ -664,9 +663,7 @@ public final class RemotePeer {
     all.forEach(UObject::clean);
     classes.values().forEach(context::stop);
     module.leave(context);
-    if (rtpEnd != null) {
-      rtpEnd.run();
-    }
+    rtpEnd.run();
     tasks.end();
     reading.forget(this);
   }

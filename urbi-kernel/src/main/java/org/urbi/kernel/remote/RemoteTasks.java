@@ -4,7 +4,6 @@ import java.util.ArrayDeque;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.function.Supplier;
-import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.Unwinding;
@@ -31,7 +30,7 @@ final class RemoteTasks {
   /** Up to this one, tasks are done without a break. */
   private long urgent;
 
-  private @Nullable Job job;
+  private Job job;
   private boolean waiting;
   private boolean ended;
 

@@ -3,7 +3,6 @@ package org.urbi.kernel.remote;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
-import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.uobject.PluggedContext;
 import org.urbi.kernel.variable.UrbiUVar;
 import urbi.UCallback;
@@ -22,14 +21,14 @@ final class RemoteVariable {
   private final RemotePeer peer;
   private final int id;
   private final USlot slot;
-  private @Nullable Runnable notification;
-  private @Nullable Runnable interception;
+  private Runnable notification;
+  private Runnable interception;
   private int watch;
-  private @Nullable UValue beingSet;
+  private UValue beingSet;
   private boolean stale;
   private boolean mirror;
   private int accesses;
-  private @Nullable UValue accessed;
+  private UValue accessed;
   private final UrbiUVar variable;
   private final Runnable rtpEnd;
 

@@ -1,7 +1,6 @@
 package org.urbi.kernel.remote;
 
 import java.nio.ByteBuffer;
-import org.jspecify.annotations.Nullable;
 import urbi.rtp.RtpSession;
 import urbi.rtp.RtpTerms;
 
@@ -21,7 +20,7 @@ public interface RemoteWire {
   void openDatagrams(RtpTerms terms);
 
   /** The datagrams that were agreed upon; null without. */
-  @Nullable RtpSession datagrams();
+  RtpSession datagrams();
 
   /** Ends the datagrams, if there are any. */
   void closeDatagrams();

@@ -1,7 +1,6 @@
 package org.urbi.kernel.remote;
 
 import java.nio.ByteBuffer;
-import org.jspecify.annotations.Nullable;
 import urbi.rtp.RtpSession;
 import urbi.rtp.RtpTerms;
 
@@ -17,7 +16,7 @@ public final class SilentWire implements RemoteWire {
   public void openDatagrams(RtpTerms terms) {}
 
   @Override
-  public @Nullable RtpSession datagrams() {
+  public RtpSession datagrams() {
     return null;
   }
 

@@ -2,6 +2,7 @@ package org.urbi.kernel.uobject;
 
 import java.lang.invoke.MethodHandle;
 import java.util.concurrent.CompletionStage;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
@@ -61,10 +62,7 @@ final class BoundFunction extends Code {
       Guard.checkRole(caller, site.calledName(), Role.USER);
     }
     if (gone != null) {
-      throw caller
-          .interpreter()
-          .errors()
-          .primitive(site.calledName(), callback.name() + ": " + gone);
+      throw caller.error(site, Problem.FUNCTION_GONE, callback.name(), gone);
     }
     long started = statistics.begin();
     try {

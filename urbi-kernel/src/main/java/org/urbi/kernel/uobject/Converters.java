@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
@@ -215,7 +216,7 @@ final class Converters {
     if (given instanceof UrbiString name) {
       return new UVar(Texts.toJava(name.value()));
     }
-    throw new ConversionFailure(given, "UVar", "invalid cast to UVar from non-string value.");
+    throw new ConversionFailure(given, "UVar", Problem.CAST_TO_UVAR.text());
   }
 
   private Object cast(Type type, UrbiObject given) {

@@ -3,6 +3,7 @@ package org.urbi.kernel.uobject;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.node.CallSite;
@@ -124,10 +125,9 @@ public final class Creation {
           .errors()
           .primitive(
               site.calledName(),
-              Texts.toUrbi(instance.type().name())
-                  + " construction failed: init returned "
-                  + interpreter.asString(frame, status)
-                  + ".");
+              Problem.CONSTRUCTION_FAILED,
+              Texts.toUrbi(instance.type().name()),
+              interpreter.asString(frame, status));
     }
   }
 
@@ -154,7 +154,10 @@ public final class Creation {
         default ->
             interpreter
                 .errors()
-                .primitive(Texts.toUrbi(name), Texts.toUrbi(caught("constructing " + name, e)));
+                .primitive(
+                    Texts.toUrbi(name),
+                    Problem.REASON,
+                    Texts.toUrbi(caught("constructing " + name, e)));
       };
     } finally {
       context.back(frame, outer);
@@ -164,7 +167,8 @@ public final class Creation {
   private static String caught(String doing, Throwable e) {
     String told = Failures.caught(doing, e);
     return e instanceof NoClassDefFoundError && e.getMessage() != null
-        ? "exception caught while " + doing + ": missing class " + e.getMessage().replace('/', '.')
+        ? Problem.CAUGHT_IN_COMPONENT.text(
+            doing, Problem.MISSING_CLASS.text(e.getMessage().replace('/', '.')))
         : told;
   }
 
@@ -205,7 +209,7 @@ public final class Creation {
 
   private static String why(UObject java) {
     String why = java instanceof Perishable perishable ? perishable.whyGone() : null;
-    return why == null ? "the object has been destroyed" : why;
+    return why == null ? Problem.OBJECT_DESTROYED.text() : why;
   }
 
   /** Ends an object: the Java side is told, and the name no longer known. */
@@ -239,7 +243,7 @@ public final class Creation {
   void bind(UObject object, String name, UCallback callback) {
     Instance instance = objects().named(object.get__name());
     if (instance == null || instance.object() == null) {
-      throw new IllegalStateException(object.get__name() + " has been destroyed");
+      throw new IllegalStateException(Problem.DESTROYED.text(object.get__name()));
     }
     var function = new BoundFunction(world.prototype("Code").cloneShape(), context, callback);
     instance.functions().put(name, function);

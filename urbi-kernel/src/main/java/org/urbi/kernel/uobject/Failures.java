@@ -3,6 +3,7 @@ package org.urbi.kernel.uobject;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
 import org.urbi.kernel.error.Errors;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.log.FailureLog;
@@ -35,6 +36,7 @@ final class Failures {
       case KernelRefusal refusal ->
           errors.primitive(
               site.calledName() == null ? function : site.calledName(),
+              Problem.REASON,
               Texts.toUrbi(refusal.getMessage()));
       case ConversionFailure e when e.getMessage() == null ->
           argument(context, errors, function, arguments, e);
@@ -52,7 +54,8 @@ final class Failures {
       default ->
           errors.primitive(
               site.calledName() == null ? function : site.calledName(),
-              Texts.toUrbi(caught("calling " + function, failure)));
+              Problem.REASON,
+              Texts.toUrbi(caught(calling(function), failure)));
     };
   }
 
@@ -84,6 +87,11 @@ final class Failures {
         expected == null ? context.interpreter().values().nil : expected);
   }
 
+  /** What is done for a component whose function is called. */
+  static String calling(String function) {
+    return "calling " + function;
+  }
+
   /**
    * What people are told of what a component has thrown, whose stack trace goes to the log.
    *
@@ -93,7 +101,7 @@ final class Failures {
     if (!(failure instanceof ConversionFailure)) {
       FailureLog.component(doing, failure);
     }
-    return "exception caught while " + doing + ": " + text(failure);
+    return Problem.CAUGHT_IN_COMPONENT.text(doing, text(failure));
   }
 
   /** What went wrong, for people. */
@@ -104,7 +112,7 @@ final class Failures {
       cause = cause.getCause();
     }
     if (cause instanceof StackOverflowError) {
-      return "stack space exhausted";
+      return Problem.STACK_EXHAUSTED.text();
     }
     if (cause instanceof Error) {
       return FailureLog.text(cause);
@@ -120,6 +128,6 @@ final class Failures {
     if (message == null || message.isEmpty()) {
       return cause.getClass().getSimpleName();
     }
-    return plain ? message : cause.getClass().getSimpleName() + ": " + message;
+    return plain ? message : Problem.NAMED_REASON.text(cause.getClass().getSimpleName(), message);
   }
 }

@@ -2,6 +2,7 @@ package org.urbi.kernel.uobject;
 
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodType;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.node.Frame;
@@ -11,7 +12,6 @@ import org.urbi.kernel.variable.Hook;
 import org.urbi.kernel.variable.UrbiUVar;
 import urbi.UCallback;
 import urbi.UCast;
-import urbi.UCastException;
 
 /** Tells a function of a UObject of changes of a variable, or of accesses to it. */
 final class JavaHook implements Hook {
@@ -100,17 +100,18 @@ final class JavaHook implements Hook {
       case Unwinding unwinding -> unwinding;
       case UrbiException thrown -> thrown;
       case RaisedInUrbi raised -> raised.original();
-      default -> frame.interpreter().errors().primitive(callback.name(), Texts.toUrbi(message(e)));
+      default ->
+          frame
+              .interpreter()
+              .errors()
+              .primitive(callback.name(), Problem.REASON, Texts.toUrbi(message(e)));
     };
   }
 
   private String message(Throwable e) {
-    String doing = "calling " + callback.name();
+    String doing = Failures.calling(callback.name());
     return e instanceof ConversionFailure failure && failure.getMessage() == null
-        ? "exception caught while "
-            + doing
-            + ": "
-            + new UCastException("the value is no " + failure.expected()).getMessage()
+        ? Problem.CAUGHT_IN_COMPONENT.text(doing, Problem.NO_VALUE_OF_TYPE.text(failure.expected()))
         : Failures.caught(doing, e);
   }
 }

@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.outside.ConfinedException;
 import org.urbi.kernel.outside.Disk;
@@ -118,7 +119,7 @@ public final class Modules {
     } catch (ConfinedException e) {
       throw new UModuleException(e.getMessage(), e);
     } catch (IOException e) {
-      throw new UModuleException("cannot read " + file + ": " + e.getMessage(), e);
+      throw new UModuleException(Problem.UNREADABLE_MODULE.text(file, e.getMessage()), e);
     }
   }
 

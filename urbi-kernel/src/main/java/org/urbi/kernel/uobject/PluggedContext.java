@@ -11,6 +11,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Function;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
@@ -261,7 +262,7 @@ public final class PluggedContext implements UContext {
     try {
       return Texts.toJava(frame.interpreter().asString(frame, e.value()));
     } catch (UrbiException shown) {
-      return "exception that cannot be shown";
+      return Problem.UNPRINTABLE.text();
     }
   }
 
@@ -328,7 +329,8 @@ public final class PluggedContext implements UContext {
                 .errors()
                 .primitive(
                     Texts.toUrbi(function),
-                    Texts.toUrbi(Failures.caught("calling " + function, e)));
+                    Problem.REASON,
+                    Texts.toUrbi(Failures.caught(Failures.calling(function), e)));
     interpreter.report(job, shown);
   }
 

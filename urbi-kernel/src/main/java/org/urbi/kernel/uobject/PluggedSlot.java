@@ -2,6 +2,7 @@ package org.urbi.kernel.uobject;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Properties;
 import org.urbi.kernel.object.Symbol;
@@ -131,7 +132,7 @@ final class PluggedSlot implements USlot {
   private UrbiObject object() {
     UrbiObject object = variable.owner();
     if (object == null) {
-      throw new IllegalStateException("the object of the variable " + name + " has gone");
+      throw new IllegalStateException(Problem.VARIABLE_WITHOUT_OBJECT.text(name));
     }
     return object;
   }

@@ -1,5 +1,6 @@
 package org.urbi.kernel.uobject;
 
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.SlotUpdate;
@@ -71,7 +72,7 @@ final class Structures {
       UrbiObject registered =
           prototype("Serializables").localSlot(frame.interpreter().world().symbol(name));
       if (registered == null) {
-        throw new UCastException("no such class in Serializables: " + name);
+        throw new UCastException(Problem.NO_SERIALIZABLE.text(name));
       }
       UrbiObject made = frame.interpreter().send(frame, registered, "new");
       fields.forEach((field, value) -> {

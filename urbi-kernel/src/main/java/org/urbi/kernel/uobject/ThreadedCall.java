@@ -1,5 +1,6 @@
 package org.urbi.kernel.uobject;
 
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.PendingAnswer;
 import org.urbi.kernel.message.Outcome;
 import org.urbi.kernel.node.Frame;
@@ -33,8 +34,7 @@ final class ThreadedCall {
     }
     throw failure instanceof RaisedInUrbi || failure instanceof KernelRefusal
         ? failure
-        : new IllegalStateException(
-            "Exception in threaded call: " + Failures.text(failure), failure);
+        : new IllegalStateException(Problem.CAUGHT_IN_THREAD.text(Failures.text(failure)), failure);
   }
 
   private static Outcome run(UCallback callback, Object[] arguments) {

@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
@@ -64,7 +65,7 @@ final class ValueExchange {
       return new UValue();
     }
     if (depth > DEEPEST) {
-      throw new ConversionFailure(object, "UValue", "nested too deeply");
+      throw new ConversionFailure(object, "UValue", Problem.NESTED_TOO_DEEPLY.text());
     }
     return switch (object) {
       case UrbiList list -> new UValue(list(list.elements(), depth));
@@ -101,10 +102,11 @@ final class ValueExchange {
     return context.inKernel(frame -> {
       Interpreter interpreter = frame.interpreter();
       UrbiObject type = key.lookup(interpreter.world().symbol("type"));
-      return new KernelRefusal(
-          "Dictionaries exchanged with UObjects can only have String keys: "
-              + Texts.toJava(interpreter.asString(frame, key))
-              + (type == null ? "" : " (" + Texts.toJava(interpreter.asString(frame, type)) + ")"));
+      String shown = Texts.toJava(interpreter.asString(frame, key));
+      return type == null
+          ? new KernelRefusal(Problem.KEY_NOT_STRING, shown)
+          : new KernelRefusal(
+              Problem.KEY_OF_TYPE, shown, Texts.toJava(interpreter.asString(frame, type)));
     });
   }
 

@@ -3,6 +3,7 @@ package org.urbi.kernel.uobject;
 import java.lang.ref.WeakReference;
 import java.util.HashMap;
 import java.util.Map;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
@@ -59,7 +60,7 @@ final class Variables {
     int dot = name.lastIndexOf('.');
     UrbiObject owner = dot <= 0 ? null : owner(frame, name.substring(0, dot));
     if (owner == null || dot == name.length() - 1) {
-      throw new KernelRefusal("UVar creation on non existing object: " + name);
+      throw new KernelRefusal(Problem.NO_OBJECT_FOR_VARIABLE, name);
     }
     return new Place(owner, world.symbol(Texts.toUrbi(name.substring(dot + 1))));
   }
@@ -72,7 +73,7 @@ final class Variables {
   UrbiObject object(Frame frame, String path) {
     UrbiObject found = owner(frame, path);
     if (found == null) {
-      throw new IllegalArgumentException("no such object: " + path);
+      throw new IllegalArgumentException(Problem.NO_OBJECT.text(path));
     }
     return found;
   }

@@ -1,6 +1,7 @@
 package org.urbi.kernel.variable;
 
 import java.util.function.Consumer;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.object.UrbiFloat;
 
 /**
@@ -25,13 +26,12 @@ final class RangeWarning {
       double wanted = ((UrbiFloat) given.value()).value();
       double bound = ((UrbiFloat) limited.value()).value();
       warned.accept(
-          "%s: %s is %s than %s, the %s: limited to that"
-              .formatted(
-                  name,
-                  wanted,
-                  wanted < bound ? "less" : "more",
-                  bound,
-                  wanted < bound ? "rangemin" : "rangemax"));
+          Problem.LIMITED.text(
+              name,
+              wanted,
+              wanted < bound ? "less" : "more",
+              bound,
+              wanted < bound ? "rangemin" : "rangemax"));
     }
   }
 }

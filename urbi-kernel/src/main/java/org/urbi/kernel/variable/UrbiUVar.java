@@ -5,11 +5,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.Timers;
+import org.urbi.kernel.lobby.Complaint;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
@@ -524,7 +526,7 @@ public final class UrbiUVar extends UrbiObject {
 
   void reportFailure(Frame frame, UrbiException failure) {
     if (frame.job().lobby() instanceof UrbiLobby told && told.output() != null) {
-      told.output().send("error", "!!! Exception caught while processing notify on " + name + ":");
+      Complaint.error(told.output(), Problem.CAUGHT_IN_NOTIFY.text(name));
     }
     frame.interpreter().report(frame.job(), failure);
   }

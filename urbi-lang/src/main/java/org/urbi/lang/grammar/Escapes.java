@@ -1,16 +1,26 @@
 package org.urbi.lang.grammar;
 
-import java.util.function.BiConsumer;
+import org.urbi.lang.problem.SyntaxProblem;
 
 /**
  * Reads what follows an opening quote, up to the closing one, and resolves escapes (manual,
  * "Strings").
  */
 final class Escapes {
+  /** Is told what is wrong. */
+  interface Listener {
+    /**
+     * A wrong escape.
+     *
+     * @param end the offset after it
+     */
+    void wrong(int end, SyntaxProblem problem, Object... values);
+  }
+
   private final String text;
   private final int end;
   private final char quote;
-  private final BiConsumer<Integer, String> error;
+  private final Listener listener;
   private final StringBuilder value = new StringBuilder();
   private int at;
 
@@ -18,14 +28,14 @@ final class Escapes {
    * @param at the offset after the opening quote
    * @param end where the text ends
    * @param quote the closing quote
-   * @param error takes the offset after a wrong escape, and what is wrong with it
+   * @param listener is told of wrong escapes
    */
-  Escapes(String text, int at, int end, char quote, BiConsumer<Integer, String> error) {
+  Escapes(String text, int at, int end, char quote, Listener listener) {
     this.text = text;
     this.at = at;
     this.end = end;
     this.quote = quote;
-    this.error = error;
+    this.listener = listener;
   }
 
   /** Reads up to the closing quote; false when there is none. */
@@ -73,7 +83,7 @@ final class Escapes {
         if ('0' <= c && c <= '7') {
           octal();
         } else {
-          error.accept(at, "invalid character after \\-escape: `" + Unprintable.show(c) + "'");
+          listener.wrong(at, SyntaxProblem.ESCAPED_CHARACTER, Unprintable.show(c));
         }
       }
     }
@@ -86,7 +96,7 @@ final class Escapes {
     }
     int code = Integer.parseInt(text, first, at, 8);
     if (code > 255) {
-      error.accept(at, "invalid number after \\-escape: `" + text.substring(first, at) + "'");
+      listener.wrong(at, SyntaxProblem.ESCAPED_NUMBER, text.substring(first, at));
     } else {
       value.append((char) code);
     }
@@ -98,7 +108,7 @@ final class Escapes {
       at++;
     }
     if (at - first < 2) {
-      error.accept(at, "invalid character after \\-escape: `x'");
+      listener.wrong(at, SyntaxProblem.ESCAPED_CHARACTER, "x");
     } else {
       value.append((char) Integer.parseInt(text, first, at, 16));
     }
@@ -126,8 +136,7 @@ final class Escapes {
     at = (int) Math.min(end, (long) at + size);
     value.append(text, contents, at);
     if (at < end && text.charAt(at) != ')') {
-      String found = Unprintable.show(text.charAt(at));
-      error.accept(at, "unexpected '" + found + "' for closing \\B, expected ')'");
+      listener.wrong(at, SyntaxProblem.OPEN_BLOB, Unprintable.show(text.charAt(at)));
     }
     at = Math.min(end, at + 1);
   }
@@ -146,7 +155,6 @@ final class Escapes {
     if (at < end && text.charAt(at) != quote) {
       at++;
     }
-    String found = text.substring(escape, at);
-    error.accept(at, "invalid \\B(SIZE)(CONTENTS) escape: `" + found + "'");
+    listener.wrong(at, SyntaxProblem.ESCAPED_BLOB, text.substring(escape, at));
   }
 }

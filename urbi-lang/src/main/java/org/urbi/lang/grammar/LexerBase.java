@@ -7,6 +7,7 @@ import org.antlr.v4.runtime.CharStream;
 import org.antlr.v4.runtime.Lexer;
 import org.antlr.v4.runtime.Token;
 import org.jspecify.annotations.Nullable;
+import org.urbi.lang.problem.SyntaxProblem;
 
 /** The part of the scanner that a grammar cannot say: see {@code UrbiscriptLexer.g4}. */
 public abstract class LexerBase extends Lexer {
@@ -79,15 +80,15 @@ public abstract class LexerBase extends Lexer {
       return;
     }
     if (Keywords.reserved(word)) {
-      error(_tokenStartCharIndex, stream.index(), "reserved symbol: `" + word + "'");
+      tell(_tokenStartCharIndex, stream.index(), SyntaxProblem.RESERVED_WORD, word);
     } else if (Keywords.ignored(word)) {
       if (word.equals("static") || word.equals("internal")) {
-        warn("`" + word + "' is deprecated");
+        warn(SyntaxProblem.DEPRECATED, word);
       }
       skip();
       return;
     } else if (word.equals("foreach") || word.equals("loopn")) {
-      warn("`" + word + "' is deprecated, use `for'");
+      warn(SyntaxProblem.DEPRECATED_FOR, word, "for");
     }
     _type = Keywords.token(word);
     endOfName = Keywords.keyword(word) ? -1 : stream.index();
@@ -98,9 +99,9 @@ public abstract class LexerBase extends Lexer {
     String text = matched();
     Numbers.Value number = Numbers.parse(text);
     if (number == Numbers.INVALID) {
-      error(_tokenStartCharIndex, stream.index(), "invalid token: `" + text + "'");
+      tell(_tokenStartCharIndex, stream.index(), SyntaxProblem.INVALID_NUMBER, text);
     } else if (text.charAt(text.length() - 1) == 'm') {
-      warn("`" + text + "' is deprecated, use `" + text + "in'");
+      warn(SyntaxProblem.DEPRECATED_FOR, text, text + "in");
     }
     value = number.value();
     _type = number.duration() ? UrbiscriptLexer.DURATION : UrbiscriptLexer.NUMBER;
@@ -108,7 +109,7 @@ public abstract class LexerBase extends Lexer {
 
   /** The opening quote of a string was read: reads the rest. */
   protected final void string() {
-    quote('"', "string");
+    quote('"', SyntaxProblem.OPEN_STRING);
   }
 
   /** The opening quote of a name was read: reads the rest. */
@@ -117,7 +118,7 @@ public abstract class LexerBase extends Lexer {
       derived();
       return;
     }
-    quote('\'', "identifier");
+    quote('\'', SyntaxProblem.OPEN_NAME);
   }
 
   /** The beginning of a comment was read: reads the rest. Comments nest. */
@@ -137,14 +138,15 @@ public abstract class LexerBase extends Lexer {
     }
     stream.seek(at);
     if (nesting > 0) {
-      error(_tokenStartCharIndex, at, "unexpected end of file in a comment");
+      tell(_tokenStartCharIndex, at, SyntaxProblem.OPEN_COMMENT);
     }
   }
 
   /** A character was read that cannot start a token. */
   protected final void unknown() {
     char c = stream.text().charAt(_tokenStartCharIndex);
-    error(_tokenStartCharIndex, stream.index(), "invalid character: `" + Unprintable.show(c) + "'");
+    tell(
+        _tokenStartCharIndex, stream.index(), SyntaxProblem.INVALID_CHARACTER, Unprintable.show(c));
     _type = UrbiscriptLexer.INVALID;
   }
 
@@ -166,7 +168,7 @@ public abstract class LexerBase extends Lexer {
     _type = UrbiscriptLexer.DERIVED;
   }
 
-  private void quote(char quote, String what) {
+  private void quote(char quote, SyntaxProblem unclosed) {
     int begin = _tokenStartCharIndex;
     var escapes =
         new Escapes(
@@ -174,11 +176,11 @@ public abstract class LexerBase extends Lexer {
             stream.index(),
             stream.end(),
             quote,
-            (end, message) -> error(begin, end, message));
+            (end, problem, values) -> tell(begin, end, problem, values));
     boolean closed = escapes.read();
     stream.seek(escapes.position());
     if (!closed) {
-      error(begin, escapes.position(), "unexpected end of file in a " + what);
+      tell(begin, escapes.position(), unclosed);
     }
     value = escapes.value();
   }
@@ -221,7 +223,7 @@ public abstract class LexerBase extends Lexer {
     int data = header.data();
     int last = (int) Math.min(stream.end(), (long) data + header.size());
     if (last - data < header.size()) {
-      error(_tokenStartCharIndex, last, "unexpected end of file in binary data");
+      tell(_tokenStartCharIndex, last, SyntaxProblem.OPEN_BINARY);
     }
     value = new BinaryLiteral(header.keywords(), text.substring(data, last));
     stream.seek(last);
@@ -233,11 +235,11 @@ public abstract class LexerBase extends Lexer {
     return stream.text().substring(_tokenStartCharIndex, stream.index());
   }
 
-  private void error(int begin, int end, String message) {
-    issues.add(new LexicalIssue(begin, end, "syntax error: " + message, false));
+  private void tell(int begin, int end, SyntaxProblem problem, Object... values) {
+    issues.add(new LexicalIssue(begin, end, problem, problem.text(values)));
   }
 
-  private void warn(String message) {
-    issues.add(new LexicalIssue(_tokenStartCharIndex, stream.index(), message, true));
+  private void warn(SyntaxProblem problem, Object... values) {
+    tell(_tokenStartCharIndex, stream.index(), problem, values);
   }
 }

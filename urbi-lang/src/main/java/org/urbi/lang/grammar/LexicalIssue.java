@@ -1,10 +1,17 @@
 package org.urbi.lang.grammar;
 
+import org.urbi.lang.problem.SyntaxProblem;
+
 /**
  * What the scanner has to say about a piece of text.
  *
  * @param begin offset of its first character
  * @param end offset after its last character
- * @param warning whether the text is understood nevertheless
+ * @param text the text of the problem, filled in
  */
-public record LexicalIssue(int begin, int end, String message, boolean warning) {}
+public record LexicalIssue(int begin, int end, SyntaxProblem problem, String text) {
+  /** Whether the text is understood nevertheless. */
+  public boolean warning() {
+    return problem.kind() == SyntaxProblem.Kind.WARNING;
+  }
+}

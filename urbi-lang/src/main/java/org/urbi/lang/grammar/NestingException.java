@@ -6,13 +6,10 @@ import org.antlr.v4.runtime.Token;
 public final class NestingException extends RuntimeException {
   private static final long serialVersionUID = 1;
 
-  /** What is told of it. */
-  public static final String TEXT = "nesting too deep";
-
   private final transient Token token;
 
   NestingException(Token token) {
-    super(TEXT, null, false, false);
+    super(null, null, false, false);
     this.token = token;
   }
 

@@ -6,6 +6,7 @@ import org.urbi.lang.ast.Ast;
 import org.urbi.lang.parse.Parsed;
 import org.urbi.lang.parse.SyntaxError;
 import org.urbi.lang.parse.UrbiParser;
+import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.source.Source;
 import org.urbi.lang.source.Span;
 import org.urbi.lang.text.LineTable;
@@ -31,7 +32,7 @@ public final class StatementReader {
   private boolean ended;
 
   /** A reader without limit to the size of a statement. */
-  public StatementReader(@Nullable String file) {
+  public StatementReader(String file) {
     this(file, Integer.MAX_VALUE, () -> {});
   }
 
@@ -40,7 +41,7 @@ public final class StatementReader {
    *
    * @param checkpoint called again and again by {@link #next}, which it ends by an exception
    */
-  public StatementReader(@Nullable String file, Runnable checkpoint) {
+  public StatementReader(String file, Runnable checkpoint) {
     this(file, Integer.MAX_VALUE, checkpoint);
   }
 
@@ -50,11 +51,11 @@ public final class StatementReader {
    * @param file the name that locations show, or null
    * @param maximumSize the length, in characters, beyond which a statement is refused
    */
-  public StatementReader(@Nullable String file, int maximumSize) {
+  public StatementReader(String file, int maximumSize) {
     this(file, maximumSize, () -> {});
   }
 
-  private StatementReader(@Nullable String file, int maximumSize, Runnable checkpoint) {
+  private StatementReader(String file, int maximumSize, Runnable checkpoint) {
     this.lines = new LineTable(file, 1);
     this.splitter = new Splitter(lines);
     this.maximumSize = maximumSize;
@@ -130,10 +131,7 @@ public final class StatementReader {
     Source source = lines.cut(text);
     start = position;
     int end = endOfCode(text);
-    return new Item.Invalid(
-        List.of(
-            new SyntaxError(new Span(source, end, end), "syntax error: unexpected end of file")),
-        List.of());
+    return invalid(SyntaxError.of(new Span(source, end, end), SyntaxProblem.UNEXPECTED_END));
   }
 
   /** Where a text ends, but for white space and for comments that are whole lines. */
@@ -173,9 +171,12 @@ public final class StatementReader {
     String text = buffer.substring(start, position);
     Source source = lines.cut(text);
     start = position;
-    String message = "syntax error: statement longer than " + maximumSize + " characters";
-    return new Item.Invalid(
-        List.of(new SyntaxError(new Span(source, 0, text.length()), message)), List.of());
+    Span whole = new Span(source, 0, text.length());
+    return invalid(SyntaxError.of(whole, SyntaxProblem.STATEMENT_TOO_LONG, maximumSize));
+  }
+
+  private static Item invalid(SyntaxError error) {
+    return new Item.Invalid(List.of(error), List.of());
   }
 
   private void drop() {

@@ -14,6 +14,7 @@ import org.urbi.lang.grammar.UrbiscriptParser.EmitStatementContext;
 import org.urbi.lang.grammar.UrbiscriptParser.ExpressionContext;
 import org.urbi.lang.grammar.UrbiscriptParser.NameContext;
 import org.urbi.lang.grammar.UrbiscriptParser.WheneverStatementContext;
+import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.source.Span;
 
 /** Event-based constructs (manual, "Parallel and event-based flow control"). */
@@ -40,16 +41,15 @@ final class EventBuilder {
     String found = null;
     for (NameContext name : context.name()) {
       String text = TreeBuilder.text(name);
-      String wrong = null;
       if (!text.equals("sync") && !text.equals("async")) {
-        wrong = "unexpected `" + text + "'";
-      } else if (text.equals(found)) {
-        wrong = "duplicate keyword: `" + text + "'";
-      } else if (found != null) {
-        wrong = "incompatible keywords: `" + found + "' and `" + text + "'";
+        throw builder.failure(builder.span(context), SyntaxProblem.UNEXPECTED_KEYWORD, text);
       }
-      if (wrong != null) {
-        throw builder.failure(builder.span(context), wrong);
+      if (text.equals(found)) {
+        throw builder.failure(builder.span(context), SyntaxProblem.DUPLICATE_KEYWORD, text);
+      }
+      if (found != null) {
+        throw builder.failure(
+            builder.span(context), SyntaxProblem.INCOMPATIBLE_KEYWORDS, found, text);
       }
       found = text;
     }
@@ -101,7 +101,7 @@ final class EventBuilder {
 
   Ast emit(EmitStatementContext context) {
     Span span = builder.span(context);
-    builder.warn(span, "`emit event(x)' is deprecated, use `event!(x)'");
+    builder.warn(span, SyntaxProblem.DEPRECATED_EMIT);
     Ast event = builder.expressions.value(context.expression(0));
     List<Ast> arguments = null;
     if (event instanceof Ast.Message m && m.arguments() != null && !m.name().equals("[]")) {

@@ -25,6 +25,7 @@ import org.urbi.lang.grammar.UrbiscriptParser.PathContext;
 import org.urbi.lang.grammar.UrbiscriptParser.PostfixContext;
 import org.urbi.lang.grammar.UrbiscriptParser.ProtosContext;
 import org.urbi.lang.grammar.UrbiscriptParser.ScopeContext;
+import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.source.Span;
 
 /** What defines names: functions, classes, packages (manual, "Functions", "Pseudo classes"). */
@@ -39,7 +40,7 @@ final class FunctionBuilder {
     Span span = builder.span(context);
     boolean closure = context.CLOSURE() != null;
     if (closure && context.formals() == null) {
-      throw builder.failure(span, "closure cannot be lazy");
+      throw builder.failure(span, SyntaxProblem.LAZY_CLOSURE);
     }
     Ast.Message name = context.path() == null ? null : path(context.path());
     Ast.Function function =
@@ -80,15 +81,13 @@ final class FunctionBuilder {
       Ast.Formal last = formals.isEmpty() ? null : formals.getLast();
       Ast.Formal formal = formal(one);
       if (last != null && last.variadic()) {
-        throw builder.failure(formal.span(), "argument after list-argument");
+        throw builder.failure(formal.span(), SyntaxProblem.ARGUMENT_AFTER_LIST);
       }
       if (last != null
           && last.defaultValue() != null
           && formal.defaultValue() == null
           && !formal.variadic()) {
-        throw builder.failure(
-            builder.span(context),
-            "argument with no default value after arguments with default value");
+        throw builder.failure(builder.span(context), SyntaxProblem.ARGUMENT_WITHOUT_DEFAULT);
       }
       formals.add(formal);
     }

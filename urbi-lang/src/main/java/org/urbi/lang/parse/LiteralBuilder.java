@@ -15,6 +15,7 @@ import org.urbi.lang.grammar.UrbiscriptParser.ExpressionContext;
 import org.urbi.lang.grammar.UrbiscriptParser.ListContext;
 import org.urbi.lang.grammar.UrbiscriptParser.ParenthesesContext;
 import org.urbi.lang.grammar.UrbiscriptParser.PrimaryContext;
+import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.source.Span;
 
 /** Literals, names, and what is between brackets of any kind (manual, "Literals"). */
@@ -86,7 +87,7 @@ final class LiteralBuilder {
     Span span = builder.span(context);
     Token token = context.getStart();
     if (token.getType() == UrbiscriptParser.WORD && token.getText().equals("self")) {
-      builder.warn(span, "`self' is deprecated, use `this'");
+      builder.warn(span, SyntaxProblem.DEPRECATED_SELF);
       return new Ast.This(span);
     }
     return new Ast.Message(span, null, TreeBuilder.text(context.identifier()), null, span);
@@ -125,7 +126,7 @@ final class LiteralBuilder {
 
   private Ast callMessage(Span span) {
     if (builder.enclosingFunctions == 0) {
-      throw builder.failure(span, "call: used outside any function");
+      throw builder.failure(span, SyntaxProblem.CALL_OUTSIDE_FUNCTION);
     }
     return new Ast.CallMessage(span);
   }
@@ -135,7 +136,7 @@ final class LiteralBuilder {
     if (context.path() == null) {
       return new Ast.Message(span, null, "new", null, span);
     }
-    builder.warn(span, "`new Obj(x)' is deprecated, use `Obj.new(x)'");
+    builder.warn(span, SyntaxProblem.DEPRECATED_NEW);
     return new Ast.Message(
         span,
         builder.functions.pathExpression(context.path()),

@@ -8,6 +8,7 @@ import org.antlr.v4.runtime.TokenStream;
 import org.antlr.v4.runtime.misc.ParseCancellationException;
 import org.jspecify.annotations.Nullable;
 import org.urbi.lang.grammar.UrbiscriptParser;
+import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.source.Source;
 
 /**
@@ -29,10 +30,14 @@ final class Misfit {
       return TokenNames.unexpected(source, before).error();
     }
     String expected = before == null ? null : expected(before.getType(), rule);
-    String told = "unexpected " + TokenNames.name(token);
-    return TokenNames.failure(
-            source, token, expected == null ? told : told + ", expecting " + expected)
-        .error();
+    if (expected == null) {
+      return TokenNames.unexpected(source, token).error();
+    }
+    return SyntaxError.of(
+        TokenNames.span(source, token),
+        SyntaxProblem.UNEXPECTED_INSTEAD,
+        TokenNames.name(token),
+        expected);
   }
 
   private static @Nullable Token before(RecognitionException cause, Token token) {

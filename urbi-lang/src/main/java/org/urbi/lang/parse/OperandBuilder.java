@@ -17,6 +17,7 @@ import org.urbi.lang.grammar.UrbiscriptParser.OperandContext;
 import org.urbi.lang.grammar.UrbiscriptParser.PostfixContext;
 import org.urbi.lang.grammar.UrbiscriptParser.SuffixContext;
 import org.urbi.lang.print.Printer;
+import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.source.Span;
 
 /** Declarations, assignments, and chains of messages (manual, "Assignment", "Sending messages"). */
@@ -111,7 +112,7 @@ final class OperandBuilder {
       String name = TreeBuilder.text(context.name());
       Ast value = builder.literals.outsidePattern(() -> builder.expressions.plain(context.plain()));
       if (!seen.add(name)) {
-        builder.warn(builder.span(context), "modifier redefined: " + name);
+        builder.warn(builder.span(context), SyntaxProblem.MODIFIER_REDEFINED, name);
         modifiers.removeIf(modifier -> modifier.name().equals(name));
       }
       modifiers.add(new Ast.Modifier(name, value));
@@ -200,8 +201,12 @@ final class OperandBuilder {
   private Ast derived(Span span, Ast target, SuffixContext context) {
     String name = context.getText();
     var tree = new Ast.Message(span, target, name, null, builder.span(context));
-    String end = List.of("'n", "'in", "'out").contains(name) ? "'" : "'.";
-    builder.warn(span, "`" + span.text() + "' is deprecated, use `" + Printer.print(tree) + end);
+    boolean plain = List.of("'n", "'in", "'out").contains(name);
+    builder.warn(
+        span,
+        plain ? SyntaxProblem.DEPRECATED_FOR : SyntaxProblem.DEPRECATED_DERIVATIVE,
+        span.text(),
+        Printer.print(tree));
     return tree;
   }
 

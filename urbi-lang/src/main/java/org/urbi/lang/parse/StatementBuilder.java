@@ -50,6 +50,7 @@ import org.urbi.lang.grammar.UrbiscriptParser.TryStatementContext;
 import org.urbi.lang.grammar.UrbiscriptParser.WaitUntilStatementContext;
 import org.urbi.lang.grammar.UrbiscriptParser.WheneverStatementContext;
 import org.urbi.lang.grammar.UrbiscriptParser.WhileStatementContext;
+import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.source.Span;
 
 /** Composition and flow control (manual, "Statement Separators", "Imperative flow control"). */
@@ -144,7 +145,8 @@ final class StatementBuilder {
     var names = new HashSet<String>();
     for (LocalNames.Named named : LocalNames.in(scope.body())) {
       if (!names.add(named.name())) {
-        throw builder.failure(named.declaration().span(), "variable redefinition: " + named.name());
+        throw builder.failure(
+            named.declaration().span(), SyntaxProblem.VARIABLE_REDEFINITION, named.name());
       }
     }
     return scope;
@@ -156,7 +158,7 @@ final class StatementBuilder {
       return statement(context.statement());
     }
     int at = TreeBuilder.begin(context);
-    builder.warn(builder.span(at, at + 1), "implicit empty statement, use `{}'");
+    builder.warn(builder.span(at, at + 1), SyntaxProblem.EMPTY_STATEMENT);
     return new Ast.Noop(builder.span(at, at));
   }
 
@@ -228,15 +230,18 @@ final class StatementBuilder {
   private Ast jump(ParserRuleContext context, Span span) {
     if (context instanceof ThrowStatementContext raised) {
       Ast value = optional(raised.expression());
-      within(value == null ? builder.enclosingCatches : 1, span, "throw", "a catch");
+      within(value == null ? builder.enclosingCatches : 1, span, SyntaxProblem.THROW_OUTSIDE);
       return new Ast.Throw(span, value);
     }
     if (context instanceof ReturnStatementContext returned) {
-      within(builder.enclosingFunctions, span, "return", "a function");
+      within(builder.enclosingFunctions, span, SyntaxProblem.RETURN_OUTSIDE);
       return new Ast.Return(span, optional(returned.expression()));
     }
     boolean over = context.getRuleIndex() == UrbiscriptParser.RULE_breakStatement;
-    within(builder.enclosingLoops, span, over ? "break" : "continue", "a loop");
+    within(
+        builder.enclosingLoops,
+        span,
+        over ? SyntaxProblem.BREAK_OUTSIDE : SyntaxProblem.CONTINUE_OUTSIDE);
     return over ? new Ast.Break(span) : new Ast.Continue(span);
   }
 
@@ -310,9 +315,9 @@ final class StatementBuilder {
    *
    * @param around how many of what it needs are around
    */
-  private void within(int around, Span span, String jump, String what) {
+  private void within(int around, Span span, SyntaxProblem otherwise) {
     if (around == 0) {
-      throw builder.failure(span, jump + ": outside " + what);
+      throw builder.failure(span, otherwise);
     }
   }
 
@@ -334,7 +339,10 @@ final class StatementBuilder {
       boolean loop = keyword.getType() == UrbiscriptParser.FOR;
       String name = loop ? "for" : keyword.getText();
       throw builder.failure(
-          builder.span(keyword).to(builder.span(token)), "invalid flavor: " + name + flavor.text());
+          builder.span(keyword).to(builder.span(token)),
+          SyntaxProblem.INVALID_FLAVOR,
+          name,
+          flavor.text());
     }
     return flavor;
   }
@@ -427,7 +435,7 @@ final class StatementBuilder {
     for (CatchClauseContext one : context.catchClause()) {
       Span span = builder.span(one);
       if (!catches.isEmpty() && catches.getLast().pattern() == null) {
-        throw builder.failure(span, "catch: exception already caught by a previous clause");
+        throw builder.failure(span, SyntaxProblem.CAUGHT_ALREADY);
       }
       Ast pattern = one.LPAREN() == null ? null : pattern(one.expression(0));
       Ast guard = one.IF() == null ? null : builder.expressions.value(one.expression(1));

@@ -1,6 +1,25 @@
 package org.urbi.lang.parse;
 
+import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.source.Span;
 
-/** Why a text is no program; the message starts with {@code syntax error: }. */
-public record SyntaxError(Span span, String message) {}
+/**
+ * Why a text is no program.
+ *
+ * @param reason the text of the problem, filled in
+ */
+public record SyntaxError(Span span, SyntaxProblem problem, String reason) {
+  /**
+   * An error at a place.
+   *
+   * @param values what stands for the places of the message
+   */
+  public static SyntaxError of(Span span, SyntaxProblem problem, Object... values) {
+    return new SyntaxError(span, problem, problem.text(values));
+  }
+
+  /** What people are told: {@code syntax error: reason}. */
+  public String message() {
+    return "syntax error: " + reason;
+  }
+}

@@ -1,5 +1,6 @@
 package org.urbi.lang.parse;
 
+import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.source.Span;
 
 /** Leaves the construction of a tree at the first error. */
@@ -8,8 +9,8 @@ final class SyntaxFailure extends RuntimeException {
 
   private final transient SyntaxError error;
 
-  SyntaxFailure(Span span, String message) {
-    this(new SyntaxError(span, "syntax error: " + message));
+  SyntaxFailure(Span span, SyntaxProblem problem, Object... values) {
+    this(SyntaxError.of(span, problem, values));
   }
 
   private SyntaxFailure(SyntaxError error) {

@@ -2,6 +2,7 @@ package org.urbi.lang.parse;
 
 import org.antlr.v4.runtime.Token;
 import org.urbi.lang.grammar.UrbiscriptLexer;
+import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.source.Source;
 import org.urbi.lang.source.Span;
 
@@ -10,11 +11,7 @@ final class TokenNames {
   private TokenNames() {}
 
   static SyntaxFailure unexpected(Source source, Token token) {
-    return failure(source, token, "unexpected " + name(token));
-  }
-
-  static SyntaxFailure failure(Source source, Token token, String message) {
-    return new SyntaxFailure(span(source, token), message);
+    return new SyntaxFailure(span(source, token), SyntaxProblem.UNEXPECTED, name(token));
   }
 
   static Span span(Source source, Token token) {

@@ -9,6 +9,7 @@ import org.urbi.lang.grammar.UrbiToken;
 import org.urbi.lang.grammar.UrbiscriptParser.IdentifierContext;
 import org.urbi.lang.grammar.UrbiscriptParser.NameContext;
 import org.urbi.lang.print.Printer;
+import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.source.Source;
 import org.urbi.lang.source.Span;
 
@@ -49,7 +50,7 @@ final class TreeBuilder {
     checkpoint.pass();
     height += levels;
     if (height > MAXIMUM_HEIGHT) {
-      throw TokenNames.failure(source, context.getStart(), "nesting too deep");
+      throw failure(TokenNames.span(source, context.getStart()), SyntaxProblem.NESTING_TOO_DEEP);
     }
   }
 
@@ -87,8 +88,8 @@ final class TreeBuilder {
     return ((UrbiToken) identifier.getStart()).string();
   }
 
-  SyntaxFailure failure(Span span, String message) {
-    return new SyntaxFailure(span, message);
+  SyntaxFailure failure(Span span, SyntaxProblem problem, Object... values) {
+    return new SyntaxFailure(span, problem, values);
   }
 
   SyntaxFailure unexpected(Token token) {
@@ -96,11 +97,11 @@ final class TreeBuilder {
   }
 
   SyntaxFailure notAnLvalue(Span span, Ast tree) {
-    return failure(span, Printer.print(tree) + " is not a valid lvalue");
+    return failure(span, SyntaxProblem.NOT_AN_LVALUE, Printer.print(tree));
   }
 
-  void warn(Span span, String message) {
-    warnings.add(new SyntaxWarning(span, message));
+  void warn(Span span, SyntaxProblem problem, Object... values) {
+    warnings.add(new SyntaxWarning(span, problem, problem.text(values)));
   }
 
   /** The value, which must not be a declaration. */
@@ -116,6 +117,6 @@ final class TreeBuilder {
         declaration.span().begin() <= declaration.nameSpan().begin()
             ? declaration.span().to(declaration.nameSpan())
             : declaration.span();
-    return failure(head, "declaration not allowed here");
+    return failure(head, SyntaxProblem.MISPLACED_DECLARATION);
   }
 }

@@ -13,6 +13,7 @@ import org.urbi.lang.grammar.NestingException;
 import org.urbi.lang.grammar.TextStream;
 import org.urbi.lang.grammar.UrbiscriptLexer;
 import org.urbi.lang.grammar.UrbiscriptParser;
+import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.source.Source;
 import org.urbi.lang.source.Span;
 import org.urbi.lang.text.Sources;
@@ -31,7 +32,7 @@ public final class UrbiParser {
    * @param file the name that locations show, or null
    * @return a {@link Ast.Sequence}, or errors
    */
-  public static Parsed parse(String text, @Nullable String file) {
+  public static Parsed parse(String text, String file) {
     return parse(Sources.of(text, file), 0, text.length());
   }
 
@@ -42,7 +43,7 @@ public final class UrbiParser {
    * @param checkpoint called again and again, to end the parsing by an exception
    * @return a {@link Ast.Sequence}, or errors
    */
-  public static Parsed parse(String text, @Nullable String file, Runnable checkpoint) {
+  public static Parsed parse(String text, String file, Runnable checkpoint) {
     return new Run(Sources.of(text, file), 0, text.length(), false, checkpoint).parse();
   }
 
@@ -85,9 +86,9 @@ public final class UrbiParser {
       for (LexicalIssue issue : lexer.issues()) {
         Span span = new Span(source, issue.begin(), issue.end());
         if (issue.warning()) {
-          warnings.add(new SyntaxWarning(span, issue.message()));
+          warnings.add(new SyntaxWarning(span, issue.problem(), issue.text()));
         } else {
-          errors.add(new SyntaxError(span, issue.message()));
+          errors.add(new SyntaxError(span, issue.problem(), issue.text()));
         }
       }
       Ast tree = null;
@@ -97,7 +98,8 @@ public final class UrbiParser {
         } catch (SyntaxFailure failure) {
           errors.add(failure.error());
         } catch (NestingException tooDeep) {
-          errors.add(TokenNames.failure(source, tooDeep.token(), NestingException.TEXT).error());
+          Span at = TokenNames.span(source, tooDeep.token());
+          errors.add(SyntaxError.of(at, SyntaxProblem.NESTING_TOO_DEEP));
         } catch (ParseCancellationException stop) {
           errors.add(Misfit.error(source, stop));
         }
@@ -112,7 +114,8 @@ public final class UrbiParser {
         // Either an error, or one of the rare texts for which the fast mode is not enough.
         warnings.clear();
         lexer.issues().stream()
-            .map(i -> new SyntaxWarning(new Span(source, i.begin(), i.end()), i.message()))
+            .map(
+                i -> new SyntaxWarning(new Span(source, i.begin(), i.end()), i.problem(), i.text()))
             .forEach(warnings::add);
         return tree(PredictionMode.LL);
       }

@@ -112,7 +112,7 @@ public final class UrbiCommand {
       out.println(SearchPath.root());
       return 0;
     }
-    String replay = arguments.value("--replay");
+    String replay = arguments.value("--replay", null);
     if (replay != null) {
       if (!arguments.rest().isEmpty() || !inputs.isEmpty() || arguments.has("--record")) {
         throw Failure.usage("--replay runs what is recorded, and nothing else");
@@ -141,7 +141,7 @@ public final class UrbiCommand {
     StringBuilder text = new StringBuilder();
     modules.forEach(module -> text.append(SourceText.loadModule(module)));
     SourceText.append(text, inputs.text());
-    String portFile = arguments.value("--port-file");
+    String portFile = arguments.value("--port-file", null);
     return new Settings(
         trace(arguments),
         SearchPath.of(System.getenv("URBI_PATH"), SearchPath.standard(SearchPath.root())),
@@ -156,7 +156,7 @@ public final class UrbiCommand {
         port,
         portFile == null ? null : Path.of(portFile),
         AccessOptions.of(arguments),
-        arguments.value("--record"),
+        arguments.value("--record", null),
         arguments.number("--max-connections", 0, 0, Integer.MAX_VALUE),
         arguments.has("--strict"),
         text.toString(),
@@ -176,8 +176,7 @@ public final class UrbiCommand {
 
   /** How much of the log is shown: of the kernel's, of urbiscript's loggers, of the libraries'. */
   private Trace trace(Arguments arguments) {
-    String level =
-        arguments.has("--debug") ? arguments.value("--debug") : System.getenv("GD_LEVEL");
+    String level = arguments.value("--debug", System.getenv("GD_LEVEL"));
     try {
       Trace trace =
           new Trace(

@@ -182,9 +182,8 @@ final class ModuleLauncher {
   private int start(Arguments arguments) {
     List<String> options = new ArrayList<>();
     for (String option : List.of("--host", "--port", "--port-file", "--debug")) {
-      String value = arguments.value(option);
-      if (value != null) {
-        options.addAll(List.of(option, value));
+      if (arguments.has(option)) {
+        options.addAll(List.of(option, arguments.value(option, null)));
       }
     }
     ModulePath path = ModulePath.ofEnvironment();
@@ -193,7 +192,7 @@ final class ModuleLauncher {
       options.addAll(List.of("--module", found));
     }
     options.addAll(moduleOptions);
-    String other = arguments.value("--customize");
+    String other = arguments.value("--customize", null);
     return other == null
         ? UrbiCommand.run(options.toArray(String[]::new), out, err)
         : runProcess(other, options);

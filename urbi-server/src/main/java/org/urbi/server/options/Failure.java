@@ -1,7 +1,5 @@
 package org.urbi.server.options;
 
-import org.jspecify.annotations.Nullable;
-
 /** Why a program cannot go on, in words for the user, and its exit status. */
 public final class Failure extends RuntimeException {
   private static final long serialVersionUID = 1L;
@@ -10,18 +8,18 @@ public final class Failure extends RuntimeException {
 
   private final int status;
 
-  private Failure(int status, @Nullable String message) {
+  private Failure(int status, String message) {
     super(message, null, false, false);
     this.status = status;
   }
 
   /** Something the program needs is not there: status 1. */
-  public static Failure of(@Nullable String message) {
+  public static Failure of(String message) {
     return new Failure(FAILED, message);
   }
 
   /** The command line makes no sense: status 2. */
-  public static Failure usage(@Nullable String message) {
+  public static Failure usage(String message) {
     return new Failure(MISUSED, message);
   }
 

@@ -1,11 +1,8 @@
 package org.urbi.server.options;
 
-import static java.util.Objects.requireNonNull;
-
 import java.io.PrintStream;
 import java.util.List;
 import java.util.Optional;
-import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
@@ -20,14 +17,14 @@ final class FullReader {
 
   private final CommandSpec spec = CommandSpec.create();
   private final List<Option> options;
-  private @Nullable Reading reading;
+  private Reading reading;
 
   FullReader(
       String name,
       String description,
       List<Option> options,
-      @Nullable String argumentLabel,
-      @Nullable String argumentDescription,
+      String argumentLabel,
+      String argumentDescription,
       boolean stopAtArgument) {
     this.options = options;
     spec.name(name);
@@ -77,9 +74,7 @@ final class FullReader {
                   "Missing required parameter for option '%s' (%s)"
                       .formatted(String.join("' / '", option.names()), option.label()));
             }
-            requireNonNull(reading, "it is being read")
-                .options()
-                .add(new Reading.Occurrence(option, values.pop()));
+            reading.options().add(new Reading.Occurrence(option, values.pop()));
           });
     }
     return builder.build();
@@ -105,9 +100,7 @@ final class FullReader {
       }
       for (Option option : options) {
         if (!option.hasValue() && parsed.hasMatchedOption(option.names().getFirst())) {
-          requireNonNull(reading, "it is being read")
-              .options()
-              .add(new Reading.Occurrence(option, null));
+          reading.options().add(new Reading.Occurrence(option, null));
         }
       }
       List<String> rest = parsed.matchedPositionalValue(0, List.of());

@@ -2,7 +2,6 @@ package org.urbi.server.options;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 
 /** What a command line says: options in their order, then the other arguments. */
 record Reading(List<Occurrence> options, List<String> rest) {
@@ -11,7 +10,7 @@ record Reading(List<Occurrence> options, List<String> rest) {
    *
    * @param value null if it has none
    */
-  record Occurrence(Option option, @Nullable String value) {}
+  record Occurrence(Option option, String value) {}
 
   Reading() {
     this(new ArrayList<>(), new ArrayList<>());

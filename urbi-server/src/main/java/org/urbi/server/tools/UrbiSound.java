@@ -1,7 +1,5 @@
 package org.urbi.server.tools;
 
-import static java.util.Objects.requireNonNullElse;
-
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Files;
@@ -72,7 +70,7 @@ public final class UrbiSound {
 
   private int work(Arguments arguments) {
     Target target = Target.of(arguments, arguments.value("--host", "127.0.0.1"));
-    String input = arguments.value("--input");
+    String input = arguments.value("--input", null);
     if (input != null) {
       if (arguments.has("--output")
           || arguments.has("--duration")
@@ -81,7 +79,7 @@ public final class UrbiSound {
       }
       return send(target, arguments.value("--device", LOUDSPEAKER), Path.of(input));
     }
-    String output = arguments.value("--output");
+    String output = arguments.value("--output", null);
     if (output == null && arguments.has("--no-header")) {
       throw Failure.usage("--no-header is about the file of --output");
     }
@@ -126,7 +124,7 @@ public final class UrbiSound {
       if (e.getCause() instanceof Failure failure) {
         throw failure;
       }
-      throw Failure.of(device + ".val: " + requireNonNullElse(e.getCause(), e).getMessage());
+      throw Failure.of(device + ".val: " + e.getCause().getMessage());
     } catch (TimeoutException e) {
       throw Failure.of("the server does not say when it is done");
     } catch (InterruptedException e) {

@@ -38,11 +38,11 @@ public record AccessOptions(Admission admission, Path userDirectory, boolean ins
    * @throws Failure if they make no sense, or a file is not as it must be
    */
   public static AccessOptions of(Arguments arguments) {
-    String tokens = arguments.value("--tokens");
+    String tokens = arguments.value("--tokens", null);
     if (tokens == null && arguments.has("--default-role")) {
       throw Failure.usage("--default-role is for clients without a token: it needs --tokens");
     }
-    String directory = arguments.value("--user-directory");
+    String directory = arguments.value("--user-directory", null);
     if (directory != null && !Files.isDirectory(Path.of(directory))) {
       throw Failure.of("--user-directory: no such directory: " + directory);
     }

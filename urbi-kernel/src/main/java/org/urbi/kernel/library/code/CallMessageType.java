@@ -2,10 +2,10 @@ package org.urbi.kernel.library.code;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
@@ -43,7 +43,7 @@ final class CallMessageType {
     List<UrbiObject> arguments = arguments(frame, self);
     if (index < 0 || index >= arguments.size() || index != Math.rint(index)) {
       String text = frame.interpreter().asString(frame, self.world().values().number(index));
-      throw frame.interpreter().errors().primitive(site.calledName(), "invalid index: " + text);
+      throw frame.error(site, Problem.INDEX, text);
     }
     return frame.interpreter().send(frame, arguments.get((int) index), "eval");
   }
@@ -52,7 +52,7 @@ final class CallMessageType {
   static String argString(Frame frame, CallSite site, UrbiObject self, int index) {
     List<UrbiObject> arguments = arguments(frame, self);
     if (index < 0 || index >= arguments.size()) {
-      throw frame.interpreter().errors().primitive(site.calledName(), "invalid index: " + index);
+      throw frame.error(site, Problem.INDEX, index);
     }
     return frame.interpreter().asString(frame, arguments.get(index));
   }
@@ -63,7 +63,7 @@ final class CallMessageType {
     for (UrbiObject argument : arguments(frame, self)) {
       UrbiObject value = frame.interpreter().send(frame, argument, "eval");
       if (value == frame.interpreter().values().voidObject) {
-        throw frame.interpreter().errors().primitive(site.calledName(), "unexpected void");
+        throw frame.error(site, Problem.VOID_ARGUMENT);
       }
       values.add(value);
     }
@@ -120,7 +120,7 @@ final class CallMessageType {
     }
 
     @Override
-    public @Nullable Span calledSpan() {
+    public Span calledSpan() {
       return null;
     }
 

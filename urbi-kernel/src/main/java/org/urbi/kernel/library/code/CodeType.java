@@ -5,6 +5,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.object.ObjectType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
@@ -31,7 +32,7 @@ final class CodeType {
     }
     UrbiObject[] all = arguments.elements().toArray(UrbiObject[]::new);
     if (all.length == 0) {
-      throw frame.interpreter().errors().primitive("apply", "argument list must begin with `this'");
+      throw frame.interpreter().errors().primitive("apply", Problem.WITHOUT_THIS);
     }
     return frame
         .interpreter()

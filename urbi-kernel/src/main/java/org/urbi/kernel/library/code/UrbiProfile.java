@@ -1,21 +1,20 @@
 package org.urbi.kernel.library.code;
 
-import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.Profiler;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
 /** What code has called, and for how long (manual, "Profile"). */
 public final class UrbiProfile extends UrbiObject {
-  private final @Nullable Profiler profiler;
+  private final Profiler profiler;
 
-  public UrbiProfile(Shape shape, @Nullable Profiler profiler) {
+  public UrbiProfile(Shape shape, Profiler profiler) {
     super(shape);
     this.profiler = profiler;
   }
 
   /** Null in the prototype. */
-  @Nullable Profiler profiler() {
+  Profiler profiler() {
     return profiler;
   }
 

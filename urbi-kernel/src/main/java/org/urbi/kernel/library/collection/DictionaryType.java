@@ -7,6 +7,7 @@ import java.util.Map;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.library.value.Comparison;
 import org.urbi.kernel.library.value.Hashing;
@@ -46,7 +47,7 @@ final class DictionaryType {
   static UrbiObject init(
       Frame caller, CallSite site, UrbiDictionary self, UrbiObject... keysAndValues) {
     if (keysAndValues.length % 2 != 0) {
-      throw caller.interpreter().errors().primitive(site.calledName(), "odd number of arguments");
+      throw caller.error(site, Problem.ODD_ARGUMENTS);
     }
     for (int i = 0; i < keysAndValues.length; i += 2) {
       set(caller, self, keysAndValues[i], keysAndValues[i + 1]);
@@ -138,12 +139,8 @@ final class DictionaryType {
   }
 
   private static UrbiException missing(Frame caller, UrbiObject key) {
-    World world = caller.interpreter().world();
-    UrbiObject error = world.prototype("Dictionary.KeyError").cloned();
-    String message = "missing key: " + caller.interpreter().asString(caller, key);
-    error.addSlot(world.symbol("message"), world.values().string(message));
-    error.addSlot(world.symbol("key"), key);
-    return new UrbiException(error);
+    String shown = caller.interpreter().asString(caller, key);
+    return caller.interpreter().errors().of(Problem.MISSING_KEY, shown).with("key", key).build();
   }
 
   @Builtin(doc = "The value of a key; the default value if it is not there.")

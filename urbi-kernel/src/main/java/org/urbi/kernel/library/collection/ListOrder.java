@@ -2,19 +2,19 @@ package org.urbi.kernel.library.collection;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.Errors;
+import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.error.ProblemKind;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.library.value.Comparison;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
-import org.urbi.kernel.object.World;
 
 /** The order of lists, and of their elements (manual, "List"). */
 @UrbiTypePart(value = "List", needs = Need.NOTHING)
@@ -28,7 +28,7 @@ public final class ListOrder {
 
   @Builtin(doc = "A new list with the elements in the order that fun, or '<', says.")
   static List<UrbiObject> sort(
-      Frame caller, CallSite site, UrbiList self, @Optional @Nullable UrbiObject fun) {
+      Frame caller, CallSite site, UrbiList self, @Optional UrbiObject fun) {
     Comparison.Order order = Comparison.order(caller, site, self, fun);
     try {
       return Comparison.sorted(caller, self.elements(), order);
@@ -38,26 +38,22 @@ public final class ListOrder {
   }
 
   @Builtin(doc = "The greatest element, as fun, or '<', says.")
-  static UrbiObject max(
-      Frame caller, CallSite site, UrbiList self, @Optional @Nullable UrbiObject fun) {
+  static UrbiObject max(Frame caller, CallSite site, UrbiList self, @Optional UrbiObject fun) {
     return max(caller, site, self.elements(), self, fun);
   }
 
   @Builtin(doc = "The least element, as fun, or '<', says.")
-  static UrbiObject min(
-      Frame caller, CallSite site, UrbiList self, @Optional @Nullable UrbiObject fun) {
+  static UrbiObject min(Frame caller, CallSite site, UrbiList self, @Optional UrbiObject fun) {
     return min(caller, site, self.elements(), self, fun);
   }
 
   @Builtin(doc = "The index of the first of the greatest elements, as fun, or '<', says.")
-  static int argMax(
-      Frame caller, CallSite site, UrbiList self, @Optional @Nullable UrbiObject fun) {
+  static int argMax(Frame caller, CallSite site, UrbiList self, @Optional UrbiObject fun) {
     return best(caller, site, new ArrayList<>(self.elements()), self, fun, false);
   }
 
   @Builtin(doc = "The index of the first of the least elements, as fun, or '<', says.")
-  static int argMin(
-      Frame caller, CallSite site, UrbiList self, @Optional @Nullable UrbiObject fun) {
+  static int argMin(Frame caller, CallSite site, UrbiList self, @Optional UrbiObject fun) {
     return best(caller, site, new ArrayList<>(self.elements()), self, fun, true);
   }
 
@@ -67,11 +63,7 @@ public final class ListOrder {
    * @param fun the order; {@code <} when it is null
    */
   public static UrbiObject max(
-      Frame caller,
-      CallSite site,
-      List<UrbiObject> values,
-      UrbiObject self,
-      @Nullable UrbiObject fun) {
+      Frame caller, CallSite site, List<UrbiObject> values, UrbiObject self, UrbiObject fun) {
     List<UrbiObject> copy = List.copyOf(values);
     return copy.get(best(caller, site, copy, self, fun, false));
   }
@@ -82,11 +74,7 @@ public final class ListOrder {
    * @param fun the order; {@code <} when it is null
    */
   public static UrbiObject min(
-      Frame caller,
-      CallSite site,
-      List<UrbiObject> values,
-      UrbiObject self,
-      @Nullable UrbiObject fun) {
+      Frame caller, CallSite site, List<UrbiObject> values, UrbiObject self, UrbiObject fun) {
     List<UrbiObject> copy = List.copyOf(values);
     return copy.get(best(caller, site, copy, self, fun, true));
   }
@@ -96,10 +84,10 @@ public final class ListOrder {
       CallSite site,
       List<UrbiObject> values,
       UrbiObject self,
-      @Nullable UrbiObject fun,
+      UrbiObject fun,
       boolean least) {
     if (values.isEmpty()) {
-      throw ListType.error(caller, site, "list cannot be empty");
+      throw caller.error(site, Problem.NOTHING_TO_COMPARE);
     }
     Comparison.Order order = Comparison.order(caller, site, self, fun);
     int best = 0;
@@ -121,12 +109,10 @@ public final class ListOrder {
   private static UrbiException incomparable(
       Frame caller, CallSite site, int index, UrbiException thrown) {
     Errors errors = caller.interpreter().errors();
-    World world = caller.interpreter().world();
-    UrbiObject argument = errors.prototype("Argument");
-    if (argument == null || !thrown.value().isA(argument)) {
+    if (!errors.is(thrown.value(), ProblemKind.ARGUMENT)) {
       return thrown;
     }
-    UrbiObject cause = thrown.value().lookup(world.symbol("exception"));
+    UrbiObject cause = thrown.value().lookup(caller.interpreter().world().symbol("exception"));
     return cause == null ? thrown : errors.argument(site.calledName(), index, cause);
   }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiTypePart;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.value.Comparison;
 import org.urbi.kernel.library.value.Iteration;
 import org.urbi.kernel.node.CallSite;
@@ -139,7 +140,7 @@ final class ListSearch {
     List<UrbiObject> first = List.copyOf(self.elements());
     List<UrbiObject> second = List.copyOf(other.elements());
     if (first.size() != second.size()) {
-      throw ListType.error(caller, site, "lists must have the same size");
+      throw caller.error(site, Problem.LISTS_OF_SIZES);
     }
     List<UrbiObject> results = new ArrayList<>(first.size());
     for (int i = 0; i < first.size(); i++) {

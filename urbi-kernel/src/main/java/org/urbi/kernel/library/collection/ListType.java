@@ -3,13 +3,12 @@ package org.urbi.kernel.library.collection;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
-import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.lobby.Warnings;
 import org.urbi.kernel.library.text.StringType;
 import org.urbi.kernel.library.value.Comparison;
@@ -120,19 +119,15 @@ final class ListType {
   private static List<UrbiObject> notEmpty(Frame caller, CallSite site, UrbiList self) {
     List<UrbiObject> elements = self.elements();
     if (elements.isEmpty()) {
-      throw error(caller, site, "cannot be applied onto empty list");
+      throw caller.error(site, Problem.EMPTY_LIST);
     }
     return elements;
-  }
-
-  static UrbiException error(Frame caller, CallSite site, String message) {
-    return caller.interpreter().errors().primitive(site.calledName(), message);
   }
 
   @Builtin(
       doc = "The elements from begin to end, which is excluded; negatives number from the end.")
   static List<UrbiObject> range(
-      Frame caller, CallSite site, UrbiList self, int begin, @Optional @Nullable UrbiObject end) {
+      Frame caller, CallSite site, UrbiList self, int begin, @Optional UrbiObject end) {
     int from = begin;
     int to;
     if (end == null || end == values(caller).nil) {
@@ -300,9 +295,9 @@ final class ListType {
   static String join(
       Frame caller,
       UrbiList self,
-      @Optional @Nullable String sep,
-      @Optional @Nullable String prefix,
-      @Optional @Nullable String suffix) {
+      @Optional String sep,
+      @Optional String prefix,
+      @Optional String suffix) {
     return StringType.join(
         caller,
         sep == null ? "" : sep,

@@ -6,6 +6,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.value.Comparison;
 import org.urbi.kernel.library.value.Counting;
 import org.urbi.kernel.library.value.Hashing;
@@ -111,10 +112,7 @@ final class TupleType {
     List<UrbiObject> members = List.copyOf(members(caller, site, self));
     List<UrbiObject> terms = List.copyOf(argument(caller, site, other));
     if (members.size() != terms.size()) {
-      throw caller
-          .interpreter()
-          .errors()
-          .primitive(site.calledName(), "tuples must have the same size");
+      throw caller.error(site, Problem.TUPLES_OF_SIZES);
     }
     List<UrbiObject> sums = new ArrayList<>();
     for (UrbiObject member : members) {

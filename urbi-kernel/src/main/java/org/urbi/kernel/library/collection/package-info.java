@@ -1,5 +1,2 @@
 /** Lists, tuples and dictionaries (manual, "Container", "List", "Tuple", "Dictionary"). */
-@NullMarked
 package org.urbi.kernel.library.collection;
-
-import org.jspecify.annotations.NullMarked;

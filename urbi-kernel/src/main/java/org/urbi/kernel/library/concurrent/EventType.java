@@ -5,6 +5,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.event.Emission;
 import org.urbi.kernel.event.FunctionHandler;
 import org.urbi.kernel.event.Subscription;
@@ -112,7 +113,7 @@ public final class EventType {
       throw frame
           .interpreter()
           .errors()
-          .primitive("subscribe", "the subscription has no function of its own");
+          .primitive("subscribe", Problem.SUBSCRIPTION_WITHOUT_FUNCTION);
     }
     subscription.listenTo(frame, self);
     return subscription;

@@ -5,6 +5,7 @@ import java.util.List;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.job.Job;
@@ -144,10 +145,7 @@ public final class JobType {
       value = {"clone", "new"},
       doc = "Not possible: a job cannot be copied.")
   static UrbiObject clone(Frame frame, CallSite site, UrbiObject self) {
-    throw frame
-        .interpreter()
-        .errors()
-        .primitive(site.calledName(), "`Job' objects cannot be cloned");
+    throw frame.error(site, Problem.JOB_NOT_CLONEABLE);
   }
 
   private static List<UrbiException.Call> calls(Frame frame, UrbiJob self) {

@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.concurrent;
 
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Timers;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.Shape;
@@ -74,7 +75,7 @@ final class UrbiTimeout extends UrbiTag {
   protected UrbiObject stopped(Frame frame, UrbiObject value) {
     if (timedOut && throwing) {
       String name = frame.interpreter().asString(frame, this);
-      throw frame.interpreter().errors().of("TimeOut", name + " has timed out.").build();
+      throw frame.interpreter().errors().of(Problem.TIMED_OUT, name).build();
     }
     return value;
   }

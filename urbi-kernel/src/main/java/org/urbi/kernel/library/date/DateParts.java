@@ -5,6 +5,7 @@ import java.time.temporal.ChronoField;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiTypePart;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.library.value.Printing;
 import org.urbi.kernel.node.Frame;
@@ -22,29 +23,29 @@ final class DateParts {
   private static void set(Frame caller, UrbiDate self, ChronoField field, UrbiFloat value) {
     long given = (long) value.value();
     if (given != value.value()) {
-      throw invalid(caller, "expected integer, got " + Printing.printable(caller, value));
+      throw invalid(caller, Problem.PART_OF_DATE_NOT_INTEGER, Printing.printable(caller, value));
     }
     if (field == ChronoField.YEAR && (given < 1400 || given > 9999)) {
-      throw invalid(caller, "Year is out of valid range: 1400..9999");
+      throw invalid(caller, Problem.YEAR);
     }
     if (!field.range().isValidValue(given)) {
-      throw invalid(caller, field + " is out of range " + field.range());
+      throw invalid(caller, Problem.PART_OF_DATE, field, field.range());
     }
     int day = self.dateTime().getDayOfMonth();
     try {
       var changed = self.dateTime().with(field, given);
       // Java would take the last day of a shorter month.
       if (field != ChronoField.DAY_OF_MONTH && changed.getDayOfMonth() != day) {
-        throw invalid(caller, "Day of month is not valid for year");
+        throw invalid(caller, Problem.DAY_OF_MONTH);
       }
       self.setDateTime(changed);
     } catch (DateTimeException e) {
-      throw invalid(caller, "Day of month is not valid for year");
+      throw invalid(caller, Problem.DAY_OF_MONTH);
     }
   }
 
-  private static UrbiException invalid(Frame caller, String message) {
-    return caller.interpreter().errors().primitive("updateSlot", message);
+  private static UrbiException invalid(Frame caller, Problem problem, Object... values) {
+    return caller.interpreter().errors().primitive("updateSlot", problem, values);
   }
 
   @Builtin(doc = "The year.")
@@ -130,7 +131,7 @@ final class DateParts {
   static void setUs(Frame caller, UrbiDate self, UrbiFloat value) {
     double given = value.value();
     if (given < 0 || given >= DAY) {
-      throw invalid(caller, "invalid number of microseconds in a day");
+      throw invalid(caller, Problem.MICROSECONDS);
     }
     long midnight = Math.floorDiv(self.microseconds(), DAY) * DAY;
     self.setMicroseconds(midnight + (long) given);

@@ -1,12 +1,12 @@
 package org.urbi.kernel.library.date;
 
 import java.time.LocalDateTime;
-import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.library.value.Hashing;
 import org.urbi.kernel.node.CallSite;
@@ -48,17 +48,14 @@ final class DateType {
   @Builtin(
       doc = "Makes it the date that the string denotes; the current one without a string.",
       needs = Need.CHANGE)
-  static UrbiObject init(Frame caller, CallSite site, UrbiDate self, @Optional @Nullable String d) {
+  static UrbiObject init(Frame caller, CallSite site, UrbiDate self, @Optional String d) {
     if (d == null) {
       self.setMicroseconds(currentMicroseconds(caller));
       return self;
     }
     LocalDateTime parsed = DateParser.parse(d);
     if (parsed == null) {
-      throw caller
-          .interpreter()
-          .errors()
-          .primitive(site.calledName(), "cannot convert to date: " + d);
+      throw caller.error(site, Problem.NOT_A_DATE, d);
     }
     self.setDateTime(parsed);
     return self;

@@ -1,11 +1,9 @@
 package org.urbi.kernel.library.exception;
 
-import static java.util.Objects.requireNonNull;
-
 import java.util.ArrayList;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.builtin.BuiltinTable;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -58,23 +56,25 @@ final class ExceptionTable extends BuiltinTable {
 
   /** How it is shown. */
   record Shown(String doc, Text text) {
-    /** A text in which {@code {slot}} stands for the value of a slot. */
-    static Shown as(String doc, String template) {
-      return new Shown(doc, (frame, self) -> filled(frame, self, template));
+    /** The text of a problem, whose places are slots of the exception. */
+    static Shown as(String doc, Problem problem) {
+      return new Shown(doc, (frame, self) -> filled(frame, self, problem));
     }
 
-    private static String filled(Frame frame, UrbiObject self, String template) {
-      StringBuilder text = new StringBuilder();
-      int from = 0;
-      int open = template.indexOf('{');
-      while (open >= 0) {
-        int close = template.indexOf('}', open);
-        text.append(template, from, open)
-            .append(ExceptionType.text(frame, self, template.substring(open + 1, close)));
-        from = close + 1;
-        open = template.indexOf('{', from);
-      }
-      return text.append(template.substring(from)).toString();
+    /** The same behind the routine that has thrown it. */
+    static Shown inRoutine(String doc, Problem problem) {
+      return new Shown(
+          doc,
+          (frame, self) ->
+              Problem.IN_ROUTINE.text(
+                  ExceptionType.text(frame, self, "routine"), filled(frame, self, problem)));
+    }
+
+    private static String filled(Frame frame, UrbiObject self, Problem problem) {
+      return problem.text(
+          problem.template().places().stream()
+              .map(slot -> ExceptionType.text(frame, self, slot))
+              .toArray());
     }
 
     private Entry entry() {
@@ -82,21 +82,20 @@ final class ExceptionTable extends BuiltinTable {
     }
   }
 
-  private final @Nullable Init init;
-  private final @Nullable Shown shown;
+  private final Init init;
+  private final Shown shown;
 
   /**
    * @param init null for the one it inherits
    * @param shown null for the text it inherits
    */
-  ExceptionTable(
-      String type, String proto, String doc, @Nullable Init init, @Nullable Shown shown) {
+  ExceptionTable(String type, String proto, String doc, Init init, Shown shown) {
     super(type, doc, new String[] {proto}, entries(init, shown));
     this.init = init;
     this.shown = shown;
   }
 
-  private static Entry[] entries(@Nullable Init init, @Nullable Shown shown) {
+  private static Entry[] entries(Init init, Shown shown) {
     List<Entry> entries = new ArrayList<>();
     if (init != null) {
       entries.add(init.entry());
@@ -115,8 +114,6 @@ final class ExceptionTable extends BuiltinTable {
       init.action.run(caller, site, self, arguments);
       return values.voidObject;
     }
-    return values.string(
-        ExceptionType.placed(
-            caller, self, requireNonNull(shown, "declared only then").text.of(caller, self)));
+    return values.string(ExceptionType.placed(caller, self, shown.text.of(caller, self)));
   }
 }

@@ -4,9 +4,9 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.error.Errors;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.exception.ExceptionTable.Init;
 import org.urbi.kernel.library.exception.ExceptionTable.Shown;
 import org.urbi.kernel.library.lobby.Warnings;
@@ -94,7 +94,7 @@ public final class ExceptionTypes {
             EXCEPTION,
             "An attempt to change a constant.",
             Init.of(NOTHING),
-            Shown.as(WRONG, "cannot modify const slot")),
+            Shown.as(WRONG, Problem.CONSTANT)),
         new ExceptionTable(
             "Exception.FileNotFound",
             EXCEPTION,
@@ -106,7 +106,7 @@ public final class ExceptionTypes {
             EXCEPTION,
             "An implicit tag under an unknown name.",
             Init.of(NOTHING),
-            Shown.as(WRONG, "invalid component in implicit tag")),
+            Shown.as(WRONG, Problem.BAD_IMPLICIT_TAG)),
         new ExceptionTable(
             "Exception.Lookup",
             EXCEPTION,
@@ -123,41 +123,37 @@ public final class ExceptionTypes {
             EXCEPTION,
             "A pattern that did not match.",
             Init.of(NOTHING),
-            Shown.as(WRONG, "pattern did not match")),
+            Shown.as(WRONG, Problem.UNMATCHED)),
         new ExceptionTable(
             "Exception.NegativeNumber",
             BAD_NUMBER,
             "A number that should not be negative.",
             Init.of("Of that routine, and the number.", "routine", "effective"),
-            Shown.as(
-                "The routine, and the number.",
-                "{routine}: unexpected {effective}, expected non-negative number")),
+            Shown.inRoutine("The routine, and the number.", Problem.NEGATIVE)),
         new ExceptionTable(
             "Exception.NonPositiveNumber",
             BAD_NUMBER,
             "A number that should be positive.",
             Init.of("Of that routine, and the number.", "routine", "effective"),
-            Shown.as(
-                "The routine, and the number.",
-                "{routine}: unexpected {effective}, expected positive number")),
+            Shown.inRoutine("The routine, and the number.", Problem.NOT_POSITIVE)),
         new ExceptionTable(
             "Exception.Primitive",
             EXCEPTION,
             "An error in a routine of the library.",
             Init.of("Of that routine, with that message.", "routine", "message"),
-            Shown.as("The routine and the message.", "{routine}: {message}")),
+            Shown.as("The routine and the message.", Problem.IN_ROUTINE)),
         new ExceptionTable(
             "Exception.PropertyLookup",
             "Exception.Lookup",
             "A property that was not found.",
             Init.of("Of that name, slot->property, of that object.", "name", "object"),
-            Shown.as("The slot and the property.", "property lookup failed: {name}")),
+            Shown.as("The slot and the property.", Problem.PROPERTY_NOT_FOUND)),
         new ExceptionTable(
             "Exception.Redefinition",
             EXCEPTION,
             "A slot that is there already.",
             Init.of("Of the slot of that name.", "name"),
-            Shown.as("The name of the slot.", "slot redefinition: {name}")),
+            Shown.as("The name of the slot.", Problem.REDEFINED)),
         new ExceptionTable(
             "Exception.Scheduling", EXCEPTION, "Something went wrong with jobs.", null, null),
         new ExceptionTable(
@@ -169,7 +165,7 @@ public final class ExceptionTypes {
                 "location=loc",
                 "message",
                 "input"),
-            Shown.as("The place and the message.", "{loc}: syntax error: {message}")),
+            Shown.as("The place and the message.", Problem.SYNTAX_ERROR)),
         new ExceptionTable(
             "Exception.TimeOut", EXCEPTION, "Code that has taken too much time.", null, null),
         new ExceptionTable(
@@ -183,7 +179,7 @@ public final class ExceptionTypes {
             EXCEPTION,
             "A void value where one was needed.",
             Init.of(NOTHING),
-            Shown.as(WRONG, "unexpected void")));
+            Shown.as(WRONG, Problem.VOID)));
   }
 
   private static String text(Frame frame, UrbiObject self, String slot) {
@@ -198,11 +194,11 @@ public final class ExceptionTypes {
 
   private static String argument(Frame frame, UrbiObject self) {
     int index = count(self, "index", 0);
-    return text(frame, self, "routine")
-        + ": "
-        + (index == 0 ? "this" : "argument " + index)
-        + ": "
-        + text(frame, self, "exception");
+    String routine = text(frame, self, "routine");
+    String reason = text(frame, self, "exception");
+    return index == 0
+        ? Problem.WRONG_TARGET.text(routine, reason)
+        : Problem.WRONG_ARGUMENT.text(routine, index, reason);
   }
 
   private static void initArgumentType(
@@ -215,11 +211,8 @@ public final class ExceptionTypes {
   }
 
   private static String argumentType(Frame frame, UrbiObject self) {
-    return text(frame, self, "routine")
-        + ": argument "
-        + text(frame, self, "index")
-        + ": "
-        + type(frame, self);
+    return Problem.WRONG_ARGUMENT_TYPE.text(
+        text(frame, self, "routine"), text(frame, self, "index"), type(frame, self));
   }
 
   private static void initArity(
@@ -231,7 +224,7 @@ public final class ExceptionTypes {
   }
 
   private static String arity(Frame frame, UrbiObject self) {
-    return Errors.arityMessage(
+    return Errors.arityText(
         text(frame, self, "routine"),
         count(self, "effective", 0),
         count(self, "minimum", 0),
@@ -239,20 +232,19 @@ public final class ExceptionTypes {
   }
 
   private static String noFile(Frame frame, UrbiObject self) {
+    String text = Problem.NO_FILE.text(text(frame, self, "name"));
     boolean called = self.lookup(self.world().symbol("routine")) != null;
-    return (called ? text(frame, self, "routine") + ": " : "")
-        + "file not found: "
-        + text(frame, self, "name");
+    return called ? Problem.IN_ROUTINE.text(text(frame, self, "routine"), text) : text;
   }
 
   private static String badNumber(Frame frame, UrbiObject self) {
     if (self.lookup(self.world().symbol("fmt")) == null) {
       return ExceptionType.asString(frame, self);
     }
+    String text = text(frame, self, "fmt").replace("%s", text(frame, self, "effective"));
     String routine = text(frame, self, "routine");
     // An argument exception names the routine itself.
-    return (routine.isEmpty() ? "" : routine + ": ")
-        + text(frame, self, "fmt").replace("%s", text(frame, self, "effective"));
+    return routine.isEmpty() ? text : Problem.IN_ROUTINE.text(routine, text);
   }
 
   private static void initLookup(
@@ -267,12 +259,10 @@ public final class ExceptionTypes {
   private static String lookup(Frame frame, UrbiObject self) {
     String name = text(frame, self, "name");
     String meant = meant(frame, self, name);
-    return "lookup failed: "
-        + name
-        + (meant == null ? "" : " (possible misspelling of " + meant + ")");
+    return meant == null ? Problem.NOT_FOUND.text(name) : Problem.MISSPELLED.text(name, meant);
   }
 
-  private static @Nullable String meant(Frame frame, UrbiObject self, String name) {
+  private static String meant(Frame frame, UrbiObject self, String name) {
     UrbiObject object = self.lookup(self.world().symbol("object"));
     if (object == null || !Truth.of(frame, OwnSlots.get(frame, self, "fixSpelling"))) {
       return null;
@@ -301,7 +291,7 @@ public final class ExceptionTypes {
                 .interpreter()
                 .asString(frame, frame.interpreter().send(frame, expected, "type"));
     String shown = effective == null ? "" : frame.interpreter().asPrintable(frame, effective);
-    String article = "AEIOUaeiou".indexOf(type.charAt(0)) >= 0 ? "an " : "a ";
-    return "unexpected " + shown + ", expected " + article + type;
+    String article = "AEIOUaeiou".indexOf(type.charAt(0)) >= 0 ? "an" : "a";
+    return Problem.WRONG_TYPE.text(shown, article, type);
   }
 }

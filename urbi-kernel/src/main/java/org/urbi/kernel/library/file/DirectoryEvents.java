@@ -2,7 +2,7 @@ package org.urbi.kernel.library.file;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
@@ -25,7 +25,7 @@ final class DirectoryEvents implements DirectoryWatch.Listener {
   private final UrbiDirectory directory;
   private final UrbiEvent created;
   private final UrbiEvent deleted;
-  private @Nullable Path watched;
+  private Path watched;
 
   private DirectoryEvents(Frame frame, Outside outside, UrbiDirectory directory) {
     this.interpreter = frame.interpreter();
@@ -65,7 +65,7 @@ final class DirectoryEvents implements DirectoryWatch.Listener {
       watched = null;
       throw interpreter
           .errors()
-          .primitive("fileCreated", "cannot watch directory: " + FileAccess.reason(e));
+          .primitive("fileCreated", Problem.CANNOT_WATCH, FileAccess.reason(e));
     }
     if (first) {
       scheduler.pace().beginWhile(() -> created.hasSubscribers() || deleted.hasSubscribers());

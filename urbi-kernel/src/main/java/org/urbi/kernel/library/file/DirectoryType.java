@@ -6,6 +6,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -39,7 +40,7 @@ final class DirectoryType {
   /** The target, which must not be the prototype itself. */
   private static UrbiPath path(Frame frame, CallSite site, UrbiDirectory self) {
     if (self.path() == null) {
-      throw frame.interpreter().errors().primitive(site.calledName(), "not a directory");
+      throw frame.error(site, Problem.NOT_A_DIRECTORY);
     }
     return self.path();
   }
@@ -47,10 +48,10 @@ final class DirectoryType {
   /** Nothing of that name may exist. */
   private void checkAbsent(Frame frame, CallSite site, UrbiPath path) {
     if (files.isDirectory(frame, site, path)) {
-      throw FileAccess.error(frame, site, "directory exists", path);
+      throw FileAccess.error(frame, site, Problem.DIRECTORY_EXISTS, path);
     }
     if (files.hasEntry(frame, site, path)) {
-      throw FileAccess.error(frame, site, "file exists", path);
+      throw FileAccess.error(frame, site, Problem.FILE_EXISTS, path);
     }
   }
 
@@ -125,7 +126,7 @@ final class DirectoryType {
       return directory(frame, inside);
     }
     if (!files.exists(frame, site, inside)) {
-      throw FileAccess.error(frame, site, "no such file or directory", inside);
+      throw FileAccess.error(frame, site, Problem.NO_SUCH_FILE, inside);
     }
     return FileType.file(frame, inside);
   }
@@ -140,9 +141,8 @@ final class DirectoryType {
 
   @Builtin(doc = "The paths of what is in it, which begin with its own.")
   List<UrbiPath> asList(Frame frame, CallSite site, UrbiDirectory self) {
-    UrbiPath path = path(frame, site, self);
     return names(frame, site, self).stream()
-        .map(name -> path.sibling(path.text() + "/" + name))
+        .map(name -> self.path().sibling(self.text() + "/" + name))
         .toList();
   }
 

@@ -12,6 +12,7 @@ import java.nio.file.NotDirectoryException;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.library.date.UrbiDate;
 import org.urbi.kernel.node.CallSite;
@@ -39,8 +40,7 @@ public final class FileAccess {
         checkName(frame, site, text.value());
         yield anyPath(frame).sibling(text.value());
       }
-      case UrbiPath prototype ->
-          throw frame.interpreter().errors().primitive(site.calledName(), "not a path");
+      case UrbiPath prototype -> throw frame.error(site, Problem.NOT_A_PATH);
       default -> Arguments.unexpected(frame, site, place, given, "Path");
     };
   }
@@ -48,7 +48,7 @@ public final class FileAccess {
   /** {@code routine: invalid path: …} unless it may be the name of something. */
   static void checkName(Frame frame, CallSite site, String name) {
     if (name.isEmpty() || name.indexOf('\0') >= 0) {
-      throw frame.interpreter().errors().primitive(site.calledName(), "invalid path: " + name);
+      throw frame.error(site, Problem.INVALID_PATH, name);
     }
   }
 
@@ -60,10 +60,7 @@ public final class FileAccess {
   /** What was made by {@code new} can be made something of the machine; what all share cannot. */
   public static void checkNotPrototype(Frame frame, CallSite site, UrbiObject self, String type) {
     if (self == frame.interpreter().world().prototype(type)) {
-      throw frame
-          .interpreter()
-          .errors()
-          .primitive(site.calledName(), type + " is a prototype: use " + type + ".new");
+      throw frame.error(site, Problem.IS_A_PROTOTYPE, type, type);
     }
   }
 
@@ -110,7 +107,7 @@ public final class FileAccess {
       throw error(
           frame,
           site,
-          exists(frame, site, path) ? "not a directory" : "directory does not exist",
+          exists(frame, site, path) ? Problem.NOT_A_DIRECTORY : Problem.DIRECTORY_MISSING,
           path);
     }
     return path;
@@ -124,11 +121,12 @@ public final class FileAccess {
   }
 
   /** {@code routine: message: "path"}. */
-  static UrbiException error(Frame frame, CallSite site, String message, UrbiPath path) {
-    return frame
-        .interpreter()
-        .errors()
-        .primitive(site.calledName(), message + ": " + StringEscape.quote(path.text()));
+  static UrbiException error(Frame frame, CallSite site, Problem reason, UrbiPath path) {
+    return error(frame, site, reason.text(), path);
+  }
+
+  private static UrbiException error(Frame frame, CallSite site, String reason, UrbiPath path) {
+    return frame.error(site, Problem.AT_PATH, reason, StringEscape.quote(path.text()));
   }
 
   /** Something that can be done to files. */
@@ -157,7 +155,7 @@ public final class FileAccess {
   /** Something is to be moved or copied there: there must be a directory for it. */
   void checkPlace(Frame frame, CallSite site, UrbiPath to) {
     if (!isDirectory(frame, site, PathType.dirname(to))) {
-      throw error(frame, site, "no such file or directory", to);
+      throw error(frame, site, Problem.NO_SUCH_FILE, to);
     }
   }
 
@@ -189,15 +187,15 @@ public final class FileAccess {
   /** What went wrong, in the words of the manual. */
   public static String reason(IOException failure) {
     return switch (failure) {
-      case NoSuchFileException e -> "no such file or directory";
-      case FileAlreadyExistsException e -> "file exists";
-      case DirectoryNotEmptyException e -> "directory not empty";
-      case AccessDeniedException e -> "permission denied";
-      case NotDirectoryException e -> "not a directory";
-      case FileSystemLoopException e -> "too many levels of links";
+      case NoSuchFileException e -> Problem.NO_SUCH_FILE.text();
+      case FileAlreadyExistsException e -> Problem.FILE_EXISTS.text();
+      case DirectoryNotEmptyException e -> Problem.DIRECTORY_NOT_EMPTY.text();
+      case AccessDeniedException e -> Problem.PERMISSION_DENIED.text();
+      case NotDirectoryException e -> Problem.NOT_A_DIRECTORY.text();
+      case FileSystemLoopException e -> Problem.TOO_MANY_LINKS.text();
       case FileNotFoundException e -> lowered(inParentheses(e));
       case FileSystemException e when e.getReason() != null -> lowered(e.getReason());
-      default -> failure.getMessage() == null ? "input/output error" : failure.getMessage();
+      default -> failure.getMessage() == null ? Problem.INPUT_OUTPUT.text() : failure.getMessage();
     };
   }
 

@@ -8,6 +8,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.text.BinaryType;
 import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.CallSite;
@@ -43,7 +44,7 @@ final class FileType {
   /** The target, which must not be the prototype itself. */
   static UrbiPath path(Frame frame, CallSite site, UrbiFile self) {
     if (self.path() == null) {
-      throw frame.interpreter().errors().primitive(site.calledName(), "not a file");
+      throw frame.error(site, Problem.NOT_A_FILE);
     }
     return self.path();
   }
@@ -55,10 +56,10 @@ final class FileType {
     FileAccess.checkNotPrototype(frame, site, self, "File");
     UrbiPath path = FileAccess.path(frame, site, 1, name);
     if (files.isDirectory(frame, site, path)) {
-      throw FileAccess.error(frame, site, "not a file", path);
+      throw FileAccess.error(frame, site, Problem.NOT_A_FILE, path);
     }
     if (!files.exists(frame, site, path)) {
-      throw FileAccess.error(frame, site, "file does not exist", path);
+      throw FileAccess.error(frame, site, Problem.FILE_MISSING, path);
     }
     self.setPath(path);
     return self;
@@ -133,7 +134,7 @@ final class FileType {
         path,
         () -> {
           if (disk.isRegularFile(file) && disk.size(file) > Integer.MAX_VALUE - 8) {
-            throw new IOException("file too large");
+            throw new IOException(Problem.FILE_TOO_LARGE.text());
           }
           return disk.read(file);
         });
@@ -187,7 +188,7 @@ final class FileType {
   private UrbiObject copied(Frame frame, CallSite site, UrbiFile self, UrbiPath to) {
     UrbiPath from = path(frame, site, self);
     if (!files.hasEntry(frame, site, from)) {
-      throw FileAccess.error(frame, site, "no such file or directory", from);
+      throw FileAccess.error(frame, site, Problem.NO_SUCH_FILE, from);
     }
     files.changeSlowly(frame, site, to, () -> files.disk().copy(from.file(), to.file()));
     return file(frame, to);
@@ -208,7 +209,7 @@ final class FileType {
   private UrbiObject moved(Frame frame, CallSite site, UrbiFile self, UrbiPath to) {
     UrbiPath from = path(frame, site, self);
     if (files.isDirectory(frame, site, to)) {
-      throw FileAccess.error(frame, site, "is a directory", to);
+      throw FileAccess.error(frame, site, Problem.IS_A_DIRECTORY, to);
     }
     files.checkPlace(frame, site, to);
     files.changeSlowly(frame, site, from, () -> files.disk().replace(from.file(), to.file()));
@@ -220,7 +221,7 @@ final class FileType {
   void remove(Frame frame, CallSite site, UrbiFile self) {
     UrbiPath path = path(frame, site, self);
     if (files.isDirectory(frame, site, path)) {
-      throw FileAccess.error(frame, site, "is a directory", path);
+      throw FileAccess.error(frame, site, Problem.IS_A_DIRECTORY, path);
     }
     FileAccess.change(frame, site, path, () -> files.disk().delete(path.file()));
   }

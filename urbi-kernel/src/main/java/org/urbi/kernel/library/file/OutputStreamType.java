@@ -6,6 +6,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.CallSite;
@@ -79,23 +80,19 @@ public final class OutputStreamType {
     self.channel(frame, site);
     double number = Arguments.number(frame, site, 1, given);
     if (number < 0) {
-      throw bad(frame, site, given, "negative overflow");
+      throw bad(frame, site, given, Problem.NOT_BYTE_NEGATIVE);
     }
     if (number > LARGEST_BYTE) {
-      throw bad(frame, site, given, "positive overflow");
+      throw bad(frame, site, given, Problem.NOT_BYTE_TOO_LARGE);
     }
     if (number != Math.rint(number)) {
-      throw bad(frame, site, given, "overflow or non empty fractional part");
+      throw bad(frame, site, given, Problem.NOT_BYTE_FRACTION);
     }
     return write(frame, site, self, new byte[] {(byte) (int) number});
   }
 
-  private static UrbiException bad(Frame frame, CallSite site, UrbiObject given, String what) {
-    return frame
-        .interpreter()
-        .errors()
-        .argumentNumber(
-            "BadNumber", site.calledName(), 1, "bad numeric conversion: " + what + ": ", given);
+  private static UrbiException bad(Frame frame, CallSite site, UrbiObject given, Problem problem) {
+    return frame.interpreter().errors().argumentNumber(site.calledName(), 1, problem, given);
   }
 
   @Builtin(doc = "Writes what is in buffers.")

@@ -5,7 +5,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
-import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.value.Hashing;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -34,15 +34,11 @@ final class PathType {
     return new UrbiPath(world.values().object.cloneShape(), "/", workingDirectory);
   }
 
-  private static UrbiException error(Frame caller, CallSite site, String message) {
-    return caller.interpreter().errors().primitive(site.calledName(), message);
-  }
-
   @Builtin(doc = "Makes it the path of that text.", needs = Need.CHANGE)
   static UrbiObject init(Frame caller, CallSite site, UrbiPath self, String path) {
     FileAccess.checkNotPrototype(caller, site, self, "Path");
     if (path.isEmpty() || path.indexOf('\0') >= 0) {
-      throw error(caller, site, "invalid path: " + path);
+      throw caller.error(site, Problem.INVALID_PATH, path);
     }
     self.setText(path);
     return self;
@@ -86,7 +82,7 @@ final class PathType {
     String right =
         rhs instanceof UrbiPath path ? path.text() : Arguments.text(caller, site, 1, rhs);
     if (right.startsWith("/")) {
-      throw error(caller, site, "Rhs of concatenation is absolute: " + right);
+      throw caller.error(site, Problem.ABSOLUTE_PATH, right);
     }
     return self.sibling(self.text() + "/" + right);
   }
@@ -111,7 +107,7 @@ final class PathType {
   @Builtin(doc = "Makes it the working directory, and returns that.", needs = Need.OWNER)
   UrbiObject cd(Frame caller, CallSite site, UrbiPath self) {
     if (!files.isDirectory(caller, site, self)) {
-      throw error(caller, site, "no such directory: " + self.text());
+      throw caller.error(site, Problem.NO_SUCH_DIRECTORY, self.text());
     }
     self.working().move(self.file());
     return cwd(self);
@@ -160,7 +156,7 @@ final class PathType {
 
   private void checkExists(Frame caller, CallSite site, UrbiPath self) {
     if (!files.exists(caller, site, self)) {
-      throw error(caller, site, "does not exist: " + self.text());
+      throw caller.error(site, Problem.DOES_NOT_EXIST, self.text());
     }
   }
 }

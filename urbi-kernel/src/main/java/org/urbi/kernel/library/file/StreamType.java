@@ -3,6 +3,7 @@ package org.urbi.kernel.library.file;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -23,7 +24,7 @@ final class StreamType {
   @Builtin(doc = "Writes what is in buffers, and closes the stream.")
   void close(Frame frame, CallSite site, UrbiObject self) {
     if (!(self instanceof UrbiStream<?> stream)) {
-      throw frame.interpreter().errors().primitive(site.calledName(), "stream is closed");
+      throw frame.error(site, Problem.STREAM_CLOSED);
     }
     stream.close(frame, site, outside);
   }

@@ -1,12 +1,11 @@
 package org.urbi.kernel.library.file;
 
-import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
 /** A directory (manual, "Directory"). */
 final class UrbiDirectory extends UrbiEntry {
-  UrbiDirectory(Shape shape, @Nullable UrbiPath path) {
+  UrbiDirectory(Shape shape, UrbiPath path) {
     super(shape, path);
   }
 

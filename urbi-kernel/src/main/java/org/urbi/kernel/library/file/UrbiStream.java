@@ -2,7 +2,7 @@ package org.urbi.kernel.library.file;
 
 import java.io.Closeable;
 import java.io.IOException;
-import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -12,9 +12,9 @@ import org.urbi.kernel.outside.Outside;
 
 /** What InputStream and OutputStream have in common (manual, "Stream"). */
 abstract class UrbiStream<T extends Closeable> extends UrbiObject {
-  private @Nullable T channel;
+  private T channel;
 
-  UrbiStream(Shape shape, @Nullable T channel) {
+  UrbiStream(Shape shape, T channel) {
     super(shape);
     this.channel = channel;
   }
@@ -30,7 +30,7 @@ abstract class UrbiStream<T extends Closeable> extends UrbiObject {
   /** What is read or written; refuses a stream that is closed. */
   T channel(Frame frame, CallSite site) {
     if (channel == null) {
-      throw frame.interpreter().errors().primitive(site.calledName(), "stream is closed");
+      throw frame.error(site, Problem.STREAM_CLOSED);
     }
     return channel;
   }
@@ -48,9 +48,6 @@ abstract class UrbiStream<T extends Closeable> extends UrbiObject {
 
   /** Something is wrong with the file or the pipe. */
   static UrbiException failed(Frame frame, CallSite site, IOException failure) {
-    return frame
-        .interpreter()
-        .errors()
-        .primitive(site.calledName(), FileAccess.lowered(FileAccess.reason(failure)));
+    return frame.error(site, Problem.REASON, FileAccess.lowered(FileAccess.reason(failure)));
   }
 }

@@ -6,6 +6,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.lobby.Lobbies;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.Shell;
@@ -119,10 +120,7 @@ public final class LobbyType {
       value = {"clone", "new"},
       doc = "Not possible: lobbies are created.")
   static UrbiObject clone(Frame frame, CallSite site, UrbiObject self) {
-    throw frame
-        .interpreter()
-        .errors()
-        .primitive(site.calledName(), "`Lobby' objects cannot be cloned");
+    throw frame.error(site, Problem.LOBBY_NOT_CLONEABLE);
   }
 
   @Builtin(doc = "A fresh lobby, whose output goes to this connection.", needs = Need.USER)

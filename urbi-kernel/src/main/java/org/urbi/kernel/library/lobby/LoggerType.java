@@ -6,6 +6,7 @@ import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.node.CallSite;
@@ -123,10 +124,7 @@ final class LoggerType {
       doc = "Reports a message of the category and the level of the target; returns it.")
   UrbiObject send(Frame frame, CallSite site, UrbiLogger self, UrbiObject message) {
     if (self.level() == null) {
-      throw frame
-          .interpreter()
-          .errors()
-          .primitive(site.calledName(), "category or level undefined");
+      throw frame.error(site, Problem.LOGGER_UNDEFINED);
     }
     return report(frame, self, self.level(), message, null);
   }

@@ -1,81 +1,69 @@
 package org.urbi.kernel.library.lobby;
 
 import java.util.List;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.lobby.Complaint;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.WarningChannel;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.lang.parse.SyntaxWarning;
 import org.urbi.lang.source.Span;
 
 /** Messages on the channel {@code warning} (manual, "Channel", {@code warning}). */
 public final class Warnings {
-  private static final String CHANNEL = WarningChannel.NAME;
-
   private Warnings() {}
 
-  /** What is called at that site is deprecated: {@code `old' is deprecated, use `other'}. */
+  /**
+   * What is called at that site is deprecated: {@code `old' is deprecated, use `other'}.
+   *
+   * @param other null when there is nothing to use instead
+   */
   public static void deprecated(Frame caller, CallSite site, String old, String other) {
-    if (WarningChannel.isOff(caller.interpreter().world())) {
-      return;
+    if (!isOff(caller)) {
+      Output output = LobbyType.of(caller).output();
+      Complaint.warning(output, Complaint.place(site.calledSpan()) + deprecation(old, other));
+      Complaint.callersOfWarning(output, caller.backtrace());
     }
-    Span span = site.calledSpan();
-    Output output = LobbyType.of(caller).output();
-    output.send(
-        CHANNEL,
-        "!!! "
-            + place(span)
-            + "`"
-            + old
-            + "' is deprecated"
-            + (other == null ? "" : ", use `" + other + "'"));
-    callers(output, caller.backtrace());
   }
 
   /** Something is deprecated, wherever it is called. */
   public static void deprecated(Frame caller, String old, String other) {
-    if (!WarningChannel.isOff(caller.interpreter().world())) {
-      LobbyType.of(caller)
-          .output()
-          .send(CHANNEL, "!!! `" + old + "' is deprecated, use `" + other + "'");
+    if (!isOff(caller)) {
+      Complaint.warning(LobbyType.of(caller).output(), deprecation(old, other));
     }
+  }
+
+  private static String deprecation(String old, String other) {
+    return other == null ? Problem.DEPRECATED.text(old) : Problem.DEPRECATED_FOR.text(old, other);
   }
 
   /** Something that the function called at that site, null for Java code, did not like. */
-  public static void inside(Frame caller, CallSite site, String message) {
-    if (WarningChannel.isOff(caller.interpreter().world())) {
-      return;
+  public static void inside(Frame caller, CallSite site, Problem problem, Object... places) {
+    if (!isOff(caller)) {
+      tell(caller, site, null, problem.text(places));
     }
-    Output output = LobbyType.of(caller).output();
-    output.send(CHANNEL, "!!! " + message);
-    if (site != null) {
-      callers(output, List.of(new UrbiException.Call(site.calledName(), site.calledSpan())));
-    }
-    callers(output, caller.backtrace());
   }
 
   /** Something in a text that is evaluated by the function called at that site. */
-  public static void at(Frame caller, CallSite site, Span span, String message) {
-    if (WarningChannel.isOff(caller.interpreter().world())) {
-      return;
+  public static void in(Frame caller, CallSite site, SyntaxWarning warning) {
+    if (!isOff(caller)) {
+      tell(caller, site, warning.span(), warning.message());
     }
+  }
+
+  private static void tell(Frame caller, CallSite site, Span span, String text) {
     Output output = LobbyType.of(caller).output();
-    output.send(CHANNEL, "!!! " + place(span) + message);
+    Complaint.warning(output, Complaint.place(span) + text);
     if (site != null) {
-      callers(output, List.of(new UrbiException.Call(site.calledName(), site.calledSpan())));
+      Complaint.callersOfWarning(
+          output, List.of(new UrbiException.Call(site.calledName(), site.calledSpan())));
     }
-    callers(output, caller.backtrace());
+    Complaint.callersOfWarning(output, caller.backtrace());
   }
 
-  private static void callers(Output output, List<UrbiException.Call> calls) {
-    for (UrbiException.Call call : calls) {
-      if (call.name() != null) {
-        output.send(CHANNEL, "!!!    called from: " + place(call.span()) + call.name());
-      }
-    }
-  }
-
-  private static String place(Span span) {
-    return span == null ? "" : span.location() + ": ";
+  private static boolean isOff(Frame caller) {
+    return WarningChannel.isOff(caller.interpreter().world());
   }
 }

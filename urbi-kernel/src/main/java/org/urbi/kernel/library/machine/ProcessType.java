@@ -7,6 +7,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.library.file.FileAccess;
 import org.urbi.kernel.library.file.InputStreamType;
@@ -49,14 +50,10 @@ public final class ProcessType {
       command.add(NativeText.toJava(frame.interpreter().asString(frame, argument)));
     }
     if (command.getFirst().isEmpty() || command.stream().anyMatch(w -> w.indexOf('\0') >= 0)) {
-      throw error(frame, site, "invalid command");
+      throw frame.error(site, Problem.INVALID_COMMAND);
     }
     self.setCommand(List.copyOf(command));
     return self;
-  }
-
-  private static UrbiException error(Frame frame, CallSite site, String message) {
-    return frame.interpreter().errors().primitive(site.calledName(), message);
   }
 
   @Builtin(doc = "The process itself.")
@@ -85,10 +82,10 @@ public final class ProcessType {
   @Builtin(doc = "Starts the program; once.")
   void run(Frame frame, CallSite site, UrbiProcess self) {
     if (self.command().isEmpty()) {
-      throw error(frame, site, "Process has no program");
+      throw frame.error(site, Problem.PROCESS_WITHOUT_PROGRAM);
     }
     if (self.isStarted()) {
-      throw error(frame, site, "Process was already run");
+      throw frame.error(site, Problem.PROCESS_RUN);
     }
     self.setStarted(true);
     try {
@@ -106,16 +103,18 @@ public final class ProcessType {
           InputStreamType.stream(frame, program.err()));
     } catch (IOException e) {
       self.setStarted(false);
-      throw error(frame, site, cannotRun(self.command().getFirst(), e));
+      throw cannotRun(frame, site, self.command().getFirst(), e);
     }
   }
 
   /** Why a program cannot be run, without what the JDK has to say of itself. */
-  public static String cannotRun(String program, IOException failure) {
-    return "cannot run "
-        + NativeText.toUrbi(program)
-        + ": "
-        + FileAccess.lowered(FileAccess.inParentheses(failure));
+  public static UrbiException cannotRun(
+      Frame frame, CallSite site, String program, IOException failure) {
+    return frame.error(
+        site,
+        Problem.CANNOT_RUN,
+        NativeText.toUrbi(program),
+        FileAccess.lowered(FileAccess.inParentheses(failure)));
   }
 
   @Builtin(doc = "Runs the program, and gives what it writes to that function, line by line.")
@@ -133,7 +132,7 @@ public final class ProcessType {
 
   private static ChildProcess running(Frame frame, CallSite site, UrbiProcess self) {
     if (self.running() == null) {
-      throw error(frame, site, "Process was not run");
+      throw frame.error(site, Problem.PROCESS_NOT_RUN);
     }
     return self.running();
   }

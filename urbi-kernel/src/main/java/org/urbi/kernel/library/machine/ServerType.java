@@ -6,6 +6,7 @@ import java.util.List;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.library.file.FileAccess;
 import org.urbi.kernel.library.text.NativeText;
@@ -49,10 +50,10 @@ final class ServerType {
   @Builtin(doc = "Listens on a port of a host of this machine; 0 is any port that is free.")
   void listen(Frame frame, CallSite site, UrbiServer self, String host, UrbiObject port) {
     if (self.service() == null) {
-      throw SocketType.error(frame, site, "not a server");
+      throw frame.error(site, Problem.NOT_A_SERVER);
     }
     if (self.address() != null) {
-      throw SocketType.error(frame, site, "server is already listening");
+      throw frame.error(site, Problem.SERVER_LISTENING);
     }
     // Connections may come from now on, until the kernel ends.
     Mailbox mailbox =
@@ -74,8 +75,8 @@ final class ServerType {
       self.setAddress(place.local());
       mailbox.open();
     } catch (IOException e) {
-      throw SocketType.error(
-          frame, site, FileAccess.lowered(NativeText.toUrbi(FileAccess.reason(e))));
+      throw frame.error(
+          site, Problem.REASON, FileAccess.lowered(NativeText.toUrbi(FileAccess.reason(e))));
     }
   }
 
@@ -100,7 +101,7 @@ final class ServerType {
 
   private static InetSocketAddress listening(Frame frame, CallSite site, UrbiServer self) {
     if (self.address() == null) {
-      throw SocketType.error(frame, site, "server not listening");
+      throw frame.error(site, Problem.SERVER_NOT_LISTENING);
     }
     return self.address();
   }

@@ -6,7 +6,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
-import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.file.FileAccess;
 import org.urbi.kernel.library.file.UrbiPath;
 import org.urbi.kernel.library.text.NativeText;
@@ -46,10 +46,6 @@ final class SocketType {
     return socket;
   }
 
-  static UrbiException error(Frame frame, CallSite site, String message) {
-    return frame.interpreter().errors().primitive(site.calledName(), message);
-  }
-
   /** A port as a string: the number, or the name of a service. */
   static String port(Frame frame, CallSite site, UrbiObject port) {
     return port instanceof UrbiFloat
@@ -68,10 +64,10 @@ final class SocketType {
   /** Refuses a socket that is no socket, or connected already. */
   private static void checkUnconnected(Frame frame, CallSite site, UrbiSocket self) {
     if (self.service() == null) {
-      throw error(frame, site, "not a socket");
+      throw frame.error(site, Problem.NOT_A_SOCKET);
     }
     if (self.link() != null) {
-      throw error(frame, site, "socket is already connected");
+      throw frame.error(site, Problem.SOCKET_CONNECTED);
     }
   }
 
@@ -83,7 +79,8 @@ final class SocketType {
           Network.connect(outside, frame.job(), NativeText.toJava(host), port(frame, site, port));
       connected(frame, self, made.link(), made.local(), made.remote());
     } catch (IOException e) {
-      throw error(frame, site, FileAccess.lowered(NativeText.toUrbi(FileAccess.reason(e))));
+      throw frame.error(
+          site, Problem.REASON, FileAccess.lowered(NativeText.toUrbi(FileAccess.reason(e))));
     }
   }
 
@@ -95,7 +92,7 @@ final class SocketType {
       Link link = Network.serial(outside, frame.job(), path.file(), baudRate);
       connected(frame, self, link, null, null);
     } catch (IOException e) {
-      throw error(frame, site, NativeText.toUrbi(FileAccess.reason(e)));
+      throw frame.error(site, Problem.REASON, NativeText.toUrbi(FileAccess.reason(e)));
     }
   }
 
@@ -123,7 +120,7 @@ final class SocketType {
   private static InetSocketAddress known(
       Frame frame, CallSite site, UrbiSocket self, InetSocketAddress address) {
     if (self.link() == null || address == null) {
-      throw error(frame, site, "socket not connected");
+      throw frame.error(site, Problem.SOCKET_NOT_CONNECTED);
     }
     return address;
   }
@@ -166,7 +163,7 @@ final class SocketType {
         data instanceof UrbiBinary binary ? binary.data() : Arguments.text(frame, site, 1, data);
     Link link = self.link();
     if (link == null) {
-      throw error(frame, site, "socket not connected");
+      throw frame.error(site, Problem.SOCKET_NOT_CONNECTED);
     }
     try {
       link.write(frame.job(), NativeText.bytes(bytes));
@@ -174,7 +171,7 @@ final class SocketType {
         link.flush(frame.job());
       }
     } catch (IOException e) {
-      throw error(frame, site, FileAccess.lowered(FileAccess.reason(e)));
+      throw frame.error(site, Problem.REASON, FileAccess.lowered(FileAccess.reason(e)));
     }
   }
 

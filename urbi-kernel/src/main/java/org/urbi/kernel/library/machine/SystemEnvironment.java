@@ -3,6 +3,7 @@ package org.urbi.kernel.library.machine;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiTypePart;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -20,10 +21,7 @@ final class SystemEnvironment {
   /** The name of a variable, as the machine wants it. */
   static String name(Frame frame, CallSite site, String name) {
     if (name.isEmpty() || name.indexOf('=') >= 0 || name.indexOf('\0') >= 0) {
-      throw frame
-          .interpreter()
-          .errors()
-          .primitive(site.calledName(), "invalid name of a variable: " + name);
+      throw frame.error(site, Problem.VARIABLE_NAME, name);
     }
     return NativeText.toJava(name);
   }
@@ -43,10 +41,7 @@ final class SystemEnvironment {
   String setenv(Frame frame, CallSite site, UrbiObject self, String name, UrbiObject value) {
     String text = frame.interpreter().asString(frame, value);
     if (text.indexOf('\0') >= 0) {
-      throw frame
-          .interpreter()
-          .errors()
-          .primitive(site.calledName(), "invalid value of a variable");
+      throw frame.error(site, Problem.VARIABLE_VALUE);
     }
     environment.set(name(frame, site, name), NativeText.toJava(text));
     return text;

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleBinaryOperator;
 import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiFloat;
@@ -53,7 +54,7 @@ final class Elementwise {
   /** Both must have the same size. */
   static void requireSame(Frame frame, CallSite site, boolean same) {
     if (!same) {
-      throw frame.interpreter().errors().primitive(site.calledName(), "incompatible sizes");
+      throw frame.error(site, Problem.INCOMPATIBLE_SIZES);
     }
   }
 }

@@ -3,6 +3,7 @@ package org.urbi.kernel.library.math;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiTypePart;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.value.Printing;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -32,7 +33,7 @@ final class FloatFunctions {
 
   private static void checkSine(Frame caller, CallSite site, UrbiFloat self) {
     if (self.value() < -1 || self.value() > 1) {
-      throw FloatType.error(caller, site, "invalid range");
+      throw caller.error(site, Problem.RANGE);
     }
   }
 
@@ -80,7 +81,7 @@ final class FloatFunctions {
 
   private static void checkPositive(Frame caller, CallSite site, UrbiFloat self) {
     if (self.value() < 0) {
-      throw FloatType.error(caller, site, "argument has to be positive");
+      throw caller.error(site, Problem.HAS_TO_BE_POSITIVE);
     }
   }
 
@@ -122,11 +123,7 @@ final class FloatFunctions {
       throw caller
           .interpreter()
           .errors()
-          .badNumber(
-              "NegativeNumber",
-              site.calledName(),
-              "unexpected " + Printing.printable(caller, self) + ", expected non-negative number",
-              self);
+          .badNumber(site.calledName(), Problem.NEGATIVE, self, Printing.printable(caller, self));
     }
     return caller.interpreter().world().randomness().below(self.value());
   }

@@ -3,12 +3,11 @@ package org.urbi.kernel.library.math;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
-import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.collection.ListOrder;
 import org.urbi.kernel.library.text.Formatting;
 import org.urbi.kernel.library.text.UrbiFormatInfo;
@@ -37,12 +36,12 @@ public final class FloatType {
   // ------------------------------------------------------------------ operators
 
   @Builtin(value = "+", doc = "The sum of the target and that; without that, the target.")
-  static UrbiFloat plus(Frame caller, UrbiFloat self, @Optional @Nullable Double that) {
+  static UrbiFloat plus(Frame caller, UrbiFloat self, @Optional Double that) {
     return that == null ? self : number(caller, self.value() + that);
   }
 
   @Builtin(value = "-", doc = "The target minus that; without that, its opposite.")
-  static UrbiFloat minus(Frame caller, UrbiFloat self, @Optional @Nullable Double that) {
+  static UrbiFloat minus(Frame caller, UrbiFloat self, @Optional Double that) {
     // The opposite of 0 is 0, and not -0.
     return number(caller, that == null ? 0 - self.value() : self.value() - that);
   }
@@ -55,7 +54,7 @@ public final class FloatType {
   @Builtin(value = "/", doc = "The quotient of the target divided by that, which is not 0.")
   static double divide(Frame caller, CallSite site, UrbiFloat self, double that) {
     if (that == 0) {
-      throw error(caller, site, "division by 0");
+      throw caller.error(site, Problem.DIVISION_BY_ZERO);
     }
     return self.value() / that;
   }
@@ -63,7 +62,7 @@ public final class FloatType {
   @Builtin(value = "%", doc = "The target modulo that, with the sign of the target.")
   static double modulo(Frame caller, CallSite site, UrbiFloat self, double that) {
     if (that == 0) {
-      throw error(caller, site, "modulo by 0");
+      throw caller.error(site, Problem.MODULO_BY_ZERO);
     }
     return self.value() % that;
   }
@@ -300,9 +299,5 @@ public final class FloatType {
   /** The target as an integer, for operations on bits. */
   private static long integer(Frame caller, CallSite site, UrbiFloat self) {
     return Counting.integer(caller, site, 0, self);
-  }
-
-  static UrbiException error(Frame caller, CallSite site, String message) {
-    return caller.interpreter().errors().primitive(site.calledName(), message);
   }
 }

@@ -8,6 +8,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.value.Counting;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -38,7 +39,7 @@ final class MatrixType {
       int height = Counting.nonNegative(frame, site, 1, rows);
       int width = Counting.nonNegative(frame, site, 2, columns);
       if ((long) height * width > LARGEST) {
-        throw frame.interpreter().errors().primitive(site.calledName(), "matrix too large");
+        throw frame.error(site, Problem.MATRIX_TOO_LARGE);
       }
       self.set(height, width, new double[height * width]);
       return;

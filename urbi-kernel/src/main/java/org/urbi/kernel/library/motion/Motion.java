@@ -1,8 +1,6 @@
 package org.urbi.kernel.library.motion;
 
-import static java.util.Objects.requireNonNullElse;
-
-import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.node.CallSite;
@@ -173,7 +171,7 @@ final class Motion {
 
   // ---------------------------------------------------------------- attributes
 
-  private @Nullable UrbiObject attribute(String name) {
+  private UrbiObject attribute(String name) {
     return attributes
         .entries()
         .get(DictionaryKey.of(frame, frame.interpreter().values().string(name)));
@@ -188,21 +186,17 @@ final class Motion {
   }
 
   double number(String name) {
-    UrbiObject given = attribute(name);
-    if (given instanceof UrbiFloat number) {
+    if (attribute(name) instanceof UrbiFloat number) {
       return number.value();
     }
-    throw wrongType(1, requireNonNullElse(given, frame.interpreter().values().voidObject));
+    throw wrongType(1, attribute(name));
   }
 
   /** A speed: at 0 the variable stays where it is. */
   double speed() {
     double value = number("speed");
     if (!(value >= 0)) {
-      throw frame
-          .interpreter()
-          .errors()
-          .primitive("TrajectoryGenerator", "speed must not be negative");
+      throw frame.interpreter().errors().primitive("TrajectoryGenerator", Problem.NEGATIVE_SPEED);
     }
     return value;
   }
@@ -213,7 +207,7 @@ final class Motion {
       throw frame
           .interpreter()
           .errors()
-          .primitive("TrajectoryGenerator", name + " must be positive");
+          .primitive("TrajectoryGenerator", Problem.ATTRIBUTE_NOT_POSITIVE, name);
     }
     return value;
   }

@@ -4,6 +4,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.object.UrbiGroup;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.CallSite;
@@ -33,7 +34,7 @@ final class TrajectoryType {
   @Builtin(doc = "Runs the motion, and returns when it is over.")
   static void run(Frame frame, CallSite site, UrbiObject self) {
     if (!(OwnSlots.get(frame, self, "attributes") instanceof UrbiDictionary attributes)) {
-      throw frame.interpreter().errors().primitive(site.calledName(), "nothing to run");
+      throw frame.error(site, Problem.NOTHING_TO_RUN);
     }
     UrbiObject base = required(frame, site, attributes, "base");
     if (!(base instanceof UrbiFloat target)) {
@@ -51,7 +52,7 @@ final class TrajectoryType {
             .entries()
             .get(DictionaryKey.of(frame, frame.interpreter().values().string(name)));
     if (value == null) {
-      throw frame.interpreter().errors().primitive(site.calledName(), "missing attribute: " + name);
+      throw frame.error(site, Problem.MISSING_ATTRIBUTE, name);
     }
     return value;
   }
@@ -110,6 +111,6 @@ final class TrajectoryType {
     if (motion.has("accel")) {
       return "Accel";
     }
-    throw frame.interpreter().errors().primitive("TrajectoryGenerator", "unknown trajectory");
+    throw frame.interpreter().errors().primitive("TrajectoryGenerator", Problem.UNKNOWN_TRAJECTORY);
   }
 }

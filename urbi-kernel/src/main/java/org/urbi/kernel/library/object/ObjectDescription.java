@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -59,7 +58,7 @@ final class ObjectDescription {
   // ------------------------------------------------------------------ inspect
 
   @Builtin(doc = "Shows the prototypes and the slots; also the inherited ones when deep.")
-  static void inspect(Frame frame, UrbiObject self, @Optional @Nullable UrbiObject deep) {
+  static void inspect(Frame frame, UrbiObject self, @Optional UrbiObject deep) {
     say(frame, "Inspecting " + frame.interpreter().asPrintable(frame, self));
     say(frame, "** Prototypes:");
     for (UrbiObject proto : self.protos()) {

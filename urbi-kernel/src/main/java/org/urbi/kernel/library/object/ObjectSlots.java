@@ -8,6 +8,7 @@ import java.util.TreeSet;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiTypePart;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.lobby.Warnings;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.DictionaryKey;
@@ -55,7 +56,7 @@ final class ObjectSlots {
       throw frame
           .interpreter()
           .errors()
-          .of("Lookup", "lookup failed: " + name)
+          .of(Problem.NOT_FOUND, name)
           .with("object", self)
           .with("name", name)
           .with("local", self.world().values().trueObject)
@@ -115,7 +116,7 @@ final class ObjectSlots {
   @Builtin(doc = "Removes the object's own slot; warns if there is none.", needs = Need.CHANGE)
   static UrbiObject removeSlot(Frame frame, CallSite site, UrbiObject self, String name) {
     if (!self.removeSlot(symbol(self, name))) {
-      Warnings.inside(frame, site, "no such local slot: " + name);
+      Warnings.inside(frame, site, Problem.NO_LOCAL_SLOT, name);
     }
     return self;
   }
@@ -221,7 +222,7 @@ final class ObjectSlots {
       Frame frame, CallSite site, UrbiObject self, String slot, String property) {
     UrbiObject removed = Properties.remove(frame, self, symbol(self, slot), property);
     if (removed == null) {
-      Warnings.inside(frame, site, "no such property: " + slot + "->" + property);
+      Warnings.inside(frame, site, Problem.NO_PROPERTY, slot, property);
       return frame.interpreter().values().voidObject;
     }
     return removed;

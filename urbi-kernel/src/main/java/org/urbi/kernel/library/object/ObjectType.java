@@ -7,6 +7,7 @@ import java.util.Set;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Guard;
@@ -60,7 +61,7 @@ public final class ObjectType {
   static UrbiObject apply(Frame frame, UrbiObject self, UrbiList arguments) {
     int given = arguments.elements().size();
     if (given == 0) {
-      throw frame.interpreter().errors().primitive("apply", "argument list must begin with `this'");
+      throw frame.interpreter().errors().primitive("apply", Problem.WITHOUT_THIS);
     }
     if (given > 1) {
       throw frame.interpreter().errors().arity("apply", given - 1, 0, 0);
@@ -186,10 +187,7 @@ public final class ObjectType {
   /** Refuses to make something a number by its prototypes: it would have no value. */
   private static void checkNumber(Frame frame, CallSite site, UrbiObject self, UrbiObject proto) {
     if (proto instanceof UrbiFloat && !(self instanceof UrbiFloat)) {
-      throw frame
-          .interpreter()
-          .errors()
-          .primitive(site.calledName(), "cannot inherit from a Float without being one");
+      throw frame.error(site, Problem.NOT_INHERITABLE_FLOAT);
     }
   }
 

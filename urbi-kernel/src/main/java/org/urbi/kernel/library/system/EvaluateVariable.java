@@ -1,6 +1,5 @@
 package org.urbi.kernel.library.system;
 
-import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
@@ -24,7 +23,7 @@ public final class EvaluateVariable implements Hook {
         }
 
         @Override
-        public @Nullable Span calledSpan() {
+        public Span calledSpan() {
           return null;
         }
       };

@@ -6,12 +6,12 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.Errors;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.code.LoadedFiles;
 import org.urbi.kernel.library.file.FileAccess;
 import org.urbi.kernel.library.file.UrbiPath;
@@ -39,11 +39,7 @@ final class SystemFiles {
           "Evaluates a source file found in the search path, in the working directory or beside the"
               + " file that loads it, and returns its last value.")
   UrbiObject load(
-      Frame frame,
-      CallSite site,
-      UrbiObject self,
-      UrbiObject file,
-      @Optional @Nullable UrbiObject target) {
+      Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
     String name = frame.interpreter().asString(frame, file);
     Path path = search(frame, site, name);
     if (path == null) {
@@ -54,11 +50,7 @@ final class SystemFiles {
 
   @Builtin(doc = "Evaluates a source file, and returns its last value.")
   UrbiObject loadFile(
-      Frame frame,
-      CallSite site,
-      UrbiObject self,
-      UrbiObject file,
-      @Optional @Nullable UrbiObject target) {
+      Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
     String name = frame.interpreter().asString(frame, file);
     Path path = workingDirectory(frame).resolve(path(frame, name));
     if (!isFile(frame, site, path)) {
@@ -69,11 +61,7 @@ final class SystemFiles {
 
   @Builtin(doc = "Evaluates a source file if it is found, and says so on a channel.")
   UrbiObject maybeLoad(
-      Frame frame,
-      CallSite site,
-      UrbiObject self,
-      UrbiObject file,
-      @Optional @Nullable UrbiObject channel) {
+      Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject channel) {
     String name = frame.interpreter().asString(frame, file);
     Path path = search(frame, site, name);
     if (path == null) {
@@ -104,11 +92,7 @@ final class SystemFiles {
 
   @Builtin(doc = "Evaluates a source file found in the search path, unless that was done before.")
   void requireFile(
-      Frame frame,
-      CallSite site,
-      UrbiObject self,
-      UrbiObject file,
-      @Optional @Nullable UrbiObject target) {
+      Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
     Path path = found(frame, site, frame.interpreter().asString(frame, file));
     if (!loadedFiles.contains(frame.job(), key(frame, path))) {
       evaluate(frame, site, self, path, target);
@@ -183,7 +167,7 @@ final class SystemFiles {
     return path;
   }
 
-  private @Nullable Path search(Frame frame, CallSite site, String name) {
+  private Path search(Frame frame, CallSite site, String name) {
     Path path = path(frame, name);
     Path working = workingDirectory(frame);
     if (path.isAbsolute()) {
@@ -208,7 +192,7 @@ final class SystemFiles {
   }
 
   /** A file in the folder of the one in which the call is written; null when that has no name. */
-  private @Nullable Path beside(Frame frame, CallSite site, Path path) {
+  private Path beside(Frame frame, CallSite site, Path path) {
     if (site.calledSpan() == null || site.calledSpan().location().file() == null) {
       return null;
     }
@@ -249,15 +233,11 @@ final class SystemFiles {
   }
 
   private static Errors.Builder missing(Frame frame, String name) {
-    return frame
-        .interpreter()
-        .errors()
-        .of("FileNotFound", "file not found: " + name)
-        .with("name", name);
+    return frame.interpreter().errors().of(Problem.NO_FILE, name).with("name", name);
   }
 
   private UrbiObject evaluate(
-      Frame frame, CallSite site, UrbiObject self, Path path, @Nullable UrbiObject target) {
+      Frame frame, CallSite site, UrbiObject self, Path path, UrbiObject target) {
     Path key = key(frame, path);
     boolean complete = false;
     loadedFiles.begin(frame.job(), key);

@@ -1,11 +1,11 @@
 package org.urbi.kernel.library.system;
 
 import java.nio.file.Path;
-import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiTypePart;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.file.FileAccess;
 import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.CallSite;
@@ -36,7 +36,7 @@ final class SystemModules {
       throw frame
           .interpreter()
           .errors()
-          .of("FileNotFound", "file not found: " + name)
+          .of(Problem.NO_FILE, name)
           .with("name", name)
           .with("routine", site.calledName())
           .build();
@@ -49,11 +49,7 @@ final class SystemModules {
           "Loads the UObjects of a module. One that is loaded already is replaced if the file has"
               + " changed; its objects stay.")
   void loadModule(
-      Frame frame,
-      CallSite site,
-      UrbiObject self,
-      UrbiObject module,
-      @Optional @Nullable String options) {
+      Frame frame, CallSite site, UrbiObject self, UrbiObject module, @Optional String options) {
     load(frame, site, module, false);
   }
 
@@ -62,11 +58,7 @@ final class SystemModules {
           "Loads a module whose classes can be used by those that are loaded later. It need not"
               + " have UObjects.")
   void loadLibrary(
-      Frame frame,
-      CallSite site,
-      UrbiObject self,
-      UrbiObject library,
-      @Optional @Nullable String options) {
+      Frame frame, CallSite site, UrbiObject self, UrbiObject library, @Optional String options) {
     load(frame, site, library, true);
   }
 
@@ -84,10 +76,7 @@ final class SystemModules {
         uobjects.modules().load(frame, file(frame, site, module), library);
       }
     } catch (UModuleException | ConfinedException e) {
-      throw frame
-          .interpreter()
-          .errors()
-          .primitive(site.calledName(), NativeText.toUrbi(String.valueOf(e.getMessage())));
+      throw frame.error(site, Problem.REASON, NativeText.toUrbi(e.getMessage()));
     }
   }
 
@@ -98,11 +87,7 @@ final class SystemModules {
             ? uobjects.rtp().turn(false)
             : uobjects.modules().unload(frame, file(frame, site, module));
     if (!unloaded) {
-      throw frame
-          .interpreter()
-          .errors()
-          .primitive(
-              site.calledName(), "not loaded: " + frame.interpreter().asString(frame, module));
+      throw frame.error(site, Problem.NOT_LOADED, frame.interpreter().asString(frame, module));
     }
   }
 }

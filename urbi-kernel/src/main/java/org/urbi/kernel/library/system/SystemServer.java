@@ -8,6 +8,7 @@ import java.util.Properties;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiTypePart;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.library.date.UrbiDate;
 import org.urbi.kernel.library.file.FileAccess;
@@ -54,10 +55,6 @@ final class SystemServer {
     this.lobbies = lobbies;
     this.outside = outside;
     this.environment = environment;
-  }
-
-  private static RuntimeException error(Frame frame, CallSite site, String message) {
-    return frame.interpreter().errors().primitive(site.calledName(), message);
   }
 
   // ------------------------------------------------------------------ what it is
@@ -133,7 +130,7 @@ final class SystemServer {
   @Builtin(doc = "Starts the server anew.", needs = Need.OWNER)
   void reboot(Frame frame, CallSite site, UrbiObject self) {
     if (!kernelEnd.requestReboot()) {
-      throw error(frame, site, "not possible here");
+      throw frame.error(site, Problem.NOT_POSSIBLE);
     }
     frame.job().waitForWake();
   }
@@ -154,7 +151,7 @@ final class SystemServer {
       needs = Need.OWNER)
   double system(Frame frame, CallSite site, UrbiObject self, String command) {
     if (command.indexOf('\0') >= 0) {
-      throw error(frame, site, "invalid command");
+      throw frame.error(site, Problem.INVALID_COMMAND);
     }
     try {
       int status =
@@ -167,7 +164,7 @@ final class SystemServer {
       int signal = ChildProcess.signal(status);
       return signal != 0 ? signal : status << STATUS_SHIFT;
     } catch (IOException e) {
-      throw error(frame, site, ProcessType.cannotRun("/bin/sh", e));
+      throw ProcessType.cannotRun(frame, site, "/bin/sh", e);
     }
   }
 
@@ -190,7 +187,7 @@ final class SystemServer {
   }
 
   private static RuntimeException failed(Frame frame, String claim) {
-    return frame.interpreter().errors().of("Assertion", "failed assertion: " + claim).build();
+    return frame.interpreter().errors().of(Problem.ASSERTION_FAILED, claim).build();
   }
 
   /** Code as urbiscript shows it. */

@@ -2,11 +2,11 @@ package org.urbi.kernel.library.system;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.library.concurrent.Activity;
@@ -28,8 +28,7 @@ final class SystemType {
   }
 
   @Builtin(doc = "Waits for that many seconds; for ever when none is given.")
-  static void sleep(
-      Frame frame, CallSite site, UrbiObject self, @Optional @Nullable Double duration) {
+  static void sleep(Frame frame, CallSite site, UrbiObject self, @Optional Double duration) {
     Job job = frame.job();
     Activity.note(frame, site);
     if (duration == null || duration == Double.POSITIVE_INFINITY) {
@@ -56,18 +55,14 @@ final class SystemType {
   }
 
   @Builtin(doc = "Ends the server.", needs = Need.OWNER)
-  void shutdown(Frame frame, UrbiObject self, @Optional @Nullable Integer status) {
+  void shutdown(Frame frame, UrbiObject self, @Optional Integer status) {
     kernelEnd.requestShutdown(status == null ? 0 : status);
     frame.job().waitForWake();
   }
 
   @Builtin(doc = "Evaluates source text on the target, and returns its value.")
   static UrbiObject eval(
-      Frame frame,
-      CallSite site,
-      UrbiObject self,
-      String source,
-      @Optional @Nullable UrbiObject target) {
+      Frame frame, CallSite site, UrbiObject self, String source, @Optional UrbiObject target) {
     return Evaluation.eval(frame, site, target == null ? self : target, source, null);
   }
 
@@ -101,7 +96,7 @@ final class SystemType {
   @Builtin(doc = "Throws the message unless the value is true.")
   static void assert_(Frame frame, UrbiObject self, UrbiObject value, String message) {
     if (!Truth.of(frame, value)) {
-      throw frame.interpreter().errors().of("Assertion", "failed assertion: " + message).build();
+      throw frame.interpreter().errors().of(Problem.ASSERTION_FAILED, message).build();
     }
   }
 

@@ -3,6 +3,7 @@ package org.urbi.kernel.library.text;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -27,12 +28,12 @@ final class FormatInfoType {
       UrbiFormatInfo.Format format = parser.parse();
       if (parser.end() < pattern.length()) {
         throw new FormatParser.Malformed(
-            "unexpected text after the format: " + pattern.substring(parser.end()));
+            Problem.TEXT_AFTER_FORMAT, pattern.substring(parser.end()));
       }
       self.setFormat(format);
       return self;
     } catch (FormatParser.Malformed e) {
-      throw caller.interpreter().errors().primitive(site.calledName(), e.getMessage());
+      throw e.thrownBy(caller, site);
     }
   }
 

@@ -1,11 +1,26 @@
 package org.urbi.kernel.library.text;
 
+import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+
 /** Reads formats like those of {@code printf} (manual, "FormatInfo"). */
 final class FormatParser {
-  /** A format that cannot be read; the message is for the user. */
+  /** A format that cannot be read. */
   static final class Malformed extends Exception {
-    Malformed(String message) {
-      super(message, null, false, false);
+    private final Problem problem;
+    private final transient Object[] places;
+
+    Malformed(Problem problem, Object... places) {
+      super(null, null, false, false);
+      this.problem = problem;
+      this.places = places;
+    }
+
+    /** What the function called at that site throws for it. */
+    UrbiException thrownBy(Frame caller, CallSite site) {
+      return caller.error(site, problem, places);
     }
   }
 
@@ -37,7 +52,7 @@ final class FormatParser {
   UrbiFormatInfo.Format parse() throws Malformed {
     int start = at;
     if (!next('%')) {
-      throw new Malformed("format does not begin with `%': " + text);
+      throw new Malformed(Problem.FORMAT_WITHOUT_PERCENT, text);
     }
     boolean piped = next('|');
     int alignment = 1;
@@ -68,17 +83,16 @@ final class FormatParser {
     char conversion = 's';
     if (!piped || at < text.length() && text.charAt(at) != '|') {
       if (at >= text.length()) {
-        throw new Malformed("format without conversion: " + text.substring(start));
+        throw new Malformed(Problem.FORMAT_WITHOUT_CONVERSION, text.substring(start));
       }
       conversion = text.charAt(at++);
     }
     char spec = Character.toLowerCase(conversion);
     if (CONVERSIONS.indexOf(spec) < 0) {
-      throw new Malformed(
-          "format: \"" + conversion + "\" is not a valid conversion type character");
+      throw new Malformed(Problem.FORMAT_CONVERSION, conversion);
     }
     if (piped && !next('|')) {
-      throw new Malformed("format without final `|': " + text.substring(start));
+      throw new Malformed(Problem.FORMAT_WITHOUT_END, text.substring(start));
     }
     int uppercase = conversion == 's' ? 0 : Character.isUpperCase(conversion) ? 1 : -1;
     return new UrbiFormatInfo.Format(
@@ -101,7 +115,7 @@ final class FormatParser {
       at++;
     }
     if (at - start > 6) {
-      throw new Malformed("number too large: " + text.substring(start, at));
+      throw new Malformed(Problem.FORMAT_NUMBER, text.substring(start, at));
     }
     return at == start ? -1 : Integer.parseInt(text, start, at, 10);
   }

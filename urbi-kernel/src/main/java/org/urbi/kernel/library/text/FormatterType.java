@@ -5,7 +5,7 @@ import java.util.List;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
-import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.value.Printing;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -53,7 +53,7 @@ final class FormatterType {
         try {
           pieces.add(new UrbiFormatInfo(infoShape, parser.parse()));
         } catch (FormatParser.Malformed e) {
-          throw caller.interpreter().errors().primitive(site.calledName(), e.getMessage());
+          throw e.thrownBy(caller, site);
         }
         at = parser.end();
       }
@@ -104,7 +104,7 @@ final class FormatterType {
     for (UrbiObject piece : pieces) {
       if (piece instanceof UrbiFormatInfo info) {
         if (used >= values.size()) {
-          throw wrongNumber(caller, site, "too few arguments for format");
+          throw caller.error(site, Problem.TOO_FEW_FOR_FORMAT);
         }
         out.append(Formatting.format(caller, site.calledName(), values.get(used++), info));
       } else {
@@ -112,12 +112,8 @@ final class FormatterType {
       }
     }
     if (used < values.size()) {
-      throw wrongNumber(caller, site, "too many arguments for format");
+      throw caller.error(site, Problem.TOO_MANY_FOR_FORMAT);
     }
     return out.toString();
-  }
-
-  private static UrbiException wrongNumber(Frame caller, CallSite site, String message) {
-    return caller.interpreter().errors().primitive(site.calledName(), message);
   }
 }

@@ -3,6 +3,7 @@ package org.urbi.kernel.library.text;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiFloat;
@@ -43,10 +44,7 @@ public final class Formatting {
   }
 
   private static UrbiException notInteger(Frame caller, String routine, UrbiFloat number) {
-    return caller
-        .interpreter()
-        .errors()
-        .badNumber("BadInteger", routine, "expected integer, got %s", number);
+    return caller.interpreter().errors().badNumber(routine, Problem.NOT_INTEGER, number);
   }
 
   private static String formatNumber(

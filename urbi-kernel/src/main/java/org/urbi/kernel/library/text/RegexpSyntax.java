@@ -2,6 +2,7 @@ package org.urbi.kernel.library.text;
 
 import java.util.regex.Pattern;
 import java.util.regex.PatternSyntaxException;
+import org.urbi.kernel.error.Problem;
 
 /**
  * From the syntax of regular expressions that programs use, that of Perl as Boost has it, to
@@ -53,29 +54,23 @@ final class RegexpSyntax {
     int at = Math.max(0, Math.min(e.getIndex(), text.length()));
     String what = e.getDescription();
     if (what.startsWith("Unclosed group")) {
-      return "Unmatched marking parenthesis ( or \\(." + place(text, text.lastIndexOf('(') + 1);
+      return Problem.UNMATCHED_PARENTHESIS.text() + place(text, text.lastIndexOf('(') + 1);
     }
     if (what.startsWith("Unmatched closing")) {
-      return "Unmatched marking parenthesis ( or \\(." + place(text, text.indexOf(')', at));
+      return Problem.UNMATCHED_PARENTHESIS.text() + place(text, text.indexOf(')', at));
     }
     if (what.startsWith("Unclosed character class")) {
-      return "Unmatched [ or [^." + place(text, text.length());
+      return Problem.UNMATCHED_BRACKET.text() + place(text, text.length());
     }
     if (what.startsWith("Dangling meta")) {
-      return "The repeat operator \""
-          + text.charAt(Math.min(at, text.length() - 1))
-          + "\" cannot start a regular expression."
-          + place(text, at);
+      char operator = text.charAt(Math.min(at, text.length() - 1));
+      return Problem.NOTHING_TO_REPEAT.text(operator) + place(text, at);
     }
-    return what + "." + place(text, at);
+    return Problem.OTHER_EXPRESSION_ERROR.text(what) + place(text, at);
   }
 
   private static String place(String text, int at) {
     int cut = at < 0 ? text.length() : at;
-    return "  The error occurred while parsing the regular expression: '"
-        + text.substring(0, cut)
-        + ">>>HERE>>>"
-        + text.substring(cut)
-        + "'.";
+    return Problem.PLACE_IN_EXPRESSION.text(text.substring(0, cut), text.substring(cut));
   }
 }

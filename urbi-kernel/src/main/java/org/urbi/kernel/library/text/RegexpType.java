@@ -7,6 +7,7 @@ import java.util.regex.PatternSyntaxException;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.library.lobby.Warnings;
 import org.urbi.kernel.node.CallSite;
@@ -31,7 +32,7 @@ final class RegexpType {
   @Builtin(doc = "Makes it the regular expression of that text.", needs = Need.CHANGE)
   static UrbiObject init(Frame caller, CallSite site, UrbiRegexp self, String text) {
     if (text.isEmpty()) {
-      throw invalid(caller, site, text, "Empty expression");
+      throw invalid(caller, site, text, Problem.EMPTY_EXPRESSION.text());
     }
     try {
       self.setPattern(text, RegexpSyntax.compile(text));
@@ -42,10 +43,7 @@ final class RegexpType {
   }
 
   private static UrbiException invalid(Frame caller, CallSite site, String text, String reason) {
-    return caller
-        .interpreter()
-        .errors()
-        .primitive(site.calledName(), "invalid regular expression `" + text + "': " + reason);
+    return caller.error(site, Problem.REGULAR_EXPRESSION, text, reason);
   }
 
   @Builtin(doc = "The regular expression, to be shown.")
@@ -93,7 +91,7 @@ final class RegexpType {
   static String get(Frame caller, CallSite site, UrbiRegexp self, int n) {
     List<String> groups = self.matches();
     if (n < 0 || n >= groups.size()) {
-      throw caller.interpreter().errors().primitive(site.calledName(), "out of bound index: " + n);
+      throw caller.error(site, Problem.GROUP_OUT_OF_BOUNDS, n);
     }
     return groups.get(n);
   }

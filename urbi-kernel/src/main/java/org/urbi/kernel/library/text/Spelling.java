@@ -2,7 +2,6 @@ package org.urbi.kernel.library.text;
 
 import java.util.Collection;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 
 /** How alike words are (manual, "String.distance", "String.closest"). */
 public final class Spelling {
@@ -50,7 +49,7 @@ public final class Spelling {
   }
 
   /** The first of the most alike candidates; null when none is worth a suggestion. */
-  static @Nullable String closest(String word, List<String> candidates, Runnable onRow) {
+  static String closest(String word, List<String> candidates, Runnable onRow) {
     String closest = null;
     int least = Integer.MAX_VALUE;
     for (String candidate : candidates) {
@@ -79,7 +78,7 @@ public final class Spelling {
    *
    * @param candidates in alphabetical order
    */
-  public static @Nullable String meant(String name, Collection<String> candidates) {
+  public static String meant(String name, Collection<String> candidates) {
     int least = MOST_EDITS + 1;
     String meant = null;
     if (name.length() > LONGEST_NAME || candidates.contains(name)) {

@@ -3,7 +3,6 @@ package org.urbi.kernel.library.text;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -32,10 +31,10 @@ final class StringText {
       Frame caller,
       CallSite site,
       UrbiString self,
-      @Optional @Nullable UrbiObject sep,
-      @Optional @Nullable UrbiObject lim,
-      @Optional @Nullable UrbiObject keepSep,
-      @Optional @Nullable UrbiObject keepEmpty) {
+      @Optional UrbiObject sep,
+      @Optional UrbiObject lim,
+      @Optional UrbiObject keepSep,
+      @Optional UrbiObject keepEmpty) {
     List<String> separators = SPACES;
     if (sep instanceof UrbiList list) {
       separators = new ArrayList<>();
@@ -111,7 +110,7 @@ final class StringText {
     return parts;
   }
 
-  private static @Nullable String separatorAt(
+  private static String separatorAt(
       String text, int at, List<String> separators, Checkpoint checkpoint) {
     for (String separator : separators) {
       checkpoint.pass();

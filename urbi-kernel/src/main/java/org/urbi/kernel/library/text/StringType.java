@@ -2,13 +2,12 @@ package org.urbi.kernel.library.text;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
-import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.value.Counting;
 import org.urbi.kernel.library.value.Hashing;
 import org.urbi.kernel.node.CallSite;
@@ -34,14 +33,10 @@ public final class StringType {
     return caller.interpreter().world().values().string(value);
   }
 
-  static UrbiException error(Frame caller, CallSite site, String message) {
-    return caller.interpreter().errors().primitive(site.calledName(), message);
-  }
-
   // ------------------------------------------------------------------ conversions
 
   @Builtin(doc = "Makes it the same string as another one.", needs = Need.CHANGE)
-  static UrbiObject init(UrbiString self, @Optional @Nullable String value) {
+  static UrbiObject init(UrbiString self, @Optional String value) {
     if (value != null) {
       self.setValue(value);
     }
@@ -62,12 +57,12 @@ public final class StringType {
   static double asFloat(Frame caller, CallSite site, UrbiString self) {
     Double number = parseNumber(self.value());
     if (number == null) {
-      throw error(caller, site, "cannot convert to float: " + StringEscape.quote(self.value()));
+      throw caller.error(site, Problem.NOT_A_NUMBER, StringEscape.quote(self.value()));
     }
     return number;
   }
 
-  private static @Nullable Double parseNumber(String text) {
+  private static Double parseNumber(String text) {
     String digits = text.startsWith("-") || text.startsWith("+") ? text.substring(1) : text;
     double sign = text.startsWith("-") ? -1 : 1;
     if (digits.equals("inf")) {
@@ -110,7 +105,7 @@ public final class StringType {
   @Builtin(doc = "The character of a code, from 0 to 255.")
   static String fromAscii(Frame caller, CallSite site, UrbiObject self, int v) {
     if (v < 0 || v > 255) {
-      throw error(caller, site, "invalid character code: " + v);
+      throw caller.error(site, Problem.CHARACTER_CODE, v);
     }
     return String.valueOf((char) v);
   }
@@ -118,7 +113,7 @@ public final class StringType {
   @Builtin(doc = "The code of the first character.")
   static int toAscii(Frame caller, CallSite site, UrbiString self) {
     if (self.value().isEmpty()) {
-      throw error(caller, site, "cannot be applied onto empty string");
+      throw caller.error(site, Problem.EMPTY_STRING);
     }
     return self.value().charAt(0);
   }
@@ -176,8 +171,7 @@ public final class StringType {
   }
 
   @Builtin(value = "[]", doc = "The characters from an index to another one, which is excluded.")
-  static String get(
-      Frame caller, CallSite site, UrbiString self, int from, @Optional @Nullable Integer to) {
+  static String get(Frame caller, CallSite site, UrbiString self, int from, @Optional Integer to) {
     int[] bounds = bounds(caller, site, self.length(), from, to);
     return self.part(bounds[0], bounds[1]);
   }
@@ -192,7 +186,7 @@ public final class StringType {
       UrbiString self,
       int from,
       UrbiObject toOrOther,
-      @Optional @Nullable String other) {
+      @Optional String other) {
     Integer to = other == null ? null : Arguments.integer(caller, site, 2, toOrOther);
     UrbiObject given = other == null ? toOrOther : string(caller, other);
     String inserted = Arguments.text(caller, site, other == null ? 2 : 3, given);
@@ -202,8 +196,7 @@ public final class StringType {
   }
 
   /** Where a range begins and ends; without an end it has one character. */
-  private static int[] bounds(
-      Frame caller, CallSite site, int size, int from, @Nullable Integer to) {
+  private static int[] bounds(Frame caller, CallSite site, int size, int from, Integer to) {
     int end = to == null ? from + 1 : to;
     if (from < 0 || from > size || (to == null && from == size)) {
       throw Counting.invalidIndex(caller, site, from);
@@ -225,7 +218,7 @@ public final class StringType {
   @Builtin(doc = "The target with all that is from replaced by to.")
   static String replace(Frame caller, CallSite site, UrbiString self, String from, String to) {
     if (from.isEmpty()) {
-      throw error(caller, site, "cannot replace the empty string");
+      throw caller.error(site, Problem.REPLACES_EMPTY_STRING);
     }
     return self.value().replace(from, to);
   }

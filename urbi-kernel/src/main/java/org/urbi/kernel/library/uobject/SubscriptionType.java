@@ -4,6 +4,7 @@ import java.util.List;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.event.FunctionHandler;
 import org.urbi.kernel.event.UrbiEvent;
@@ -96,7 +97,7 @@ final class SubscriptionType {
       throw frame
           .interpreter()
           .errors()
-          .primitive("reconnect", "the subscription has no function of its own");
+          .primitive("reconnect", Problem.SUBSCRIPTION_WITHOUT_FUNCTION);
     }
     self.listenTo(frame, src);
   }

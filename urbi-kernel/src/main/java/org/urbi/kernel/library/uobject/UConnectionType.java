@@ -3,6 +3,7 @@ package org.urbi.kernel.library.uobject;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
@@ -42,7 +43,7 @@ final class UConnectionType {
   @Builtin(doc = "Has the link begin at another variable.", needs = Need.CHANGE)
   void reconnect(Frame frame, UrbiConnection self, UrbiUVar src) {
     if (self.target() == null) {
-      throw frame.interpreter().errors().primitive("reconnect", "the link has no target");
+      throw frame.interpreter().errors().primitive("reconnect", Problem.LINK_WITHOUT_TARGET);
     }
     init(frame, self, src, self.target());
   }

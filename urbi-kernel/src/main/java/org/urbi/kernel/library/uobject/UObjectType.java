@@ -4,6 +4,7 @@ import java.util.List;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.file.FileAccess;
 import org.urbi.kernel.library.file.UrbiPath;
 import org.urbi.kernel.node.CallSite;
@@ -37,7 +38,7 @@ final class UObjectType {
   @Builtin(doc = "Ends the Java code behind the object.", needs = Need.CHANGE)
   void destroy(Frame frame, CallSite site, UrbiObject self) {
     if (!uobjects.creation().destroy(frame, self)) {
-      throw frame.interpreter().errors().primitive(site.calledName(), "not a UObject");
+      throw frame.error(site, Problem.NOT_A_UOBJECT);
     }
   }
 

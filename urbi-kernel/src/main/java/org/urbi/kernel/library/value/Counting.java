@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.value;
 
 import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiFloat;
@@ -30,22 +31,22 @@ public final class Counting {
 
   /** A number of times something is repeated, to make something of at most that size. */
   private static int repetitions(
-      Frame caller, CallSite site, int place, UrbiFloat given, int size, int most, String excess) {
+      Frame caller, CallSite site, int place, UrbiFloat given, int size, int most, Problem excess) {
     int count = nonNegative(caller, site, place, given);
     if ((long) count * size > most) {
-      throw caller.interpreter().errors().primitive(site.calledName(), excess);
+      throw caller.error(site, excess);
     }
     return count;
   }
 
   /** A number of times to repeat a list; what does not fit in any memory is an error. */
   public static int ofLists(Frame caller, CallSite site, int place, UrbiFloat given, int size) {
-    return repetitions(caller, site, place, given, size, LONGEST_LIST, "list too long");
+    return repetitions(caller, site, place, given, size, LONGEST_LIST, Problem.LIST_TOO_LONG);
   }
 
   /** A number of times to repeat a string; what does not fit in any memory is an error. */
   public static int ofStrings(Frame caller, CallSite site, int place, UrbiFloat given, int size) {
-    return repetitions(caller, site, place, given, size, LONGEST_STRING, "string too long");
+    return repetitions(caller, site, place, given, size, LONGEST_STRING, Problem.STRING_TOO_LONG);
   }
 
   /** An index from 0 to the size, excluded; negative ones count from the end. */
@@ -61,17 +62,13 @@ public final class Counting {
   public static int index(Frame caller, CallSite site, UrbiFloat index, int size) {
     double value = index.value();
     if (value != (int) value) {
-      throw caller
-          .interpreter()
-          .errors()
-          .primitive(
-              site.calledName(), "invalid index: " + caller.interpreter().asString(caller, index));
+      throw caller.error(site, Problem.INDEX, caller.interpreter().asString(caller, index));
     }
     return index(caller, site, (int) value, size);
   }
 
   /** {@code routine: invalid index: 3}. */
   public static RuntimeException invalidIndex(Frame caller, CallSite site, int index) {
-    return caller.interpreter().errors().primitive(site.calledName(), "invalid index: " + index);
+    return caller.error(site, Problem.INDEX, index);
   }
 }

@@ -1,0 +1,317 @@
+package org.urbi.kernel.error;
+
+import static org.urbi.kernel.error.ProblemKind.ARGUMENT;
+import static org.urbi.kernel.error.ProblemKind.ARGUMENT_TYPE;
+import static org.urbi.kernel.error.ProblemKind.ARITY;
+import static org.urbi.kernel.error.ProblemKind.ASSERTION;
+import static org.urbi.kernel.error.ProblemKind.BAD_INTEGER;
+import static org.urbi.kernel.error.ProblemKind.BAD_NUMBER;
+import static org.urbi.kernel.error.ProblemKind.CONSTNESS;
+import static org.urbi.kernel.error.ProblemKind.FILE_NOT_FOUND;
+import static org.urbi.kernel.error.ProblemKind.IMPLICIT_TAG;
+import static org.urbi.kernel.error.ProblemKind.KEY_ERROR;
+import static org.urbi.kernel.error.ProblemKind.LINE;
+import static org.urbi.kernel.error.ProblemKind.LOOKUP;
+import static org.urbi.kernel.error.ProblemKind.MATCH_FAILURE;
+import static org.urbi.kernel.error.ProblemKind.NEGATIVE_NUMBER;
+import static org.urbi.kernel.error.ProblemKind.NON_POSITIVE_NUMBER;
+import static org.urbi.kernel.error.ProblemKind.PART;
+import static org.urbi.kernel.error.ProblemKind.PRIMITIVE;
+import static org.urbi.kernel.error.ProblemKind.PROPERTY_LOOKUP;
+import static org.urbi.kernel.error.ProblemKind.REDEFINITION;
+import static org.urbi.kernel.error.ProblemKind.SCHEDULING;
+import static org.urbi.kernel.error.ProblemKind.SYNTAX;
+import static org.urbi.kernel.error.ProblemKind.TIME_OUT;
+import static org.urbi.kernel.error.ProblemKind.TYPE;
+import static org.urbi.kernel.error.ProblemKind.UNEXPECTED_VOID;
+import static org.urbi.kernel.error.ProblemKind.WARNING;
+
+import java.util.Optional;
+import org.urbi.lang.problem.Template;
+
+/**
+ * The catalogue of the messages of the language, in the words of the manual; those of the parser
+ * are {@link org.urbi.lang.problem.SyntaxProblem}. A message is found by its text, and every place
+ * of it in the code by its name. {@code docs/messages.md} is made of it.
+ */
+public enum Problem {
+  // ------------------------------------------------------------------ names and slots
+
+  NOT_FOUND(LOOKUP, "lookup failed: {name}"),
+  MISSPELLED(LOOKUP, "lookup failed: {name} (possible misspelling of {other})"),
+  PROPERTY_NOT_FOUND(PROPERTY_LOOKUP, "property lookup failed: {name}"),
+  REDEFINED(REDEFINITION, "slot redefinition: {name}", "without var, the slot gets another value"),
+  CONSTANT(CONSTNESS, "cannot modify const slot"),
+  NO_LOCAL_SLOT(WARNING, "no such local slot: {name}"),
+  NO_PROPERTY(WARNING, "no such property: {slot}->{property}"),
+  NOT_INHERITABLE_FINALIZABLE(
+      PRIMITIVE, "cannot inherit from a Finalizable without being one", "clone a Finalizable"),
+  NOT_INHERITABLE_FLOAT(
+      PRIMITIVE, "cannot inherit from a Float without being one", "clone a Float"),
+  BLEND_MODE(PRIMITIVE, "invalid blend mode: {value}"),
+  BAD_IMPLICIT_TAG(IMPLICIT_TAG, "invalid component in implicit tag"),
+
+  // ------------------------------------------------------------------ calls and values
+
+  VOID(
+      UNEXPECTED_VOID,
+      "unexpected void",
+      "a function without a value was called where one is needed"),
+  UNMATCHED(MATCH_FAILURE, "pattern did not match"),
+  IN_ROUTINE(PART, "{routine}: {message}"),
+  ARGUMENTS_EXACTLY(ARITY, "{routine}: expected {minimum} argument{s}, given {given}"),
+  ARGUMENTS_AT_LEAST(ARITY, "{routine}: expected at least {minimum} argument{s}, given {given}"),
+  ARGUMENTS_BETWEEN(
+      ARITY, "{routine}: expected between {minimum} and {maximum} argument{s}, given {given}"),
+  WRONG_ARGUMENT(ARGUMENT, "{routine}: argument {index}: {reason}"),
+  WRONG_TARGET(ARGUMENT, "{routine}: this: {reason}"),
+  WRONG_TYPE(TYPE, "unexpected {value}, expected {a} {type}"),
+  WRONG_ARGUMENT_TYPE(ARGUMENT_TYPE, "{routine}: argument {index}: {reason}"),
+  NOT_INTEGER(BAD_INTEGER, "expected integer, got {value}"),
+  NOT_NON_NEGATIVE_INTEGER(BAD_INTEGER, "expected non-negative integer, got {value}"),
+  NEGATIVE(NEGATIVE_NUMBER, "unexpected {effective}, expected non-negative number"),
+  NOT_POSITIVE(NON_POSITIVE_NUMBER, "unexpected {effective}, expected positive number"),
+  NOT_BYTE_NEGATIVE(BAD_NUMBER, "bad numeric conversion: negative overflow: {value}"),
+  NOT_BYTE_TOO_LARGE(BAD_NUMBER, "bad numeric conversion: positive overflow: {value}"),
+  NOT_BYTE_FRACTION(
+      BAD_NUMBER, "bad numeric conversion: overflow or non empty fractional part: {value}"),
+  VOID_ARGUMENT(PRIMITIVE, "unexpected void"),
+  WITHOUT_THIS(PRIMITIVE, "argument list must begin with `this'"),
+  INDEX(PRIMITIVE, "invalid index: {index}", "the first has the index 0, the last -1"),
+  ASSERTION_FAILED(ASSERTION, "failed assertion: {claim}"),
+  ASSERTION_FAILED_WITH(ASSERTION, "failed assertion: {claim} ({values})"),
+
+  // ------------------------------------------------------------------ numbers, texts, collections
+
+  DIVISION_BY_ZERO(PRIMITIVE, "division by 0"),
+  MODULO_BY_ZERO(PRIMITIVE, "modulo by 0"),
+  RANGE(PRIMITIVE, "invalid range"),
+  HAS_TO_BE_POSITIVE(PRIMITIVE, "argument has to be positive"),
+  MATRIX_TOO_LARGE(PRIMITIVE, "matrix too large"),
+  INCOMPATIBLE_SIZES(PRIMITIVE, "incompatible sizes"),
+  NOT_A_NUMBER(PRIMITIVE, "cannot convert to float: {text}"),
+  CHARACTER_CODE(PRIMITIVE, "invalid character code: {code}"),
+  EMPTY_STRING(PRIMITIVE, "cannot be applied onto empty string"),
+  REPLACES_EMPTY_STRING(PRIMITIVE, "cannot replace the empty string"),
+  STRING_TOO_LONG(PRIMITIVE, "string too long"),
+  LIST_TOO_LONG(PRIMITIVE, "list too long"),
+  EMPTY_LIST(PRIMITIVE, "cannot be applied onto empty list"),
+  NOTHING_TO_COMPARE(PRIMITIVE, "list cannot be empty"),
+  LISTS_OF_SIZES(PRIMITIVE, "lists must have the same size"),
+  TUPLES_OF_SIZES(PRIMITIVE, "tuples must have the same size"),
+  ODD_ARGUMENTS(
+      PRIMITIVE, "odd number of arguments", "each key has a value: Dictionary.new(key, value)"),
+  MISSING_KEY(KEY_ERROR, "missing key: {key}", "getWithDefault has a value for missing keys"),
+  GROUP_OUT_OF_BOUNDS(PRIMITIVE, "out of bound index: {index}"),
+  REGULAR_EXPRESSION(PRIMITIVE, "invalid regular expression `{text}': {reason}"),
+  EMPTY_EXPRESSION(PART, "Empty expression"),
+  UNMATCHED_PARENTHESIS(PART, "Unmatched marking parenthesis ( or \\(."),
+  UNMATCHED_BRACKET(PART, "Unmatched [ or [^."),
+  NOTHING_TO_REPEAT(PART, "The repeat operator \"{operator}\" cannot start a regular expression."),
+  OTHER_EXPRESSION_ERROR(PART, "{reason}."),
+  PLACE_IN_EXPRESSION(
+      PART,
+      "  The error occurred while parsing the regular expression: '{before}>>>HERE>>>{after}'."),
+  FORMAT_WITHOUT_PERCENT(PRIMITIVE, "format does not begin with `%': {text}"),
+  FORMAT_WITHOUT_CONVERSION(PRIMITIVE, "format without conversion: {text}"),
+  FORMAT_CONVERSION(PRIMITIVE, "format: \"{character}\" is not a valid conversion type character"),
+  FORMAT_WITHOUT_END(PRIMITIVE, "format without final `|': {text}"),
+  FORMAT_NUMBER(PRIMITIVE, "number too large: {digits}"),
+  TEXT_AFTER_FORMAT(PRIMITIVE, "unexpected text after the format: {text}"),
+  TOO_FEW_FOR_FORMAT(PRIMITIVE, "too few arguments for format"),
+  TOO_MANY_FOR_FORMAT(PRIMITIVE, "too many arguments for format", "%% stands for a percent sign"),
+  NOT_A_DATE(PRIMITIVE, "cannot convert to date: {text}"),
+  YEAR(PRIMITIVE, "Year is out of valid range: 1400..9999"),
+  PART_OF_DATE(PRIMITIVE, "{field} is out of range {range}"),
+  PART_OF_DATE_NOT_INTEGER(PRIMITIVE, "expected integer, got {value}"),
+  DAY_OF_MONTH(PRIMITIVE, "Day of month is not valid for year"),
+  MICROSECONDS(PRIMITIVE, "invalid number of microseconds in a day"),
+
+  // ------------------------------------------------------------------ jobs, events, motions
+
+  STACK_EXHAUSTED(SCHEDULING, "stack space exhausted", "a recursion does not end"),
+  MEMORY_EXHAUSTED(SCHEDULING, "memory exhausted", "urbi -M gives the kernel more of it"),
+  NOTHING_CAUGHT(SCHEDULING, "no exception to rethrow", "throw alone is for catch clauses"),
+  HELD_TOO_LONG(
+      SCHEDULING,
+      "{job} has held the kernel for too long",
+      "separate statements with ; and not with | so that others have their turn"),
+  WAITS_UNINTERRUPTIBLE(SCHEDULING, "attempt to wait in non-interruptible code"),
+  SLEEPS_UNINTERRUPTIBLE(SCHEDULING, "attempt to sleep in non-interruptible code"),
+  DEPENDS_UNINTERRUPTIBLE(SCHEDULING, "dependency on other task in non-interruptible code"),
+  TIMED_OUT(TIME_OUT, "{timeout} has timed out."),
+  SUBSCRIPTION_WITHOUT_FUNCTION(PRIMITIVE, "the subscription has no function of its own"),
+  LINK_WITHOUT_TARGET(PRIMITIVE, "the link has no target"),
+  JOB_NOT_CLONEABLE(PRIMITIVE, "`Job' objects cannot be cloned"),
+  LOBBY_NOT_CLONEABLE(PRIMITIVE, "`Lobby' objects cannot be cloned", "use Lobby.create"),
+  NOTHING_TO_RUN(PRIMITIVE, "nothing to run"),
+  MISSING_ATTRIBUTE(PRIMITIVE, "missing attribute: {name}"),
+  UNKNOWN_TRAJECTORY(
+      PRIMITIVE, "unknown trajectory", "it has time, speed, accel, sin, cos or smooth"),
+  NEGATIVE_SPEED(PRIMITIVE, "speed must not be negative"),
+  ATTRIBUTE_NOT_POSITIVE(PRIMITIVE, "{attribute} must be positive"),
+  LIMITED(
+      WARNING, "{variable}: {value} is {more or less} than {bound}, the {limit}: limited to that"),
+
+  // ------------------------------------------------------------------ files and streams
+
+  NO_FILE(
+      FILE_NOT_FOUND, "file not found: {name}", "System.searchPath says where it is looked for"),
+  AT_PATH(PRIMITIVE, "{reason}: {path}"),
+  NO_SUCH_FILE(PART, "no such file or directory"),
+  FILE_MISSING(PART, "file does not exist"),
+  FILE_EXISTS(PART, "file exists"),
+  FILE_TOO_LARGE(PART, "file too large"),
+  DIRECTORY_EXISTS(PART, "directory exists"),
+  DIRECTORY_MISSING(PART, "directory does not exist"),
+  DIRECTORY_NOT_EMPTY(PART, "directory not empty"),
+  IS_A_DIRECTORY(PART, "is a directory"),
+  IS_THE_ROOT(PART, "is the root directory"),
+  PERMISSION_DENIED(PART, "permission denied"),
+  TOO_MANY_LINKS(PART, "too many levels of links"),
+  INPUT_OUTPUT(PART, "input/output error"),
+  REASON(PRIMITIVE, "{reason}"),
+  NOT_A_DIRECTORY(PRIMITIVE, "not a directory"),
+  NOT_A_FILE(PRIMITIVE, "not a file"),
+  NOT_A_PATH(PRIMITIVE, "not a path"),
+  IS_A_PROTOTYPE(PRIMITIVE, "{type} is a prototype: use {type}.new"),
+  INVALID_PATH(PRIMITIVE, "invalid path: {path}"),
+  ABSOLUTE_PATH(PRIMITIVE, "Rhs of concatenation is absolute: {path}"),
+  NO_SUCH_DIRECTORY(PRIMITIVE, "no such directory: {path}"),
+  DOES_NOT_EXIST(PRIMITIVE, "does not exist: {path}"),
+  CANNOT_WATCH(PRIMITIVE, "cannot watch directory: {reason}"),
+  STREAM_CLOSED(PRIMITIVE, "stream is closed"),
+
+  // ------------------------------------------------------------------ the machine and the network
+
+  INVALID_COMMAND(PRIMITIVE, "invalid command"),
+  CANNOT_RUN(PRIMITIVE, "cannot run {program}: {reason}"),
+  PROCESS_WITHOUT_PROGRAM(PRIMITIVE, "Process has no program"),
+  PROCESS_RUN(PRIMITIVE, "Process was already run", "each run is of a new Process"),
+  PROCESS_NOT_RUN(PRIMITIVE, "Process was not run"),
+  VARIABLE_NAME(PRIMITIVE, "invalid name of a variable: {name}"),
+  VARIABLE_VALUE(PRIMITIVE, "invalid value of a variable"),
+  NOT_A_SOCKET(PRIMITIVE, "not a socket"),
+  SOCKET_CONNECTED(PRIMITIVE, "socket is already connected"),
+  SOCKET_NOT_CONNECTED(PRIMITIVE, "socket not connected"),
+  BROKEN_PIPE(PART, "Broken pipe"),
+  CONNECTION_CLOSED(PART, "connection is closed"),
+  UNKNOWN_HOST(PART, "unknown host: {host}"),
+  INVALID_PORT(PART, "invalid port: {port}"),
+  UNKNOWN_SERVICE(PART, "service not found: {name}"),
+  NOT_A_SERVER(PRIMITIVE, "not a server"),
+  SERVER_LISTENING(PRIMITIVE, "server is already listening"),
+  SERVER_NOT_LISTENING(PRIMITIVE, "server not listening"),
+  NOT_POSSIBLE(PRIMITIVE, "not possible here"),
+  LOGGER_UNDEFINED(PRIMITIVE, "category or level undefined"),
+
+  // ------------------------------------------------------------------ what is not allowed
+
+  NEEDS_ROLE(PRIMITIVE, "this needs the role {needed}, and this lobby has the role {own}"),
+  CHANGES_FOREIGN(
+      PRIMITIVE,
+      "changing what is not its own needs the role {needed}, and this lobby has the role {own}"),
+  CHANGES_SYSTEM(
+      PRIMITIVE,
+      "changing what belongs to the system needs the role {needed},"
+          + " and this lobby has the role {own}"),
+  CHANGES_LOBBY(
+      PRIMITIVE,
+      "changing what belongs to another lobby needs the role {needed},"
+          + " and this lobby has the role {own}"),
+  CHANGES_JOB(
+      PRIMITIVE,
+      "changing a job of another lobby needs the role {needed},"
+          + " and this lobby has the role {own}"),
+  CONFINED_DIRECTORY(PART, "is the directory of this kernel"),
+  CONFINED_FILES(PART, "files are not allowed to this lobby"),
+  CONFINED_OUTSIDE(PART, "outside of the directory of this kernel"),
+  CONFINED_PROCESSES(PART, "processes are not allowed in this kernel"),
+  CONFINED_MODULES(PART, "modules are not allowed in this kernel"),
+  CONFINED_CONNECTIONS(PART, "connections are not allowed in this kernel"),
+
+  // ------------------------------------------------------------------ components
+
+  NOT_A_UOBJECT(PRIMITIVE, "not a UObject"),
+  NOT_LOADED(PRIMITIVE, "not loaded: {module}"),
+  UNREADABLE_MODULE(PRIMITIVE, "cannot read {file}: {reason}"),
+  CONSTRUCTION_FAILED(PRIMITIVE, "{class} construction failed: init returned {status}."),
+  CAUGHT_IN_COMPONENT(PRIMITIVE, "exception caught while {doing}: {reason}"),
+  CAUGHT_IN_THREAD(PART, "Exception in threaded call: {reason}"),
+  CAUGHT_IN_NOTIFY(LINE, "Exception caught while processing notify on {variable}:"),
+  MISSING_CLASS(PART, "missing class {class}"),
+  NAMED_REASON(PART, "{class}: {reason}"),
+  FUNCTION_GONE(PRIMITIVE, "{function}: {reason}"),
+  OBJECT_DESTROYED(PART, "the object has been destroyed"),
+  DESTROYED(PART, "{object} has been destroyed"),
+  VARIABLE_WITHOUT_OBJECT(PART, "the object of the variable {variable} has gone"),
+  NO_OBJECT_FOR_VARIABLE(PART, "UVar creation on non existing object: {variable}"),
+  NO_OBJECT(PART, "no such object: {name}"),
+  NO_SERIALIZABLE(PART, "no such class in Serializables: {class}"),
+  KEY_NOT_STRING(PART, "Dictionaries exchanged with UObjects can only have String keys: {key}"),
+  KEY_OF_TYPE(
+      PART, "Dictionaries exchanged with UObjects can only have String keys: {key} ({type})"),
+  NESTED_TOO_DEEPLY(PART, "nested too deeply"),
+  CAST_TO_UVAR(PART, "invalid cast to UVar from non-string value."),
+  NO_VALUE_OF_TYPE(PART, "the value is no {type}"),
+  NIL_IS_NO(PART, "nil or void is no {class}"),
+  IS_NO(PART, "{value} is no {class}"),
+  A_IS_NO(PART, "a {kind} is no {class}"),
+  NOTHING_LIKE(PART, "there is nothing like this in urbiscript: {class}"),
+  CONTAINS_ITSELF(PART, "a container in itself"),
+  CONTAINERS_TOO_DEEP(PART, "containers nested too deeply"),
+
+  // ------------------------------------------------------------------ lines of their own
+
+  SYNTAX_ERROR(SYNTAX, "{loc}: syntax error: {message}"),
+  CALLED_FROM(LINE, "   called from: {place}{name}"),
+  LEFT_OUT(PART, "({count} more calls)"),
+  INTERRUPTED(LINE, "received interruption, killing foreground job."),
+  INTERNAL_ERROR(LINE, "internal error: {failure}", "the log has more; please report it"),
+  UNPRINTABLE(LINE, "exception that cannot be shown", "its asString fails"),
+  DEPRECATED(WARNING, "`{old}' is deprecated"),
+  DEPRECATED_FOR(WARNING, "`{old}' is deprecated, use `{successor}'"),
+  HOLDS_KERNEL(
+      LINE,
+      "{job} has held the kernel for more than {limit} s without letting others run, ending it"),
+  EVICTED(LINE, "{reason}: the jobs of this lobby are ended"),
+  NOBODY_HOLDS(LINE, "nobody holds the kernel"),
+  INTERRUPTED_HOLDER(LINE, "interrupted: {job} held the kernel for {time} s"),
+  INTERRUPTED_LOBBY(LINE, "interrupted: {lobby}"),
+  NO_SUCH_LOBBY(LINE, "no such lobby: {lobby}; there are {others}"),
+  MAY_NOT_INTERRUPT(LINE, "to interrupt other lobbies needs the role owner");
+
+  private final ProblemKind kind;
+  private final Template template;
+  private final String hint;
+
+  Problem(ProblemKind kind, String text) {
+    this(kind, text, null);
+  }
+
+  Problem(ProblemKind kind, String text, String hint) {
+    this.kind = kind;
+    this.template = new Template(text);
+    this.hint = hint;
+  }
+
+  /** What becomes of it. */
+  public ProblemKind kind() {
+    return kind;
+  }
+
+  /** Its text, not filled in. */
+  public Template template() {
+    return template;
+  }
+
+  /** Its text; the values stand for its places, in their order. */
+  public String text(Object... values) {
+    return template.fill(values);
+  }
+
+  /** What to do about it, in a few words. */
+  public Optional<String> hint() {
+    return Optional.ofNullable(hint);
+  }
+}

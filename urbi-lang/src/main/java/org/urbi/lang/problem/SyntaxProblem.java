@@ -1,0 +1,121 @@
+package org.urbi.lang.problem;
+
+import static org.urbi.lang.problem.SyntaxProblem.Kind.ERROR;
+import static org.urbi.lang.problem.SyntaxProblem.Kind.WARNING;
+
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The catalogue of all that the parser has to say, in the words of the manual; the kernel has
+ * another one. A message is found by its text, and every place of it in the code by its name.
+ */
+public enum SyntaxProblem {
+  // ------------------------------------------------------------------ characters and words
+
+  RESERVED_WORD(ERROR, "reserved symbol: `{word}'", "in single quotes it is a name: 'word'"),
+  INVALID_NUMBER(ERROR, "invalid token: `{text}'"),
+  INVALID_CHARACTER(ERROR, "invalid character: `{character}'"),
+  OPEN_COMMENT(ERROR, "unexpected end of file in a comment", "comments nest: each /* needs its */"),
+  OPEN_STRING(ERROR, "unexpected end of file in a string", "a double quote ends it"),
+  OPEN_NAME(ERROR, "unexpected end of file in a identifier", "a single quote ends it"),
+  OPEN_BINARY(
+      ERROR,
+      "unexpected end of file in binary data",
+      "after the semicolon come as many bytes as BIN says"),
+  ESCAPED_CHARACTER(
+      ERROR,
+      "invalid character after \\-escape: `{character}'",
+      "a backslash itself is written \\\\"),
+  ESCAPED_NUMBER(
+      ERROR, "invalid number after \\-escape: `{digits}'", "the largest is \\377, or \\xff"),
+  ESCAPED_BLOB(ERROR, "invalid \\B(SIZE)(CONTENTS) escape: `{text}'"),
+  OPEN_BLOB(
+      ERROR,
+      "unexpected '{character}' for closing \\B, expected ')'",
+      "the contents are as long as the size says"),
+
+  // ------------------------------------------------------------------ what stands where
+
+  UNEXPECTED(ERROR, "unexpected {token}"),
+  UNEXPECTED_INSTEAD(ERROR, "unexpected {token}, expecting {expected}"),
+  UNEXPECTED_END(ERROR, "unexpected end of file", "something that was opened is not closed"),
+  NESTING_TOO_DEEP(ERROR, "nesting too deep"),
+  STATEMENT_TOO_LONG(ERROR, "statement longer than {maximum} characters"),
+  NOT_AN_LVALUE(ERROR, "{expression} is not a valid lvalue", "only slots can be assigned to"),
+  MISPLACED_DECLARATION(ERROR, "declaration not allowed here"),
+  VARIABLE_REDEFINITION(
+      ERROR, "variable redefinition: {name}", "without var, the variable gets another value"),
+  BREAK_OUTSIDE(ERROR, "break: outside a loop"),
+  CONTINUE_OUTSIDE(ERROR, "continue: outside a loop"),
+  RETURN_OUTSIDE(ERROR, "return: outside a function"),
+  THROW_OUTSIDE(ERROR, "throw: outside a catch", "what is thrown stands behind throw"),
+  INVALID_FLAVOR(ERROR, "invalid flavor: {loop}{flavor}"),
+  CAUGHT_ALREADY(
+      ERROR,
+      "catch: exception already caught by a previous clause",
+      "a catch without a pattern comes last"),
+  CALL_OUTSIDE_FUNCTION(ERROR, "call: used outside any function"),
+
+  // ------------------------------------------------------------------ functions and events
+
+  LAZY_CLOSURE(ERROR, "closure cannot be lazy", "its arguments are in parentheses: closure () {}"),
+  ARGUMENT_AFTER_LIST(ERROR, "argument after list-argument", "the list-argument comes last"),
+  ARGUMENT_WITHOUT_DEFAULT(
+      ERROR, "argument with no default value after arguments with default value"),
+  UNEXPECTED_KEYWORD(ERROR, "unexpected `{word}'", "at has sync and async"),
+  DUPLICATE_KEYWORD(ERROR, "duplicate keyword: `{word}'"),
+  INCOMPATIBLE_KEYWORDS(ERROR, "incompatible keywords: `{first}' and `{second}'"),
+
+  // ------------------------------------------------------------------ warnings
+
+  DEPRECATED(WARNING, "`{old}' is deprecated"),
+  DEPRECATED_FOR(WARNING, "`{old}' is deprecated, use `{successor}'"),
+  DEPRECATED_DERIVATIVE(WARNING, "`{old}' is deprecated, use `{successor}'."),
+  DEPRECATED_EMIT(WARNING, "`emit event(x)' is deprecated, use `event!(x)'"),
+  DEPRECATED_NEW(WARNING, "`new Obj(x)' is deprecated, use `Obj.new(x)'"),
+  DEPRECATED_SELF(WARNING, "`self' is deprecated, use `this'"),
+  EMPTY_STATEMENT(WARNING, "implicit empty statement, use `{}'"),
+  MODIFIER_REDEFINED(WARNING, "modifier redefined: {name}");
+
+  /** How bad it is. */
+  public enum Kind {
+    /** The text is no program. */
+    ERROR,
+    /** The text is understood. */
+    WARNING
+  }
+
+  private final Kind kind;
+  private final Template template;
+  private final @Nullable String hint;
+
+  SyntaxProblem(Kind kind, String text) {
+    this(kind, text, null);
+  }
+
+  SyntaxProblem(Kind kind, String text, @Nullable String hint) {
+    this.kind = kind;
+    this.template = new Template(text);
+    this.hint = hint;
+  }
+
+  public Kind kind() {
+    return kind;
+  }
+
+  /** Its text, not filled in. */
+  public Template template() {
+    return template;
+  }
+
+  /** Its text; the values stand for its places, in their order. */
+  public String text(Object... values) {
+    return template.fill(values);
+  }
+
+  /** What to do about it, in a few words. */
+  public Optional<String> hint() {
+    return Optional.ofNullable(hint);
+  }
+}
