@@ -1,9 +1,6 @@
 package org.urbi.kernel.library.exception;
 
-import java.util.Comparator;
 import java.util.List;
-import java.util.Set;
-import java.util.TreeSet;
 import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.Problem;
@@ -268,17 +265,13 @@ public final class ExceptionTypes {
       return null;
     }
     boolean local = self.lookup(self.world().symbol("local")) != null;
-    // Names with a dollar come after all others.
-    Set<String> candidates =
-        new TreeSet<>(
-            Comparator.<String, Boolean>comparing(slot -> slot.startsWith("$"))
-                .thenComparing(Comparator.naturalOrder()));
+    Spelling.Guess guess = new Spelling.Guess(name);
     for (UrbiObject holder : local ? List.of(object) : ObjectType.allProtos(object)) {
       for (Symbol slot : holder.localSlotNames()) {
-        candidates.add(slot.name());
+        guess.consider(slot.name());
       }
     }
-    return Spelling.meant(name, candidates);
+    return guess.meant();
   }
 
   private static String type(Frame frame, UrbiObject self) {

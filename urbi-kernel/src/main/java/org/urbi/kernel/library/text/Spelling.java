@@ -1,6 +1,5 @@
 package org.urbi.kernel.library.text;
 
-import java.util.Collection;
 import java.util.List;
 
 /** How alike words are (manual, "String.distance", "String.closest"). */
@@ -72,30 +71,53 @@ public final class Spelling {
   }
 
   /**
-   * The last of the most alike candidates which somebody may have meant by a name, with two
-   * mistakes at most; null when there is none, or the name itself is one. The case of letters
-   * counts for nothing, unless it is all that differs.
-   *
-   * @param candidates in alphabetical order
+   * What somebody may have meant by a name: of the candidates that are most alike, with two
+   * mistakes at most, the last in the order of the alphabet (names with a dollar come after all
+   * others). The case of letters counts for nothing, unless it is all that differs.
    */
-  public static String meant(String name, Collection<String> candidates) {
-    int least = MOST_EDITS + 1;
-    String meant = null;
-    if (name.length() > LONGEST_NAME || candidates.contains(name)) {
-      return null;
+  public static final class Guess {
+    private final String name;
+    private final String lower;
+    private final boolean open;
+    private boolean known;
+    private int least = MOST_EDITS + 1;
+    private String meant;
+
+    public Guess(String name) {
+      this.name = name;
+      this.lower = Characters.lower(name);
+      this.open = name.length() <= LONGEST_NAME;
     }
-    for (String candidate : candidates) {
+
+    /** May be it, too; in whatever order. */
+    public void consider(String candidate) {
+      if (!open || known) {
+        return;
+      }
       int shorter = Math.min(name.length(), candidate.length());
       int most = shorter < 2 ? 0 : shorter < SHORT_WORD ? 1 : MOST_EDITS;
-      if (Math.abs(candidate.length() - name.length()) <= most) {
-        int distance =
-            Math.max(1, distance(Characters.lower(name), Characters.lower(candidate), () -> {}));
-        if (distance <= most && distance <= least) {
-          meant = candidate;
-          least = distance;
-        }
+      if (Math.abs(candidate.length() - name.length()) > most) {
+        return;
+      }
+      if (candidate.equals(name)) {
+        known = true;
+        return;
+      }
+      int edits = Math.max(1, distance(lower, Characters.lower(candidate), () -> {}));
+      if (edits <= most && (edits < least || edits == least && isAfter(candidate, meant))) {
+        meant = candidate;
+        least = edits;
       }
     }
-    return meant;
+
+    private static boolean isAfter(String one, String other) {
+      boolean dollar = one.startsWith("$");
+      return dollar == other.startsWith("$") ? one.compareTo(other) > 0 : dollar;
+    }
+
+    /** The name that was meant; null when there is none, or there is one of just that name. */
+    public String meant() {
+      return known ? null : meant;
+    }
   }
 }
