@@ -252,7 +252,7 @@ public final class InPlace extends Node implements CallSite {
       if (values.floatProto.world().profiled || values.floatProto.lookup(operator) != original) {
         return false;
       }
-      intactEpoch = epoch;
+      intactEpoch = values.floatProto.world().remember(operator);
     }
     return true;
   }

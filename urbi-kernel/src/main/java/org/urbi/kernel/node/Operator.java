@@ -155,7 +155,7 @@ public final class Operator extends Node {
       if (values.floatProto.world().profiled || values.floatProto.lookup(name) != original) {
         return false;
       }
-      intactEpoch = epoch;
+      intactEpoch = values.floatProto.world().remember(name);
     }
     return true;
   }

@@ -81,7 +81,8 @@ final class SlotLookup {
       }
     }
     entries =
-        new Entry(target.shape(), name.epoch(), holder == target ? null : holder, index, kept);
+        new Entry(
+            target.shape(), world.remember(name), holder == target ? null : holder, index, kept);
     return holder.slotAt(index);
   }
 

@@ -24,6 +24,8 @@ public final class Shape {
 
   private static final int LINEAR_LIMIT = 8;
 
+  private static final int SEARCHES_BEFORE_INDEX = 8;
+
   /** Objects with more slots have a table. */
   private static final int SHARED_LIMIT = 64;
 
@@ -39,6 +41,10 @@ public final class Shape {
   private final Shape parent;
 
   private Map<Symbol, Integer> index;
+
+  /** How often a slot has been searched one by one: most shapes are only passed on the way. */
+  private int searches;
+
   private Transitions additions;
 
   private Shape(World world, UrbiObject[] protos, Symbol[] names, byte[] flags, Shape parent) {
@@ -89,7 +95,7 @@ public final class Shape {
       return table.indexOf(name);
     }
     int size = names.length;
-    if (size <= LINEAR_LIMIT) {
+    if (size <= LINEAR_LIMIT || index == null && searches++ < SEARCHES_BEFORE_INDEX) {
       for (int i = 0; i < size; i++) {
         if (names[i] == name) {
           return i;

@@ -18,7 +18,10 @@ public final class Symbol {
     return name;
   }
 
-  /** Changes whenever a lookup of this name that was remembered must be made again. */
+  /**
+   * Changes whenever a lookup of this name that was {@linkplain World#remember remembered} must be
+   * made again.
+   */
   public int epoch() {
     return epoch;
   }

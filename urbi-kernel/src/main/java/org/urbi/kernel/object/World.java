@@ -15,6 +15,10 @@ public final class World {
   private final Shape orphanShape = Shape.root(this, Shape.NO_PROTOS);
   private final Values values = new Values(this);
   private final Map<String, UrbiObject> prototypes = new LinkedHashMap<>();
+
+  /** Whether any lookup has been remembered since all were forgotten. */
+  private boolean remembers;
+
   private long lastUid = 0x7f00_0000L;
   private Runnable checkpoint = () -> {};
 
@@ -73,7 +77,16 @@ public final class World {
 
   /** Forgets every remembered lookup: somebody's prototypes changed. */
   void invalidateLookups() {
-    symbols.forEach(symbol -> symbol.epoch++);
+    if (remembers) {
+      remembers = false;
+      symbols.forEach(symbol -> symbol.epoch++);
+    }
+  }
+
+  /** The epoch of a name of which a lookup is remembered from now on. */
+  public int remember(Symbol name) {
+    remembers = true;
+    return name.epoch();
   }
 
   /** Identifiers in the order in which they are asked for, so that runs repeat to the byte. */

@@ -198,12 +198,19 @@ class LookupTest {
   void newPrototypesOfAPrototypeAreToldForEveryName() {
     UrbiObject top = root.cloned();
     UrbiObject heir = top.cloned();
-    int first = x.epoch();
-    int second = y.epoch();
+    int first = world.remember(x);
+    int second = world.remember(y);
     top.setProtos(with(x));
     assertNotEquals(first, x.epoch());
     assertNotEquals(second, y.epoch());
     assertTrue(heir.lookup(x) != null);
+    // Nobody has remembered anything since.
+    first = x.epoch();
+    top.setProtos(with(y));
+    assertEquals(first, x.epoch());
+    assertEquals(first, world.remember(x));
+    top.setProtos(with(x));
+    assertNotEquals(first, x.epoch());
   }
 
   @Test
