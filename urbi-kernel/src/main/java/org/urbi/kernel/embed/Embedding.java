@@ -13,6 +13,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.urbi.kernel.builtin.Primitive;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.library.system.Evaluation;
@@ -121,7 +122,7 @@ public final class Embedding {
   }
 
   static IllegalStateException ended() {
-    return new IllegalStateException("the kernel has ended");
+    return new IllegalStateException(Problem.KERNEL_ENDED.text());
   }
 
   // ------------------------------------------------------------------ evaluation

@@ -1,6 +1,7 @@
 package org.urbi.kernel.embed;
 
 import java.util.List;
+import java.util.Optional;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.lobby.Complaint;
@@ -54,6 +55,11 @@ public final class UrbiError extends RuntimeException {
     return same;
   }
 
+  /** What to do about it, in a few words; empty for what a program has thrown. */
+  public Optional<String> hint() {
+    return original == null ? Optional.empty() : original.hint();
+  }
+
   /** The exception of urbiscript that it stands for; null for an error of Java. */
   UrbiException original() {
     return original;
@@ -92,9 +98,9 @@ public final class UrbiError extends RuntimeException {
 
   /** The error as the console shows it: {@code !!!} lines, without time stamps. */
   public String report() {
-    var text = new StringBuilder(Complaint.MARK).append(getMessage());
+    var text = new StringBuilder(Complaint.marked(getMessage()));
     for (Call call : backtrace) {
-      text.append('\n').append(Complaint.MARK).append(Problem.CALLED_FROM.text("", call));
+      text.append('\n').append(Complaint.marked(Problem.CALLED_FROM.text("", call)));
     }
     return text.toString();
   }

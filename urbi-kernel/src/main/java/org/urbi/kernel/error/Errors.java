@@ -1,5 +1,6 @@
 package org.urbi.kernel.error;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Values;
 import org.urbi.kernel.object.World;
@@ -41,22 +42,26 @@ public final class Errors {
 
   /** The same without a message; who catches it finds as its message what its asString says. */
   private Builder untold(Problem problem) {
+    return untold(problem, problem.hint().orElse(null));
+  }
+
+  private Builder untold(Problem problem, @Nullable String hint) {
     String type = problem.kind().type();
     if (type == null) {
       throw new IllegalArgumentException(problem + " is no exception");
     }
     UrbiObject prototype = world.prototype(type);
-    return new Builder(prototype == null ? values.object.cloned() : prototype.cloned(), problem);
+    return new Builder(prototype == null ? values.object.cloned() : prototype.cloned(), hint);
   }
 
   /** An exception being filled. */
   public final class Builder {
     private final UrbiObject exception;
-    private final Problem problem;
+    private final @Nullable String hint;
 
-    private Builder(UrbiObject exception, Problem problem) {
+    private Builder(UrbiObject exception, @Nullable String hint) {
       this.exception = exception;
-      this.problem = problem;
+      this.hint = hint;
     }
 
     public Builder with(String slot, UrbiObject value) {
@@ -77,7 +82,7 @@ public final class Errors {
     }
 
     public UrbiException build() {
-      return new UrbiException(exception, problem);
+      return new UrbiException(exception, hint);
     }
   }
 
@@ -129,7 +134,7 @@ public final class Errors {
 
   /** {@code 1.5: syntax error: message}. */
   public UrbiException syntax(SyntaxError error, String input) {
-    return untold(Problem.SYNTAX_ERROR)
+    return untold(Problem.SYNTAX_ERROR, error.problem().hint().orElse(null))
         .with("message", error.reason())
         .with("loc", error.span().location().toString())
         .with("input", input)

@@ -119,7 +119,7 @@ public enum Problem {
   FORMAT_NUMBER(PRIMITIVE, "number too large: {digits}"),
   TEXT_AFTER_FORMAT(PRIMITIVE, "unexpected text after the format: {text}"),
   TOO_FEW_FOR_FORMAT(PRIMITIVE, "too few arguments for format"),
-  TOO_MANY_FOR_FORMAT(PRIMITIVE, "too many arguments for format", "%% stands for a percent sign"),
+  TOO_MANY_FOR_FORMAT(PRIMITIVE, "too many arguments for format"),
   NOT_A_DATE(PRIMITIVE, "cannot convert to date: {text}"),
   YEAR(PRIMITIVE, "Year is out of valid range: 1400..9999"),
   PART_OF_DATE(PRIMITIVE, "{field} is out of range {range}"),
@@ -130,7 +130,8 @@ public enum Problem {
   // ------------------------------------------------------------------ jobs, events, motions
 
   STACK_EXHAUSTED(SCHEDULING, "stack space exhausted", "a recursion does not end"),
-  MEMORY_EXHAUSTED(SCHEDULING, "memory exhausted", "urbi -M gives the kernel more of it"),
+  MEMORY_EXHAUSTED(
+      SCHEDULING, "memory exhausted", "URBI_JAVA_OPTS=-Xmx2g gives the kernel 2 GiB of it"),
   NOTHING_CAUGHT(SCHEDULING, "no exception to rethrow", "throw alone is for catch clauses"),
   HELD_TOO_LONG(
       SCHEDULING,
@@ -194,6 +195,7 @@ public enum Problem {
   NOT_A_SOCKET(PRIMITIVE, "not a socket"),
   SOCKET_CONNECTED(PRIMITIVE, "socket is already connected"),
   SOCKET_NOT_CONNECTED(PRIMITIVE, "socket not connected"),
+  CLOSED(PART, "closed"),
   BROKEN_PIPE(PART, "Broken pipe"),
   CONNECTION_CLOSED(PART, "connection is closed"),
   UNKNOWN_HOST(PART, "unknown host: {host}"),
@@ -246,6 +248,10 @@ public enum Problem {
   DESTROYED(PART, "{object} has been destroyed"),
   VARIABLE_WITHOUT_OBJECT(PART, "the object of the variable {variable} has gone"),
   NO_OBJECT_FOR_VARIABLE(PART, "UVar creation on non existing object: {variable}"),
+  NO_VARIABLE(PART, "no such variable: {number}"),
+  IN_REPLAY(PART, "in a replay, threads of components have no say"),
+  KERNEL_ENDED(PART, "the kernel has ended"),
+  WAIT_INTERRUPTED(PART, "interrupted while waiting for the kernel"),
   NO_OBJECT(PART, "no such object: {name}"),
   NO_SERIALIZABLE(PART, "no such class in Serializables: {class}"),
   KEY_NOT_STRING(PART, "Dictionaries exchanged with UObjects can only have String keys: {key}"),

@@ -1,6 +1,8 @@
 package org.urbi.kernel.error;
 
 import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
@@ -22,7 +24,7 @@ public final class UrbiException extends RuntimeException {
   }
 
   private final transient UrbiObject value;
-  private final transient Problem problem;
+  private final @Nullable String hint;
   private final boolean uncatchable;
   private transient Span span;
   private transient List<Call> backtrace;
@@ -31,20 +33,20 @@ public final class UrbiException extends RuntimeException {
     this(value, null);
   }
 
-  UrbiException(UrbiObject value, Problem problem) {
-    this(value, problem, false);
+  UrbiException(UrbiObject value, @Nullable String hint) {
+    this(value, hint, false);
   }
 
-  private UrbiException(UrbiObject value, Problem problem, boolean uncatchable) {
+  private UrbiException(UrbiObject value, @Nullable String hint, boolean uncatchable) {
     super(null, null, false, false);
     this.value = value;
-    this.problem = problem;
+    this.hint = hint;
     this.uncatchable = uncatchable;
   }
 
   /** The same, but no code can catch it: the job is to end. */
   UrbiException uncatchable() {
-    return new UrbiException(value, problem, true);
+    return new UrbiException(value, hint, true);
   }
 
   /** Whether no {@code catch} clause is asked. */
@@ -57,9 +59,9 @@ public final class UrbiException extends RuntimeException {
     return value;
   }
 
-  /** Which message of the catalogue it is; null for what a program has thrown. */
-  public Problem problem() {
-    return problem;
+  /** What to do about it, in a few words, where the catalogue of messages says so. */
+  public Optional<String> hint() {
+    return Optional.ofNullable(hint);
   }
 
   /** Whether it is known where it was thrown. */

@@ -10,8 +10,7 @@ import org.urbi.lang.source.Span;
  * where the code was called.
  */
 public final class Complaint {
-  /** What the lines begin with. */
-  public static final String MARK = "!!! ";
+  private static final String MARK = "!!! ";
 
   private static final String ERROR = "error";
 
@@ -19,12 +18,12 @@ public final class Complaint {
 
   /** Tells of an error. */
   public static void error(Output output, String text) {
-    output.send(ERROR, MARK + text);
+    output.send(ERROR, marked(text));
   }
 
   /** Tells of a warning; it is the caller who asks whether warnings are off. */
   public static void warning(Output output, String text) {
-    output.send(WarningChannel.NAME, MARK + text);
+    output.send(WarningChannel.NAME, marked(text));
   }
 
   /** Tells from where the code with an error was called. */
@@ -40,9 +39,14 @@ public final class Complaint {
   private static void callers(Output output, String channel, List<UrbiException.Call> calls) {
     for (UrbiException.Call call : calls) {
       if (call.name() != null) {
-        output.send(channel, MARK + Problem.CALLED_FROM.text(place(call.span()), call.name()));
+        output.send(channel, marked(Problem.CALLED_FROM.text(place(call.span()), call.name())));
       }
     }
+  }
+
+  /** A line as it is shown. */
+  public static String marked(String text) {
+    return MARK + text;
   }
 
   /** A place as it stands before a text; empty when it is not known. */

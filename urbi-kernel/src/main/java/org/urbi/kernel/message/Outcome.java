@@ -1,6 +1,7 @@
 package org.urbi.kernel.message;
 
 import java.io.IOException;
+import org.urbi.kernel.error.Problem;
 
 /**
  * What has become of something that was done outside the kernel thread.
@@ -43,7 +44,7 @@ public record Outcome(Object value, Throwable failure) {
       throw e;
     }
     if (failure instanceof OutOfMemoryError) {
-      throw new IOException("memory exhausted", failure);
+      throw new IOException(Problem.MEMORY_EXHAUSTED.text(), failure);
     }
     if (failure instanceof Error e) {
       throw e;

@@ -57,7 +57,7 @@ public final class Confinement {
   public static Confinement to(Path directory) throws IOException {
     Path real = directory.toRealPath();
     if (!Files.isDirectory(real)) {
-      throw new IOException("not a directory: " + directory);
+      throw new IOException(Problem.AT_PATH.text(Problem.NOT_A_DIRECTORY.text(), directory));
     }
     return new Confinement(real, real, false);
   }

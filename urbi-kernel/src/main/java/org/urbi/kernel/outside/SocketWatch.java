@@ -6,6 +6,7 @@ import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.nio.channels.SocketChannel;
 import java.util.Collection;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Listening;
 
 /**
@@ -51,7 +52,7 @@ public final class SocketWatch<T> implements Listening.Wait, AutoCloseable {
         key.interestOps(SelectionKey.OP_READ);
       }
     } catch (CancelledKeyException e) {
-      throw new IOException("closed", e);
+      throw new IOException(Problem.CLOSED.text(), e);
     }
   }
 

@@ -12,6 +12,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
@@ -468,7 +469,7 @@ public final class RemotePeer {
   private RemoteVariable variable(int id) {
     RemoteVariable variable = variables.get(id);
     if (variable == null) {
-      throw new IllegalArgumentException("no such variable: " + id);
+      throw new IllegalArgumentException(Problem.NO_VARIABLE.text(id));
     }
     return variable;
   }

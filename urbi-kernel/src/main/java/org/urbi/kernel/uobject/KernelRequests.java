@@ -7,6 +7,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Function;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.Frame;
@@ -45,7 +46,7 @@ final class KernelRequests {
    */
   <T> T ask(Function<Frame, T> task) {
     if (interpreter.scheduler().journal().isReplay()) {
-      throw new IllegalStateException("in a replay, threads of components have no say");
+      throw new IllegalStateException(Problem.IN_REPLAY.text());
     }
     CompletableFuture<T> future = new CompletableFuture<>();
     Request<T> request = new Request<>(task, future);
@@ -64,7 +65,7 @@ final class KernelRequests {
       return future.get();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw new CancellationException("interrupted while waiting for the kernel");
+      throw new CancellationException(Problem.WAIT_INTERRUPTED.text());
     } catch (ExecutionException e) {
       throw switch (e.getCause()) {
         case RuntimeException failure -> failure;
@@ -132,7 +133,7 @@ final class KernelRequests {
   }
 
   private static IllegalStateException ended() {
-    return new IllegalStateException("the kernel has ended");
+    return new IllegalStateException(Problem.KERNEL_ENDED.text());
   }
 
   /** The kernel has ended: nobody waits any longer. */

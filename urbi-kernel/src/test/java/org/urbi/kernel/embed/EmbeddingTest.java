@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
@@ -178,6 +179,19 @@ class EmbeddingTest {
     assertTrue(syntax.getMessage().contains("syntax error"), syntax.getMessage());
     assertEquals(2, syntax.location().line());
     assertThrows(UrbiError.class, () -> kernel.eval("y"), "nothing of it was executed");
+  }
+
+  @Test
+  void errorsHaveHints() {
+    assertEquals(Optional.of("a double quote ends it"), hint("var s = \"abc"));
+    assertEquals(Optional.of("the first has the index 0, the last -1"), hint("[1, 2][2]"));
+    assertEquals(Optional.of("a recursion does not end"), hint("function f() { f() }; f()"));
+    assertEquals(Optional.empty(), hint("throw 42"));
+    assertEquals(Optional.empty(), hint("nameOfNothing"));
+  }
+
+  private Optional<String> hint(String code) {
+    return assertThrows(UrbiError.class, () -> kernel.eval(code)).hint();
   }
 
   @Test

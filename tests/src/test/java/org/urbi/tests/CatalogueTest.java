@@ -1,0 +1,142 @@
+package org.urbi.tests;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.util.EnumSet;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.urbi.kernel.error.Errors;
+import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.error.ProblemKind;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.lang.problem.SyntaxProblem;
+import org.urbi.lang.problem.Template;
+
+/**
+ * What the language says to its users stands in the catalogues, {@link Problem} and {@link
+ * SyntaxProblem}, and nowhere else: the classes are read, as they are compiled.
+ */
+class CatalogueTest {
+  /** A new message as it should not be: {@link MessageUses} must find each. */
+  @SuppressWarnings("unused")
+  private static final class Offences {
+    String sentence() {
+      return Problem.UNKNOWN_HOST.text("that is not there");
+    }
+
+    String joined(String name) {
+      return Problem.UNKNOWN_HOST.text("no host " + name);
+    }
+
+    IllegalStateException literal() {
+      return new IllegalStateException("broken");
+    }
+
+    IllegalStateException put(String name, Exception cause) {
+      return new IllegalStateException("broken " + name, cause);
+    }
+
+    String mark(String text) {
+      return "!!! " + text;
+    }
+
+    String tooMany() {
+      return Problem.UNKNOWN_HOST.text("a", "b");
+    }
+
+    String tooFew() {
+      return SyntaxProblem.INCOMPATIBLE_KEYWORDS.text("a");
+    }
+
+    UrbiException thrown(Errors errors) {
+      return errors.primitive("f", Problem.BROKEN_PIPE);
+    }
+  }
+
+  private static final MessageUses USES = new MessageUses();
+
+  @BeforeAll
+  static void read() throws IOException {
+    USES.readModuleOf(Problem.class);
+    USES.readModuleOf(SyntaxProblem.class);
+  }
+
+  private static void assertNone(Stream<String> found) {
+    assertEquals("", String.join("\n", found.toList()));
+  }
+
+  @Test
+  void noTextStandsBesideTheCatalogue() {
+    assertNone(USES.literals().stream());
+  }
+
+  @Test
+  void eachMessageIsUsed() {
+    Set<Enum<?>> unused = new TreeSet<>((a, b) -> a.name().compareTo(b.name()));
+    unused.addAll(EnumSet.allOf(Problem.class));
+    unused.addAll(EnumSet.allOf(SyntaxProblem.class));
+    unused.removeAll(USES.used());
+    assertNone(unused.stream().map(Enum::name));
+  }
+
+  @Test
+  void eachPlaceIsFilled() {
+    assertNone(USES.misfilled().stream());
+    assertTrue(USES.filled() > 150, "only " + USES.filled() + " calls were looked at");
+  }
+
+  @Test
+  void onlyExceptionsAreThrown() {
+    assertNone(USES.thrownTexts().stream());
+  }
+
+  @Test
+  void noTextStandsTwice() {
+    assertDistinct(
+        Stream.of(Problem.values()).map(problem -> problem.kind() + " " + problem.template()));
+    assertDistinct(
+        Stream.of(SyntaxProblem.values())
+            .map(problem -> problem.kind() + " " + problem.template()));
+  }
+
+  private static void assertDistinct(Stream<String> texts) {
+    Set<String> seen = new HashSet<>();
+    assertNone(texts.filter(text -> !seen.add(text)));
+  }
+
+  @Test
+  void hintsAreShort() {
+    Stream.concat(
+            Stream.of(Problem.values()).flatMap(problem -> problem.hint().stream()),
+            Stream.of(SyntaxProblem.values()).flatMap(problem -> problem.hint().stream()))
+        .forEach(hint -> {
+          assertTrue(hint.length() <= 100, hint);
+          assertFalse(hint.endsWith("."), hint);
+        });
+  }
+
+  @Test
+  void offencesAreFound() throws IOException {
+    MessageUses uses = new MessageUses();
+    uses.read(Offences.class);
+    assertEquals(5, uses.literals().size(), uses.literals().toString());
+    assertEquals(2, uses.misfilled().size(), uses.misfilled().toString());
+    assertEquals(1, uses.thrownTexts().size(), uses.thrownTexts().toString());
+  }
+
+  @Test
+  void aTemplateIsFilledInItsOrder() {
+    Template template = new Template("{a} and {b}, {}");
+    assertEquals(List.of("a", "b"), template.places());
+    assertEquals("1 and {a}, {}", template.fill(1, "{a}"));
+    assertEquals(ProblemKind.PRIMITIVE, Problem.DIVISION_BY_ZERO.kind());
+  }
+}

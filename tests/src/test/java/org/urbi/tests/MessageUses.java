@@ -1,0 +1,276 @@
+package org.urbi.tests;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.lang.classfile.ClassFile;
+import java.lang.classfile.ClassModel;
+import java.lang.classfile.CodeElement;
+import java.lang.classfile.Instruction;
+import java.lang.classfile.Label;
+import java.lang.classfile.MethodModel;
+import java.lang.classfile.constantpool.StringEntry;
+import java.lang.classfile.instruction.BranchInstruction;
+import java.lang.classfile.instruction.ConstantInstruction;
+import java.lang.classfile.instruction.FieldInstruction;
+import java.lang.classfile.instruction.InvokeDynamicInstruction;
+import java.lang.classfile.instruction.InvokeInstruction;
+import java.lang.classfile.instruction.LabelTarget;
+import java.lang.classfile.instruction.NewReferenceArrayInstruction;
+import java.lang.constant.ConstantDesc;
+import java.net.URI;
+import java.net.URISyntaxException;
+import java.nio.file.FileSystem;
+import java.nio.file.FileSystems;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.urbi.kernel.error.Problem;
+import org.urbi.lang.problem.SyntaxProblem;
+import org.urbi.lang.problem.Template;
+
+/** Where compiled classes use the messages of the catalogues, and where they bypass them. */
+final class MessageUses {
+  private static final Map<String, Class<? extends Enum<?>>> CATALOGUES =
+      Map.of(
+          internal(Problem.class),
+          Problem.class,
+          internal(SyntaxProblem.class),
+          SyntaxProblem.class);
+
+  /** Two words. */
+  private static final Pattern SENTENCE = Pattern.compile("\\p{L}{2,},? \\p{L}{2,}");
+
+  /** Exceptions of Java whose messages urbiscript is told. */
+  private static final Set<String> TOLD =
+      Set.of(
+          "java/io/IOException",
+          "java/lang/IllegalArgumentException",
+          "java/lang/IllegalStateException",
+          "urbi/UCastException",
+          "urbi/spi/UModuleException",
+          "org/urbi/kernel/uobject/ConversionFailure");
+
+  /** Rooms where these are for Java programs, or for who reads a recording. */
+  private static final Pattern FOR_JAVA =
+      Pattern.compile(
+          "org/urbi/kernel/(job|journal|time|script|embed)/.*|org/urbi/kernel/[A-Z].*"
+              + "|org/urbi/kernel/error/Errors|org/urbi/lang/.*");
+
+  /** The name of a type in urbiscript. */
+  private static final Pattern TYPE = Pattern.compile("[A-Z]\\w*");
+
+  private static final String MARK_OWNER = "org/urbi/kernel/lobby/Complaint";
+
+  private final List<String> literals = new ArrayList<>();
+  private final List<String> misfilled = new ArrayList<>();
+  private final List<String> thrownTexts = new ArrayList<>();
+  private final Set<Enum<?>> used = new HashSet<>();
+  private int filled;
+
+  /** Texts that stand in the code: class and text. */
+  List<String> literals() {
+    return literals;
+  }
+
+  /** Messages that are given more or fewer values than they have places. */
+  List<String> misfilled() {
+    return misfilled;
+  }
+
+  /** Messages that are thrown and are no exceptions. */
+  List<String> thrownTexts() {
+    return thrownTexts;
+  }
+
+  Set<Enum<?>> used() {
+    return used;
+  }
+
+  /** How many messages were found with their values. */
+  int filled() {
+    return filled;
+  }
+
+  private static String internal(Class<?> type) {
+    return type.getName().replace('.', '/');
+  }
+
+  /** Reads all classes that stand in the same directory or archive. */
+  void readModuleOf(Class<?> type) throws IOException {
+    try {
+      Path place = Path.of(type.getProtectionDomain().getCodeSource().getLocation().toURI());
+      if (Files.isDirectory(place)) {
+        readAll(place);
+      } else {
+        try (FileSystem archive =
+            FileSystems.newFileSystem(URI.create("jar:" + place.toUri()), Map.of())) {
+          readAll(archive.getPath("/"));
+        }
+      }
+    } catch (URISyntaxException e) {
+      throw new IOException(e);
+    }
+  }
+
+  private void readAll(Path root) throws IOException {
+    try (Stream<Path> files = Files.walk(root)) {
+      for (Path file : files.filter(f -> f.toString().endsWith(".class")).toList()) {
+        read(Files.readAllBytes(file));
+      }
+    }
+  }
+
+  /** Reads a class. */
+  void read(Class<?> type) throws IOException {
+    try (InputStream in = type.getResourceAsStream("/" + internal(type) + ".class")) {
+      read(in.readAllBytes());
+    }
+  }
+
+  private void read(byte[] bytes) {
+    ClassModel model = ClassFile.of().parse(bytes);
+    String name = model.thisClass().asInternalName();
+    if (CATALOGUES.containsKey(name)) {
+      return;
+    }
+    for (MethodModel method : model.methods()) {
+      method.code().ifPresent(code -> read(name, code.elementList()));
+    }
+  }
+
+  private void read(String owner, List<CodeElement> all) {
+    List<CodeElement> code =
+        all.stream().filter(e -> e instanceof Instruction || e instanceof LabelTarget).toList();
+    for (int i = 0; i < code.size(); i++) {
+      switch (code.get(i)) {
+        case FieldInstruction field when CATALOGUES.containsKey(field.owner().asInternalName()) ->
+            message(owner, code, i, field);
+        case InvokeInstruction call
+            when call.name().equalsString("<init>")
+                && TOLD.contains(call.owner().asInternalName())
+                && !FOR_JAVA.matcher(owner).matches() ->
+            message(owner, code, i);
+        default -> {
+          String text = text(code.get(i));
+          if (text != null && text.contains("!!!") && !owner.equals(MARK_OWNER)) {
+            literals.add(owner + ": " + text);
+          }
+        }
+      }
+    }
+  }
+
+  /** A message, and what is done with it up to the call that takes it. */
+  private void message(String owner, List<CodeElement> code, int at, FieldInstruction field) {
+    Enum<?> message = constant(field);
+    if (message == null) {
+      return;
+    }
+    used.add(message);
+    int next = afterJumps(code, at + 1);
+    if (code.get(next) instanceof ConstantInstruction count
+        && code.get(next + 1) instanceof NewReferenceArrayInstruction) {
+      filled++;
+      int places = template(message).places().size();
+      if (!count.constantValue().equals(places)) {
+        misfilled.add(owner + ": " + message + " has " + places + " places");
+      }
+    }
+    for (int i = at + 1; i < code.size(); i++) {
+      String text = text(code.get(i));
+      if (text != null && SENTENCE.matcher(text).find()) {
+        literals.add(owner + ": " + text + ", in " + message);
+      }
+      if (code.get(i) instanceof InvokeInstruction call && takes(call, field)) {
+        boolean thrown =
+            call.type().stringValue().endsWith(")Lorg/urbi/kernel/error/UrbiException;")
+                || call.type().stringValue().endsWith("Errors$Builder;");
+        boolean wrapped = call.owner().asInternalName().endsWith("FileAccess");
+        if (thrown && !wrapped && message instanceof Problem p && p.kind().type() == null) {
+          thrownTexts.add(owner + ": " + message);
+        }
+        return;
+      }
+    }
+  }
+
+  /** An exception of Java is made: its text must not be a literal. */
+  private void message(String owner, List<CodeElement> code, int at) {
+    List<CodeElement> before =
+        code.subList(Math.max(0, at - 3), at).stream()
+            .filter(Instruction.class::isInstance)
+            .toList();
+    for (CodeElement element : before) {
+      String text = text(element);
+      if (text != null && !text.isBlank() && !TYPE.matcher(text).matches()) {
+        literals.add(owner + ": " + text + ", in an exception of Java");
+      }
+    }
+  }
+
+  private static boolean takes(InvokeInstruction call, FieldInstruction field) {
+    return call.owner().equals(field.owner())
+        || call.type().stringValue().contains(field.type().stringValue());
+  }
+
+  /** Where the code goes on behind a value that is one of two. */
+  private static int afterJumps(List<CodeElement> code, int from) {
+    int at = from;
+    while (true) {
+      switch (code.get(at)) {
+        case LabelTarget label -> at++;
+        case BranchInstruction jump when isGoto(jump) -> at = position(code, jump.target());
+        default -> {
+          return at;
+        }
+      }
+    }
+  }
+
+  private static boolean isGoto(BranchInstruction jump) {
+    return jump.opcode().name().startsWith("GOTO");
+  }
+
+  private static int position(List<CodeElement> code, Label target) {
+    int at = 0;
+    while (!(code.get(at) instanceof LabelTarget label && label.label().equals(target))) {
+      at++;
+    }
+    return at;
+  }
+
+  private static Enum<?> constant(FieldInstruction field) {
+    Class<? extends Enum<?>> catalogue = CATALOGUES.get(field.owner().asInternalName());
+    return Stream.of(catalogue.getEnumConstants())
+        .filter(each -> field.name().equalsString(each.name()))
+        .findAny()
+        .orElse(null);
+  }
+
+  private static Template template(Enum<?> message) {
+    return message instanceof Problem problem
+        ? problem.template()
+        : ((SyntaxProblem) message).template();
+  }
+
+  /** The text of a literal, or of what a text is put together from; null for all else. */
+  private static String text(CodeElement element) {
+    return switch (element) {
+      case ConstantInstruction.LoadConstantInstruction constant
+          when constant.constantEntry() instanceof StringEntry string ->
+          string.stringValue();
+      case InvokeDynamicInstruction joined
+          when joined.name().equalsString("makeConcatWithConstants") -> {
+        ConstantDesc recipe = joined.bootstrapArgs().getFirst();
+        yield recipe.toString().replace('\1', ' ').replace('\2', ' ');
+      }
+      default -> null;
+    };
+  }
+}
