@@ -9,6 +9,7 @@ import java.util.concurrent.Executor;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
+import org.urbi.kernel.KernelBuilder;
 import org.urbi.kernel.job.JobThreads;
 
 /**
@@ -55,7 +56,7 @@ final class KernelSession implements AutoCloseable {
     this.kernel = kernel;
   }
 
-  private static Kernel.Builder builder(BackEnd backEnd) {
+  private static KernelBuilder builder(BackEnd backEnd) {
     return Kernel.builder()
         .jobThreads(backEnd.jobThreads)
         .searchPath(List.of(LIBRARY))

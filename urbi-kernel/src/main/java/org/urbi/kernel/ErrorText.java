@@ -18,8 +18,46 @@ import org.urbi.kernel.object.UrbiObject;
 final class ErrorText {
   private ErrorText() {}
 
+  /**
+   * Tells of what nobody has caught.
+   *
+   * @param job null if it was thrown between the turns of the jobs
+   */
+  static void tell(Interpreter interpreter, Job job, Throwable failure) {
+    if (job == null) {
+      FailureLog.internal("the kernel thread", failure);
+      return;
+    }
+    if (isInternal(failure)) {
+      FailureLog.internal("job " + job.name(), failure);
+    }
+    if (job.lobby() instanceof UrbiLobby lobby && lobby.output() != null) {
+      if (lobby.shell() != null && !(failure instanceof Unwinding)) {
+        lobby.shell().failed();
+      }
+      try {
+        report(interpreter, job, lobby, failure);
+      } catch (Unwinding unwinding) {
+        throw unwinding;
+      } catch (Throwable unable) {
+        FailureLog.internal("showing an error", unable);
+        Complaint.error(lobby.output(), FailureLog.text(unable));
+      }
+    }
+  }
+
+  /** What went wrong, for people; in a job. */
+  static String describe(Interpreter interpreter, RuntimeException failure) {
+    if (failure instanceof UrbiException thrown) {
+      Job job = interpreter.scheduler().running();
+      return interpreter.asString(
+          Frame.top(interpreter, job, job.lobby(), new FrameLayout()), thrown.value());
+    }
+    return failure.getMessage() == null ? failure.toString() : failure.getMessage();
+  }
+
   /** Whether something is a failure of our own: of nobody's code, nor of what it may use up. */
-  static boolean isInternal(Throwable failure) {
+  private static boolean isInternal(Throwable failure) {
     return !(failure instanceof UrbiException
         || failure instanceof Unwinding
         || failure instanceof StackOverflowError
@@ -27,7 +65,7 @@ final class ErrorText {
   }
 
   /** Sends an error to a lobby. */
-  static void report(Interpreter interpreter, Job job, UrbiLobby lobby, Throwable failure) {
+  private static void report(Interpreter interpreter, Job job, UrbiLobby lobby, Throwable failure) {
     Output output = lobby.output();
     switch (failure) {
       case UrbiException e -> {

@@ -1,25 +1,14 @@
 package org.urbi.kernel;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
-import java.util.Set;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import java.util.function.IntConsumer;
-import java.util.function.IntFunction;
 import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.embed.Embedding;
 import org.urbi.kernel.embed.JavaValues;
@@ -27,21 +16,12 @@ import org.urbi.kernel.embed.Listening;
 import org.urbi.kernel.embed.UrbiError;
 import org.urbi.kernel.embed.UrbiValue;
 import org.urbi.kernel.error.Errors;
-import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Inbox;
 import org.urbi.kernel.job.Job;
-import org.urbi.kernel.job.JobThreads;
 import org.urbi.kernel.job.Scheduler;
-import org.urbi.kernel.job.Unwinding;
-import org.urbi.kernel.journal.Entry;
 import org.urbi.kernel.journal.Journal;
-import org.urbi.kernel.journal.Recorder;
-import org.urbi.kernel.journal.RecordingException;
-import org.urbi.kernel.journal.RecordingReader;
-import org.urbi.kernel.journal.RecordingWriter;
 import org.urbi.kernel.journal.Replay;
-import org.urbi.kernel.journal.ReplayClock;
 import org.urbi.kernel.library.Library;
 import org.urbi.kernel.library.LibraryTables;
 import org.urbi.kernel.library.code.LoadedFiles;
@@ -50,31 +30,18 @@ import org.urbi.kernel.library.file.FileAccess;
 import org.urbi.kernel.library.file.WorkingDirectory;
 import org.urbi.kernel.library.machine.Environment;
 import org.urbi.kernel.library.system.CommandLine;
-import org.urbi.kernel.library.system.KernelEnd;
 import org.urbi.kernel.library.system.SearchPath;
-import org.urbi.kernel.lobby.Complaint;
-import org.urbi.kernel.lobby.UrbiLobby;
-import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.log.KernelLog;
-import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.CorePrototypes;
-import org.urbi.kernel.node.Frame;
-import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.World;
-import org.urbi.kernel.outside.Confinement;
 import org.urbi.kernel.outside.Outside;
-import org.urbi.kernel.outside.RecordingFile;
 import org.urbi.kernel.remote.AnswerReading;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.remote.RemoteWire;
-import org.urbi.kernel.remote.SilentWire;
 import org.urbi.kernel.tag.UrbiTag;
 import org.urbi.kernel.time.Clock;
-import org.urbi.kernel.time.SystemClock;
-import org.urbi.kernel.time.VirtualClock;
-import org.urbi.kernel.trust.Role;
 import org.urbi.kernel.uobject.PluggedContext;
 import urbi.UClass;
 import urbi.UObject;
@@ -84,286 +51,32 @@ import urbi.UObject;
  * for is done on the kernel's own thread.
  */
 public final class Kernel implements AutoCloseable {
+  /** How many nested calls a kibibyte of stack stands for. */
+  private static final int CALLS_PER_KIBIBYTE = 100;
+
   private final Scheduler scheduler;
   private final KernelLog log;
-  private final AnswerReading answers;
   private final Interpreter interpreter;
   private final Embedding embedding;
   private final PluggedContext uobjects;
   private final Outside outside;
   private final Journal journal;
   private final Operator operator;
+  private final Connections connections;
+  private final KernelLife life;
 
   /** The recording that this kernel runs again, or null. */
   private final Replay replay;
 
-  private final IntFunction<Client> replayed;
-  private final IntConsumer onHalt;
-  private final Runnable onReboot;
-  private final Set<KernelConnection> connections = new LinkedHashSet<>();
-
-  /** Those of which the kernel thread has not been told yet, by their numbers. */
-  private final Map<Integer, KernelConnection> arriving = new ConcurrentHashMap<>();
-
-  private final Map<Integer, RemotePeer> arrivingPeers = new ConcurrentHashMap<>();
-  private final List<Runnable> onTermination = new CopyOnWriteArrayList<>();
-  private final CompletableFuture<Integer> termination = new CompletableFuture<>();
-  private int status;
-  private boolean stopping;
-
-  /** How a kernel is to be. */
-  public static final class Builder {
-    private boolean virtualTime;
-    private JobThreads jobThreads = JobThreads.AUTO;
-    private List<Path> searchPath = List.of();
-    private Path library;
-    private List<Path> moduleSearchPath = List.of(Path.of("."));
-    private int stackSize;
-    private Duration maxHold = Duration.ZERO;
-    private long seed;
-    private String programName = "urbi";
-    private List<String> arguments = List.of();
-    private IntConsumer onHalt;
-    private Runnable onReboot;
-    private Consumer<String> output = text -> System.out.print(text);
-    private LogLevel logLevel = LogLevel.of(System.getenv("GD_LEVEL"));
-    private Consumer<String> log = System.err::println;
-    private Confinement confinement = Confinement.none();
-    private Confinement users = Confinement.total();
-    private OutputStream recording;
-    private String recordingName;
-    private Replay replay;
-    private IntFunction<Client> replayed;
-
-    private Builder() {}
-
-    /** Whether time is simulated: nobody waits, and a run depends on its input alone. */
-    public Builder virtualTime(boolean on) {
-      virtualTime = on;
-      return this;
-    }
-
-    /** How jobs are run; by default the fastest way that is available. */
-    public Builder jobThreads(JobThreads how) {
-      jobThreads = how;
-      return this;
-    }
-
-    /** Where source files are looked for, first to last. */
-    public Builder searchPath(List<Path> folders) {
-      searchPath = List.copyOf(folders);
-      return this;
-    }
-
-    /** The folder of the library's own source files: {@code Traceable} may hide their calls. */
-    public Builder library(Path folder) {
-      library = folder;
-      return this;
-    }
-
-    /** Where modules with UObjects are looked for, first to last. */
-    public Builder moduleSearchPath(List<Path> folders) {
-      moduleSearchPath = List.copyOf(folders);
-      return this;
-    }
-
-    /**
-     * How long a job may hold the kernel without letting others run; then an exception ends it that
-     * no code catches. By default, and with zero, as long as it likes.
-     */
-    public Builder maxHold(Duration limit) {
-      maxHold = limit;
-      return this;
-    }
-
-    /** The stack of a job, in KiB; 0 for as much as there is. It limits nested calls. */
-    public Builder stackSize(int kibibytes) {
-      stackSize = kibibytes;
-      return this;
-    }
-
-    /** Where random numbers begin. */
-    public Builder seed(long number) {
-      seed = number;
-      return this;
-    }
-
-    /** The path under which the program was called, and the arguments of the user's script. */
-    public Builder commandLine(String program, List<String> scriptArguments) {
-      programName = program;
-      arguments = List.copyOf(scriptArguments);
-      return this;
-    }
-
-    /** What {@code System._exit} does, with the exit status; by default the kernel just ends. */
-    public Builder onHalt(IntConsumer action) {
-      onHalt = action;
-      return this;
-    }
-
-    /** Has {@code System.reboot} end the kernel, after it has told so. */
-    public Builder onReboot(Runnable action) {
-      onReboot = action;
-      return this;
-    }
-
-    /**
-     * Where goes what code evaluated by {@link Kernel#eval} and its like sends to its lobby: whole
-     * lines, in general, as a console would show them. By default {@code System.out}. It is called
-     * on a thread of its own.
-     */
-    public Builder output(Consumer<String> consumer) {
-      output = Objects.requireNonNull(consumer);
-      return this;
-    }
-
-    /** How much of the log is shown; by default what GD_LEVEL in the environment says. */
-    public Builder logLevel(LogLevel most) {
-      logLevel = most;
-      return this;
-    }
-
-    /** Where the log goes, line by line; by default to the standard error stream. */
-    public Builder log(Consumer<String> to) {
-      log = to;
-      return this;
-    }
-
-    /**
-     * Keeps what runs in the kernel away from the machine around it. It can use the files below
-     * that directory, links followed, which is also where relative paths start from; it can start
-     * no program and open no connection. What is refused is an exception of urbiscript that says
-     * so. Folders of the search path elsewhere are not looked into. What is {@link Kernel#define
-     * defined}, and who shares the directory, are not confined: links must not change while the
-     * kernel runs.
-     *
-     * @throws UncheckedIOException when there is no such directory
-     */
-    public Builder confinedTo(Path directory) {
-      try {
-        confinement = Confinement.to(directory);
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
-      return this;
-    }
-
-    /**
-     * Lets code of users (docs/networking.md, "Roles") use the files below that directory; none
-     * otherwise. Their relative paths start from there.
-     *
-     * @throws UncheckedIOException when there is no such directory
-     */
-    public Builder userDirectory(Path directory) {
-      try {
-        users = Confinement.to(directory);
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
-      return this;
-    }
-
-    /**
-     * Writes down the run, so that it can be {@linkplain #replay replayed}: docs/tools.md,
-     * "Recording a run". When that becomes impossible the log is told, and the run goes on.
-     *
-     * @param file made, or emptied
-     * @throws UncheckedIOException if it cannot be written
-     */
-    public Builder record(Path file) {
-      try {
-        recording = RecordingFile.create(file);
-        recordingName = file.toString();
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
-      return this;
-    }
-
-    /**
-     * Runs a recording again instead of something new: everything that comes from the outside comes
-     * from there, and how the kernel was configured. It ends where the recording does; {@link
-     * Kernel#replayDifference} says whether it went as it did.
-     *
-     * @param clients makes the clients that hear the output, of the numbers of the connections
-     * @throws UncheckedIOException if the file cannot be read
-     * @throws RecordingException if it is no recording, or damaged
-     */
-    public Builder replay(Path file, IntFunction<Client> clients) {
-      try {
-        replay = new Replay(new RecordingReader(RecordingFile.open(file)));
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
-      replayed = clients;
-      Entry.Begun begun = replay.beginning();
-      seed = begun.seed();
-      stackSize = begun.stackSize();
-      searchPath = paths(begun.searchPath());
-      library = begun.library() == null ? null : Path.of(begun.library());
-      moduleSearchPath = paths(begun.modulePath());
-      commandLine(begun.programName(), begun.arguments());
-      logLevel = LogLevel.of(begun.logLevel());
-      confinement = Confinement.recorded(begun.confinedTo(), begun.workingDirectory());
-      users =
-          begun.userDirectory() == null
-              ? Confinement.total()
-              : Confinement.recorded(begun.userDirectory(), begun.userDirectory());
-      onReboot = begun.reboots() ? () -> {} : null;
-      return this;
-    }
-
-    private static List<Path> paths(List<String> names) {
-      return names.stream().map(Path::of).toList();
-    }
-
-    private Journal journal(Clock clock, Consumer<String> trouble) {
-      if (replay != null) {
-        return replay;
-      }
-      if (recording == null) {
-        return Journal.NONE;
-      }
-      return new Recorder(
-          new Entry.Begun(
-              String.valueOf(Kernel.class.getPackage().getImplementationVersion()),
-              virtualTime,
-              clock.startTime(),
-              seed,
-              stackSize,
-              searchPath.stream().map(Path::toString).toList(),
-              library == null ? null : library.toString(),
-              moduleSearchPath.stream().map(Path::toString).toList(),
-              programName,
-              arguments,
-              logLevel.name(),
-              confinement.isConfined() ? confinement.workingDirectory().toString() : null,
-              users.workingDirectory() == null ? null : users.workingDirectory().toString(),
-              confinement.workingDirectory().toString(),
-              onReboot != null),
-          new RecordingWriter(recordingName, recording, trouble));
-    }
-
-    /** Starts the kernel. */
-    public Kernel start() {
-      Kernel kernel = new Kernel(this);
-      kernel.begin();
-      kernel.operator.setWatch(
-          HoldLimit.set(kernel.scheduler, kernel.interpreter.errors(), kernel.log, maxHold));
-      return kernel;
-    }
-  }
-
   /** A kernel to be configured, then started. */
-  public static Builder builder() {
-    return new Builder();
+  public static KernelBuilder builder() {
+    return new KernelBuilder();
   }
 
-  private Kernel(Builder builder) {
+  Kernel(KernelBuilder builder) {
     this.log = new KernelLog(builder.logLevel, builder.log);
     this.replay = builder.replay;
-    this.replayed = builder.replayed;
-    Clock clock = clock(builder);
+    Clock clock = builder.clock();
     this.journal = builder.journal(clock, builder.log);
     World world = new World();
     world.randomness().seed(builder.seed);
@@ -371,12 +84,12 @@ public final class Kernel implements AutoCloseable {
     this.operator = new Operator(scheduler);
     Inbox inbox = scheduler.inbox();
     inbox.register(Message.KERNEL, this::take);
-    inbox.setFailures(this::failed);
-    this.answers = new AnswerReading();
+    var answers = new AnswerReading();
     inbox.listenTo(answers);
+    this.connections = new Connections(this, operator, answers, builder.replayed);
+    inbox.setFailures(connections::failed);
     this.outside = new Outside(scheduler, builder.confinement, builder.users);
-    this.onHalt = builder.onHalt == null ? this::requestShutdown : builder.onHalt;
-    this.onReboot = builder.onReboot;
+    this.life = new KernelLife(scheduler, connections::finish, builder.onHalt, builder.onReboot);
     var core =
         new CorePrototypes(
             world.values(),
@@ -395,13 +108,14 @@ public final class Kernel implements AutoCloseable {
   }
 
   /** The builtins, with what they need of this kernel. */
-  private BuiltinTable[] tables(Builder builder, LoadedFiles loadedFiles, StackFrames stackFrames) {
+  private BuiltinTable[] tables(
+      KernelBuilder builder, LoadedFiles loadedFiles, StackFrames stackFrames) {
     Path library = builder.library == null ? null : builder.library.toAbsolutePath().normalize();
     return LibraryTables.all(
         new CommandLine(builder.programName, builder.arguments),
         new Environment(environmentAtStart()),
         new FileAccess(outside),
-        new End(),
+        life,
         log,
         loadedFiles,
         new KernelLobbies(this),
@@ -412,13 +126,6 @@ public final class Kernel implements AutoCloseable {
         new WorkingDirectory(outside, builder.confinement.workingDirectory()));
   }
 
-  private static Clock clock(Builder builder) {
-    if (builder.replay != null) {
-      return new ReplayClock(builder.replay);
-    }
-    return builder.virtualTime ? new VirtualClock() : new SystemClock();
-  }
-
   private Map<String, String> environmentAtStart() {
     try {
       return journal.look(System::getenv);
@@ -427,14 +134,10 @@ public final class Kernel implements AutoCloseable {
     }
   }
 
-  /** How long the jobs have to end in when the kernel is closed, before they are interrupted. */
-  private static final int END_PATIENCE_MILLISECONDS = 100;
-
-  /** How many nested calls a kibibyte of stack stands for. */
-  private static final int CALLS_PER_KIBIBYTE = 100;
-
-  private void begin() {
+  /** Starts to run. */
+  void begin(Duration maxHold) {
     scheduler.startLoop(this::ended);
+    operator.setWatch(HoldLimit.set(scheduler, interpreter.errors(), log, maxHold));
   }
 
   // ------------------------------------------------------------------ messages
@@ -442,41 +145,13 @@ public final class Kernel implements AutoCloseable {
   private void take(Message message) {
     // As in a connection, no switch over types: every script comes by here.
     if (message instanceof Message.Shutdown wish) {
-      shutDown(wish.status());
+      life.shutDown(wish.status());
     } else if (message instanceof Message.ConnectionOpened opened) {
-      open(opened);
+      connections.open(opened);
     } else if (message instanceof Message.RemoteOpened opened) {
-      open(opened);
+      connections.open(opened);
     } else {
       throw new IllegalArgumentException(message.toString());
-    }
-  }
-
-  private void open(Message.ConnectionOpened opened) {
-    int number = opened.connection();
-    KernelConnection connection = arriving.remove(number);
-    if (connection == null) {
-      connection = new KernelConnection(this, number, replayed.apply(number), opened.holdsTime());
-    }
-    connection.open(opened.address(), Role.valueOf(opened.role()));
-  }
-
-  private void open(Message.RemoteOpened opened) {
-    RemotePeer peer = arrivingPeers.remove(opened.peer());
-    (peer == null ? peer(opened.peer(), opened.name(), new SilentWire()) : peer).open();
-  }
-
-  private RemotePeer peer(int number, String name, RemoteWire wire) {
-    return new RemotePeer(number, name, scheduler, uobjects, this::describe, answers, wire);
-  }
-
-  /** What a message has brought about is our mistake, and no reason for the kernel to end. */
-  private void failed(Message message, Throwable failure) {
-    FailureLog.internal("a message, " + message.getClass().getSimpleName(), failure);
-    for (KernelConnection connection : connections()) {
-      if (connection.number() == message.to()) {
-        connection.tell(FailureLog.text(failure));
-      }
     }
   }
 
@@ -484,22 +159,7 @@ public final class Kernel implements AutoCloseable {
 
   /** Ends the kernel after this tick, with that exit status; may be called from any thread. */
   public void requestShutdown(int exitStatus) {
-    if (scheduler.isKernelThread()) {
-      shutDown(exitStatus);
-    } else {
-      scheduler.inbox().post(new Message.Shutdown(exitStatus));
-    }
-  }
-
-  private void shutDown(int exitStatus) {
-    if (!stopping) {
-      stopping = true;
-      status = exitStatus;
-      for (KernelConnection connection : connections()) {
-        connection.finish();
-      }
-      scheduler.stop();
-    }
+    life.requestShutdown(exitStatus);
   }
 
   /**
@@ -507,30 +167,22 @@ public final class Kernel implements AutoCloseable {
    * outside, nobody connected, and no component whose variables and events somebody listens to.
    */
   private void endIfNothingCanWakeIt() {
-    for (KernelConnection connection : connections) {
-      if (connection.isAwaited()) {
-        return;
-      }
+    if (connections.areAwaited()) {
+      return;
     }
     boolean resting = scheduler.jobs().stream().allMatch(Job::isResting);
     if (resting && !uobjects.isListenedTo()) {
-      connections().forEach(KernelConnection::finishProgram);
+      connections.all().forEach(KernelConnection::finishProgram);
     }
   }
 
   private void ended() {
-    for (KernelConnection connection : connections()) {
-      connection.finish();
-    }
+    connections.finish();
     uobjects.close();
     outside.close();
     embedding.kernelEnded();
     journal.end();
-    try {
-      onTermination.forEach(Runnable::run);
-    } finally {
-      termination.complete(status);
-    }
+    life.ended();
   }
 
   /**
@@ -539,11 +191,11 @@ public final class Kernel implements AutoCloseable {
    * @throws IllegalStateException on the kernel thread
    */
   public int awaitTermination() {
-    embedding.awaitEnd(termination::join);
-    return termination.join();
+    embedding.awaitEnd(life::await);
+    return life.await();
   }
 
-  /** Whether {@link Builder#confinedTo} keeps it away from the machine around it. */
+  /** Whether {@link KernelBuilder#confinedTo} keeps it away from the machine around it. */
   public boolean isConfined() {
     return outside.isConfined();
   }
@@ -557,12 +209,12 @@ public final class Kernel implements AutoCloseable {
   }
 
   public boolean isRunning() {
-    return !termination.isDone();
+    return !life.hasEnded();
   }
 
   /** Runs something when the kernel has ended. */
   public void onTermination(Runnable action) {
-    onTermination.add(action);
+    life.onTermination(action);
   }
 
   /** Ends the kernel, and waits for the end; except on the kernel thread. */
@@ -571,22 +223,8 @@ public final class Kernel implements AutoCloseable {
     requestShutdown(0);
     embedding.close();
     if (!scheduler.isKernelThread()) {
-      interruptUnlessEnded();
+      life.interruptUnlessEnded();
       awaitTermination();
-    }
-  }
-
-  /** Code that holds the kernel has a moment to come to its end. */
-  private void interruptUnlessEnded() {
-    try {
-      termination.get(END_PATIENCE_MILLISECONDS, TimeUnit.MILLISECONDS);
-    } catch (TimeoutException e) {
-      scheduler.interruptions().wantAll();
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      scheduler.interruptions().wantAll();
-    } catch (ExecutionException e) {
-      throw new IllegalStateException(e);
     }
   }
 
@@ -694,18 +332,13 @@ public final class Kernel implements AutoCloseable {
    * @param holdsTime whether a simulated time waits for the input of this connection
    */
   public Connection connect(Client client, boolean holdsTime) {
-    int number = scheduler.inbox().reserve();
-    KernelConnection connection = new KernelConnection(this, number, client, holdsTime);
-    arriving.put(number, connection);
-    scheduler
-        .inbox()
-        .post(
-            new Message.ConnectionOpened(
-                number, holdsTime, client.remoteAddress(), client.role().name()));
-    return connection;
+    return connections.connect(client, holdsTime);
   }
 
-  /** For how long a job has held the kernel, in nanoseconds; if {@link Builder#maxHold} is set. */
+  /**
+   * For how long a job has held the kernel, in nanoseconds; if {@link KernelBuilder#maxHold} is
+   * set.
+   */
   public long heldFor() {
     return operator.heldFor();
   }
@@ -735,19 +368,8 @@ public final class Kernel implements AutoCloseable {
     return operator;
   }
 
-  void add(KernelConnection connection) {
-    connections.add(connection);
-    operator.add(connection);
-  }
-
-  void remove(KernelConnection connection) {
-    connections.remove(connection);
-    operator.remove(connection);
-  }
-
-  /** Those that are open, oldest first. */
-  List<KernelConnection> connections() {
-    return List.copyOf(connections);
+  Connections connections() {
+    return connections;
   }
 
   Inbox inbox() {
@@ -767,7 +389,7 @@ public final class Kernel implements AutoCloseable {
   }
 
   boolean isStopping() {
-    return stopping;
+    return life.isStopping();
   }
 
   /** The UObjects in this kernel, and where more of them can be started. */
@@ -782,75 +404,10 @@ public final class Kernel implements AutoCloseable {
    * @param wire the way to it
    */
   public RemotePeer connectRemote(String name, RemoteWire wire) {
-    int number = scheduler.inbox().reserve();
-    RemotePeer peer = peer(number, name, wire);
-    arrivingPeers.put(number, peer);
-    scheduler.inbox().post(new Message.RemoteOpened(number, name));
-    return peer;
+    return connections.connectRemote(name, wire);
   }
 
-  /** What went wrong, for people; in a job. */
-  private String describe(RuntimeException failure) {
-    if (failure instanceof UrbiException thrown) {
-      Job job = scheduler.running();
-      return interpreter.asString(
-          Frame.top(interpreter, job, job.lobby(), new FrameLayout()), thrown.value());
-    }
-    return failure.getMessage() == null ? failure.toString() : failure.getMessage();
-  }
-
-  // ------------------------------------------------------------------ for the library
-
-  private final class End implements KernelEnd {
-    @Override
-    public void requestShutdown(int exitStatus) {
-      Kernel.this.requestShutdown(exitStatus);
-    }
-
-    @Override
-    public void halt(int exitStatus) {
-      journal.end();
-      onHalt.accept(exitStatus);
-    }
-
-    @Override
-    public boolean requestReboot() {
-      if (onReboot == null) {
-        return false;
-      }
-      onReboot.run();
-      requestShutdown(0);
-      return true;
-    }
-  }
-
-  // ------------------------------------------------------------------ errors
-
-  /**
-   * Tells of what nobody has caught.
-   *
-   * @param job null if it was thrown between the turns of the jobs
-   */
   private void report(Job job, Throwable failure) {
-    if (job == null) {
-      FailureLog.internal("the kernel thread", failure);
-      return;
-    }
-    if (ErrorText.isInternal(failure)) {
-      FailureLog.internal("job " + job.name(), failure);
-    }
-    if (job.lobby() instanceof UrbiLobby lobby && lobby.output() != null) {
-      if (lobby.shell() != null && !(failure instanceof Unwinding)) {
-        lobby.shell().failed();
-      }
-      try {
-        ErrorText.report(interpreter, job, lobby, failure);
-      } catch (Unwinding unwinding) {
-        throw unwinding;
-      } catch (Throwable unable) {
-        FailureLog.internal("showing an error", unable);
-        Complaint.error(lobby.output(), FailureLog.text(unable));
-      }
-    }
+    ErrorText.tell(interpreter, job, failure);
   }
 }

@@ -140,7 +140,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
     UrbiLobby made = UrbiLobby.start(kernel.interpreter(), output, this, role);
     made.setRemoteAddress(address);
     lobby = made;
-    kernel.add(this);
+    kernel.connections().add(this);
     made.shell().start();
   }
 
@@ -304,7 +304,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
     if (!finished) {
       finished = true;
       releaseTime();
-      kernel.remove(this);
+      kernel.connections().remove(this);
       pending.set(0);
       if (lobby != null) {
         lobby.shell().close();

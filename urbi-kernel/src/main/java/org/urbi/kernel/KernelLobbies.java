@@ -20,7 +20,7 @@ final class KernelLobbies implements Lobbies {
   @Override
   public List<UrbiLobby> all() {
     List<UrbiLobby> all = new ArrayList<>();
-    for (KernelConnection connection : kernel.connections()) {
+    for (KernelConnection connection : kernel.connections().all()) {
       all.add(connection.lobby());
     }
     all.addAll(created);

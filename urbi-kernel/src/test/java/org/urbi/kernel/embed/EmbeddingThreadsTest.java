@@ -21,11 +21,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.urbi.kernel.Kernel;
+import org.urbi.kernel.KernelBuilder;
 import org.urbi.kernel.job.JobThreads;
 
 /** Several threads, several kernels, listeners of all sorts, and the end of it all. */
 class EmbeddingThreadsTest {
-  private static Kernel.Builder builder(JobThreads jobThreads) {
+  private static KernelBuilder builder(JobThreads jobThreads) {
     return Kernel.builder().jobThreads(jobThreads).output(text -> {});
   }
 

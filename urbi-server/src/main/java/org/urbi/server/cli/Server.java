@@ -12,6 +12,7 @@ import org.urbi.bridge.NativeThreads;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
+import org.urbi.kernel.KernelBuilder;
 import org.urbi.kernel.log.LogLevel;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
@@ -94,7 +95,7 @@ final class Server {
     }
   }
 
-  private Kernel.Builder withFiles(Kernel.Builder builder) {
+  private KernelBuilder withFiles(KernelBuilder builder) {
     Path users = settings.access().userDirectory();
     return users == null ? builder : builder.userDirectory(users);
   }
@@ -125,7 +126,7 @@ final class Server {
   }
 
   /** Each kernel of the process has a recording of its own: FILE, and after a reboot FILE.2. */
-  private Kernel.Builder recorded(Kernel.Builder builder) {
+  private KernelBuilder recorded(KernelBuilder builder) {
     runs++;
     if (settings.record() == null) {
       return builder;
