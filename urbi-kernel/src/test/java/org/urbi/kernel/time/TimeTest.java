@@ -5,9 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.urbi.kernel.Kernel;
 
 /** The clocks of a kernel, and its random numbers. */
 class TimeTest {
@@ -46,6 +48,20 @@ class TimeTest {
     assertTrue(clock.now() > first);
     clock.advanceTo(Long.MAX_VALUE);
     assertTrue(clock.now() <= System.nanoTime() - started);
+  }
+
+  /** How long something takes that never lets others run; in simulated time nothing does. */
+  @Test
+  void programsMeasureWithinACycle() {
+    String program =
+        "{ var c = cycle | var t = time | while| (time == t) 1 | [time > t, cycle - c] };";
+    try (Kernel kernel = Kernel.builder().start()) {
+      assertEquals(List.of(true, 0.0), kernel.eval(program));
+    }
+    try (Kernel kernel = Kernel.builder().virtualTime(true).start()) {
+      assertEquals(
+          true, kernel.eval("{ var t = time | for| (1000) 1 | time == t && shiftedTime == t };"));
+    }
   }
 
   /** The first outputs of SplitMix64 for the seed 1234567 are published ones. */

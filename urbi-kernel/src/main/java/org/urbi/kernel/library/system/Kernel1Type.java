@@ -79,7 +79,7 @@ final class Kernel1Type {
   @Builtin(doc = "Tells the time.")
   static void ping(Frame frame, UrbiObject self) {
     UrbiObject time =
-        self.world().values().number(Durations.seconds(frame.job().scheduler().now()));
+        self.world().values().number(Durations.seconds(frame.job().scheduler().measure()));
     LobbyType.of(frame)
         .output()
         .send("", "*** pong time=" + frame.interpreter().asString(frame, time) + "s");

@@ -41,7 +41,7 @@ final class SystemType {
 
   @Builtin(doc = "The number of seconds since the server was started.")
   static double time(Frame frame, UrbiObject self) {
-    return Durations.seconds(frame.job().scheduler().now());
+    return Durations.seconds(frame.job().scheduler().measure());
   }
 
   @Builtin(doc = "The time, less what this code has spent frozen.")
