@@ -26,6 +26,9 @@ public interface Client {
     return true;
   }
 
+  /** From now on each byte that it sends counts: nothing in its input is a command of telnet. */
+  default void binary() {}
+
   /** It has been told of a syntax error in its input, or of an exception that nobody caught. */
   default void failed() {}
 

@@ -283,6 +283,11 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
   }
 
   @Override
+  public void binary() {
+    client.binary();
+  }
+
+  @Override
   public boolean stays() {
     return client.isProgram();
   }

@@ -248,7 +248,7 @@ public enum Problem {
   DESTROYED(PART, "{object} has been destroyed"),
   VARIABLE_WITHOUT_OBJECT(PART, "the object of the variable {variable} has gone"),
   NO_OBJECT_FOR_VARIABLE(PART, "UVar creation on non existing object: {variable}"),
-  NO_VARIABLE(PART, "no such variable: {number}"),
+  NO_VARIABLE(PART, "no such variable: {name}"),
   IN_REPLAY(PART, "in a replay, threads of components have no say"),
   KERNEL_ENDED(PART, "the kernel has ended"),
   WAIT_INTERRUPTED(PART, "interrupted while waiting for the kernel"),
@@ -266,6 +266,15 @@ public enum Problem {
   NOTHING_LIKE(PART, "there is nothing like this in urbiscript: {class}"),
   CONTAINS_ITSELF(PART, "a container in itself"),
   CONTAINERS_TOO_DEEP(PART, "containers nested too deeply"),
+  PROCESS_GONE(PART, "the remote process has gone"),
+  NOT_MADE_IN_TIME(PART, "the remote process has not made the object in {seconds} s"),
+  NAME_TAKEN(PART, "there is a UObject {name} already", "one process has the class, the first"),
+  NOT_ITS_OBJECT(PART, "no such remote object: {name}"),
+  NOT_AN_EVENT(PART, "not an event: {name}"),
+  NOTHING_EXTERNAL(PART, "no declaration: {kind}"),
+  NO_NUMBER_OF_ARGUMENTS(PART, "no number of arguments: {text}"),
+  NAME_MISSING(PART, "the name is missing"),
+  PROTOCOL_BROKEN(LINE, "the remote process does not keep to the protocol: {reason}"),
 
   // ------------------------------------------------------------------ lines of their own
 

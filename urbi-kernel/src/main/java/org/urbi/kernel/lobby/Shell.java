@@ -9,6 +9,7 @@ import org.urbi.kernel.job.TagStop;
 import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Imports;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
@@ -35,6 +36,9 @@ public final class Shell {
     /** A syntax error, or an exception that nobody caught, has been shown. */
     default void failed() {}
 
+    /** From now on the input is messages, in which each byte counts. */
+    default void binary() {}
+
     /** Whether the lobby stays when its input and all its jobs are over. */
     default boolean stays() {
       return false;
@@ -52,6 +56,8 @@ public final class Shell {
   private final Imports imports = new Imports();
   private Job job;
   private UrbiTag foregroundTag;
+  private MessageInput messages;
+  private boolean textGoesOn;
   private boolean waiting;
   private boolean ended;
   private boolean closed;
@@ -81,14 +87,29 @@ public final class Shell {
   public void receive(String bytes) {
     if (!closed) {
       bytesReceived += bytes.length();
-      received.append(bytes);
+      if (messages == null) {
+        received.append(bytes);
+      } else {
+        messages.receive(bytes);
+        listener.consumed();
+        answerIfBlocked();
+      }
       wake();
     }
+  }
+
+  /** What comes in from now on is messages. */
+  public void switchTo(MessageInput input) {
+    messages = input;
+    listener.binary();
   }
 
   /** There will be no more input. */
   public void end() {
     ended = true;
+    if (lobby.remoteObjects() != null) {
+      lobby.remoteObjects().disconnected();
+    }
     wake();
   }
 
@@ -103,7 +124,7 @@ public final class Shell {
 
   /** How much input has not been looked at. */
   public int pending() {
-    return received.length();
+    return messages == null ? received.length() : messages.pending();
   }
 
   /** Whether it has nothing to do but to wait for input, or for the end. */
@@ -141,6 +162,9 @@ public final class Shell {
       // Nobody is there any more for whom handlers would have something to do when they end.
       lobby.connectionTag().state().dismiss();
       lobby.connectionTag().state().stop(interpreter.values().voidObject);
+      if (lobby.remoteObjects() != null) {
+        lobby.remoteObjects().disconnected();
+      }
       if (job != null) {
         job.terminate();
       }
@@ -200,6 +224,8 @@ public final class Shell {
         received.setLength(0);
         reader.feed(chunk);
         listener.consumed();
+      } else if (messages != null && takeNext(shell)) {
+        listener.consumed();
       } else if (ended) {
         return reader.unfinished();
       } else {
@@ -216,6 +242,40 @@ public final class Shell {
       }
     }
     return null;
+  }
+
+  /** Does what the next message asks for; false if there is none. */
+  private boolean takeNext(Job shell) {
+    MessageInput.Step step = messages.next();
+    if (step == null) {
+      return false;
+    }
+    if (step instanceof MessageInput.Text text) {
+      textGoesOn = text.goesOn();
+      reader.feed(text.code());
+      lookForAnswers();
+    } else {
+      MessageInput.Order order = (MessageInput.Order) step;
+      inForeground(
+          shell, () -> order.perform(Frame.top(interpreter, shell, lobby, new FrameLayout())));
+    }
+    return true;
+  }
+
+  /** What is being executed may wait for an answer that has come already, behind other things. */
+  private void lookForAnswers() {
+    if (messages.hasAnswers()) {
+      interpreter.scheduler().atEndOfTick(this::answerIfBlocked);
+    }
+  }
+
+  private void answerIfBlocked() {
+    Job.State state = job.state();
+    boolean blocked = busy && (state == Job.State.WAITING || state == Job.State.SLEEPING);
+    if (blocked && !closed && messages.hasAnswers()) {
+      messages.answer();
+      listener.consumed();
+    }
   }
 
   /** After an interruption the input behind is not executed: the message that says so comes now. */
@@ -274,13 +334,24 @@ public final class Shell {
       shell.yieldNow();
       return;
     }
+    inForeground(
+        shell,
+        () -> {
+          runAndShow(shell, compiled);
+          interpreter.statementOver(Frame.top(interpreter, shell, lobby, compiled.layout()));
+          if (lobby.remoteObjects() != null && !textGoesOn) {
+            lobby.remoteObjects().statementOver();
+          }
+        });
+  }
+
+  private void inForeground(Job shell, Runnable action) {
     busy = true;
     foregroundTag = (UrbiTag) interpreter.prototypes().tag.cloned();
     try {
       TagScope scope = shell.enter(lobby.connectionTag().state());
       try {
-        runAndShow(shell, compiled);
-        interpreter.statementOver(Frame.top(interpreter, shell, lobby, compiled.layout()));
+        action.run();
         shell.yield();
       } catch (TagStop stop) {
         if (closed) {

@@ -15,6 +15,7 @@ public final class UrbiLobby extends UrbiObject implements Trusted {
   private final UrbiTag connectionTag;
   private Output output;
   private Shell shell;
+  private RemoteObjects remoteObjects;
   private String name = "Lobby";
   private volatile String remoteAddress = "";
   private volatile Role role = Role.OWNER;
@@ -66,6 +67,15 @@ public final class UrbiLobby extends UrbiObject implements Trusted {
 
   public void attach(Shell of) {
     shell = of;
+  }
+
+  public void attach(RemoteObjects of) {
+    remoteObjects = of;
+  }
+
+  /** What its client has declared; null if that is nothing. */
+  public RemoteObjects remoteObjects() {
+    return remoteObjects;
   }
 
   /** Where its output goes; null for the prototype. */

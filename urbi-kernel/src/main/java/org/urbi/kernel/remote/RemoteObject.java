@@ -12,7 +12,7 @@ import urbi.UObject;
 import urbi.UValue;
 
 /** A UObject of another process, as the kernel sees it: its functions are called there. */
-final class RemoteObject extends UObject implements AutoCloseable, Perishable {
+public final class RemoteObject extends UObject implements AutoCloseable, Perishable {
   private static final MethodHandle CALL;
 
   static {
@@ -28,16 +28,19 @@ final class RemoteObject extends UObject implements AutoCloseable, Perishable {
     }
   }
 
-  private final RemotePeer peer;
+  private final RemoteProcess process;
   private final Map<String, Integer> arities = new HashMap<>();
 
-  RemoteObject(RemotePeer peer, String name) {
+  /**
+   * @param process which has the object
+   */
+  public RemoteObject(RemoteProcess process, String name) {
     super(name);
-    this.peer = peer;
+    this.process = process;
   }
 
   /** Makes a function of the process one of the urbiscript object. */
-  void bindRemote(String function, int arity) {
+  public void bindRemote(String function, int arity) {
     Integer known = arities.put(function, arity);
     if (known == null || known != arity) {
       MethodHandle handle =
@@ -53,16 +56,16 @@ final class RemoteObject extends UObject implements AutoCloseable, Perishable {
   }
 
   CompletionStage<UValue> call(String function, UValue... arguments) {
-    return peer.call(get__name(), function, arguments);
+    return process.call(get__name(), function, arguments);
   }
 
   @Override
   public String whyGone() {
-    return peer.lost();
+    return process.lost();
   }
 
   @Override
   public void close() {
-    peer.gone(this);
+    process.gone(this);
   }
 }

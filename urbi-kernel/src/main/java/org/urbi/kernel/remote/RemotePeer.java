@@ -43,7 +43,7 @@ import urbi.wire.WireOutput;
  * <p>What it asks for is done by one job, in the order in which it came. Results for jobs that wait
  * pass by it, so that it may itself wait for one.
  */
-public final class RemotePeer {
+public final class RemotePeer implements RemoteProcess {
   /** How long an access waits for the process to set the value. */
   private static final Duration ACCESS_PATIENCE = Duration.ofSeconds(2);
 
@@ -434,13 +434,13 @@ public final class RemotePeer {
     }
   }
 
-  /** Why the connection is lost; null while it is not. */
-  String lost() {
+  @Override
+  public String lost() {
     return lost;
   }
 
-  /** The urbiscript object has gone. */
-  void gone(RemoteObject object) {
+  @Override
+  public void gone(RemoteObject object) {
     if (objects.remove(object.get__name(), object) && lost == null) {
       write(o -> o.begin(Frame.GONE).text(object.get__name()).end());
     }
@@ -509,8 +509,8 @@ public final class RemotePeer {
     wire.stopReading();
   }
 
-  /** Calls a function of the process. */
-  CompletionStage<UValue> call(String object, String function, UValue... arguments) {
+  @Override
+  public CompletionStage<UValue> call(String object, String function, UValue... arguments) {
     var result = new CompletableFuture<UValue>();
     int number = ++lastCall;
     calls.put(number, result);

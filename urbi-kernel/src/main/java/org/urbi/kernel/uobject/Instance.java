@@ -23,6 +23,7 @@ final class Instance {
   private UObject java;
   private UrbiObject[] initArguments;
   private UrbiObject keptAlive;
+  private boolean published;
 
   /**
    * @param lobby for which it was made: what it does by itself is done for that
@@ -63,6 +64,15 @@ final class Instance {
   /** Another class of the same name has taken over. */
   void setType(UClass other) {
     type = other;
+  }
+
+  /** Whether it is a slot of {@code uobjects} that does not keep the object alive. */
+  boolean isPublished() {
+    return published;
+  }
+
+  void setPublished() {
+    published = true;
   }
 
   /** The functions that are bound, by their names. */

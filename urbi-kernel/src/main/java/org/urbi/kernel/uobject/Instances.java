@@ -60,6 +60,10 @@ final class Instances {
 
   /** Makes it a slot of {@code uobjects} that does not keep the object alive. */
   void publish(Instance instance) {
+    if (instance.isPublished()) {
+      return;
+    }
+    instance.setPublished();
     UrbiObject namespace = namespace();
     Symbol slot = world.symbol(Texts.toUrbi(instance.name()));
     setSlot(namespace, slot, world.values().voidObject);

@@ -79,6 +79,7 @@ public final class UrbiUVar extends UrbiObject {
   private Datum sensed;
   private boolean owned;
   private boolean input;
+  private final Symbol inputPort;
   private boolean bypass;
   private boolean silent;
   private RangeWarning rangeWarning;
@@ -89,6 +90,7 @@ public final class UrbiUVar extends UrbiObject {
 
   public UrbiUVar(Shape shape) {
     super(shape);
+    inputPort = world().symbol("inputPort");
     value = new Datum(world().values().voidObject);
     sensed = value;
   }
@@ -184,9 +186,12 @@ public final class UrbiUVar extends UrbiObject {
     }
   }
 
-  /** Whether it passes values on, and keeps none. */
+  /**
+   * Whether it passes values on, and keeps none: made so, or by a slot of its own, {@code
+   * inputPort}.
+   */
   public boolean isInput() {
-    return input;
+    return input || localSlot(inputPort) == world().values().trueObject;
   }
 
   public void makeInput() {
@@ -432,7 +437,7 @@ public final class UrbiUVar extends UrbiObject {
   public void set(Frame frame, Datum datum) {
     Datum assigned = bypass ? datum : inRange(frame, datum);
     written = frame.interpreter().scheduler().now();
-    if (!input) {
+    if (!isInput()) {
       if (owned) {
         sensed = assigned;
       } else {

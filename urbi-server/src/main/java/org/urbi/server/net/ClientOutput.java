@@ -23,7 +23,7 @@ final class ClientOutput {
   private static final int FAREWELL_SECONDS = 5;
 
   private final Channel channel;
-  private final long limit;
+  private volatile long limit;
   private final Runnable overflow;
   private final Queue<String> waiting = new ConcurrentLinkedQueue<>();
   private final AtomicLong unsent = new AtomicLong();
@@ -38,6 +38,11 @@ final class ClientOutput {
     this.channel = channel;
     this.limit = limit;
     this.overflow = overflow;
+  }
+
+  /** So many bytes may wait, if that is more than before. */
+  void allow(long bytes) {
+    limit = Math.max(limit, bytes);
   }
 
   /** Adds bytes, one for each character; any thread, never waits. */

@@ -24,6 +24,9 @@ import org.urbi.server.Trace;
  * it was given; when the client is gone so is the lobby.
  */
 final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Client {
+  /** How much may wait for a process with UObjects, which is sent images. */
+  private static final long PROCESS_OUTPUT = 128L << 20;
+
   private final Function<Client, Connection> lobbies;
   private final Limits limits;
   private final Trace trace;
@@ -140,6 +143,18 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
         config.setAutoRead(true);
       }
     }
+  }
+
+  @Override
+  public void binary() {
+    output.allow(PROCESS_OUTPUT);
+    NetworkThread.execute(
+        context.executor(),
+        () -> {
+          if (context.pipeline().get(TelnetDecoder.class) != null) {
+            context.pipeline().remove(TelnetDecoder.class);
+          }
+        });
   }
 
   @Override

@@ -18,6 +18,7 @@ import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Values;
+import org.urbi.kernel.uobject.ObjectAccess;
 import org.urbi.kernel.uobject.PluggedContext;
 import org.urbi.kernel.variable.UrbiConnection;
 
@@ -33,6 +34,12 @@ final class UObjectsType {
   UObjectsType(PluggedContext uobjects, KernelLog log) {
     this.uobjects = uobjects;
     this.log = log;
+  }
+
+  @Builtin(doc = "The UObject of that name; nil if there is none.")
+  UrbiObject findUObject(Frame frame, UrbiObject self, String name) {
+    UrbiObject found = new ObjectAccess(uobjects).find(NativeText.toJava(name));
+    return found == null ? frame.interpreter().values().nil : found;
   }
 
   @Builtin(doc = "Enables or disables the measuring of bound functions.", needs = Need.OWNER)

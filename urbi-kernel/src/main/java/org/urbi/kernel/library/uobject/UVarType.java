@@ -4,6 +4,8 @@ import java.util.List;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.external.ExternalProcess;
+import org.urbi.kernel.library.lobby.LobbyType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Guard;
 import org.urbi.kernel.node.Truth;
@@ -173,6 +175,21 @@ final class UVarType {
       needs = Need.CHANGE)
   static void assignValsensor(Frame frame, UrbiUVar self, UrbiObject value) {
     self.set(frame, new Datum(value));
+  }
+
+  @Builtin(
+      doc =
+          "A process that is linked with the SDK of Urbi 2.7 sets the value; the time is its own"
+              + " affair.",
+      needs = Need.CHANGE)
+  void update_timed(Frame frame, UrbiUVar self, UrbiObject value, double microseconds) {
+    if (LobbyType.of(frame).remoteObjects() == null) {
+      self.write(frame, new Datum(value));
+    } else {
+      ExternalProcess.of(frame, uobjects)
+          .variables()
+          .set(self, () -> self.write(frame, new Datum(value)));
+    }
   }
 
   // ------------------------------------------------------------------ connections

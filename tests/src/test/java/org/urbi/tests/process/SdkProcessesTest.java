@@ -1,0 +1,38 @@
+package org.urbi.tests.process;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Processes that speak as those do that are linked with the SDK of Urbi 2.7, with a real server: in
+ * Python, by somebody who knows nothing of the server.
+ */
+class SdkProcessesTest {
+  private static final Path SOURCE = Path.of("src", "test", "python");
+
+  @TempDir Path folder;
+
+  @ParameterizedTest
+  @ValueSource(strings = {"BinaryModeTest", "TextModeTest", "PlainClientTest"})
+  void theyAreAnswered(String test) throws Exception {
+    try (ServerProcess server = ServerProcess.in(folder)) {
+      ProcessBuilder command =
+          new ProcessBuilder("python3", "-B", "-m", "unittest", "test_sdk_client." + test)
+              .directory(SOURCE.toFile())
+              .redirectErrorStream(true);
+      command.environment().put("URBI_PORT", String.valueOf(server.port()));
+      Process python = command.start();
+      String output = new String(python.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+      assertEquals(0, python.waitFor(), () -> output + server.text());
+      assertTrue(output.contains("\nOK"), output);
+      assertTrue(!server.text().contains("internal error"), server::text);
+      assertEquals(0, server.shutDown(), server::text);
+    }
+  }
+}

@@ -1,0 +1,19 @@
+package org.urbi.kernel.external;
+
+import java.util.List;
+import urbi.UValue;
+
+/** What a process says in binary mode. */
+sealed interface ExternalMessage {
+  /** It sets a variable. */
+  record Assign(String variable, UValue value) implements ExternalMessage {}
+
+  /** It emits an event. */
+  record Emit(String event, List<UValue> payload) implements ExternalMessage {}
+
+  /** The result of a call. */
+  record Reply(String call, UValue value) implements ExternalMessage {}
+
+  /** Urbiscript, perhaps cut. */
+  record Code(String text) implements ExternalMessage {}
+}

@@ -1,0 +1,108 @@
+package org.urbi.kernel.external;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import urbi.wire.WireException;
+
+/** Bytes that have come and wait to be read: in pieces of any size. */
+final class MessageBytes {
+  /** The longest message that is taken, in bytes. */
+  private static final int LONGEST = 256 << 20;
+
+  private byte[] buffer = new byte[1 << 10];
+  private int from;
+  private int to;
+  private long total;
+  private long begun;
+
+  void add(String bytes) {
+    if (from == to) {
+      from = 0;
+      to = 0;
+    }
+    byte[] more = bytes.getBytes(StandardCharsets.ISO_8859_1);
+    if (to + more.length > buffer.length) {
+      System.arraycopy(buffer, from, buffer, 0, to - from);
+      to -= from;
+      from = 0;
+      if (to + more.length > buffer.length) {
+        buffer = Arrays.copyOf(buffer, Math.max(to + more.length, 2 * buffer.length));
+      }
+    }
+    System.arraycopy(more, 0, buffer, to, more.length);
+    to += more.length;
+    total += more.length;
+  }
+
+  /** Whether there are so many bytes. */
+  boolean has(long count) {
+    if (position() - begun + count > LONGEST) {
+      throw new WireException("a message of more than " + LONGEST + " bytes");
+    }
+    return to - from >= count;
+  }
+
+  /** A message begins, or has ended. */
+  void begin() {
+    begun = position();
+    if (from == to && buffer.length > 1 << 20) {
+      // What a big message needed is not kept for those that are none.
+      buffer = new byte[1 << 10];
+      from = 0;
+      to = 0;
+    }
+  }
+
+  private long position() {
+    return total - (to - from);
+  }
+
+  /** How many bytes have been read. */
+  long read() {
+    return position();
+  }
+
+  int peek(int offset) {
+    return buffer[from + offset] & 0xff;
+  }
+
+  int octet() {
+    return buffer[from++] & 0xff;
+  }
+
+  /** A number of two bytes that comes at an offset. */
+  int peekShort(int offset) {
+    return peek(offset) << 8 | peek(offset + 1);
+  }
+
+  /** A number of four bytes that comes at an offset. */
+  long peekInt(int offset) {
+    return (long) peekShort(offset) << 16 | peekShort(offset + 2);
+  }
+
+  long integer() {
+    long value = peekInt(0);
+    from += 4;
+    return value;
+  }
+
+  /** A number of eight bytes, the lowest first. */
+  double number() {
+    long bits = 0;
+    for (int i = 7; i >= 0; i--) {
+      bits = bits << 8 | peek(i);
+    }
+    from += 8;
+    return Double.longBitsToDouble(bits);
+  }
+
+  byte[] bytes(int count) {
+    byte[] taken = Arrays.copyOfRange(buffer, from, from + count);
+    from += count;
+    return taken;
+  }
+
+  String raw(int count) {
+    return new String(bytes(count), StandardCharsets.ISO_8859_1);
+  }
+}

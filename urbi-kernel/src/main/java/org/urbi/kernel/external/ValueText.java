@@ -1,0 +1,99 @@
+package org.urbi.kernel.external;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Iterator;
+import java.util.Map;
+import urbi.UBinary;
+import urbi.UValue;
+
+/** Values as the clients of Urbi 2.7 read them; each {@code char} is a byte. */
+public final class ValueText {
+  /** Up to here, numbers without a fraction are written without an exponent. */
+  private static final double LONGEST_WHOLE = 1e15;
+
+  private static final String HEXADECIMAL = "0123456789abcdef";
+
+  private ValueText() {}
+
+  /** A value by itself. */
+  public static String of(UValue value) {
+    StringBuilder text = new StringBuilder();
+    append(text, value);
+    return text.toString();
+  }
+
+  static void append(StringBuilder to, UValue value) {
+    switch (value.getType()) {
+      case DATA_VOID -> to.append("nil");
+      case DATA_DOUBLE -> to.append(number(value.doubleValue()));
+      case DATA_STRING, DATA_SLOTNAME -> quote(to, value.stringValue());
+      case DATA_BINARY -> binary(to, value.ubinaryValue());
+      case DATA_LIST -> {
+        to.append('[');
+        Iterator<UValue> elements = value.ulistValue().iterator();
+        while (elements.hasNext()) {
+          append(to, elements.next());
+          to.append(elements.hasNext() ? ", " : "");
+        }
+        to.append(']');
+      }
+      case DATA_DICTIONARY -> {
+        Iterator<Map.Entry<String, UValue>> entries =
+            value.udictionaryValue().entrySet().iterator();
+        to.append(entries.hasNext() ? "[" : "[ => ");
+        while (entries.hasNext()) {
+          Map.Entry<String, UValue> entry = entries.next();
+          quote(to, entry.getKey());
+          append(to.append(" => "), entry.getValue());
+          to.append(entries.hasNext() ? ", " : "");
+        }
+        to.append(']');
+      }
+    }
+  }
+
+  private static String number(double value) {
+    if (Double.isInfinite(value)) {
+      return value > 0 ? "inf" : "-inf";
+    }
+    if (Double.isNaN(value)) {
+      return "nan";
+    }
+    boolean whole = value == Math.rint(value) && Math.abs(value) < LONGEST_WHOLE;
+    return whole ? Long.toString((long) value) : Double.toString(value);
+  }
+
+  /** A string, of which all that is not ASCII, or cannot be seen, is escaped. */
+  static void quote(StringBuilder to, String text) {
+    to.append('"');
+    for (byte each : text.getBytes(StandardCharsets.UTF_8)) {
+      switch (each) {
+        case '"', '\\' -> to.append('\\').append((char) each);
+        case '\n' -> to.append("\\n");
+        case '\t' -> to.append("\\t");
+        case '\r' -> to.append("\\r");
+        default -> {
+          if (each >= ' ' && each < 0x7f) {
+            to.append((char) each);
+          } else {
+            int code = each & 0xff;
+            to.append("\\x").append(HEXADECIMAL.charAt(code >> 4));
+            to.append(HEXADECIMAL.charAt(code & 0xf));
+          }
+        }
+      }
+    }
+    to.append('"');
+  }
+
+  private static void binary(StringBuilder to, UBinary binary) {
+    byte[] data = binary.getData();
+    String keywords = binary.getMessage();
+    to.append("BIN ").append(data.length);
+    if (!keywords.isEmpty()) {
+      to.append(' ');
+      to.append(new String(keywords.getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1));
+    }
+    to.append('\n').append(new String(data, StandardCharsets.ISO_8859_1));
+  }
+}

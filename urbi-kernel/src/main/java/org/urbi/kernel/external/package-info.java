@@ -1,0 +1,5 @@
+/**
+ * Processes that are linked with the SDK of Urbi 2.7: they bring their UObjects by statements of
+ * urbiscript (docs/protocol.md).
+ */
+package org.urbi.kernel.external;

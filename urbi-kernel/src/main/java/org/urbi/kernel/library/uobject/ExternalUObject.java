@@ -1,0 +1,72 @@
+package org.urbi.kernel.library.uobject;
+
+import org.urbi.builtins.Builtin;
+import org.urbi.builtins.Need;
+import org.urbi.builtins.Optional;
+import org.urbi.builtins.UrbiTypePart;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.external.ExternalProcess;
+import org.urbi.kernel.external.ValueText;
+import org.urbi.kernel.library.lobby.LobbyType;
+import org.urbi.kernel.library.system.Evaluation;
+import org.urbi.kernel.library.text.NativeText;
+import org.urbi.kernel.lobby.Complaint;
+import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.uobject.ObjectAccess;
+import org.urbi.kernel.uobject.PluggedContext;
+import urbi.UValue;
+
+/** What processes that are linked with the SDK of Urbi 2.7 tell, and ask. */
+@UrbiTypePart(value = "UObject", needs = Need.OWNER)
+final class ExternalUObject {
+  private final PluggedContext uobjects;
+  private final ObjectAccess objects;
+
+  ExternalUObject(PluggedContext uobjects) {
+    this.uobjects = uobjects;
+    this.objects = new ObjectAccess(uobjects);
+  }
+
+  @Builtin(doc = "The result of a call of a function of the process at the other end.")
+  void funCall(Frame frame, UrbiObject self, String call, @Optional UrbiObject result) {
+    ExternalProcess process = ExternalProcess.of(frame, uobjects);
+    UrbiObject exception = frame.interpreter().world().prototype("Exception");
+    ExternalProcess.attempt(
+        frame,
+        "funCall",
+        () -> {
+          if (result != null && result.isA(exception)) {
+            String text = frame.interpreter().asString(frame, result);
+            process.reply(call, null, NativeText.toJava(text));
+          } else {
+            UValue value = result == null ? new UValue() : objects.toJava(result);
+            process.reply(call, value, null);
+          }
+        });
+  }
+
+  @Builtin(
+      doc = "Evaluates text, and sends the value, or what went wrong, on the channel of that name.")
+  void syncGet(Frame frame, CallSite site, UrbiObject self, String exp, String tag) {
+    UrbiLobby lobby = LobbyType.of(frame);
+    String answer;
+    try {
+      UrbiObject value = Evaluation.eval(frame, site, lobby, exp, null);
+      answer = ValueText.of(objects.toJava(value));
+    } catch (UrbiException e) {
+      String text = frame.interpreter().asString(frame, e.value());
+      answer = Complaint.marked(text.replace('\n', ' '));
+    }
+    lobby.output().send(tag, answer);
+  }
+
+  @Builtin(doc = "The process at the other end uses a variable so many times less.")
+  void unnotify(Frame frame, UrbiObject self, String object, String slot, double count) {
+    ExternalProcess.of(frame, uobjects)
+        .variables()
+        .unuse(NativeText.toJava(object + "." + slot), count);
+  }
+}

@@ -1,0 +1,83 @@
+package org.urbi.kernel.uobject;
+
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.event.Subscription;
+import org.urbi.kernel.event.UrbiEvent;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.variable.UrbiUVar;
+import urbi.USlot;
+import urbi.UValue;
+
+/**
+ * The UObjects of a kernel, their variables and events, as somebody needs them who brings UObjects
+ * by urbiscript. On the kernel thread.
+ */
+public final class ObjectAccess {
+  private final PluggedContext context;
+
+  public ObjectAccess(PluggedContext context) {
+    this.context = context;
+  }
+
+  /** The UObject of that name; null if there is none. */
+  public @Nullable UrbiObject find(String name) {
+    return context.objects().find(name);
+  }
+
+  /** Makes a UObject that is being constructed a slot of {@code uobjects}. */
+  public void show(String name) {
+    Instance instance = context.objects().named(name);
+    if (instance != null) {
+      context.objects().publish(instance);
+    }
+  }
+
+  /** The name of the UObject of which that one has been cloned; null if there is none. */
+  public @Nullable String parentOf(String name) {
+    UrbiObject object = find(name);
+    if (object != null) {
+      for (UrbiObject proto : object.protos()) {
+        Instance parent = context.objects().nearest(proto);
+        if (parent != null) {
+          return parent.name();
+        }
+      }
+    }
+    return null;
+  }
+
+  /**
+   * The variable of that name that is there already; null if there is none.
+   *
+   * @throws IllegalArgumentException if there is no such object
+   */
+  public @Nullable USlot variable(Frame frame, String name) {
+    Variables.Place place = context.variables().place(frame, name);
+    UrbiUVar variable = UrbiUVar.behind(place.owner(), place.slot());
+    return variable == null ? null : new PluggedSlot(context, variable, name);
+  }
+
+  /**
+   * Listens to an event.
+   *
+   * @param name of its object, a period, that of the slot
+   * @return what ends it
+   * @throws IllegalArgumentException if there is no such object, or the slot is no event
+   */
+  public Runnable listen(Frame frame, String name, Subscription listener) {
+    context.event(name);
+    Variables.Place place = context.variables().place(frame, name);
+    if (frame.interpreter().get(frame, place.owner(), place.slot()) instanceof UrbiEvent event) {
+      event.subscribe(listener, frame.job());
+      return () -> event.unsubscribe(listener);
+    }
+    throw new KernelRefusal(Problem.NOT_AN_EVENT, name);
+  }
+
+  /** A value as it travels; void and nil are nothing. */
+  public UValue toJava(UrbiObject value) {
+    return context.exchange().toJava(value);
+  }
+}
