@@ -3,15 +3,12 @@ package urbi.remote;
 import static java.util.Objects.requireNonNullElse;
 
 import java.io.IOException;
-import java.lang.reflect.Type;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
-import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
@@ -23,8 +20,6 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import urbi.Log;
 import urbi.UCallback;
-import urbi.UCast;
-import urbi.UCastException;
 import urbi.UClass;
 import urbi.UClientException;
 import urbi.UContext;
@@ -38,8 +33,6 @@ import urbi.UValue;
 import urbi.rtp.RtpCounts;
 import urbi.rtp.RtpMode;
 import urbi.rtp.RtpOptions;
-import urbi.spi.ArgumentException;
-import urbi.spi.ArgumentTypes;
 import urbi.spi.Failure;
 import urbi.spi.FailureLog;
 import urbi.spi.ThreadPool;
@@ -66,7 +59,6 @@ public final class RemoteContext implements UContext, AutoCloseable {
   private final RemoteTimers timers = new RemoteTimers(dispatcher);
   private final Map<String, UClass> classes = new ConcurrentHashMap<>();
   private final Map<String, UObject> objects = new ConcurrentHashMap<>();
-  private final Map<String, Map<String, UCallback>> functions = new ConcurrentHashMap<>();
   private final Map<String, String> failures = new ConcurrentHashMap<>();
   private final Map<String, UObjectHub> hubs = new ConcurrentHashMap<>();
   private final Map<Integer, RemoteSlot> slots = new ConcurrentHashMap<>();
@@ -78,6 +70,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   private volatile @Nullable Consumer<String> trace;
   private final FailureLog failureLog = new FailureLog(Log::error);
   private final LongTurn turn = new LongTurn(this::complain);
+  private final RemoteFunctions functions = new RemoteFunctions(this, failureLog, turn);
   private final LinkWatch watch;
   private final RemoteDatagrams datagrams;
 
@@ -178,7 +171,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
     switch (type) {
       case Frame.PING -> sendNow(out -> out.begin(Frame.PONG).end());
       case Frame.PONG -> {}
-      case Frame.CALL -> call(frame.size(), frame.text(), frame.text(), frame.values());
+      case Frame.CALL -> functions.call(frame.size(), frame.text(), frame.text(), frame.values());
       case Frame.CHANGED -> time.heard(changed(frame));
       case Frame.REPLY -> requests.answer(frame.size(), frame.value());
       case Frame.REFUSAL -> requests.refuse(frame.size(), frame.text());
@@ -188,7 +181,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
         int number = frame.size();
         later(() -> {
           make(className, name);
-          result(number, null);
+          functions.result(number, null);
         });
       }
       case Frame.LEFT, Frame.RTP_LOADED, Frame.RTP_TERMS, Frame.RTP_REFUSED ->
@@ -258,7 +251,18 @@ public final class RemoteContext implements UContext, AutoCloseable {
     }
   }
 
-  private void complain(String text) {
+  /** Who is told of each call; null for nobody. */
+  @Nullable Consumer<String> trace() {
+    return trace;
+  }
+
+  /** Why an object is not there, or else that. */
+  String failure(String object, String otherwise) {
+    return failures.getOrDefault(object, otherwise);
+  }
+
+  /** Tells people of what nobody waits for. */
+  void complain(String text) {
     try {
       report(text);
     } catch (UClientException e) {
@@ -331,7 +335,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
       failureLog.log(className, e);
       failures.put(name, "exception caught while making a " + className + ": " + Failure.text(e));
       objects.remove(name);
-      functions.remove(name);
+      functions.forget(name);
     }
   }
 
@@ -361,7 +365,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   public void detach(UObject object) {
     String name = object.get__name();
     if (objects.remove(name, object)) {
-      functions.remove(name);
+      functions.forget(name);
       timers.end(object);
       send(out -> out.begin(Frame.DETACH).text(name).end());
     }
@@ -382,132 +386,8 @@ public final class RemoteContext implements UContext, AutoCloseable {
   @Override
   public void bindFunction(UObject object, String name, UCallback function) {
     String owner = object.get__name();
-    functions.computeIfAbsent(owner, key -> new ConcurrentHashMap<>()).put(name, function);
+    functions.bind(owner, name, function);
     send(out -> out.begin(Frame.BIND).text(owner).text(name).octet(function.arity()).end());
-  }
-
-  private @Nullable UCallback function(String object, String name) {
-    Map<String, UCallback> all = functions.get(object);
-    return all == null ? null : all.get(name);
-  }
-
-  private void call(int number, String object, String name, UValue[] arguments) {
-    Consumer<String> told = trace;
-    if (told != null) {
-      told.accept("call " + number + ": " + object + "." + name + Arrays.asList(arguments));
-    }
-    UCallback known = function(object, name);
-    if (known != null && known.isThreaded()) {
-      if (!known.execute(this, () -> perform(known, number, arguments))) {
-        result(number, null);
-      }
-    } else {
-      later(() -> perform(number, object, name, arguments));
-    }
-  }
-
-  private void perform(int number, String object, String name, UValue[] arguments) {
-    UCallback function = function(object, name);
-    if (function != null) {
-      turn.begin(function.name());
-      perform(function, number, arguments);
-      turn.end();
-    } else {
-      error(number, failures.getOrDefault(object, "no function " + object + "." + name));
-    }
-  }
-
-  private void perform(UCallback function, int number, UValue[] arguments) {
-    try {
-      Object result = invoke(function, arguments);
-      if (result instanceof CompletionStage<?> stage) {
-        stage.whenComplete((value, failure) -> {
-          if (failure == null) {
-            result(number, value);
-          } else {
-            failureLog.log(function.name(), failure);
-            error(number, Failure.text(failure));
-          }
-        });
-      } else {
-        result(number, result);
-      }
-    } catch (ArgumentException e) {
-      sendNow(out ->
-          out.begin(Frame.ARGUMENT_ERROR).size(number).size(e.place()).text(e.expected()).end());
-    } catch (Throwable e) {
-      failureLog.log(function.name(), e);
-      error(number, Failure.text(e));
-    }
-  }
-
-  private static Object invoke(UCallback function, UValue... arguments) throws Throwable {
-    Object[] converted = new Object[function.arity()];
-    if (arguments.length != converted.length) {
-      throw new IllegalArgumentException(
-          function.name()
-              + ": expected "
-              + converted.length
-              + " arguments, given "
-              + arguments.length);
-    }
-    for (int i = 0; i < converted.length; i++) {
-      converted[i] = argument(arguments[i], i, function.parameterTypes().get(i));
-    }
-    return function.call(converted);
-  }
-
-  private static @Nullable Object argument(UValue value, int index, Type type) {
-    try {
-      return UCast.to(value, type);
-    } catch (UCastException e) {
-      String expected = ArgumentTypes.name(type);
-      throw expected == null ? e : new ArgumentException(index + 1, expected, e);
-    }
-  }
-
-  private void result(int number, @Nullable Object result) {
-    try {
-      UValue value = UCast.toUValue(result);
-      sendNow(out -> out.begin(Frame.RESULT).size(number).value(value).end());
-    } catch (UClientException e) {
-      throw e;
-    } catch (RuntimeException e) {
-      error(number, Failure.text(e));
-    }
-  }
-
-  private void error(int number, String text) {
-    Consumer<String> told = trace;
-    if (told != null) {
-      told.accept("call " + number + " has failed: " + text);
-    }
-    sendNow(out -> out.begin(Frame.ERROR).size(number).text(text).end());
-  }
-
-  /** Tells a callback of a value, in turn or on its own thread. */
-  void notify(UCallback callback, UValue value) {
-    UValue[] arguments = callback.arity() == 0 ? new UValue[0] : new UValue[] {value};
-    if (callback.isThreaded()) {
-      callback.execute(this, () -> callBack(callback, arguments));
-    } else {
-      later(() -> callBackInTurn(callback, arguments));
-    }
-  }
-
-  private void callBackInTurn(UCallback callback, UValue... arguments) {
-    turn.begin(callback.name());
-    callBack(callback, arguments);
-    turn.end();
-  }
-
-  private void callBack(UCallback callback, UValue... arguments) {
-    try {
-      invoke(callback, arguments);
-    } catch (Throwable e) {
-      failureLog.log(callback.name(), e);
-      complain("exception caught while calling " + callback.name() + ": " + Failure.text(e));
-    }
   }
 
   // ------------------------------------------------------------------ variables and events
@@ -535,6 +415,11 @@ public final class RemoteContext implements UContext, AutoCloseable {
       slots.remove(slot.id());
       throw e;
     }
+  }
+
+  /** Tells a callback of a value, in turn or on its own thread. */
+  void notify(UCallback callback, UValue value) {
+    functions.notify(callback, value);
   }
 
   /** Sets a variable, by a datagram if that may be, and can. */
@@ -579,7 +464,8 @@ public final class RemoteContext implements UContext, AutoCloseable {
 
   @Override
   public Runnable every(Object owner, double milliseconds, UCallback function, boolean afterPass) {
-    return timers.every(owner, milliseconds, () -> callBackInTurn(function), this::execute);
+    return timers.every(
+        owner, milliseconds, () -> functions.callBackInTurn(function), this::execute);
   }
 
   // ------------------------------------------------------------------ urbiscript

@@ -11,10 +11,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import java.util.function.Supplier;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Scheduler;
-import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.outside.SocketWatch;
 import org.urbi.kernel.uobject.ArgumentFailure;
@@ -26,14 +24,12 @@ import urbi.UDataType;
 import urbi.UEmitter;
 import urbi.UModule;
 import urbi.UObject;
-import urbi.UProperty;
 import urbi.UValue;
 import urbi.rtp.RtpMode;
 import urbi.rtp.RtpOptions;
 import urbi.rtp.RtpSession;
 import urbi.rtp.RtpTerms;
 import urbi.wire.Frame;
-import urbi.wire.WireException;
 import urbi.wire.WireInput;
 import urbi.wire.WireOutput;
 
@@ -56,6 +52,7 @@ public final class RemotePeer implements RemoteProcess {
   private boolean wanting;
   private final UModule module;
   private final RemoteTasks tasks;
+  private final RemoteRequests requests;
   private final Function<RuntimeException, String> describe;
   private final Map<String, UClass> classes = new LinkedHashMap<>();
 
@@ -97,6 +94,7 @@ public final class RemotePeer implements RemoteProcess {
     this.describe = describe;
     this.wire = wire;
     this.module = new UModule(name);
+    this.requests = new RemoteRequests(this, describe);
     this.tasks = new RemoteTasks(scheduler, context::lobby, wire::consumed, this::failed);
   }
 
@@ -126,6 +124,10 @@ public final class RemotePeer implements RemoteProcess {
   public void mayRead(SocketWatch.Socket left) {
     socket = left;
     scheduler.inbox().post(new Message.RemoteReadable(number));
+  }
+
+  PluggedContext context() {
+    return context;
   }
 
   SocketWatch.Socket socket() {
@@ -177,11 +179,10 @@ public final class RemotePeer implements RemoteProcess {
           answer(type, in);
           wire.consumed(frame.length);
         }
-        default -> tasks.add(task(type, in), frame.length);
+        default -> tasks.add(requests.of(type, in), frame.length);
       }
     } catch (RuntimeException e) {
-      // Whatever a process sends, nobody else is to suffer from it.      // Whatever a process
-      // sends, nobody else is to suffer from it.
+      // Whatever a process sends, nobody else is to suffer from it.
       broken = true;
       wire.close("the remote process does not keep to the protocol: " + e.getMessage());
     }
@@ -217,106 +218,6 @@ public final class RemotePeer implements RemoteProcess {
     }
   }
 
-  private Runnable task(int type, WireInput in) {
-    return switch (type) {
-      case Frame.CLASS -> {
-        int number = in.size();
-        String name = in.text();
-        yield answering(number, () -> startClass(name));
-      }
-      case Frame.RTP -> {
-        int id = in.size();
-        boolean on = in.octet() == 1;
-        yield () -> variable(id).slot().useRtp(on);
-      }
-      case Frame.RTP_OFFER -> {
-        RtpTerms terms = RtpTerms.read(in);
-        yield () -> openDatagrams(terms);
-      }
-      case Frame.FENCE -> answering(in.size(), this::showClasses);
-      case Frame.ATTACH -> {
-        int number = in.size();
-        String className = in.text();
-        yield answering(number, () -> attach(className));
-      }
-      case Frame.DETACH -> {
-        String name = in.text();
-        yield () -> detach(name);
-      }
-      case Frame.BIND -> {
-        String object = in.text();
-        String function = in.text();
-        int arity = in.octet();
-        yield () -> bind(object, function, arity);
-      }
-      case Frame.OPEN -> {
-        int number = in.size();
-        int id = in.size();
-        boolean port = in.octet() == 1;
-        String name = in.text();
-        yield answering(number, () -> open(id, port, name));
-      }
-      case Frame.SET -> {
-        int id = in.size();
-        UValue value = in.value();
-        yield () -> variable(id).set(value);
-      }
-      case Frame.CLOSE, Frame.OWN -> {
-        int id = in.size();
-        yield type == Frame.OWN ? () -> variable(id).own() : () -> close(id);
-      }
-      case Frame.WATCH, Frame.INTERCEPT -> {
-        int id = in.size();
-        int how = in.octet();
-        yield type == Frame.WATCH
-            ? () -> variable(id).watch(how)
-            : () -> variable(id).intercept(how == 1);
-      }
-      case Frame.SYNC -> {
-        int number = in.size();
-        int id = in.size();
-        yield answering(number, () -> variable(id).slot().sync());
-      }
-      case Frame.GET_PROPERTY -> {
-        int number = in.size();
-        int id = in.size();
-        UProperty property = property(in.text());
-        yield answering(number, () -> variable(id).slot().property(property));
-      }
-      case Frame.SET_PROPERTY -> {
-        int id = in.size();
-        UProperty property = property(in.text());
-        UValue value = in.value();
-        yield () -> variable(id).slot().setProperty(property, value);
-      }
-      case Frame.EVENT, Frame.EMIT -> {
-        String name = in.text();
-        UValue[] payload = type == Frame.EMIT ? in.values() : null;
-        yield () -> emit(name, payload);
-      }
-      case Frame.CALL_URBI -> {
-        String object = in.text();
-        String method = in.text();
-        UValue[] arguments = in.values();
-        yield () -> context.call(object, method, arguments);
-      }
-      case Frame.REPORT -> {
-        String text = in.text();
-        yield () -> context.report(text);
-      }
-      default -> throw new WireException("no kind of frame: " + type);
-    };
-  }
-
-  private static UProperty property(String text) {
-    for (UProperty property : UProperty.values()) {
-      if (property.text().equals(text)) {
-        return property;
-      }
-    }
-    throw new WireException("no property: " + text);
-  }
-
   // ------------------------------------------------------------------ in the job
 
   /** The process tells from it when it sets variables itself. */
@@ -329,26 +230,12 @@ public final class RemotePeer implements RemoteProcess {
     tasks.add(task, 0);
   }
 
-  private Runnable answering(int number, Supplier<UValue> question) {
-    return () -> {
-      try {
-        UValue answer = question.get();
-        write(o -> o.begin(Frame.REPLY).size(number).value(answer).end());
-      } catch (RuntimeException e) {
-        String reason = describe.apply(e);
-        write(o -> o.begin(Frame.REFUSAL).size(number).text(reason).end());
-      } catch (Error e) {
-        FailureLog.internal("an answer to a remote process", e);
-        write(o -> o.begin(Frame.REFUSAL).size(number).text(FailureLog.text(e)).end());
-      }
-    };
-  }
-
   private void failed(RuntimeException e) {
     context.report(module.name() + ": " + describe.apply(e));
   }
 
-  private UValue startClass(String name) {
+  /** Makes a class known that the process has. */
+  UValue startClass(String name) {
     UClass type = new UClass(name, module, objectName -> make(name, objectName));
     classes.put(name, type);
     making = true;
@@ -361,7 +248,7 @@ public final class RemotePeer implements RemoteProcess {
   }
 
   /** The constructors of the classes that were started have bound all they bind. */
-  private UValue showClasses() {
+  UValue showClasses() {
     unseen.forEach(Runnable::run);
     unseen.clear();
     return new UValue();
@@ -400,7 +287,7 @@ public final class RemotePeer implements RemoteProcess {
   }
 
   /** The process has made an object by itself. */
-  private UValue attach(String className) {
+  UValue attach(String className) {
     UClass type =
         classes.getOrDefault(
             className, new UClass(className, module, objectName -> make(className, objectName)));
@@ -420,14 +307,15 @@ public final class RemotePeer implements RemoteProcess {
   }
 
   /** Of an object that has gone meanwhile, nothing is bound any more. */
-  private void bind(String name, String function, int arity) {
+  void bind(String name, String function, int arity) {
     RemoteObject object = objects.get(name);
     if (object != null) {
       object.bindRemote(function, arity);
     }
   }
 
-  private void detach(String name) {
+  /** The process has done with an object. */
+  void detach(String name) {
     RemoteObject object = objects.remove(name);
     if (object != null) {
       object.clean();
@@ -446,7 +334,8 @@ public final class RemotePeer implements RemoteProcess {
     }
   }
 
-  private UValue open(int id, boolean port, String name) {
+  /** Makes a variable known to both sides, by a number. */
+  UValue open(int id, boolean port, String name) {
     RemoteVariable variable =
         new RemoteVariable(this, id, port ? context.inputPort(name) : context.variable(name));
     variables.put(id, variable);
@@ -457,7 +346,8 @@ public final class RemotePeer implements RemoteProcess {
     return port ? new UValue() : variable.slot().get();
   }
 
-  private void close(int id) {
+  /** The process has done with a variable. */
+  void close(int id) {
     variable(id).close();
     variables.remove(id);
     RtpSession datagrams = wire.datagrams();
@@ -466,7 +356,8 @@ public final class RemotePeer implements RemoteProcess {
     }
   }
 
-  private RemoteVariable variable(int id) {
+  /** The variable of that number. */
+  RemoteVariable variable(int id) {
     RemoteVariable variable = variables.get(id);
     if (variable == null) {
       throw new IllegalArgumentException(Problem.NO_VARIABLE.text(id));
@@ -474,7 +365,8 @@ public final class RemotePeer implements RemoteProcess {
     return variable;
   }
 
-  private void emit(String name, UValue[] payload) {
+  /** Emits an event; only makes it if there is no payload. */
+  void emit(String name, UValue[] payload) {
     UEmitter emitter = events.computeIfAbsent(name, context::event);
     if (payload != null) {
       emitter.emit(payload);
@@ -570,7 +462,8 @@ public final class RemotePeer implements RemoteProcess {
     }
   }
 
-  private void openDatagrams(RtpTerms terms) {
+  /** The process would like values to be sent in datagrams. */
+  void openDatagrams(RtpTerms terms) {
     if (context.rtp().isOn()) {
       wire.openDatagrams(terms);
     } else {
@@ -625,7 +518,8 @@ public final class RemotePeer implements RemoteProcess {
     calls.remove(number);
   }
 
-  private void write(Consumer<WireOutput> frame) {
+  /** Has frames sent at the end of the tick. */
+  void write(Consumer<WireOutput> frame) {
     try {
       frame.accept(out);
     } catch (RuntimeException e) {
