@@ -30,10 +30,6 @@ class CrowdTest {
         });
   }
 
-  private static void await(CountDownLatch what) throws InterruptedException {
-    what.await();
-  }
-
   /** The crowd doubles with each tick: whoever had to wait for all of it would wait for ever. */
   @ParameterizedTest
   @ValueSource(
@@ -52,19 +48,19 @@ class CrowdTest {
     Connection bomb = client("never", new CountDownLatch(1));
     bomb.send(program + "\n");
     judge.send("echo(\"first\");\n");
-    await(first);
-    await(ticks);
+    first.await();
+    ticks.await();
     client("second", second).send("echo(\"second\");\n");
-    await(second);
+    second.await();
     bomb.close();
     client("third", third).send("echo(\"third\");\n");
-    await(third);
+    third.await();
   }
 
   @Test
   void aTurnIsGivenToEachJobOfACrowd() throws Exception {
     CountDownLatch done = new CountDownLatch(1);
     client("100000", done).send("var n = 0|; for& (100000) { n++; n--; n++ }; echo(n);\n");
-    await(done);
+    done.await();
   }
 }

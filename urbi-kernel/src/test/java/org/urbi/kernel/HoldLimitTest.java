@@ -17,8 +17,6 @@ import urbi.UObject;
 
 /** A job that holds the kernel for too long ends, although nobody asks for it. */
 class HoldLimitTest {
-  private static final long PATIENCE_SECONDS = Integer.getInteger("test.limit", 600) / 2;
-
   /** Somewhere in f, which was called at the third line, or just there. */
   private static final Pattern PLACE =
       Pattern.compile(
@@ -47,7 +45,7 @@ class HoldLimitTest {
     public void closed() {}
 
     synchronized void await(Predicate<String> what) throws InterruptedException {
-      long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+      long end = System.nanoTime() + Patience.LONG.toNanos();
       while (!what.test(text.toString())) {
         long left = end - System.nanoTime();
         assertTrue(left > 0, text::toString);

@@ -34,10 +34,6 @@ class InterruptionTest {
         });
   }
 
-  private static void await(CountDownLatch what) throws InterruptedException {
-    what.await();
-  }
-
   @ParameterizedTest
   @ValueSource(
       strings = {
@@ -71,12 +67,12 @@ class InterruptionTest {
     Connection judge = client(judged);
     Connection busy = client(answered);
     busy.send(program + "\n");
-    await(begun);
+    begun.await();
     judge.send("echo(\"alive\");\n");
     busy.interrupt();
-    await(judged);
+    judged.await();
     busy.send("echo(\"alive\");\n");
-    await(answered);
+    answered.await();
   }
 
   @Test
@@ -91,9 +87,9 @@ class InterruptionTest {
     Connection judge = client(judged);
     Connection busy = client(new CountDownLatch(1));
     busy.send("function f(n) { if (n < 2) n else f(n - 1) + f(n - 2) }; begun; f(60);\n");
-    await(begun);
+    begun.await();
     judge.send("echo(\"alive\");\n");
     busy.close();
-    await(judged);
+    judged.await();
   }
 }

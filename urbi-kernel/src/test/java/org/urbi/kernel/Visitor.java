@@ -6,8 +6,6 @@ import org.urbi.kernel.trust.Role;
 
 /** A client with a role, and what it hears. */
 final class Visitor implements Client {
-  private static final int SECONDS = Integer.getInteger("test.limit", 600) / 2;
-
   private final Role role;
   private final LinkedBlockingQueue<String> heard = new LinkedBlockingQueue<>();
   private final Connection connection;
@@ -57,7 +55,7 @@ final class Visitor implements Client {
   /** The next line, null if there is none for long. */
   String next() {
     try {
-      return heard.poll(SECONDS, TimeUnit.SECONDS);
+      return heard.poll(Patience.LONG.toSeconds(), TimeUnit.SECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return null;
