@@ -75,7 +75,7 @@ class MessagesPageTest {
   }
 
   private static String escaped(String text) {
-    return text.replace("|", "\\|").replace("*", "\\*").replace("<", "&lt;");
+    return text.replace("\\", "\\\\").replace("|", "\\|").replace("*", "\\*").replace("<", "&lt;");
   }
 
   /** Text as code, even if it has backticks. */
