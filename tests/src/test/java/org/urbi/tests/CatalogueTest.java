@@ -17,6 +17,9 @@ import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.ProblemKind;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.lobby.Complaint;
+import org.urbi.kernel.lobby.Output;
+import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.problem.Template;
 
@@ -42,6 +45,18 @@ class CatalogueTest {
 
     IllegalStateException put(String name, Exception cause) {
       return new IllegalStateException("broken " + name, cause);
+    }
+
+    UrbiException own(UrbiObject value) {
+      return new UrbiException(value);
+    }
+
+    void filled(Errors errors, String name) {
+      errors.of(Problem.VOID).with("message", "no such " + name + " at all");
+    }
+
+    void told(Output output) {
+      Complaint.error(output, "something is wrong");
     }
 
     String mark(String text) {
@@ -127,7 +142,7 @@ class CatalogueTest {
   void offencesAreFound() throws IOException {
     MessageUses uses = new MessageUses();
     uses.read(Offences.class);
-    assertEquals(5, uses.literals().size(), uses.literals().toString());
+    assertEquals(8, uses.literals().size(), uses.literals().toString());
     assertEquals(2, uses.misfilled().size(), uses.misfilled().toString());
     assertEquals(1, uses.thrownTexts().size(), uses.thrownTexts().toString());
   }

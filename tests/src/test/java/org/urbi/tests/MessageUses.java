@@ -65,6 +65,16 @@ final class MessageUses {
   /** The name of a type in urbiscript. */
   private static final Pattern TYPE = Pattern.compile("[A-Z]\\w*");
 
+  /** Who fills exceptions, and tells lobbies of errors and warnings. */
+  private static final Set<String> TELLERS =
+      Set.of("org/urbi/kernel/lobby/Complaint", "org/urbi/kernel/error/Errors$Builder");
+
+  private static final String THROWN = "org/urbi/kernel/error/UrbiException";
+
+  /** Exceptions are made of messages, and by the statement {@code throw}. */
+  private static final Pattern MAY_THROW =
+      Pattern.compile("org/urbi/kernel/error/.*|org/urbi/kernel/node/Jumps.*");
+
   private static final String MARK_OWNER = "org/urbi/kernel/lobby/Complaint";
 
   private final List<String> literals = new ArrayList<>();
@@ -151,6 +161,13 @@ final class MessageUses {
       switch (code.get(i)) {
         case FieldInstruction field when CATALOGUES.containsKey(field.owner().asInternalName()) ->
             message(owner, code, i, field);
+        case InvokeInstruction call when TELLERS.contains(call.owner().asInternalName()) ->
+            told(owner, code, i);
+        case InvokeInstruction call
+            when call.name().equalsString("<init>")
+                && call.owner().asInternalName().equals(THROWN)
+                && !MAY_THROW.matcher(owner).matches() ->
+            literals.add(owner + ": an exception of urbiscript that is no message");
         case InvokeInstruction call
             when call.name().equalsString("<init>")
                 && TOLD.contains(call.owner().asInternalName())
@@ -197,6 +214,14 @@ final class MessageUses {
         }
         return;
       }
+    }
+  }
+
+  /** Somebody is told something: it must not be a sentence that stands there. */
+  private void told(String owner, List<CodeElement> code, int at) {
+    String text = text(code.get(at - 1));
+    if (text != null && SENTENCE.matcher(text).find()) {
+      literals.add(owner + ": " + text);
     }
   }
 
