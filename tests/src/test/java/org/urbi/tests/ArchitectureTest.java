@@ -362,6 +362,7 @@ class ArchitectureTest {
   private static final List<String> KERNEL_ROOMS =
       Stream.of(
               ".time",
+              ".budget",
               ".trust",
               ".object",
               ".error",

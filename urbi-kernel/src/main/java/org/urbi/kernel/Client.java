@@ -37,6 +37,19 @@ public interface Client {
     return "";
   }
 
+  /** How many bytes of output it has not taken yet; 0 when nobody knows. */
+  default long unread() {
+    return 0;
+  }
+
+  /**
+   * What its lobby may have at a time, as {@code jobs=100,output=1M} (docs/robustness.md); empty
+   * for as much as there is. Asked when it connects.
+   */
+  default String budget() {
+    return "";
+  }
+
   /** What its lobby may do in the beginning; asked when it connects. */
   default Role role() {
     return Role.OWNER;

@@ -6,8 +6,10 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.IntFunction;
+import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
+import org.urbi.kernel.outside.Outside;
 import org.urbi.kernel.remote.AnswerReading;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.remote.RemoteWire;
@@ -49,7 +51,11 @@ final class Connections {
         .inbox()
         .post(
             new Message.ConnectionOpened(
-                number, holdsTime, client.remoteAddress(), client.role().name()));
+                number,
+                holdsTime,
+                client.remoteAddress(),
+                client.role().name(),
+                Budget.fitting(Outside.memory(), client.budget())));
     return connection;
   }
 
@@ -82,7 +88,7 @@ final class Connections {
     if (connection == null) {
       connection = new KernelConnection(kernel, number, replayed.apply(number), opened.holdsTime());
     }
-    connection.open(opened.address(), Role.valueOf(opened.role()));
+    connection.open(opened.address(), Role.valueOf(opened.role()), opened.budget());
   }
 
   /** A process has arrived. */

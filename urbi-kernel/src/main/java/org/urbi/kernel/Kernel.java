@@ -176,13 +176,14 @@ public final class Kernel implements AutoCloseable {
     }
   }
 
-  private void ended() {
+  private void ended(Throwable failure) {
+    operator.end();
     connections.finish();
     uobjects.close();
     outside.close();
     embedding.kernelEnded();
     journal.end();
-    life.ended();
+    life.ended(failure);
   }
 
   /**
@@ -348,11 +349,17 @@ public final class Kernel implements AutoCloseable {
     return operator.holder();
   }
 
+  /** Memory is scarce, or is not: from when it is, it is measured whose jobs take it. */
+  public void memoryScarce(boolean scarce) {
+    operator.memoryScarce(scarce);
+  }
+
   /**
-   * Memory is nearly exhausted: ends all that the lobby does which uses the kernel most, and tells
-   * its client. To be called on a thread of one's own.
+   * Memory is nearly exhausted: ends all that the lobby does which has grown most, and tells its
+   * client; when called again, lets that go, then turns to the next one. To be called on a thread
+   * of one's own.
    *
-   * @return which one it was, for people
+   * @return what was done, for people
    */
   public String relieve() throws InterruptedException {
     return operator.relieve();

@@ -6,6 +6,8 @@ import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.urbi.kernel.budget.Budget;
+import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.lobby.Complaint;
 import org.urbi.kernel.lobby.Completion;
@@ -60,8 +62,11 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
 
   @Override
   public void close() {
-    interruptRunning();
-    kernel.inbox().post(new Message.ConnectionClosed(number));
+    if (!gone) {
+      // Nobody would take back a second interruption.
+      interruptRunning();
+      kernel.inbox().post(new Message.ConnectionClosed(number));
+    }
   }
 
   @Override
@@ -129,19 +134,26 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
 
   // ------------------------------------------------------------------ on the kernel thread
 
-  void open(String address, Role role) {
+  void open(String address, Role role, String limits) {
     if (kernel.isStopping()) {
       finished = true;
       client.closed();
       return;
     }
     kernel.inbox().register(number, this);
-    Output output = new Output(kernel.scheduler(), this::show);
-    UrbiLobby made = UrbiLobby.start(kernel.interpreter(), output, this, role);
+    Budget budget = new Budget(kernel.operator()::watchTime);
+    budget.setLimits(limits);
+    Output output = new Output(kernel.scheduler(), this::show, () -> isBehind(budget));
+    UrbiLobby made = UrbiLobby.start(kernel.interpreter(), output, this, role, budget);
     made.setRemoteAddress(address);
     lobby = made;
     kernel.connections().add(this);
     made.shell().start();
+  }
+
+  private boolean isBehind(Budget budget) {
+    return budget.limit(Resource.OUTPUT) != Budget.UNLIMITED
+        && kernel.scheduler().attempt(() -> !budget.allows(Resource.OUTPUT, client.unread()));
   }
 
   private void show(String bytes) {

@@ -16,6 +16,9 @@ final class KernelLife implements KernelEnd {
   /** How long the jobs have to end in when the kernel is closed, before they are interrupted. */
   private static final int END_PATIENCE_MILLISECONDS = 100;
 
+  /** The exit status of a kernel that a fault of its own has ended. */
+  private static final int BROKEN = 70;
+
   private final Scheduler scheduler;
   private final Runnable farewell;
   private final IntConsumer onHalt;
@@ -90,8 +93,15 @@ final class KernelLife implements KernelEnd {
     onTermination.add(action);
   }
 
-  /** Tells those who wait that the kernel has ended. */
-  void ended() {
+  /**
+   * Tells those who wait that the kernel has ended.
+   *
+   * @param failure by which; null when it was meant to
+   */
+  void ended(Throwable failure) {
+    if (failure != null) {
+      status = BROKEN;
+    }
     try {
       onTermination.forEach(Runnable::run);
     } finally {

@@ -43,7 +43,12 @@ final class KernelLobbies implements Lobbies {
           }
         };
     made[0] =
-        UrbiLobby.start(kernel.interpreter(), creator.output().branch(), listener, creator.role());
+        UrbiLobby.start(
+            kernel.interpreter(),
+            creator.output().branch(),
+            listener,
+            creator.role(),
+            creator.budget());
     created.add(made[0]);
     made[0].shell().start();
     return made[0];

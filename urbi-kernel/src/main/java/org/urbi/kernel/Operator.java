@@ -1,7 +1,5 @@
 package org.urbi.kernel;
 
-import java.util.Collections;
-import java.util.HashMap;
 import java.util.Map;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.stream.Collectors;
@@ -9,8 +7,6 @@ import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.HoldWatch;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
-import org.urbi.kernel.time.Clock;
-import org.urbi.kernel.time.SystemClock;
 
 /** What somebody may ask while the kernel is held, so that its own thread cannot answer. */
 final class Operator {
@@ -20,17 +16,16 @@ final class Operator {
   /** How much of a stack is told. */
   private static final int MOST_CALLS = 40;
 
-  /** For how long it is looked who runs, each millisecond, in nanoseconds. */
-  private static final long SAMPLING = 50_000_000;
-
-  private final Clock clock = new SystemClock();
-
   private final Scheduler scheduler;
   private final Map<String, KernelConnection> connections = new ConcurrentSkipListMap<>();
+  private final Growth growth;
+  private TimeShares shares;
+  private KernelConnection evicted;
   private volatile HoldWatch watch;
 
   Operator(Scheduler scheduler) {
     this.scheduler = scheduler;
+    this.growth = new Growth(scheduler.meter(), connections.values());
   }
 
   void setWatch(HoldWatch who) {
@@ -72,26 +67,49 @@ final class Operator {
     return text.toString();
   }
 
-  /** Ends what the lobby does that is using the kernel most, which is told so. */
+  /** Memory is scarce, or is not; to be told several times a second. */
+  void memoryScarce(boolean scarce) {
+    if (scarce) {
+      growth.look();
+    } else {
+      growth.forget();
+    }
+  }
+
+  /**
+   * Ends what the lobby does that has grown most, which is told so; if that was not enough, lets
+   * its client go, and with it what the lobby knows; then the same for the next one.
+   *
+   * @return what was done, for people
+   */
   String relieve() throws InterruptedException {
-    Map<KernelConnection, Integer> seen = new HashMap<>();
-    // With memory short a collection may come between any two.
-    long end = clock.now() + SAMPLING;
-    while (clock.now() < end) {
-      Job job = scheduler.running();
-      for (KernelConnection each : connections.values()) {
-        if (job != null && job.lobby() == each.lobby()) {
-          seen.merge(each, 1, Integer::sum);
-        }
-      }
-      Thread.sleep(1);
+    KernelConnection before = evicted;
+    if (before != null && connections.containsValue(before) && !before.stays()) {
+      evicted = null;
+      before.close();
+      return "letting " + HoldLimit.described(before.lobby()) + " go";
     }
-    if (seen.isEmpty()) {
-      return "no lobby";
+    evicted = growth.next();
+    if (evicted == null) {
+      return "and no lobby has grown";
     }
-    KernelConnection most = Collections.max(seen.entrySet(), Map.Entry.comparingByValue()).getKey();
-    most.evict(Problem.MEMORY_EXHAUSTED.text());
-    return HoldLimit.described(most.lobby());
+    evicted.evict(Problem.MEMORY_EXHAUSTED.text());
+    return "ending what is done for " + HoldLimit.described(evicted.lobby());
+  }
+
+  /** A lobby may take a part of the kernel's time alone. */
+  void watchTime() {
+    if (shares == null) {
+      shares = new TimeShares(scheduler.meter(), connections.values());
+      shares.start();
+    }
+  }
+
+  /** The kernel has ended. */
+  void end() {
+    if (shares != null) {
+      shares.stop();
+    }
   }
 
   private String interruptHolder() {

@@ -230,7 +230,8 @@ final class WrongCallKernel implements AutoCloseable {
                       @Override
                       public void finished() {}
                     },
-                    Role.OWNER);
+                    Role.OWNER,
+                    new org.urbi.kernel.budget.Budget());
           }
           judge =
               kernel

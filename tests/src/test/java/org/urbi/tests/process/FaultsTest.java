@@ -1,18 +1,24 @@
 package org.urbi.tests.process;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.urbi.server.make.UmakeJava;
 import org.urbi.tests.Patience;
 
 /** What the machine does to a server, and how the server ends (docs/robustness.md). */
 class FaultsTest {
+  private static final int STUCK = 70;
   private static final int OUTPUT_LOST = 74;
   private static final int MEMORY_EXHAUSTED = 71;
   private static final int TERMINATED = 143;
@@ -70,6 +76,89 @@ class FaultsTest {
       client.send("var Global.l = []|; loop { l << \"x\" * 1000 };\n");
       assertEquals(MEMORY_EXHAUSTED, process.awaitEnd());
       assertTrue(server.text().contains("urbi: memory "), server.text());
+    }
+  }
+
+  private ServerProcess small(String... options) throws Exception {
+    return ServerProcess.in(
+        JavaProcess.Setting.in(folder).with("JAVA_TOOL_OPTIONS", "-Xmx200m"), options);
+  }
+
+  /** What it has made goes with its lobby; nothing else has to. */
+  @Test
+  void theLobbyThatHasGrownMostGivesItsMemoryBack() throws Exception {
+    try (ServerProcess server = small("--max-hold", "0");
+        ConsoleClient judge = server.connect();
+        ConsoleClient busy = server.connect();
+        ConsoleClient leak = server.connect()) {
+      busy.send("every (10ms) { var s = \"x\" * 100 },\n");
+      leak.send("var l = []| while| (true) l << \"x\" * 1000;\n");
+      String line = leak.line();
+      while (!line.endsWith("!!! memory exhausted: the jobs of this lobby are ended")) {
+        line = leak.line();
+      }
+      assertEquals(List.of(), judge.answers("1|;"));
+      // It is let go as well, if that was not enough: it holds on to its list.
+      server.awaitText("letting Lobby_");
+      assertThrows(AssertionError.class, leak::line);
+      assertEquals(List.of(), busy.answers("2|;"));
+      assertEquals(0, server.shutDown());
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "function h(){ h() & h() }; h();",
+        "function h(){ h() & h() }; loop { try { h() } catch {} };",
+        "for& (3000000) sleep(1000s);",
+      })
+  void crowdsOfJobsKeepNobodyFromTerminating(String program) throws Exception {
+    try (ServerProcess server = small();
+        ConsoleClient judge = server.connect();
+        ConsoleClient bomb = server.connect()) {
+      bomb.send(program + "\n");
+      for (int i = 0; i < 50; i++) {
+        assertEquals(List.of(), judge.answers("sleep(20ms);"));
+      }
+      server.terminate();
+      assertEquals(TERMINATED, server.awaitEnd());
+    }
+  }
+
+  /** The component looks at nothing, and neither does anybody whom it keeps waiting. */
+  @Test
+  void aKernelThatDoesNotTurnEndsTheProcess() throws Exception {
+    Path sources = Files.createDirectory(folder.resolve("stuck.uob"));
+    Files.writeString(
+        sources.resolve("Stuck.java"),
+        """
+        import urbi.UObject;
+
+        public class Stuck extends UObject {
+          static { UStart(Stuck.class); }
+
+          public Stuck(String name) {
+            super(name);
+            UBindFunction(this, "spin");
+          }
+
+          public int spin() {
+            while (true) {
+              Thread.onSpinWait();
+            }
+          }
+        }
+        """);
+    Path jar = folder.resolve("stuck.jar");
+    String[] words = {"-q", sources.toString(), "-o", jar.toString()};
+    assertEquals(0, UmakeJava.run(words, System.out, System.err));
+    try (ServerProcess server = ServerProcess.in(folder, "--watchdog", "2s", "--max-hold", "1s");
+        ConsoleClient client = server.connect()) {
+      client.send("loadModule(\"" + jar + "\");\nStuck.spin;\n");
+      assertEquals(STUCK, server.awaitEnd());
+      assertTrue(server.text().contains("in Stuck.spin"), server.text());
+      assertTrue(server.text().contains("Stuck.spin(Stuck.java:"), server.text());
     }
   }
 

@@ -53,6 +53,16 @@ final class ServerProcess implements AutoCloseable {
     return process.text();
   }
 
+  /** Asks it to end, as the system does. */
+  void terminate() {
+    process.terminate();
+  }
+
+  /** Waits for its end, and returns its exit status. */
+  int awaitEnd() throws InterruptedException {
+    return process.awaitEnd();
+  }
+
   /** Shuts it down and returns its exit status. */
   int shutDown() throws IOException, InterruptedException {
     try (ConsoleClient client = connect()) {

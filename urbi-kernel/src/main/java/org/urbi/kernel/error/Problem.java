@@ -137,6 +137,10 @@ public enum Problem {
       SCHEDULING,
       "{job} has held the kernel for too long",
       "separate statements with ; and not with | so that others have their turn"),
+  BUDGET_EXHAUSTED(
+      SCHEDULING,
+      "the budget of this lobby is exhausted: {limit} {what}",
+      "an owner can set another one: lobby.setBudget"),
   WAITS_UNINTERRUPTIBLE(SCHEDULING, "attempt to wait in non-interruptible code"),
   SLEEPS_UNINTERRUPTIBLE(SCHEDULING, "attempt to sleep in non-interruptible code"),
   DEPENDS_UNINTERRUPTIBLE(SCHEDULING, "dependency on other task in non-interruptible code"),
@@ -209,6 +213,8 @@ public enum Problem {
 
   // ------------------------------------------------------------------ what is not allowed
 
+  NO_SUCH_BUDGET(PRIMITIVE, "no such part of a budget: {word}"),
+  NEGATIVE_BUDGET(PRIMITIVE, "expected a limit of 0 or more"),
   NEEDS_ROLE(PRIMITIVE, "this needs the role {needed}, and this lobby has the role {own}"),
   CHANGES_FOREIGN(
       PRIMITIVE,

@@ -3,6 +3,8 @@ package org.urbi.kernel.job;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
+import org.urbi.kernel.budget.Budget;
+import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.object.Dependencies;
 import org.urbi.kernel.object.UrbiObject;
@@ -48,6 +50,8 @@ public final class Job implements Runnable {
   private final String name;
   private UrbiObject lobby;
   private Role role;
+  private final Budget budget;
+  private final boolean surplus;
   private final JobGroup group;
   private final JobThread thread;
   private boolean resting;
@@ -99,6 +103,8 @@ public final class Job implements Runnable {
     this.name = prefix + "_" + number;
     this.lobby = lobby;
     this.role = Trusted.roleOf(lobby);
+    this.budget = scheduler.budgetOf(lobby);
+    this.surplus = !isAdmitted(scheduler.running());
     this.scope = scope;
     this.group = group;
     this.timeShift = timeShift;
@@ -113,6 +119,18 @@ public final class Job implements Runnable {
     if (creator != null) {
       priority = creator.priority;
     }
+  }
+
+  /**
+   * A job too many ends the one that starts it. When that is not of its lobby, or there is none, it
+   * is told itself, as soon as it runs.
+   */
+  private boolean isAdmitted(Job creator) {
+    boolean admitted = budget.take(Resource.JOBS);
+    if (!admitted && creator != null && creator.budget == budget) {
+      throw refusal(Resource.JOBS);
+    }
+    return admitted;
   }
 
   // ------------------------------------------------------------------ what it is
@@ -149,6 +167,27 @@ public final class Job implements Runnable {
   /** Whether it may do everything. */
   public boolean isOwner() {
     return role == Role.OWNER;
+  }
+
+  /** What is counted that it takes: what its first lobby may have. */
+  public Budget budget() {
+    return budget;
+  }
+
+  /**
+   * Takes something that others of its lobby then cannot have.
+   *
+   * @throws RuntimeException if that would be too much
+   */
+  public void take(Resource what) {
+    if (!budget.take(what)) {
+      throw refusal(what);
+    }
+  }
+
+  /** What code is left with for which there is no more of that. */
+  public RuntimeException refusal(Resource what) {
+    return scheduler.refusal(Problem.BUDGET_EXHAUSTED, budget.limit(what), what.unit());
   }
 
   /** Has something done for another lobby if that may do something else than its own. */
@@ -277,6 +316,9 @@ public final class Job implements Runnable {
     try {
       state = State.RUNNING;
       checkInjected();
+      if (surplus) {
+        throw refusal(Resource.JOBS);
+      }
       body.run(this);
     } catch (TagStop stop) {
       // The code was stopped: a quiet end.
@@ -291,6 +333,9 @@ public final class Job implements Runnable {
     state = State.ENDED;
     injected = null;
     scope.remove(this);
+    if (!surplus) {
+      budget.giveBack(Resource.JOBS);
+    }
     scheduler.ended(this);
     if (group != null) {
       group.childEnded(this, failure);
@@ -370,7 +415,7 @@ public final class Job implements Runnable {
       throw scheduler.refusal(Problem.SLEEPS_UNINTERRUPTIBLE);
     }
     state = State.SLEEPING;
-    timer = scheduler.timers().add(deadline, this::timeIsUp);
+    timer = scheduler.timers().addUncounted(deadline, this::timeIsUp);
     switchOut();
   }
 

@@ -8,8 +8,12 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiConsumer;
+import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
-import java.util.function.Function;
+import java.util.function.Consumer;
+import org.urbi.kernel.budget.Budget;
+import org.urbi.kernel.budget.Budgeted;
+import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.message.Message;
@@ -44,7 +48,9 @@ public final class Scheduler {
   private final Inbox inbox;
   private final Journal journal;
   private final boolean counted;
-  private final Timers timers = new Timers();
+  private final Timers timers = new Timers(this::admitTimer);
+  private final Budget common = new Budget();
+  private final Meter meter = new Meter();
   private final Pace pace;
   private Runnable whenQuiet = () -> {};
   private final Interruptions interruptions;
@@ -57,8 +63,8 @@ public final class Scheduler {
   private final TagScope rootScope = new TagScope();
   private final List<Runnable> endOfTick = new ArrayList<>();
   private final BiConsumer<Job, Throwable> uncaught;
-  private Function<Problem, RuntimeException> refusals =
-      problem -> new IllegalStateException(problem.text());
+  private BiFunction<Problem, Object[], RuntimeException> refusals =
+      (problem, places) -> new IllegalStateException(problem.text(places));
   private final AtomicLong turns = new AtomicLong();
   private int births;
   private int spins;
@@ -145,6 +151,25 @@ public final class Scheduler {
   /** How long ticks take. */
   public CycleStatistics statistics() {
     return statistics;
+  }
+
+  /** What the jobs of each lobby take. */
+  public Meter meter() {
+    return meter;
+  }
+
+  /** The budget of what runs for a lobby. */
+  Budget budgetOf(UrbiObject lobby) {
+    return lobby instanceof Budgeted owner ? owner.budget() : common;
+  }
+
+  /** Counts a timer of the running job in. */
+  private Budget admitTimer() {
+    if (running == null) {
+      return common;
+    }
+    running.take(Resource.TIMERS);
+    return running.budget();
   }
 
   /** Who wants code ended that never lets others run. */
@@ -296,12 +321,12 @@ public final class Scheduler {
   }
 
   /** What a job is left with that waits where it must not. */
-  RuntimeException refusal(Problem problem) {
-    return refusals.apply(problem);
+  RuntimeException refusal(Problem problem, Object... places) {
+    return refusals.apply(problem, places);
   }
 
   /** Sets how errors of jobs are made; once, by the interpreter. */
-  public void setRefusals(Function<Problem, RuntimeException> how) {
+  public void setRefusals(BiFunction<Problem, Object[], RuntimeException> how) {
     refusals = how;
   }
 
@@ -310,17 +335,19 @@ public final class Scheduler {
   /**
    * Starts the kernel thread.
    *
-   * @param whenEnded the last thing that it does
+   * @param whenEnded the last thing that it does; told what went wrong, or null
    */
-  public Thread startLoop(Runnable whenEnded) {
+  public Thread startLoop(Consumer<Throwable> whenEnded) {
     return threads.startLoop(() -> {
       loop = Thread.currentThread();
+      Throwable wrong = null;
       try {
         loop();
       } catch (Throwable failure) {
+        wrong = failure;
         report(null, failure);
       } finally {
-        whenEnded.run();
+        whenEnded.accept(wrong);
       }
     });
   }
@@ -372,7 +399,13 @@ public final class Scheduler {
 
   private void loop() {
     while (!stopped) {
-      tick();
+      try {
+        tick();
+      } catch (OutOfMemoryError e) {
+        // Whether there can be some again is seen elsewhere.
+        running = null;
+        report(null, e);
+      }
     }
     for (Job job : jobs()) {
       job.terminate();
@@ -454,6 +487,7 @@ public final class Scheduler {
     while ((last || !stopped) && (job = runnable.next()) != null) {
       running = job;
       beginTurn();
+      meter.turnOf(job.budget());
       job.resume();
       for (Job child = born.pollLast(); child != null; child = born.pollLast()) {
         runnable.addToRound(child);
@@ -461,6 +495,7 @@ public final class Scheduler {
     }
     running = null;
     beginTurn();
+    meter.turnOf(null);
   }
 
   private void runBehind() {
@@ -468,11 +503,13 @@ public final class Scheduler {
       Job job = behind.poll();
       running = job;
       beginTurn();
+      meter.turnOf(job.budget());
       job.resume();
       born.forEach(runnable::add);
       born.clear();
     }
     running = null;
+    meter.turnOf(null);
   }
 
   private void runEndOfTick() {

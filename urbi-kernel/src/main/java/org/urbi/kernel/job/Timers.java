@@ -1,22 +1,35 @@
 package org.urbi.kernel.job;
 
 import java.util.PriorityQueue;
+import java.util.function.Supplier;
+import org.urbi.kernel.budget.Budget;
+import org.urbi.kernel.budget.Resource;
 
 /** What is to be done at a given time: first deadline first, then in the order of the requests. */
 public final class Timers {
   private final PriorityQueue<Timer> queue = new PriorityQueue<>();
+  private final Supplier<Budget> admission;
   private long sequence;
   private int cancelled;
+
+  /**
+   * @param admission counts a timer in, and says for whom, or throws if there are too many
+   */
+  Timers(Supplier<Budget> admission) {
+    this.admission = admission;
+  }
 
   /** Something to be done once. */
   public final class Timer implements Comparable<Timer> {
     private final long deadline;
     private final long order;
+    private final Budget budget;
     private Runnable action;
 
-    private Timer(long deadline, long order, Runnable action) {
+    private Timer(long deadline, long order, Budget budget, Runnable action) {
       this.deadline = deadline;
       this.order = order;
+      this.budget = budget;
       this.action = action;
     }
 
@@ -27,12 +40,19 @@ public final class Timers {
     /** It will not be done. */
     public void cancel() {
       if (action != null) {
-        action = null;
+        end();
         // Cancelled timers leave with their deadline, unless they are most of the queue.
         if (++cancelled > 64 && cancelled > queue.size() / 2) {
           queue.removeIf(timer -> timer.action == null);
           cancelled = 0;
         }
+      }
+    }
+
+    private void end() {
+      action = null;
+      if (budget != null) {
+        budget.giveBack(Resource.TIMERS);
       }
     }
 
@@ -43,16 +63,32 @@ public final class Timers {
     }
   }
 
-  /** Does something at that time of the scheduler. */
+  /**
+   * Does something at that time of the scheduler.
+   *
+   * @throws RuntimeException if the running job may have no more of that
+   */
   public Timer add(long deadline, Runnable action) {
-    Timer timer = new Timer(deadline, sequence++, action);
+    return add(deadline, admission.get(), action);
+  }
+
+  /** The same for a job that sleeps, and that counts as a job. */
+  Timer addUncounted(long deadline, Runnable action) {
+    return add(deadline, null, action);
+  }
+
+  private Timer add(long deadline, Budget budget, Runnable action) {
+    Timer timer = new Timer(deadline, sequence++, budget, action);
     queue.add(timer);
     return timer;
   }
 
-  /** A timer in the place of another one, of which it keeps the rank among those at its time. */
+  /**
+   * A sleeping job's timer in the place of another one, of which it keeps the rank among those at
+   * its time.
+   */
   Timer moved(Timer before, long deadline, Runnable action) {
-    Timer timer = new Timer(deadline, before.order, action);
+    Timer timer = new Timer(deadline, before.order, null, action);
     queue.add(timer);
     return timer;
   }
@@ -66,7 +102,7 @@ public final class Timers {
       if (action == null) {
         cancelled = Math.max(0, cancelled - 1);
       } else {
-        first.action = null;
+        first.end();
         action.run();
       }
     }

@@ -1,5 +1,6 @@
 package org.urbi.kernel.lobby;
 
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.urbi.kernel.job.Scheduler;
 
@@ -12,6 +13,7 @@ public final class Output {
 
   private final Scheduler scheduler;
   private final Consumer<String> client;
+  private final BooleanSupplier full;
   private final int most;
   private StringBuilder buffer = new StringBuilder();
   private boolean registered;
@@ -19,14 +21,23 @@ public final class Output {
   private long bytesSent;
 
   public Output(Scheduler scheduler, Consumer<String> client) {
+    this(scheduler, client, () -> false);
+  }
+
+  /**
+   * @param full whether the client has not read so much that its code is to send no more
+   */
+  public Output(Scheduler scheduler, Consumer<String> client, BooleanSupplier full) {
     this.scheduler = scheduler;
     this.client = client;
+    this.full = full;
     this.most = LARGE;
   }
 
   private Output(Output other) {
     this.scheduler = other.scheduler;
     this.client = other::write;
+    this.full = other.full;
     this.most = 0;
   }
 
@@ -86,6 +97,11 @@ public final class Output {
       buffer = new StringBuilder();
       client.accept(bytes);
     }
+  }
+
+  /** Whether the client has not read so much that its code is to send no more. */
+  public boolean isFull() {
+    return full.getAsBoolean();
   }
 
   /** Nobody listens any more. */

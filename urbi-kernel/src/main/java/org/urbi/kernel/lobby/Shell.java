@@ -1,5 +1,6 @@
 package org.urbi.kernel.lobby;
 
+import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
@@ -72,7 +73,11 @@ public final class Shell {
 
   /** Reading a long statement can be interrupted, too. */
   private StatementReader newReader() {
-    return new StatementReader(null, () -> job.checkInterrupted());
+    return new StatementReader(null, this::longestStatement, () -> job.checkInterrupted());
+  }
+
+  private int longestStatement() {
+    return (int) Math.min(Integer.MAX_VALUE, lobby.budget().limit(Resource.INPUT));
   }
 
   /** Begins to execute what comes in. */
@@ -347,6 +352,7 @@ public final class Shell {
 
   private void inForeground(Job shell, Runnable action) {
     busy = true;
+    boolean interrupted = false;
     foregroundTag = (UrbiTag) interpreter.prototypes().tag.cloned();
     try {
       TagScope scope = shell.enter(lobby.connectionTag().state());
@@ -357,9 +363,7 @@ public final class Shell {
         if (closed) {
           throw stop;
         }
-        if (stop.isInterruption()) {
-          awaitMessage(shell);
-        }
+        interrupted = stop.isInterruption();
       } catch (Unwinding unwinding) {
         // A return or a break that has nothing to leave.
       } catch (Throwable failure) {
@@ -367,6 +371,10 @@ public final class Shell {
         interpreter.report(shell, failure);
       } finally {
         shell.leave(scope);
+      }
+      if (interrupted) {
+        // Outside of the tag of the lobby: the message may stop all that is done there.
+        awaitMessage(shell);
       }
     } finally {
       busy = false;

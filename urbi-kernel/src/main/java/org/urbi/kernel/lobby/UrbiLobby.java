@@ -1,6 +1,8 @@
 package org.urbi.kernel.lobby;
 
 import java.util.Collection;
+import org.urbi.kernel.budget.Budget;
+import org.urbi.kernel.budget.Budgeted;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.node.Interpreter;
@@ -11,7 +13,7 @@ import org.urbi.kernel.trust.Role;
 import org.urbi.kernel.trust.Trusted;
 
 /** The environment of one connection (manual, "Lobby"): {@code this} at its top level. */
-public final class UrbiLobby extends UrbiObject implements Trusted {
+public final class UrbiLobby extends UrbiObject implements Trusted, Budgeted {
   private final UrbiTag connectionTag;
   private Output output;
   private Shell shell;
@@ -19,6 +21,7 @@ public final class UrbiLobby extends UrbiObject implements Trusted {
   private String name = "Lobby";
   private volatile String remoteAddress = "";
   private volatile Role role = Role.OWNER;
+  private Budget budget = new Budget();
 
   /**
    * @param connectionTag labels all the code executed for this lobby
@@ -45,6 +48,11 @@ public final class UrbiLobby extends UrbiObject implements Trusted {
   @Override
   public Role role() {
     return role;
+  }
+
+  @Override
+  public Budget budget() {
+    return budget;
   }
 
   /**
@@ -104,7 +112,7 @@ public final class UrbiLobby extends UrbiObject implements Trusted {
 
   /** Makes a lobby, which begins to execute what it is sent. */
   public static UrbiLobby start(
-      Interpreter interpreter, Output output, Shell.Listener listener, Role role) {
+      Interpreter interpreter, Output output, Shell.Listener listener, Role role, Budget budget) {
     UrbiObject prototype = interpreter.world().prototype("Lobby");
     long number = interpreter.scheduler().nextNumber();
     String name = "Lobby_" + number;
@@ -113,6 +121,7 @@ public final class UrbiLobby extends UrbiObject implements Trusted {
     made.attach(output);
     made.attach(new Shell(interpreter, made, listener));
     made.role = role;
+    made.budget = budget;
     return made;
   }
 

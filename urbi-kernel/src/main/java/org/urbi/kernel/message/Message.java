@@ -57,8 +57,10 @@ public sealed interface Message {
    * @param holdsTime whether a simulated time waits for its input
    * @param address the Internet address of the client; empty when it has none
    * @param role the name of what its lobby may do
+   * @param budget what its lobby may have, in the form of options
    */
-  record ConnectionOpened(int connection, boolean holdsTime, String address, String role)
+  record ConnectionOpened(
+      int connection, boolean holdsTime, String address, String role, String budget)
       implements Message {
     @Override
     public int to() {

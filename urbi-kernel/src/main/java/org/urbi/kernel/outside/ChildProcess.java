@@ -6,6 +6,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import org.urbi.kernel.budget.Budget;
+import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.message.Message;
 
@@ -21,13 +23,17 @@ public final class ChildProcess {
   /** Null in a replay. */
   private final Process process;
 
+  /** Whose it is. */
+  private final Budget budget;
+
   private final PipeSink in;
   private final PipeSource out;
   private final PipeSource err;
   private Integer status;
 
-  private ChildProcess(Outside outside, Process process) {
+  private ChildProcess(Outside outside, Process process, Budget budget) {
     this.process = process;
+    this.budget = budget;
     boolean live = process != null;
     in = new PipeSink(outside, live ? process.getOutputStream() : null, false);
     out = new PipeSource(outside, live ? process.getInputStream() : null);
@@ -52,6 +58,7 @@ public final class ChildProcess {
     outside.inbox().forget(end.to());
     outside.scheduler().pace().end();
     status = end.status();
+    budget.giveBack(Resource.PROCESSES);
     in.readerGone();
     waiters.wake();
   }
@@ -65,8 +72,17 @@ public final class ChildProcess {
       Outside outside, Job job, List<String> command, Path directory, Map<String, String> env)
       throws IOException {
     outside.confinement().checkProcesses();
-    return new ChildProcess(
-        outside, outside.await(job, () -> builder(command, directory, env).start()));
+    job.take(Resource.PROCESSES);
+    boolean started = false;
+    try {
+      Process process = outside.await(job, () -> builder(command, directory, env).start());
+      started = true;
+      return new ChildProcess(outside, process, job.budget());
+    } finally {
+      if (!started) {
+        job.budget().giveBack(Resource.PROCESSES);
+      }
+    }
   }
 
   /**
@@ -78,18 +94,23 @@ public final class ChildProcess {
       Outside outside, Job job, List<String> command, Path directory, Map<String, String> env)
       throws IOException {
     outside.confinement().checkProcesses();
-    return outside.await(
-        job,
-        () -> {
-          Process process = builder(command, directory, env).inheritIO().start();
-          Closeable end = process::destroyForcibly;
-          outside.opened(end);
-          try {
-            return process.waitFor();
-          } finally {
-            outside.closed(end);
-          }
-        });
+    job.take(Resource.PROCESSES);
+    try {
+      return outside.await(
+          job,
+          () -> {
+            Process process = builder(command, directory, env).inheritIO().start();
+            Closeable end = process::destroyForcibly;
+            outside.opened(end);
+            try {
+              return process.waitFor();
+            } finally {
+              outside.closed(end);
+            }
+          });
+    } finally {
+      job.budget().giveBack(Resource.PROCESSES);
+    }
   }
 
   private static ProcessBuilder builder(

@@ -208,6 +208,11 @@ public final class Outside implements Closeable {
     return look(() -> early.get().get());
   }
 
+  /** How much memory the kernel can have, in bytes. */
+  public static long memory() {
+    return Runtime.getRuntime().maxMemory();
+  }
+
   /** What went wrong, in a word. */
   static String reason(IOException e) {
     return e.getMessage() == null ? Problem.INPUT_OUTPUT.text() : e.getMessage();

@@ -1,5 +1,6 @@
 package org.urbi.kernel.uobject;
 
+import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
@@ -36,7 +37,11 @@ final class SystemLobby {
           };
       lobby =
           UrbiLobby.start(
-              interpreter, new Output(interpreter.scheduler(), this::write), listener, Role.OWNER);
+              interpreter,
+              new Output(interpreter.scheduler(), this::write),
+              listener,
+              Role.OWNER,
+              new Budget());
       lobby.shell().start();
     }
     return lobby;

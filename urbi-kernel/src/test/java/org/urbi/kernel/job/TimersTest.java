@@ -5,12 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.urbi.kernel.budget.Budget;
 
 /**
  * What is to be done at a given time is done in the order of the deadlines, then of the requests.
  */
 class TimersTest {
-  private final Timers timers = new Timers();
+  private final Timers timers = new Timers(Budget::new);
   private final List<String> done = new ArrayList<>();
 
   private Timers.Timer at(long deadline, String name) {

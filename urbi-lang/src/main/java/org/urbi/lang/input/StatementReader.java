@@ -1,6 +1,7 @@
 package org.urbi.lang.input;
 
 import java.util.List;
+import java.util.function.IntSupplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.parse.Parsed;
@@ -23,7 +24,7 @@ import org.urbi.lang.text.Splitter;
 public final class StatementReader {
   private final LineTable lines;
   private Splitter splitter;
-  private final int maximumSize;
+  private final IntSupplier maximumSize;
   private final Runnable checkpoint;
   private final StringBuilder buffer = new StringBuilder();
   private int start;
@@ -33,29 +34,17 @@ public final class StatementReader {
 
   /** A reader without limit to the size of a statement. */
   public StatementReader(String file) {
-    this(file, Integer.MAX_VALUE, () -> {});
+    this(file, () -> Integer.MAX_VALUE, () -> {});
   }
 
   /**
-   * A reader without limit to the size of a statement.
-   *
-   * @param checkpoint called again and again by {@link #next}, which it ends by an exception
-   */
-  public StatementReader(String file, Runnable checkpoint) {
-    this(file, Integer.MAX_VALUE, checkpoint);
-  }
-
-  /**
-   * A reader that cannot be interrupted.
+   * A reader with a limit to the size of a statement.
    *
    * @param file the name that locations show, or null
-   * @param maximumSize the length, in characters, beyond which a statement is refused
+   * @param maximumSize gives the length, in characters, beyond which a statement is refused
+   * @param checkpoint called again and again by {@link #next}, which it ends by an exception
    */
-  public StatementReader(String file, int maximumSize) {
-    this(file, maximumSize, () -> {});
-  }
-
-  private StatementReader(String file, int maximumSize, Runnable checkpoint) {
+  public StatementReader(String file, IntSupplier maximumSize, Runnable checkpoint) {
     this.lines = new LineTable(file, 1);
     this.splitter = new Splitter(lines);
     this.maximumSize = maximumSize;
@@ -92,7 +81,7 @@ public final class StatementReader {
       if (discarding) {
         discarding = !complete;
         drop();
-      } else if (position - start > maximumSize) {
+      } else if (position - start > maximumSize.getAsInt()) {
         discarding = !complete;
         return tooLong();
       } else if (complete) {
@@ -172,7 +161,7 @@ public final class StatementReader {
     Source source = lines.cut(text);
     start = position;
     Span whole = new Span(source, 0, text.length());
-    return invalid(SyntaxError.of(whole, SyntaxProblem.STATEMENT_TOO_LONG, maximumSize));
+    return invalid(SyntaxError.of(whole, SyntaxProblem.STATEMENT_TOO_LONG, maximumSize.getAsInt()));
   }
 
   private static Item invalid(SyntaxError error) {

@@ -146,7 +146,7 @@ class StatementReaderTest {
 
   @Test
   void boundsStatements() {
-    var reader = new StatementReader("f.u", 100);
+    var reader = new StatementReader("f.u", () -> 100, () -> {});
     reader.feed("1; ");
     reader.feed("x".repeat(90));
     assertNotNull(reader.next());

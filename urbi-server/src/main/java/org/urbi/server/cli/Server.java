@@ -28,12 +28,13 @@ final class Server {
   private final PrintStream err;
   private final StartFiles startFiles;
   private int runs;
-  private Kernel kernel;
+  private volatile Kernel kernel;
   private volatile LocalConsole console;
   private volatile boolean reboot;
   private volatile boolean ending;
   private volatile boolean terminated;
   private volatile ConsoleServer listening;
+  private volatile Watchdog watchdog;
   private boolean outputLost;
 
   Server(Settings settings, PrintStream out, PrintStream err) {
@@ -71,7 +72,7 @@ final class Server {
             .onReboot(() -> reboot = true)
             .start();
     ConsoleServer network = null;
-    Watchdog watchdog = watch();
+    watch();
     try {
       startFiles.loadGlobal(kernel, err);
       network = settings.hasPort() ? listen() : null;
@@ -100,23 +101,42 @@ final class Server {
     return users == null ? builder : builder.userDirectory(users);
   }
 
-  private Watchdog watch() {
-    Kernel watched = kernel;
-    Watchdog watchdog =
+  private void watch() {
+    watchdog =
         new Watchdog(
-            watched,
+            kernel,
             this::networkSilence,
             settings.hasPort() ? settings.watchdog() : Duration.ZERO,
             err,
-            Runtime.getRuntime()::halt);
+            this::obeySignals,
+            Server::giveUp);
     watchdog.start();
-    Signals.whenTerminated(() -> {
-      watchdog.terminating();
-      terminated = true;
-      ending = true;
-      watched.abort(ExitStatus.TERMINATED);
-    });
-    return watchdog;
+    obeySignals(false);
+  }
+
+  /** The programs that were started end as well. */
+  private static void giveUp(int status) {
+    try {
+      ProcessHandle.current().children().forEach(ProcessHandle::destroyForcibly);
+    } finally {
+      Runtime.getRuntime().halt(status);
+    }
+  }
+
+  /** Without memory nothing of ours can react: then the process just ends. */
+  private void obeySignals(boolean atOnce) {
+    if (atOnce) {
+      Signals.endWhenTerminated();
+    } else {
+      Signals.whenTerminated(this::terminate);
+    }
+  }
+
+  private void terminate() {
+    watchdog.terminating();
+    terminated = true;
+    ending = true;
+    kernel.abort(ExitStatus.TERMINATED);
   }
 
   /** For how long the network thread has not turned, in nanoseconds. */
@@ -182,7 +202,7 @@ final class Server {
               address,
               client -> connect(client, false),
               kernel::connectRemote,
-              Limits.DEFAULT.withConnections(settings.maxConnections()),
+              limits(),
               settings.access().admission(),
               settings.trace());
       kernel.evalAsync("System.listenPort = " + server.port() + "|");
@@ -194,6 +214,12 @@ final class Server {
     } catch (IOException e) {
       throw Failure.of(e.getMessage() + "; --port 0 takes any free port");
     }
+  }
+
+  private Limits limits() {
+    Limits limits =
+        Limits.DEFAULT.withConnections(settings.maxConnections()).withBudget(settings.budget());
+    return settings.maxOutput() == 0 ? limits : limits.withOutputOfAll(settings.maxOutput());
   }
 
   /** At once and whole: whoever sees the file can read the number. */

@@ -19,6 +19,8 @@ import org.urbi.server.trust.AccessOptions;
  * @param port where to listen; 0 for any, {@link #NO_PORT} for nowhere
  * @param portFile where to write the port's number, or null
  * @param maxConnections how many clients of the port there may be at a time; 0: any number
+ * @param maxOutput how many bytes may wait for all clients of the port together; 0: the default
+ * @param budget what the lobby of a client of the port may have
  * @param access who is let in by the port, and as what
  * @param record where to record the run, or null
  * @param strict whether the exit status tells of errors even after {@code shutdown}
@@ -42,6 +44,8 @@ record Settings(
     AccessOptions access,
     String record,
     int maxConnections,
+    long maxOutput,
+    String budget,
     boolean strict,
     String text,
     Input input,

@@ -1,6 +1,7 @@
 package org.urbi.server.cli;
 
 import sun.misc.Signal;
+import sun.misc.SignalHandler;
 
 /**
  * The signals of the interrupt key and of who wants the process to terminate. The JDK has no other
@@ -15,6 +16,11 @@ final class Signals {
    */
   static void whenInterrupted(Runnable reaction) {
     Signal.handle(new Signal("INT"), signal -> reaction.run());
+  }
+
+  /** Has the system end the process when it is to terminate, as if nobody listened. */
+  static void endWhenTerminated() {
+    Signal.handle(new Signal("TERM"), SignalHandler.SIG_DFL);
   }
 
   /** Runs something on a thread of the JVM when the process is to terminate, instead of ending. */

@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.bridge.NativeThreads;
+import org.urbi.kernel.budget.Budget;
 import org.urbi.server.Trace;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
@@ -86,6 +87,17 @@ public final class UrbiCommand {
                 + " never (default: 60s).",
             "--watchdog")
         .option(
+            "LIMITS",
+            "What the lobby of each client of the port may have, as"
+                + " jobs=1000,timers=100,processes=5,output=1M,input=64k,time=50% (default: no"
+                + " limits).",
+            "--budget")
+        .option(
+            "MIB",
+            "Of the output that all clients of the port together have not read, keep so much"
+                + " (default: a quarter of the memory).",
+            "--max-output")
+        .option(
             "NUMBER",
             "Serve so many clients of the port at a time; 0 (the default): any number.",
             "--max-connections")
@@ -158,11 +170,23 @@ public final class UrbiCommand {
         AccessOptions.of(arguments),
         arguments.value("--record", null),
         arguments.number("--max-connections", 0, 0, Integer.MAX_VALUE),
+        (long) arguments.number("--max-output", 0, 1, 1 << 20) << 20,
+        budget(arguments),
         arguments.has("--strict"),
         text.toString(),
         input,
         rest.isEmpty() ? List.of() : rest.subList(1, rest.size()),
         System.getProperty("urbi.program", SearchPath.root().resolve("urbi").toString()));
+  }
+
+  private static String budget(Arguments arguments) {
+    String limits = arguments.value("--budget", "");
+    try {
+      new Budget().setLimits(limits);
+      return limits;
+    } catch (IllegalArgumentException e) {
+      throw Failure.usage("invalid --budget: " + e.getMessage());
+    }
   }
 
   private static int stackSize(Arguments arguments) {

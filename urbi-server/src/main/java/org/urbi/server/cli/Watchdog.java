@@ -2,6 +2,7 @@ package org.urbi.server.cli;
 
 import java.io.PrintStream;
 import java.time.Duration;
+import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.function.LongSupplier;
 import org.urbi.kernel.Kernel;
@@ -22,6 +23,9 @@ final class Watchdog {
   /** How long jobs that are ended have to free memory in, in nanoseconds. */
   private static final long RELIEF = 4_000_000_000L;
 
+  /** After how long the next lobby has to give something back, in nanoseconds. */
+  private static final long NEXT_RELIEF = 1_500_000_000;
+
   private final Clock clock = new SystemClock();
   private final Memory memory = new Memory();
   private final Kernel kernel;
@@ -29,14 +33,17 @@ final class Watchdog {
   private final long limit;
   private final PrintStream err;
   private final IntConsumer halt;
+  private final Consumer<Boolean> whenTight;
   private volatile long terminating;
   private volatile boolean over;
   private long tightSince;
+  private int relieved;
   private boolean told;
 
   /**
    * @param networkSilence for how long the network thread has not turned, in nanoseconds
    * @param limit how long kernel and network may not turn; zero for as long as they like
+   * @param whenTight told when memory is nearly exhausted, and when it is not any more
    * @param halt ends the process with that status, at once
    */
   Watchdog(
@@ -44,11 +51,13 @@ final class Watchdog {
       LongSupplier networkSilence,
       Duration limit,
       PrintStream err,
+      Consumer<Boolean> whenTight,
       IntConsumer halt) {
     this.kernel = kernel;
     this.networkSilence = networkSilence;
     this.limit = limit.isZero() ? Long.MAX_VALUE : limit.toNanos();
     this.err = err;
+    this.whenTight = whenTight;
     this.halt = halt;
   }
 
@@ -75,7 +84,7 @@ final class Watchdog {
         look();
       } catch (InterruptedException e) {
         return;
-      } catch (Throwable e) {
+      } catch (VirtualMachineError | LinkageError e) {
         // Memory is so short that not even a class can be loaded.
         exhausted();
       }
@@ -86,15 +95,25 @@ final class Watchdog {
     if (terminating != 0 && clock.now() - terminating > TERMINATION) {
       halt.accept(ExitStatus.TERMINATED);
     }
-    if (memory.isTight()) {
-      exhausted();
-    } else {
-      tightSince = 0;
-    }
+    lookAtMemory();
     lookAtKernel();
     long silence = networkSilence.getAsLong();
     if (silence > limit) {
       stuck("the network has not turned for " + seconds(silence) + " s");
+    }
+  }
+
+  private void lookAtMemory() {
+    boolean scarce = memory.isScarce();
+    kernel.memoryScarce(scarce);
+    if (!scarce) {
+      memory.forget();
+    }
+    if (scarce && memory.isTight(clock.now())) {
+      exhausted();
+    } else if (tightSince != 0) {
+      tightSince = 0;
+      whenTight.accept(false);
     }
   }
 
@@ -119,10 +138,16 @@ final class Watchdog {
     try {
       if (tightSince == 0) {
         tightSince = clock.now();
-        say("memory is nearly exhausted, ending what is done for " + kernel.relieve());
-      } else if (clock.now() - tightSince > RELIEF) {
+        relieved = 0;
+        whenTight.accept(true);
+      }
+      long tight = clock.now() - tightSince;
+      if (tight > RELIEF) {
         say("memory exhausted, giving up");
         halt.accept(ExitStatus.MEMORY_EXHAUSTED);
+      } else if (tight >= relieved * NEXT_RELIEF && !isRelieved()) {
+        relieved++;
+        say("memory is nearly exhausted, " + kernel.relieve());
       }
     } catch (Error e) {
       // Not even that can be said.
@@ -132,6 +157,14 @@ final class Watchdog {
     } catch (InterruptedException e) {
       over = true;
     }
+  }
+
+  /** Nobody else would look soon what those have left that were ended. */
+  private boolean isRelieved() {
+    if (relieved > 0) {
+      System.gc();
+    }
+    return relieved > 0 && !(memory.isScarce() && memory.isTight(clock.now()));
   }
 
   private void say(String text) {

@@ -22,8 +22,12 @@ final class ClientOutput {
   /** How long a client that was said goodbye may take to read the rest and to hang up. */
   private static final int FAREWELL_SECONDS = 5;
 
+  /** What no number of bytes makes positive again. */
+  private static final long GONE = Long.MIN_VALUE / 2;
+
   private final Channel channel;
   private volatile long limit;
+  private final OutputOfAll together;
   private final Runnable overflow;
   private final Queue<String> waiting = new ConcurrentLinkedQueue<>();
   private final AtomicLong unsent = new AtomicLong();
@@ -32,11 +36,14 @@ final class ClientOutput {
 
   /**
    * @param limit how many bytes may wait before the next one is too much
+   * @param together what waits for all clients
    * @param overflow called once, in the kernel's thread, when there is too much
    */
-  ClientOutput(Channel channel, long limit, Runnable overflow) {
+  ClientOutput(Channel channel, long limit, OutputOfAll together, Runnable overflow) {
     this.channel = channel;
     this.limit = limit;
+    this.together = together;
+    together.come();
     this.overflow = overflow;
   }
 
@@ -50,7 +57,7 @@ final class ClientOutput {
     if (closed.get()) {
       return;
     }
-    if (unsent.get() > limit) {
+    if (unsent.get() > limit || together.isTooMuch(unsent.get())) {
       if (closed.compareAndSet(false, true)) {
         waiting.clear();
         overflow.run();
@@ -58,7 +65,7 @@ final class ClientOutput {
       }
       return;
     }
-    unsent.addAndGet(bytes.length());
+    count(bytes.length());
     waiting.add(bytes);
     if (scheduled.compareAndSet(false, true)) {
       NetworkThread.execute(channel.eventLoop(), this::flush);
@@ -81,7 +88,25 @@ final class ClientOutput {
     byte[] bytes = together.toString().getBytes(StandardCharsets.ISO_8859_1);
     return channel
         .writeAndFlush(Unpooled.wrappedBuffer(bytes))
-        .addListener(done -> unsent.addAndGet(-bytes.length));
+        .addListener(done -> count(-bytes.length));
+  }
+
+  private void count(int more) {
+    if (unsent.addAndGet(more) >= 0) {
+      together.add(more);
+    }
+  }
+
+  /** How many bytes wait; any thread. */
+  long unsent() {
+    return Math.max(0, unsent.get());
+  }
+
+  /** The client has gone, and nothing waits for it any more; on the network thread. */
+  void gone() {
+    closed.set(true);
+    together.add(-unsent.getAndSet(GONE));
+    together.go();
   }
 
   /**

@@ -29,15 +29,18 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
 
   private final Function<Client, Connection> lobbies;
   private final Limits limits;
+  private final OutputOfAll together;
   private final Trace trace;
   private ChannelHandlerContext context;
   private ClientOutput output;
   private volatile Connection connection;
   private volatile boolean over = true;
 
-  ConsoleHandler(Function<Client, Connection> lobbies, Limits limits, Trace trace) {
+  ConsoleHandler(
+      Function<Client, Connection> lobbies, Limits limits, OutputOfAll together, Trace trace) {
     this.lobbies = lobbies;
     this.limits = limits;
+    this.together = together;
     this.trace = trace;
   }
 
@@ -52,6 +55,7 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
         new ClientOutput(
             context.channel(),
             limits.output(),
+            together,
             () -> trace.log("client does not read what it is sent, letting it go: " + name()));
     over = false;
     try {
@@ -103,6 +107,9 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
   @Override
   public void channelInactive(ChannelHandlerContext context) {
     trace.debug("client disconnected: " + name());
+    if (output != null) {
+      output.gone();
+    }
     if (connection != null) {
       connection.close();
     }
@@ -132,6 +139,16 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
   @Override
   public void output(String bytes) {
     output.add(bytes);
+  }
+
+  @Override
+  public long unread() {
+    return output.unsent();
+  }
+
+  @Override
+  public String budget() {
+    return limits.budget();
   }
 
   @Override

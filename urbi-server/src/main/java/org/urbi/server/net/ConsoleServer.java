@@ -101,6 +101,7 @@ public final class ConsoleServer implements AutoCloseable {
     datagrams =
         new DatagramPort(loop, () -> new InetSocketAddress(address.getAddress(), port()), trace);
     WrongTokens wrong = new WrongTokens(new SystemClock());
+    OutputOfAll together = new OutputOfAll(limits.outputOfAll());
     CrowdLimit crowd = new CrowdLimit(clients, limits.connections(), trace);
     ChannelFuture bound =
         new ServerBootstrap()
@@ -132,7 +133,9 @@ public final class ConsoleServer implements AutoCloseable {
                     }
                     client
                         .pipeline()
-                        .addLast(new TelnetDecoder(), new ConsoleHandler(lobbies, limits, trace));
+                        .addLast(
+                            new TelnetDecoder(),
+                            new ConsoleHandler(lobbies, limits, together, trace));
                   }
 
                   @Override

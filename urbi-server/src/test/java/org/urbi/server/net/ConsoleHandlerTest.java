@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.urbi.server.Trace;
 
 class ConsoleHandlerTest {
-  private static final Limits LIMITS = new Limits(100, 50, 30, 0);
+  private static final Limits LIMITS = new Limits(100, 50, 1000, 30, 0, "");
 
   private final RecordingConnection lobby = new RecordingConnection();
   private final ByteArrayOutputStream log = new ByteArrayOutputStream();
@@ -29,6 +29,7 @@ class ConsoleHandlerTest {
       new ConsoleHandler(
           client -> lobby,
           LIMITS,
+          new OutputOfAll(LIMITS.outputOfAll()),
           new Trace(Trace.Level.LOG, new PrintStream(log, true, StandardCharsets.UTF_8)));
 
   private static ByteBuf bytes(String text) {

@@ -158,7 +158,7 @@ class ConsoleServerTest {
 
   @Test
   void aClientThatDoesNotReadHarmsNobody() throws IOException {
-    try (ConsoleServer strict = listen(0, new Limits(1 << 20, 1 << 16, 30, 0));
+    try (ConsoleServer strict = listen(0, new Limits(1 << 20, 1 << 16, 1 << 20, 30, 0, ""));
         TestClient deaf = new TestClient(strict.port());
         TestClient other = new TestClient(strict.port())) {
       deaf.send("var line = \"x\" * 10000; loop { echo(line); };\n");

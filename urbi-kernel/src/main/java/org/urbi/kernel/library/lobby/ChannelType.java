@@ -41,7 +41,7 @@ final class ChannelType {
   @Builtin(doc = "Sends a value as a message.")
   static void echo(Frame frame, UrbiObject self, UrbiObject value) {
     if (isOn(frame, self, "enabled")) {
-      output(frame, self)
+      LobbyType.output(frame, self)
           .send(name(frame, self), "*** " + frame.interpreter().asString(frame, value));
     }
   }

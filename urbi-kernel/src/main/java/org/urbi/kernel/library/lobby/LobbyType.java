@@ -6,6 +6,8 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.budget.Budget;
+import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.lobby.Lobbies;
 import org.urbi.kernel.lobby.Output;
@@ -36,10 +38,14 @@ public final class LobbyType {
     return (UrbiLobby) frame.job().lobby();
   }
 
-  private static Output output(Frame frame, UrbiObject self) {
-    return self instanceof UrbiLobby lobby && lobby.output() != null
-        ? lobby.output()
-        : of(frame).output();
+  /** Where code sends something in the name of an object; its own lobby must have room for it. */
+  static Output output(Frame frame, UrbiObject self) {
+    UrbiLobby own = of(frame);
+    UrbiLobby to = self instanceof UrbiLobby lobby && lobby.output() != null ? lobby : own;
+    if (to == own && to.output().isFull()) {
+      throw frame.job().refusal(Resource.OUTPUT);
+    }
+    return to.output();
   }
 
   /** Where output goes that others see: a lobby is told nothing in the name of another one. */
@@ -91,7 +97,7 @@ public final class LobbyType {
 
   @Builtin(doc = "Whether somebody is at the other end.")
   static boolean connected(Frame frame, UrbiObject self) {
-    return output(frame, self).isOpen();
+    return own(frame, self).output().isOpen();
   }
 
   @Builtin(doc = "The tag of all the code that runs for this lobby.")
@@ -101,7 +107,38 @@ public final class LobbyType {
 
   @Builtin(doc = "How many bytes have been sent to the client.")
   static double bytesSent(Frame frame, UrbiObject self) {
-    return output(frame, self).bytesSent();
+    return own(frame, self).output().bytesSent();
+  }
+
+  @Builtin(
+      doc =
+          "How much this lobby may have at a time of jobs, timers, processes, output, input, or"
+              + " time.")
+  static double budget(Frame frame, CallSite site, UrbiObject self, String what) {
+    long limit = own(frame, self).budget().limit(resource(frame, site, what));
+    return limit == Budget.UNLIMITED ? Double.POSITIVE_INFINITY : limit;
+  }
+
+  @Builtin(doc = "How many jobs, timers, or processes this lobby has.")
+  static double budgetUsed(Frame frame, CallSite site, UrbiObject self, String what) {
+    return own(frame, self).budget().used(resource(frame, site, what));
+  }
+
+  @Builtin(doc = "Sets how much of that this lobby may have at a time.", needs = Need.OWNER)
+  static void setBudget(Frame frame, CallSite site, UrbiObject self, String what, double most) {
+    Resource resource = resource(frame, site, what);
+    if (!(most >= 0)) {
+      throw frame.error(site, Problem.NEGATIVE_BUDGET);
+    }
+    own(frame, self).budget().setLimit(resource, (long) most);
+  }
+
+  private static Resource resource(Frame frame, CallSite site, String word) {
+    try {
+      return Resource.of(word);
+    } catch (IllegalArgumentException e) {
+      throw frame.error(site, Problem.NO_SUCH_BUDGET, word);
+    }
   }
 
   @Builtin(doc = "Closes the connection.")

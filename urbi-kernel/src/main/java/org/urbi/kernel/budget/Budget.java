@@ -1,0 +1,133 @@
+package org.urbi.kernel.budget;
+
+import java.util.concurrent.atomic.AtomicLongArray;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * What the code of a lobby may have at a time, and what it has. Whoever is about to take something
+ * asks here. On the kernel thread, but for what is {@linkplain #nanoseconds measured}.
+ */
+public final class Budget {
+  /** What a job that sleeps takes of the memory, with room for as much besides, in bytes. */
+  private static final long MEMORY_OF_JOB = 4096;
+
+  /** There is no limit. */
+  public static final long UNLIMITED = Long.MAX_VALUE;
+
+  private static final Pattern PART =
+      Pattern.compile("\\s*([a-z]+)\\s*=\\s*(\\d{1,15})([kMG%]?)\\s*");
+
+  private final AtomicLongArray limits = new AtomicLongArray(Resource.values().length);
+  private final long[] used = new long[Resource.values().length];
+  private volatile long nanoseconds;
+  private volatile long bytes;
+
+  private final Runnable timeLimited;
+
+  /** A budget without limits. */
+  public Budget() {
+    this(() -> {});
+  }
+
+  /**
+   * A budget that has no limits yet.
+   *
+   * @param timeLimited told when it has one of {@link Resource#TIME}: somebody has to look after it
+   */
+  public Budget(Runnable timeLimited) {
+    this.timeLimited = timeLimited;
+    for (Resource what : Resource.values()) {
+      limits.set(what.ordinal(), UNLIMITED);
+    }
+  }
+
+  /** How much there may be; from any thread. */
+  public long limit(Resource what) {
+    return limits.get(what.ordinal());
+  }
+
+  /** Says how much there may be from now on; what there is already stays. */
+  public void setLimit(Resource what, long most) {
+    limits.set(what.ordinal(), most);
+    if (what == Resource.TIME && most != UNLIMITED) {
+      timeLimited.run();
+    }
+  }
+
+  /**
+   * Sets limits as options say them: {@code jobs=100,output=1M,time=20%}.
+   *
+   * @throws IllegalArgumentException if they make no sense
+   */
+  public void setLimits(String text) {
+    if (text.isBlank()) {
+      return;
+    }
+    for (String part : text.split(",", -1)) {
+      Matcher matcher = PART.matcher(part);
+      if (!matcher.matches()) {
+        throw new IllegalArgumentException("no part of a budget: " + part.strip());
+      }
+      long unit =
+          switch (matcher.group(3)) {
+            case "k" -> 1L << 10;
+            case "M" -> 1L << 20;
+            case "G" -> 1L << 30;
+            default -> 1;
+          };
+      setLimit(Resource.of(matcher.group(1)), Long.parseLong(matcher.group(2)) * unit);
+    }
+  }
+
+  /**
+   * The limits that options say, with what follows from the memory: so many jobs that collecting
+   * garbage does not become all that happens.
+   */
+  public static String fitting(long memory, String options) {
+    String jobs = Resource.JOBS.word() + "=" + memory / MEMORY_OF_JOB;
+    return options.isBlank() ? jobs : jobs + "," + options;
+  }
+
+  /** How much there is. */
+  public long used(Resource what) {
+    return used[what.ordinal()];
+  }
+
+  /** Takes one; false, and nothing is taken, if that would be too much. */
+  public boolean take(Resource what) {
+    if (!allows(what, used[what.ordinal()] + 1)) {
+      return false;
+    }
+    used[what.ordinal()]++;
+    return true;
+  }
+
+  /** There is one less. */
+  public void giveBack(Resource what) {
+    used[what.ordinal()]--;
+  }
+
+  /** Whether there may be so much. */
+  public boolean allows(Resource what, long amount) {
+    return amount <= limit(what);
+  }
+
+  // ------------------------------------------------------------------ measured now and then
+
+  /** For how long its jobs have run while that was measured; from any thread. */
+  public long nanoseconds() {
+    return nanoseconds;
+  }
+
+  /** How many bytes its jobs have allocated while that was measured; from any thread. */
+  public long bytes() {
+    return bytes;
+  }
+
+  /** Its jobs have run for so long, and have allocated so much; on the kernel thread alone. */
+  public void charge(long moreNanoseconds, long moreBytes) {
+    nanoseconds = nanoseconds + moreNanoseconds;
+    bytes = bytes + moreBytes;
+  }
+}

@@ -1,0 +1,2 @@
+/** What a lobby may have at a time, and what it has. */
+package org.urbi.kernel.budget;

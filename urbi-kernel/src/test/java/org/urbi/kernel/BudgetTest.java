@@ -1,0 +1,202 @@
+package org.urbi.kernel;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.urbi.kernel.budget.Budget;
+import org.urbi.kernel.budget.Resource;
+import org.urbi.kernel.trust.Role;
+
+/** What a lobby has more than its budget of is an exception to it, and to nobody else. */
+class BudgetTest {
+  private static final String EXHAUSTED = "the budget of this lobby is exhausted: ";
+
+  private final Kernel kernel = Kernel.builder().log(line -> {}).virtualTime(true).start();
+
+  @AfterEach
+  void close() {
+    kernel.close();
+  }
+
+  private Visitor owner() {
+    return new Visitor(kernel, Role.OWNER);
+  }
+
+  private static void assertExhausted(String what, String answer) {
+    assertTrue(answer.contains(EXHAUSTED + what), answer);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "for& (200) sleep(1h);",
+        "for (200) detach({ sleep(1h) });",
+        "function h() { h() & h() }; h();",
+        "every (1ms) detach({ sleep(1h) }), sleep(1s);",
+      })
+  void jobs(String program) {
+    Visitor bomb = owner();
+    Visitor judge = owner();
+    bomb.say("lobby.setBudget(\"jobs\", 100);");
+    assertExhausted(
+        "100 jobs", bomb.say("try {" + program + "} catch (var x) { echo(x.message) };"));
+    assertEquals("2", judge.say("1+1;"));
+    assertEquals("true", bomb.say("lobby.budgetUsed(\"jobs\") <= 100;"));
+    bomb.connection().close();
+    assertEquals("2", judge.say("1+1;"));
+  }
+
+  @Test
+  void whatHasEndedIsCountedNoMore() {
+    Visitor one = owner();
+    one.say("lobby.setBudget(\"jobs\", 100);");
+    assertEquals("1", one.say("lobby.budgetUsed(\"jobs\");"));
+    for (int i = 0; i < 5; i++) {
+      assertEquals("done", one.say("for& (90) sleep(1s); lobby.send(\"done\");"));
+    }
+    assertEquals("1", one.say("lobby.budgetUsed(\"jobs\");"));
+    assertEquals("inf", one.say("lobby.budget(\"timers\");"));
+    assertEquals("100", one.say("lobby.budget(\"jobs\");"));
+  }
+
+  @Test
+  void aLobbyThatCodeMakesSharesTheBudgetOfItsMaker() {
+    Visitor one = owner();
+    one.say("lobby.setBudget(\"jobs\", 10); var Global.made = Lobby.create|;");
+    String answer = one.say("made.receive(\"for& (20) sleep(1h);\"); sleep(1s);");
+    assertExhausted("10 jobs", answer);
+  }
+
+  @Test
+  void timers() {
+    Visitor one = owner();
+    one.say("lobby.setBudget(\"timers\", 10);");
+    assertExhausted("10 timers", one.say("for& (11) { timeout (1s) sleep(2s) };"));
+    assertEquals("0", one.say("lobby.budgetUsed(\"timers\");"));
+    assertEquals("", one.say("for& (10) { timeout (1s) sleep(2s) };"));
+    assertEquals("0", one.say("lobby.budgetUsed(\"timers\");"));
+  }
+
+  @Test
+  void processes() {
+    Visitor one = owner();
+    one.say("lobby.setBudget(\"processes\", 2);");
+    one.say("function start() { var p = Process.new(\"sleep\", [\"1000\"]) | p.run | p }|;");
+    one.say("var one = start|; var two = start|;");
+    assertExhausted("2 processes", one.say("start;"));
+    assertExhausted("2 processes", one.say("System.system(\"true\");"));
+    one.say("one.kill | one.join;");
+    assertEquals("1", one.say("lobby.budgetUsed(\"processes\");"));
+    String missing = one.say("Process.new(\"/nowhere\", []).run;");
+    assertTrue(missing.contains("!!!") && !missing.contains(EXHAUSTED), missing);
+    assertEquals("", one.say("start|;"));
+    assertExhausted("2 processes", one.say("start;"));
+  }
+
+  @Test
+  void input() {
+    Visitor one = owner();
+    one.say("lobby.setBudget(\"input\", 200);");
+    String answer = one.say("\"" + "x".repeat(300) + "\";");
+    assertTrue(answer.contains("statement longer than 200 characters"), answer);
+    assertEquals("2", one.say("1+1;"));
+  }
+
+  @Test
+  void output() throws InterruptedException {
+    AtomicLong unread = new AtomicLong();
+    LinkedBlockingQueue<String> heard = new LinkedBlockingQueue<>();
+    Connection connection =
+        kernel.connect(
+            new Client() {
+              @Override
+              public void output(String bytes) {
+                heard.add(bytes);
+              }
+
+              @Override
+              public void closed() {}
+
+              @Override
+              public long unread() {
+                return unread.get();
+              }
+
+              @Override
+              public String budget() {
+                return "output=1k";
+              }
+            },
+            false);
+    connection.send("echo(1);\n");
+    assertTrue(heard.take().contains("*** 1"));
+    unread.set(1025);
+    connection.send("echo(2);\n");
+    assertExhausted("1024 bytes of unread output", heard.take());
+    unread.set(1024);
+    connection.send("echo(3);\n");
+    assertTrue(heard.take().contains("*** 3"));
+  }
+
+  @Test
+  void time() {
+    try (Kernel real = Kernel.builder().log(line -> {}).start()) {
+      Visitor busy = new Visitor(real, Role.OWNER);
+      Visitor judge = new Visitor(real, Role.OWNER);
+      assertEquals("0", judge.say("var Global.beats = 0;"));
+      judge.say("every (1ms) Global.beats++,");
+      busy.say("lobby.setBudget(\"time\", 20);");
+      busy.connection().send("loop { for| (1000) {} },\n");
+      String line = busy.next();
+      assertExhausted("20 % of the kernel's time", line);
+      assertEquals("true", judge.say("var seen = beats|; sleep(100ms); beats > seen;"));
+      assertEquals("2", busy.say("1+1;"));
+    }
+  }
+
+  @Test
+  void onlyAnOwnerSetsBudgets() {
+    Visitor user = new Visitor(kernel, Role.USER);
+    assertTrue(user.say("lobby.setBudget(\"jobs\", inf);").contains("needs the role owner"));
+    assertTrue(owner().say("lobby.budget(\"gold\");").contains("no such part of a budget: gold"));
+    assertTrue(owner().say("lobby.setBudget(\"jobs\", -1);").contains("limit of 0 or more"));
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "jobs=7,JOBS,7",
+    "' input = 2k',INPUT,2048",
+    "'jobs=1,output=3M',OUTPUT,3145728",
+    "time=50%,TIME,50"
+  })
+  void optionsSayLimits(String text, Resource what, long limit) {
+    Budget budget = new Budget();
+    budget.setLimits(text);
+    assertEquals(limit, budget.limit(what));
+    assertEquals(Budget.UNLIMITED, budget.limit(Resource.PROCESSES));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"jobs", "jobs=", "jobs=-1", "gold=1", "jobs=1 output=2", "jobs=1m", ","})
+  void optionsThatMakeNoSense(String text) {
+    assertThrows(IllegalArgumentException.class, () -> new Budget().setLimits(text));
+  }
+
+  @Test
+  void theMemoryLimitsJobs() {
+    Budget budget = new Budget();
+    budget.setLimits(Budget.fitting(400 << 20, "timers=3"));
+    assertEquals(102_400, budget.limit(Resource.JOBS));
+    assertEquals(3, budget.limit(Resource.TIMERS));
+    budget.setLimits(Budget.fitting(400 << 20, "jobs=3"));
+    assertEquals(3, budget.limit(Resource.JOBS));
+  }
+}

@@ -1,0 +1,58 @@
+package org.urbi.server.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.urbi.kernel.Kernel;
+import org.urbi.server.Patience;
+
+class WatchdogTest {
+  private final ByteArrayOutputStream told = new ByteArrayOutputStream();
+  private final CompletableFuture<Integer> end = new CompletableFuture<>();
+
+  private Watchdog watchdog(Kernel kernel, long silence, Duration limit) {
+    Watchdog watchdog =
+        new Watchdog(
+            kernel,
+            () -> silence,
+            limit,
+            new PrintStream(told, true, StandardCharsets.UTF_8),
+            tight -> {},
+            end::complete);
+    watchdog.start();
+    return watchdog;
+  }
+
+  private int status() throws Exception {
+    return end.get(Patience.LONG.toSeconds(), TimeUnit.SECONDS);
+  }
+
+  @Test
+  void aNetworkThatDoesNotTurnEndsTheProcess() throws Exception {
+    try (Kernel kernel = Kernel.builder().start()) {
+      Watchdog watchdog = watchdog(kernel, 90_000_000_000L, Duration.ofSeconds(60));
+      assertEquals(ExitStatus.STUCK, status());
+      watchdog.stop();
+      assertTrue(
+          told.toString(StandardCharsets.UTF_8)
+              .startsWith("urbi: the network has not turned for 90.0 s\nurbi: giving up\n"));
+    }
+  }
+
+  @Test
+  void whoIsToldToTerminateAndDoesNotIsEnded() throws Exception {
+    try (Kernel kernel = Kernel.builder().start()) {
+      Watchdog watchdog = watchdog(kernel, 0, Duration.ZERO);
+      watchdog.terminating();
+      assertEquals(ExitStatus.TERMINATED, status());
+      watchdog.stop();
+    }
+  }
+}
