@@ -115,7 +115,9 @@ final class Link implements AutoCloseable {
           throw new UClientException(text.replaceFirst("^!!! ", ""));
         }
         if (text.startsWith(Protocol.REQUEST)) {
-          throw new UClientException("the server does not speak the UObject protocol");
+          throw new UClientException(
+              "the server does not speak the UObject protocol: one of another kind, such as those of"
+                  + " the SDK of Urbi 2.7, takes components that are linked with that");
         }
       }
     }

@@ -137,10 +137,10 @@ class RemoteConnectionTest extends RemoteSession {
             Limits.DEFAULT,
             new Trace(Trace.Level.NONE, System.err));
     try (plain) {
-      assertEquals(
-          "the server does not speak the UObject protocol",
+      assertTrue(
           assertThrows(UClientException.class, () -> new RemoteContext(HOST, plain.port()))
-              .getMessage());
+              .getMessage()
+              .startsWith("the server does not speak the UObject protocol"));
     }
     try (ServerSocket other = new ServerSocket(0, 5, InetAddress.getLoopbackAddress())) {
       Thread.ofVirtual()
