@@ -230,7 +230,9 @@ def as_bytes(value):
 
 class Connection:
     def __init__(self, port):
-        self.sock = socket.create_connection((HOST, port), PATIENCE)
+        """Connects to a port; or takes a connection that there is."""
+        there = isinstance(port, socket.socket)
+        self.sock = port if there else socket.create_connection((HOST, port), PATIENCE)
         self.sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self.lines = Lines(self.sock)
 

@@ -5,8 +5,6 @@ The environment says where the server is: URBI_PORT.
 
 import os
 import socket
-import struct
-import sys
 import threading
 import time
 import unittest
@@ -393,6 +391,19 @@ class BinaryModeTest(Dialogues, unittest.TestCase):
         eventually(lambda: ("remotecontext_1", 1e7) in self.process.errors)
         got = self.get(f"m.b")
         self.assertEqual(len(got.data), 10_000_000)
+
+    def test_a_process_that_is_called(self):
+        Dialogues.pid += 1
+        kind = f"Called{Dialogues.pid}"
+        with socket.create_server((sdk_client.HOST, 0)) as listener:
+            port = listener.getsockname()[1]
+            self.do(f'Lobby.reverseConnect("{sdk_client.HOST}", {port})|')
+            sock = listener.accept()[0]
+        process = Process(sock, [type(kind, (Dev,), {})], False, Dialogues.pid)
+        self.console.until(f'uobjects.hasLocalSlot("{kind}")')
+        self.assertEqual(self.get(f"{kind}.add(1, 2)"), 3)
+        process.kill()
+        self.console.until(f'!uobjects.hasLocalSlot("{kind}")')
 
     def test_a_flood_to_a_process_that_does_not_read(self):
         Dialogues.pid += 1

@@ -7,6 +7,7 @@ import java.util.Set;
 import org.urbi.kernel.lobby.Lobbies;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.outside.Link;
 
 /** The lobbies of a kernel: those of its connections, and those that programs have made. */
 final class KernelLobbies implements Lobbies {
@@ -37,9 +38,7 @@ final class KernelLobbies implements Lobbies {
 
           @Override
           public void finished() {
-            if (created.remove(made[0]) && !kernel.isStopping()) {
-              made[0].disconnected(kernel.interpreter());
-            }
+            gone(made[0]);
           }
         };
     made[0] =
@@ -52,6 +51,20 @@ final class KernelLobbies implements Lobbies {
     created.add(made[0]);
     made[0].shell().start();
     return made[0];
+  }
+
+  private void gone(UrbiLobby lobby) {
+    if (created.remove(lobby) && !kernel.isStopping()) {
+      lobby.disconnected(kernel.interpreter());
+    }
+  }
+
+  @Override
+  public UrbiLobby call(UrbiLobby caller, Link link, String address) {
+    CalledClient client = new CalledClient(kernel.interpreter(), caller, link, address, this::gone);
+    created.add(client.lobby());
+    client.open();
+    return client.lobby();
   }
 
   @Override
