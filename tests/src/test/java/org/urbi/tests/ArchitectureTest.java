@@ -362,10 +362,10 @@ class ArchitectureTest {
   private static final List<String> KERNEL_ROOMS =
       Stream.of(
               ".time",
-              ".budget",
               ".trust",
               ".object",
               ".error",
+              ".budget",
               ".log",
               ".message",
               ".journal",

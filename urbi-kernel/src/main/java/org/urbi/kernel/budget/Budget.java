@@ -3,6 +3,7 @@ package org.urbi.kernel.budget;
 import java.util.concurrent.atomic.AtomicLongArray;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.urbi.kernel.error.Problem;
 
 /**
  * What the code of a lobby may have at a time, and what it has. Whoever is about to take something
@@ -67,7 +68,7 @@ public final class Budget {
     for (String part : text.split(",", -1)) {
       Matcher matcher = PART.matcher(part);
       if (!matcher.matches()) {
-        throw new IllegalArgumentException("no part of a budget: " + part.strip());
+        throw new IllegalArgumentException(Problem.NO_BUDGET.text(part.strip()));
       }
       long unit =
           switch (matcher.group(3)) {

@@ -1,6 +1,7 @@
 package org.urbi.kernel.budget;
 
 import java.util.Locale;
+import org.urbi.kernel.error.Problem;
 
 /** What there is only so much of, and a lobby can take too much of. */
 public enum Resource {
@@ -44,6 +45,6 @@ public enum Resource {
         return each;
       }
     }
-    throw new IllegalArgumentException("no such part of a budget: " + word);
+    throw new IllegalArgumentException(Problem.NO_SUCH_BUDGET.text(word));
   }
 }

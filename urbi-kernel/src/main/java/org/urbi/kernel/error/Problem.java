@@ -214,6 +214,7 @@ public enum Problem {
   // ------------------------------------------------------------------ what is not allowed
 
   NO_SUCH_BUDGET(PRIMITIVE, "no such part of a budget: {word}"),
+  NO_BUDGET(PART, "no part of a budget: {text}"),
   NEGATIVE_BUDGET(PRIMITIVE, "expected a limit of 0 or more"),
   NEEDS_ROLE(PRIMITIVE, "this needs the role {needed}, and this lobby has the role {own}"),
   CHANGES_FOREIGN(
