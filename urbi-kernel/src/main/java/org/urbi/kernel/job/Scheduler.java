@@ -30,11 +30,11 @@ public final class Scheduler {
   /** Nobody else can run, but news may have come: how many {@code ;} pass before a look. */
   private static final int SPINS_PER_TICK = 100;
 
-  /** A simulated time moves on when so many ticks in a row found something to run… */
-  private static final int BUSY_TICKS = 1000;
+  /** A simulated time moves on when there was something to run in so many cycles in a row… */
+  private static final int BUSY_CYCLES = 1000;
 
-  /** …by that much, or a job that never waits would keep the others asleep for ever. */
-  private static final long BUSY_STEP = 1_000_000;
+  /** …by a microsecond each, or a job that never waits would keep the others asleep for ever. */
+  private static final long BUSY_STEP = 1000L * BUSY_CYCLES;
 
   /** Jobs that start jobs which start jobs… must let the others have their turn. */
   private static final int BIRTHS_PER_TICK = 100_000;
@@ -69,7 +69,7 @@ public final class Scheduler {
   private int births;
   private int spins;
   private long passed;
-  private int busyTicks;
+  private long busyUntil = 1 + BUSY_CYCLES;
   private long now;
   private long cycle;
   private int timeHolders;
@@ -307,7 +307,7 @@ public final class Scheduler {
       spins = 0;
       return true;
     }
-    if (++spins >= SPINS_PER_TICK) {
+    if (++spins >= SPINS_PER_TICK || isBusyForLong()) {
       spins = 0;
       return true;
     }
@@ -421,7 +421,11 @@ public final class Scheduler {
   }
 
   private void tick() {
-    cycle++;
+    // What was awaited, and while time was held, could as well have been there in the cycle before.
+    boolean begins = clock.isReal() || timeHolders == 0;
+    if (begins) {
+      cycle++;
+    }
     long before = now;
     now = Math.max(now, journal.tick(Math.max(now, clock.now())));
     if (journal.isOver()) {
@@ -436,7 +440,11 @@ public final class Scheduler {
     }
     if (runnable.isEmpty() && behind.isEmpty()) {
       runEndOfTick();
-      busyTicks = 0;
+      if (begins && !clock.isReal() && timers.next() == Long.MAX_VALUE) {
+        cycle--;
+      }
+      // Counted from the cycle that may find something first.
+      busyUntil = cycle() + (timeHolders == 0 ? 1 : 0) + BUSY_CYCLES;
       if (!stopped && endOfTick.isEmpty()) {
         if (timers.next() == Long.MAX_VALUE && !inbox.isFilled() && !pace.isReal()) {
           whenQuiet.run();
@@ -451,10 +459,19 @@ public final class Scheduler {
     runBehind();
     runEndOfTick();
     inbox.glance(now);
-    if (!clock.isReal() && timeHolders == 0 && ++busyTicks >= BUSY_TICKS) {
-      busyTicks = 0;
+    if (timeHolders > 0) {
+      busyUntil = cycle() + BUSY_CYCLES;
+    } else if (isBusyForLong()) {
+      busyUntil = cycle() + BUSY_CYCLES;
       clock.advanceTo(now + BUSY_STEP);
     }
+  }
+
+  /**
+   * Whether it is time for a simulated time to move on although there is always somebody to run.
+   */
+  private boolean isBusyForLong() {
+    return cycle() >= busyUntil && !clock.isReal();
   }
 
   /** Does something that is nobody's code: should it fail, the kernel goes on. */
