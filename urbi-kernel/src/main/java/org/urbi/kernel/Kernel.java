@@ -359,7 +359,7 @@ public final class Kernel implements AutoCloseable {
    * client; when called again, lets that go, then turns to the next one. To be called on a thread
    * of one's own.
    *
-   * @return what was done, for people
+   * @return what was done, for people; empty when nobody is left
    */
   public String relieve() throws InterruptedException {
     return operator.relieve();

@@ -80,7 +80,7 @@ final class Operator {
    * Ends what the lobby does that has grown most, which is told so; if that was not enough, lets
    * its client go, and with it what the lobby knows; then the same for the next one.
    *
-   * @return what was done, for people
+   * @return what was done, for people; empty when nobody is left
    */
   String relieve() throws InterruptedException {
     KernelConnection before = evicted;
@@ -91,7 +91,7 @@ final class Operator {
     }
     evicted = growth.next();
     if (evicted == null) {
-      return "and no lobby has grown";
+      return "";
     }
     evicted.evict(Problem.MEMORY_EXHAUSTED.text());
     return "ending what is done for " + HoldLimit.described(evicted.lobby());

@@ -24,7 +24,10 @@ final class Watchdog {
   private static final long RELIEF = 4_000_000_000L;
 
   /** After how long the next lobby has to give something back, in nanoseconds. */
-  private static final long NEXT_RELIEF = 1_500_000_000;
+  private static final long NEXT_RELIEF = 1_000_000_000;
+
+  /** How long all of that may take. */
+  private static final long LONGEST_RELIEF = 20_000_000_000L;
 
   private final Clock clock = new SystemClock();
   private final Memory memory = new Memory();
@@ -38,6 +41,7 @@ final class Watchdog {
   private volatile boolean over;
   private long tightSince;
   private int relieved;
+  private long relievedAt;
   private boolean told;
 
   /**
@@ -138,16 +142,16 @@ final class Watchdog {
     try {
       if (tightSince == 0) {
         tightSince = clock.now();
+        relievedAt = tightSince;
         relieved = 0;
         whenTight.accept(true);
       }
-      long tight = clock.now() - tightSince;
-      if (tight > RELIEF) {
+      long now = clock.now();
+      if (now - relievedAt > RELIEF || now - tightSince > LONGEST_RELIEF) {
         say("memory exhausted, giving up");
         halt.accept(ExitStatus.MEMORY_EXHAUSTED);
-      } else if (tight >= relieved * NEXT_RELIEF && !isRelieved()) {
-        relieved++;
-        say("memory is nearly exhausted, " + kernel.relieve());
+      } else if ((relieved == 0 || now - relievedAt >= NEXT_RELIEF) && !isRelieved()) {
+        relieve();
       }
     } catch (Error e) {
       // Not even that can be said.
@@ -156,6 +160,15 @@ final class Watchdog {
       }
     } catch (InterruptedException e) {
       over = true;
+    }
+  }
+
+  private void relieve() throws InterruptedException {
+    String done = kernel.relieve();
+    if (!done.isEmpty()) {
+      relieved++;
+      relievedAt = clock.now();
+      say("memory is nearly exhausted, " + done);
     }
   }
 
