@@ -1,5 +1,7 @@
 package urbi;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * The context's side of one {@link UVar}: a variable of urbiscript as one module sees it.
  *
@@ -52,17 +54,19 @@ public interface USlot {
    * Has a function called after each change; it has one argument, the new value, or none. If this
    * module owns the variable, changes are those of the target, else those of what it reads.
    *
+   * @param object whose function it is; null for nobody's
    * @return what ends it
    */
-  Runnable onChange(UObject object, UCallback function);
+  Runnable onChange(@Nullable UObject object, UCallback function);
 
   /**
    * Has a function called before each access, so that it may set the value; it has one argument,
    * the value, or none.
    *
+   * @param object whose function it is; null for nobody's
    * @return what ends it
    */
-  Runnable onAccess(UObject object, UCallback function);
+  Runnable onAccess(@Nullable UObject object, UCallback function);
 
   /** Ends all notifications of this UVar, and the synchronization of its value. */
   void unnotify();

@@ -2,6 +2,7 @@ package urbi.remote;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.jspecify.annotations.Nullable;
 import urbi.UCallback;
 import urbi.UObject;
 import urbi.UProperty;
@@ -150,7 +151,7 @@ final class RemoteSlot implements USlot {
   }
 
   @Override
-  public Runnable onChange(UObject object, UCallback function) {
+  public Runnable onChange(@Nullable UObject object, UCallback function) {
     onChange.add(function);
     watch(ALL_CHANGES);
     return () -> {
@@ -161,7 +162,7 @@ final class RemoteSlot implements USlot {
   }
 
   @Override
-  public Runnable onAccess(UObject object, UCallback function) {
+  public Runnable onAccess(@Nullable UObject object, UCallback function) {
     if (onAccess.isEmpty()) {
       intercept(true);
     }

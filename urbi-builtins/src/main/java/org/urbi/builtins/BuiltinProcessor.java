@@ -41,8 +41,9 @@ public final class BuiltinProcessor extends AbstractProcessor {
     }
     for (Element e : round.getElementsAnnotatedWith(Builtin.class)) {
       Element owner = e.getEnclosingElement();
-      if (owner.getAnnotation(UrbiType.class) == null
-          && owner.getAnnotation(UrbiTypePart.class) == null) {
+      if (owner == null
+          || owner.getAnnotation(UrbiType.class) == null
+              && owner.getAnnotation(UrbiTypePart.class) == null) {
         error(e, "@Builtin outside a class with @UrbiType or @UrbiTypePart");
       }
     }

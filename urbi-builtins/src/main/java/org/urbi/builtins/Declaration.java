@@ -2,6 +2,7 @@ package org.urbi.builtins;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /** A class of builtins, read from its annotations and ready to be written as a table. */
 final class Declaration {
@@ -17,9 +18,9 @@ final class Declaration {
     REST("rest");
 
     /** The method of {@code Arguments} that unwraps it. */
-    final String unwrapper;
+    final @Nullable String unwrapper;
 
-    Kind(String unwrapper) {
+    Kind(@Nullable String unwrapper) {
       this.unwrapper = unwrapper;
     }
   }
@@ -106,7 +107,7 @@ final class Declaration {
   final String type;
 
   /** The prototypes; null in a part of a type that another class declares. */
-  final List<String> protos;
+  final @Nullable List<String> protos;
 
   final String doc;
 
@@ -128,7 +129,7 @@ final class Declaration {
       String packageName,
       String className,
       String type,
-      List<String> protos,
+      @Nullable List<String> protos,
       String doc,
       Prototype prototype,
       List<Service> services) {

@@ -1,5 +1,7 @@
 package org.urbi.builtins;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -15,6 +17,7 @@ import javax.lang.model.type.TypeKind;
 import javax.lang.model.type.TypeMirror;
 import javax.lang.model.util.ElementFilter;
 import javax.tools.Diagnostic;
+import org.jspecify.annotations.Nullable;
 
 /** Reads one class of builtins and refuses what cannot be called. */
 final class DeclarationReader {
@@ -40,7 +43,7 @@ final class DeclarationReader {
   }
 
   /** The declaration; null after an error of the class itself. */
-  Declaration read(TypeElement type) {
+  @Nullable Declaration read(TypeElement type) {
     UrbiType main = type.getAnnotation(UrbiType.class);
     UrbiTypePart part = type.getAnnotation(UrbiTypePart.class);
     if (main != null && part != null) {
@@ -184,7 +187,7 @@ final class DeclarationReader {
     if (builtin.needs() != Need.AS_TYPE) {
       return builtin.needs();
     }
-    Element owner = method.getEnclosingElement();
+    Element owner = requireNonNull(method.getEnclosingElement(), "a method is in a class");
     UrbiType type = owner.getAnnotation(UrbiType.class);
     Need need = type == null ? owner.getAnnotation(UrbiTypePart.class).needs() : type.needs();
     return need == Need.AS_TYPE ? Need.OWNER : need;
@@ -210,7 +213,7 @@ final class DeclarationReader {
     return arguments;
   }
 
-  private Declaration.Parameter readParameter(
+  private Declaration.@Nullable Parameter readParameter(
       ExecutableElement method, VariableElement parameter, boolean variadic) {
     TypeMirror type = parameter.asType();
     boolean optional = parameter.getAnnotation(Optional.class) != null;
@@ -227,14 +230,14 @@ final class DeclarationReader {
         parameter.getSimpleName().toString(), kind, javaType, optional);
   }
 
-  private Declaration.Kind restKind(TypeMirror type) {
+  private Declaration.@Nullable Kind restKind(TypeMirror type) {
     return type.getKind() == TypeKind.ARRAY
             && isNamed(((ArrayType) type).getComponentType(), Kernel.OBJECT)
         ? Declaration.Kind.REST
         : null;
   }
 
-  private Declaration.Kind kind(TypeMirror type, boolean optional) {
+  private Declaration.@Nullable Kind kind(TypeMirror type, boolean optional) {
     Declaration.Kind primitive =
         switch (type.getKind()) {
           case DOUBLE -> Declaration.Kind.DOUBLE;

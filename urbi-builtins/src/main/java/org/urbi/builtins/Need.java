@@ -1,5 +1,7 @@
 package org.urbi.builtins;
 
+import org.jspecify.annotations.Nullable;
+
 /** What a lobby must be allowed so that its code can call a builtin (docs/networking.md). */
 public enum Need {
   /** Nothing: it only reads, or what it makes is new. */
@@ -18,12 +20,12 @@ public enum Need {
   AS_TYPE(null, false);
 
   /** The name of the least role in the kernel. */
-  final String role;
+  final @Nullable String role;
 
   /** Whether the target is changed. */
   final boolean changes;
 
-  Need(String role, boolean changes) {
+  Need(@Nullable String role, boolean changes) {
     this.role = role;
     this.changes = changes;
   }

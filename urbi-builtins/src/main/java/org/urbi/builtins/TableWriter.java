@@ -8,6 +8,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
 
 /** Writes the Java source of a table, and of the list of all tables. */
 final class TableWriter {
@@ -247,13 +248,14 @@ final class TableWriter {
     line("");
     line(
         "  /** Tables that tell what is declared; what needs the kernel cannot be called in them. */");
+    line("  @org.jspecify.annotations.NullUnmarked");
     line("  public static " + Kernel.TABLE + "[] declarations() {");
     line("    return all(" + services.stream().map(s -> "null").collect(joining(", ")) + ");");
     line("  }");
     line("}");
   }
 
-  private static String strings(List<String> values) {
+  private static String strings(@Nullable List<String> values) {
     if (values == null) {
       return "null";
     }

@@ -5,4 +5,7 @@
  *
  * <p>This module is needed at compile time only and knows the kernel's classes by name.
  */
+@NullMarked
 package org.urbi.builtins;
+
+import org.jspecify.annotations.NullMarked;

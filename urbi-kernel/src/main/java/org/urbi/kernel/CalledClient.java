@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.Shell;
@@ -21,7 +22,7 @@ final class CalledClient implements Shell.Listener, Link.Listener {
   private final Consumer<UrbiLobby> gone;
   private final UrbiLobby lobby;
   private final ArrayDeque<String> waiting = new ArrayDeque<>();
-  private Job writer;
+  private @Nullable Job writer;
   private boolean writing;
   private boolean over;
   private long unsent;
@@ -80,7 +81,7 @@ final class CalledClient implements Shell.Listener, Link.Listener {
   }
 
   @Override
-  public void ended(String error) {
+  public void ended(@Nullable String error) {
     finished();
   }
 
@@ -91,7 +92,7 @@ final class CalledClient implements Shell.Listener, Link.Listener {
     waiting.add(bytes);
     if (unsent > MOST_OUTPUT) {
       finished();
-    } else if (writing) {
+    } else if (writing && writer != null) {
       writing = false;
       writer.wake();
     }
@@ -128,7 +129,7 @@ final class CalledClient implements Shell.Listener, Link.Listener {
     lobby.shell().close();
     lobby.output().close();
     gone.accept(lobby);
-    if (writing) {
+    if (writing && writer != null) {
       writing = false;
       writer.wake();
     }

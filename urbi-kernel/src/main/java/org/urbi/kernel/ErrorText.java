@@ -1,5 +1,8 @@
 package org.urbi.kernel;
 
+import static java.util.Objects.requireNonNull;
+
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.ProblemKind;
 import org.urbi.kernel.error.UrbiException;
@@ -23,7 +26,7 @@ final class ErrorText {
    *
    * @param job null if it was thrown between the turns of the jobs
    */
-  static void tell(Interpreter interpreter, Job job, Throwable failure) {
+  static void tell(Interpreter interpreter, @Nullable Job job, Throwable failure) {
     if (job == null) {
       FailureLog.internal("the kernel thread", failure);
       return;
@@ -31,8 +34,8 @@ final class ErrorText {
     if (isInternal(failure)) {
       FailureLog.internal("job " + job.name(), failure);
     }
-    if (job.lobby() instanceof UrbiLobby lobby && lobby.output() != null) {
-      if (lobby.shell() != null && !(failure instanceof Unwinding)) {
+    if (job.lobby() instanceof UrbiLobby lobby && lobby.isInstance()) {
+      if (lobby.hasShell() && !(failure instanceof Unwinding)) {
         lobby.shell().failed();
       }
       try {
@@ -49,7 +52,7 @@ final class ErrorText {
   /** What went wrong, for people; in a job. */
   static String describe(Interpreter interpreter, RuntimeException failure) {
     if (failure instanceof UrbiException thrown) {
-      Job job = interpreter.scheduler().running();
+      Job job = requireNonNull(interpreter.scheduler().running(), "asked in a job");
       return interpreter.asString(
           Frame.top(interpreter, job, job.lobby(), new FrameLayout()), thrown.value());
     }

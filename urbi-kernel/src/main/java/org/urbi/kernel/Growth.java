@@ -3,6 +3,7 @@ package org.urbi.kernel;
 import java.util.Collection;
 import java.util.Map;
 import java.util.WeakHashMap;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Meter;
 
 /**
@@ -55,23 +56,25 @@ final class Growth {
    * The one that has grown most, of those that this has not returned yet; null when nobody has
    * grown.
    */
-  synchronized KernelConnection next() throws InterruptedException {
+  synchronized @Nullable KernelConnection next() throws InterruptedException {
     if (scores.isEmpty()) {
       look();
       Thread.sleep(FIRST_LOOK);
     }
     look();
     KernelConnection most = null;
+    Score highest = null;
     double grown = 0;
     for (KernelConnection each : connections) {
       Score score = scores.get(each);
       if (score != null && !score.evicted && score.grown > grown) {
         most = each;
+        highest = score;
         grown = score.grown;
       }
     }
-    if (most != null) {
-      scores.get(most).evicted = true;
+    if (highest != null) {
+      highest.evicted = true;
     }
     return most;
   }

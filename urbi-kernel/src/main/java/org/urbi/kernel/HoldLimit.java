@@ -1,6 +1,7 @@
 package org.urbi.kernel;
 
 import java.time.Duration;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
@@ -29,7 +30,8 @@ final class HoldLimit {
    * @param limit zero for none
    * @return who watches, or null when nobody does
    */
-  static HoldWatch set(Scheduler scheduler, Errors errors, KernelLog log, Duration limit) {
+  static @Nullable HoldWatch set(
+      Scheduler scheduler, Errors errors, KernelLog log, Duration limit) {
     HoldLimit holding = new HoldLimit(errors, log, limit);
     // A recording may have reached a limit which its replay does not have.
     scheduler.interruptions().setOverdueFailure(holding::failure);
@@ -53,7 +55,7 @@ final class HoldLimit {
   }
 
   /** The job, its client and its component, for people. */
-  static String described(Job job, String component) {
+  static String described(Job job, @Nullable String component) {
     String text = "job " + job.name();
     if (job.lobby() instanceof UrbiLobby lobby && lobby.isInstance()) {
       text += " of " + described(lobby);

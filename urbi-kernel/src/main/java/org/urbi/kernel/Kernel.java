@@ -1,5 +1,7 @@
 package org.urbi.kernel;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
@@ -9,6 +11,7 @@ import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.embed.Embedding;
 import org.urbi.kernel.embed.JavaValues;
@@ -66,7 +69,7 @@ public final class Kernel implements AutoCloseable {
   private final KernelLife life;
 
   /** The recording that this kernel runs again, or null. */
-  private final Replay replay;
+  private final @Nullable Replay replay;
 
   /** A kernel to be configured, then started. */
   public static KernelBuilder builder() {
@@ -128,7 +131,7 @@ public final class Kernel implements AutoCloseable {
 
   private Map<String, String> environmentAtStart() {
     try {
-      return journal.look(System::getenv);
+      return requireNonNull(journal.look(System::getenv), "every machine has one");
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -205,7 +208,7 @@ public final class Kernel implements AutoCloseable {
    * How the replay differed from the recorded run, or why it could not go on; null if it did not.
    * Known when the kernel has ended.
    */
-  public String replayDifference() {
+  public @Nullable String replayDifference() {
     return replay == null ? null : replay.difference();
   }
 
@@ -242,7 +245,7 @@ public final class Kernel implements AutoCloseable {
    *     java.util.concurrent.CancellationException} if the job was stopped, or the calling thread
    *     interrupted, which stops it
    */
-  public Object eval(String source) {
+  public @Nullable Object eval(String source) {
     return embedding.eval(source);
   }
 
@@ -253,7 +256,7 @@ public final class Kernel implements AutoCloseable {
    *     of a String, {@link UrbiValue} a handle on any object
    * @throws ClassCastException if the value cannot be one
    */
-  public <T> T eval(String source, Class<T> type) {
+  public <T> @Nullable T eval(String source, Class<T> type) {
     return embedding.eval(source, null, null, type);
   }
 
@@ -271,7 +274,7 @@ public final class Kernel implements AutoCloseable {
    * @param function its name in the lobby, or a path: {@code robot.arm.move}
    * @throws IllegalArgumentException if urbiscript has nothing like an argument
    */
-  public Object call(String function, Object... arguments) {
+  public @Nullable Object call(String function, Object... arguments) {
     return embedding.call(function, arguments);
   }
 

@@ -6,10 +6,12 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.NoSuchElementException;
 import java.util.Objects;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.function.IntFunction;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.JobThreads;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.journal.Recorder;
@@ -30,24 +32,29 @@ public final class KernelBuilder {
   boolean virtualTime;
   JobThreads jobThreads = JobThreads.AUTO;
   List<Path> searchPath = List.of();
-  Path library;
+  @Nullable Path library;
   List<Path> moduleSearchPath = List.of(Path.of("."));
   int stackSize;
   Duration maxHold = Duration.ZERO;
   long seed;
   String programName = "urbi";
   List<String> arguments = List.of();
-  IntConsumer onHalt;
-  Runnable onReboot;
+  @Nullable IntConsumer onHalt;
+  @Nullable Runnable onReboot;
   Consumer<String> output = text -> System.out.print(text);
   LogLevel logLevel = LogLevel.of(System.getenv("GD_LEVEL"));
   Consumer<String> log = System.err::println;
   Confinement confinement = Confinement.none();
   Confinement users = Confinement.total();
-  OutputStream recording;
-  String recordingName;
-  Replay replay;
-  IntFunction<Client> replayed;
+  private @Nullable Recording recording;
+  @Nullable Replay replay;
+  IntFunction<Client> replayed =
+      number -> {
+        throw new NoSuchElementException("nobody has opened connection " + number);
+      };
+
+  /** Where the run is written down. */
+  private record Recording(String name, OutputStream file) {}
 
   KernelBuilder() {}
 
@@ -186,8 +193,7 @@ public final class KernelBuilder {
    */
   public KernelBuilder record(Path file) {
     try {
-      recording = RecordingFile.create(file);
-      recordingName = file.toString();
+      recording = new Recording(file.toString(), RecordingFile.create(file));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -224,7 +230,7 @@ public final class KernelBuilder {
     }
     return new Recorder(
         RecordedSettings.of(this, clock.startTime()),
-        new RecordingWriter(recordingName, recording, trouble));
+        new RecordingWriter(recording.name, recording.file, trouble));
   }
 
   /** The time of the machine, of the recording, or none but a simulated one. */

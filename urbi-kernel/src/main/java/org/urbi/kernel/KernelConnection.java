@@ -1,11 +1,14 @@
 package org.urbi.kernel;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
@@ -31,7 +34,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
   private final Map<Integer, CompletableFuture<List<String>>> completions =
       new ConcurrentHashMap<>();
   private volatile boolean incomplete;
-  private volatile UrbiLobby lobby;
+  private volatile @Nullable UrbiLobby lobby;
   private boolean holding;
   private boolean ended;
   private boolean finished;
@@ -189,7 +192,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
   }
 
   private void closed() {
-    kernel.scheduler().interruptions().clear(lobby);
+    kernel.scheduler().interruptions().clear(lobby());
     kernel.inbox().forget(number);
     gone = true;
     finish();
@@ -200,7 +203,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
     if (finished) {
       pending.set(0);
     } else {
-      lobby.shell().receive(bytes);
+      lobby().shell().receive(bytes);
     }
   }
 
@@ -208,29 +211,29 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
     ended = true;
     releaseTime();
     if (!finished) {
-      lobby.shell().end();
+      lobby().shell().end();
     }
   }
 
   private void interrupted() {
-    kernel.scheduler().interruptions().clear(lobby);
+    kernel.scheduler().interruptions().clear(lobby());
     if (!finished) {
-      lobby.shell().interrupt();
+      lobby().shell().interrupt();
       consumed();
     }
   }
 
   private void roleGiven(Role role) {
     if (!finished) {
-      lobby.setRole(role, kernel.scheduler().jobs());
+      lobby().setRole(role, kernel.scheduler().jobs());
     }
   }
 
   private void evicted(String reason) {
-    kernel.scheduler().interruptions().clear(lobby);
+    kernel.scheduler().interruptions().clear(lobby());
     if (!finished) {
-      lobby.shell().interrupt();
-      lobby.connectionTag().state().stop(kernel.interpreter().values().voidObject);
+      lobby().shell().interrupt();
+      lobby().connectionTag().state().stop(kernel.interpreter().values().voidObject);
       tell(Problem.EVICTED.text(reason));
       consumed();
     }
@@ -242,21 +245,22 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
 
   /** Tells the client of an error; on the kernel thread. */
   void tell(String error) {
-    if (!finished && lobby != null) {
-      Complaint.error(lobby.output(), error);
+    UrbiLobby told = lobby;
+    if (!finished && told != null) {
+      Complaint.error(told.output(), error);
     }
   }
 
   private void complete(int question, String text) {
     CompletableFuture<List<String>> names = completions.remove(question);
     if (names != null) {
-      names.complete(finished ? List.of() : Completion.of(lobby, text));
+      names.complete(finished ? List.of() : Completion.of(lobby(), text));
     }
   }
 
-  /** Its lobby; null before it is open. */
+  /** Its lobby, once it is open. */
   UrbiLobby lobby() {
-    return lobby;
+    return requireNonNull(lobby, "its messages come when it is open");
   }
 
   /** A simulated time stands still while the shell waits for input that is to come now. */
@@ -279,8 +283,8 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
 
   @Override
   public void consumed() {
-    pending.set(lobby.shell().pending());
-    incomplete = lobby.shell().isIncomplete();
+    pending.set(lobby().shell().pending());
+    incomplete = lobby().shell().isIncomplete();
     client.inputConsumed();
   }
 
@@ -311,7 +315,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
 
   /** The end of the program's connection, once nothing can wake the kernel. */
   void finishProgram() {
-    if (client.isProgram() && ended && lobby.shell().isResting()) {
+    if (client.isProgram() && ended && lobby().shell().isResting()) {
       finish();
     }
   }
@@ -323,11 +327,12 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
       releaseTime();
       kernel.connections().remove(this);
       pending.set(0);
-      if (lobby != null) {
-        lobby.shell().close();
-        lobby.output().close();
+      UrbiLobby own = lobby;
+      if (own != null) {
+        own.shell().close();
+        own.output().close();
         if (!kernel.isStopping()) {
-          lobby.disconnected(kernel.interpreter());
+          own.disconnected(kernel.interpreter());
         }
       }
       client.closed();

@@ -7,6 +7,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.IntConsumer;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.library.system.KernelEnd;
 import org.urbi.kernel.message.Message;
@@ -21,8 +22,8 @@ final class KernelLife implements KernelEnd {
 
   private final Scheduler scheduler;
   private final Runnable farewell;
-  private final IntConsumer onHalt;
-  private final Runnable onReboot;
+  private final @Nullable IntConsumer onHalt;
+  private final @Nullable Runnable onReboot;
   private final List<Runnable> onTermination = new CopyOnWriteArrayList<>();
   private final CompletableFuture<Integer> termination = new CompletableFuture<>();
   private int status;
@@ -33,7 +34,11 @@ final class KernelLife implements KernelEnd {
    * @param onHalt what ends the process at once; null when only the kernel is to end
    * @param onReboot told before the kernel ends to be started anew; null when nobody would do that
    */
-  KernelLife(Scheduler scheduler, Runnable farewell, IntConsumer onHalt, Runnable onReboot) {
+  KernelLife(
+      Scheduler scheduler,
+      Runnable farewell,
+      @Nullable IntConsumer onHalt,
+      @Nullable Runnable onReboot) {
     this.scheduler = scheduler;
     this.farewell = farewell;
     this.onHalt = onHalt;

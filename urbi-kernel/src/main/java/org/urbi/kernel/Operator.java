@@ -3,6 +3,7 @@ package org.urbi.kernel;
 import java.util.Map;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.HoldWatch;
 import org.urbi.kernel.job.Job;
@@ -19,16 +20,16 @@ final class Operator {
   private final Scheduler scheduler;
   private final Map<String, KernelConnection> connections = new ConcurrentSkipListMap<>();
   private final Growth growth;
-  private TimeShares shares;
-  private KernelConnection evicted;
-  private volatile HoldWatch watch;
+  private @Nullable TimeShares shares;
+  private @Nullable KernelConnection evicted;
+  private volatile @Nullable HoldWatch watch;
 
   Operator(Scheduler scheduler) {
     this.scheduler = scheduler;
     this.growth = new Growth(scheduler.meter(), connections.values());
   }
 
-  void setWatch(HoldWatch who) {
+  void setWatch(@Nullable HoldWatch who) {
     watch = who;
   }
 
@@ -37,9 +38,7 @@ final class Operator {
   }
 
   void remove(KernelConnection connection) {
-    if (connection.lobby() != null) {
-      connections.remove(connection.lobby().name());
-    }
+    connections.values().remove(connection);
   }
 
   /** Does what {@link Connection#interrupt(String)} promises. */
@@ -116,7 +115,7 @@ final class Operator {
     HoldWatch who = watch;
     Job job = scheduler.running();
     long held = who == null ? 0 : who.heldFor();
-    if (held < SHORTEST_HOLD || job == null) {
+    if (who == null || held < SHORTEST_HOLD || job == null) {
       return Problem.NOBODY_HOLDS.text();
     }
     String told =

@@ -25,9 +25,7 @@ final class RecordedSettings {
         builder.arguments,
         builder.logLevel.name(),
         builder.confinement.isConfined() ? builder.confinement.workingDirectory().toString() : null,
-        builder.users.workingDirectory() == null
-            ? null
-            : builder.users.workingDirectory().toString(),
+        builder.users.allowsFiles() ? builder.users.workingDirectory().toString() : null,
         builder.confinement.workingDirectory().toString(),
         builder.onReboot != null);
   }

@@ -40,7 +40,7 @@ public final class Arguments {
     if (given == world.values().voidObject) {
       return errors.unexpectedVoid();
     }
-    UrbiObject prototype = world.prototype(expected);
+    UrbiObject prototype = world.findPrototype(expected);
     return errors.argumentType(
         site.calledName(), place, given, prototype == null ? world.values().nil : prototype);
   }

@@ -1,5 +1,8 @@
 package org.urbi.kernel.builtin;
 
+import static java.util.Objects.requireNonNull;
+
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -33,10 +36,10 @@ public abstract class BuiltinTable {
 
   private final String type;
   private final String doc;
-  private final String[] protos;
+  private final String @Nullable [] protos;
   private final Entry[] entries;
 
-  protected BuiltinTable(String type, String doc, String[] protos, Entry[] entries) {
+  protected BuiltinTable(String type, String doc, String @Nullable [] protos, Entry[] entries) {
     this.type = type;
     this.doc = doc;
     this.protos = protos;
@@ -60,14 +63,14 @@ public abstract class BuiltinTable {
 
   /** The names of the prototypes, first looked up first; not for a {@linkplain #isPart part}. */
   public final String[] protos() {
-    return protos.clone();
+    return requireNonNull(protos, "a part has none").clone();
   }
 
   /**
    * A new object of the Java class that the values of this type have, to become the prototype of
    * the type; null when a plain object will do.
    */
-  public UrbiObject newPrototype(World world) {
+  public @Nullable UrbiObject newPrototype(World world) {
     return null;
   }
 

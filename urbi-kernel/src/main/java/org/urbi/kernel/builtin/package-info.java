@@ -1,2 +1,5 @@
 /** How the library's Java methods are called. */
+@NullMarked
 package org.urbi.kernel.builtin;
+
+import org.jspecify.annotations.NullMarked;

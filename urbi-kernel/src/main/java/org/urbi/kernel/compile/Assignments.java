@@ -2,6 +2,7 @@ package org.urbi.kernel.compile;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.InPlace;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.node.Literals;
@@ -13,7 +14,6 @@ import org.urbi.kernel.node.Properties;
 import org.urbi.kernel.node.Slots;
 import org.urbi.kernel.node.Trajectory;
 import org.urbi.kernel.node.Variables;
-import org.urbi.kernel.object.Symbol;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.source.Span;
 
@@ -33,7 +33,7 @@ final class Assignments {
     return compilation.operand(ast, block);
   }
 
-  private Node target(Ast target, Span span, Block block) {
+  private Node target(@Nullable Ast target, Span span, Block block) {
     return compilation.expressions.target(target, span, block);
   }
 
@@ -96,11 +96,12 @@ final class Assignments {
   /** In a pattern that is assigned, a local variable is assigned, not compared. */
   private Pattern destructuring(Ast pattern, Block block) {
     return switch (pattern) {
-      case Ast.Message name
-          when name.target() == null
-              && name.arguments() == null
-              && block.find(name.name()) != null ->
-          new Matching.AssignedPlace(compilation.place(block.find(name.name()), block));
+      case Ast.Message name when name.target() == null && name.arguments() == null -> {
+        Variable variable = block.find(name.name());
+        yield variable == null
+            ? compilation.expressions.pattern(name, block)
+            : new Matching.AssignedPlace(compilation.place(variable, block));
+      }
       case Ast.ListLiteral list -> elements(list.elements(), block, false);
       case Ast.TupleLiteral tuple -> elements(tuple.elements(), block, true);
       default -> compilation.expressions.pattern(pattern, block);
@@ -127,7 +128,8 @@ final class Assignments {
     return inPlace(postfix.span(), postfix.target(), postfix.operator(), null, block);
   }
 
-  private Node inPlace(Span span, Ast target, String operator, Node operand, Block block) {
+  private Node inPlace(
+      Span span, Ast target, String operator, @Nullable Node operand, Block block) {
     InPlace.Access access =
         switch (target) {
           case Ast.Message message when message.arguments() != null ->
@@ -170,18 +172,18 @@ final class Assignments {
         trajectory.modifiers().stream()
             .map(modifier -> operand(modifier.value(), block))
             .toArray(Node[]::new);
-    Node owner = null;
-    Symbol slot = null;
+    Trajectory.Slot slot = null;
     if (trajectory.target() instanceof Ast.Message message
         && message.arguments() == null
         && (message.target() != null || block.find(message.name()) == null)) {
-      slot = interpreter().world().symbol(message.name());
-      owner = compilation.receivers.target(message.target(), message.name(), message.span(), block);
+      slot =
+          new Trajectory.Slot(
+              compilation.receivers.target(message.target(), message.name(), message.span(), block),
+              interpreter().world().symbol(message.name()));
     }
     return new Trajectory(
         span,
         target,
-        owner,
         slot,
         compilation.place(value, writer),
         write,

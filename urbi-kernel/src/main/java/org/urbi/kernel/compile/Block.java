@@ -5,10 +5,11 @@ import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /** A lexical scope while it is compiled. */
 final class Block {
-  private final Block parent;
+  private final @Nullable Block parent;
   private final Unit unit;
   private final int region;
   private final boolean slots;
@@ -17,10 +18,10 @@ final class Block {
   private boolean redefines;
   private boolean tagged;
   private final Map<String, Variable> variables = new LinkedHashMap<>();
-  private Map<Object, Variable> begun;
-  private List<Import> imports;
+  private @Nullable Map<Object, Variable> begun;
+  private @Nullable List<Import> imports;
 
-  private Block(Block parent, Unit unit, int region, boolean slots, boolean scope) {
+  private Block(@Nullable Block parent, Unit unit, int region, boolean slots, boolean scope) {
     this.parent = parent;
     this.unit = unit;
     this.region = region;
@@ -78,7 +79,7 @@ final class Block {
   }
 
   /** The scope around; null at the top level. */
-  Block nearestScope() {
+  @Nullable Block nearestScope() {
     Block block = this;
     while (block != null && !block.scope) {
       block = block.parent;
@@ -87,7 +88,7 @@ final class Block {
   }
 
   /** The parameters of the function around that has a call message; null at the top level. */
-  Block nearestFunction() {
+  @Nullable Block nearestFunction() {
     Block block = this;
     while (block != null && !(block.parameters && block.unit.callKey != null)) {
       block = block.parent;
@@ -123,7 +124,7 @@ final class Block {
    * @param variable where the object is that names are imported from
    * @param only the only name that is imported, or null
    */
-  record Import(Variable variable, String only) {
+  record Import(Variable variable, @Nullable String only) {
     boolean brings(String name) {
       return only == null || only.equals(name);
     }
@@ -142,7 +143,7 @@ final class Block {
     return imports == null ? List.of() : imports;
   }
 
-  Block parent() {
+  @Nullable Block parent() {
     return parent;
   }
 
@@ -160,7 +161,7 @@ final class Block {
   }
 
   /** The variable of a declaration, if it has been begun elsewhere; or null. */
-  Variable begun(Object key) {
+  @Nullable Variable begun(Object key) {
     for (Block block = this; block != null; block = block.parent) {
       if (block.begun != null && block.begun.containsKey(key)) {
         return block.begun.get(key);
@@ -169,12 +170,12 @@ final class Block {
     return null;
   }
 
-  Variable local(String name) {
+  @Nullable Variable local(String name) {
     return variables.get(name);
   }
 
   /** The variable of that name that is visible here, or null. */
-  Variable find(String name) {
+  @Nullable Variable find(String name) {
     for (Block block = this; block != null; block = block.parent) {
       Variable variable = block.variables.get(name);
       if (variable != null) {

@@ -1,7 +1,10 @@
 package org.urbi.kernel.compile;
 
+import static java.util.Objects.requireNonNullElseGet;
+
 import java.util.List;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.Assertion;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.print.Printer;
@@ -21,12 +24,10 @@ final class Claims {
   Assertion.Claim claim(Ast ast, Block block) {
     if (!(ast instanceof Ast.Message message)
         || (message.target() == null && block.find(message.name()) != null)) {
-      return new Assertion.Claim(
-          text(ast), compilation.operand(ast, block), null, null, null, List.of());
+      return new Assertion.Whole(text(ast), compilation.operand(ast, block));
     }
-    return new Assertion.Claim(
+    return new Assertion.Sent(
         text(ast),
-        null,
         operator(message),
         message.target() == null
             ? compilation.receivers.implicit(message.name(), message.span(), block)
@@ -38,7 +39,7 @@ final class Claims {
   }
 
   /** The operator as it was written, if the claim compares or looks into a container; or null. */
-  private static String operator(Ast.Message message) {
+  private static @Nullable String operator(Ast.Message message) {
     if (message.target() == null
         || message.arguments() == null
         || message.arguments().size() != 1) {
@@ -61,16 +62,25 @@ final class Claims {
     return switch (ast) {
       case Ast.And and -> logical(and.left(), Printer.print(and.right()), "'$t1'");
       case Ast.Or or -> logical(or.left(), "'$t1'", Printer.print(or.right()));
-      case Ast.Message message when operator(message) != null -> {
-        String operator = operator(message);
-        String target = Printer.print(message.target());
-        String argument = Printer.print(message.arguments().getFirst());
-        yield COMPARISONS.contains(operator)
-            ? target + " " + operator + " " + argument
-            : argument + " " + operator + " " + target;
-      }
+      case Ast.Message message ->
+          requireNonNullElseGet(operation(message), () -> Printer.print(ast));
       default -> Printer.print(ast);
     };
+  }
+
+  /** An operator with its operands, as it was written; null for another message. */
+  private static @Nullable String operation(Ast.Message message) {
+    Ast left = message.target();
+    List<Ast> arguments = message.arguments();
+    String operator = operator(message);
+    if (left == null || arguments == null || operator == null) {
+      return null;
+    }
+    String target = Printer.print(left);
+    String argument = Printer.print(arguments.getFirst());
+    return COMPARISONS.contains(operator)
+        ? target + " " + operator + " " + argument
+        : argument + " " + operator + " " + target;
   }
 
   private static String logical(Ast left, String whenTrue, String whenFalse) {

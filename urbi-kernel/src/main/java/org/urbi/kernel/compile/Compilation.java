@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Imports;
 import org.urbi.kernel.node.Interpreter;
@@ -65,7 +66,7 @@ public final class Compilation {
     while (true) {
       compilation.learned = false;
       compilation.regions = 0;
-      Unit unit = new Unit(null);
+      Unit unit = new Unit();
       Node code = compilation.compile(statement, Block.top(unit), Seen.ALL);
       if (!compilation.learned) {
         return new Compiled(code, unit.layout());
@@ -87,6 +88,11 @@ public final class Compilation {
   /** Compiles what is asked for its value. */
   Node operand(Ast ast, Block block) {
     return compile(ast, block, Seen.NOTHING);
+  }
+
+  /** Like {@link #operand}, of what may be absent; null when it is. */
+  @Nullable Node optional(@Nullable Ast ast, Block block) {
+    return ast == null ? null : operand(ast, block);
   }
 
   Node[] all(List<Ast> asts, Block block) {

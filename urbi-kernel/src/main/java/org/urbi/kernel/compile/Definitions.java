@@ -2,6 +2,7 @@ package org.urbi.kernel.compile;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.ClassNodes;
 import org.urbi.kernel.node.Imports;
 import org.urbi.kernel.node.Interpreter;
@@ -29,19 +30,15 @@ final class Definitions {
     return interpreter().world().symbol(name);
   }
 
-  private Node operand(Ast ast, Block block) {
-    return ast == null ? null : compilation.operand(ast, block);
-  }
-
-  private Node target(Ast target, Span span, Block block) {
+  private Node target(@Nullable Ast target, Span span, Block block) {
     return compilation.expressions.target(target, span, block);
   }
 
   Node declaration(Ast.Declaration declaration, Block block) {
     Span span = declaration.span();
     // The value is evaluated before the name is known: var x = x + 1 reads another x.
-    Node value = operand(declaration.value(), block);
-    Node type = operand(declaration.type(), block);
+    Node value = compilation.optional(declaration.value(), block);
+    Node type = compilation.optional(declaration.type(), block);
     if (declaration.target() != null || block.declaresSlots()) {
       return new Slots.Declare(
           span,
@@ -118,7 +115,8 @@ final class Definitions {
         compilation.statements.scopeIn(definition.body(), block.target(), Seen.NOTHING));
   }
 
-  private Node withBody(Ast.Message name, Ast key, Ast.Scope body, Block block, Node object) {
+  private Node withBody(
+      Ast.Message name, Ast key, Ast.@Nullable Scope body, Block block, Node object) {
     Node declared = named(name, key, key.span(), block, object);
     if (body == null) {
       return declared;

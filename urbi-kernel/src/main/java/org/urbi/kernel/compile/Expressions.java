@@ -1,8 +1,11 @@
 package org.urbi.kernel.compile;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.CallMessageNode;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.node.Literals;
@@ -53,7 +56,7 @@ final class Expressions {
   }
 
   /** The target of a message; {@code this} when it is implicit. */
-  Node target(Ast target, Span span, Block block) {
+  Node target(@Nullable Ast target, Span span, Block block) {
     return target == null ? new Literals.This(span) : operand(target, block);
   }
 
@@ -76,8 +79,9 @@ final class Expressions {
   }
 
   /** {@code o.x'n}, or an assignment to it. */
-  Node normalized(Ast.Message message, Node plain, Node value, Block block) {
-    Ast.Message slot = (Ast.Message) message.target();
+  Node normalized(Ast.Message message, Node plain, @Nullable Node value, Block block) {
+    Ast.Message slot =
+        (Ast.Message) requireNonNull(message.target(), "what is normalized is a slot");
     return new Normalized(
         message.span(),
         compilation.receivers.target(slot.target(), slot.name(), slot.span(), block),
@@ -107,8 +111,9 @@ final class Expressions {
     Node target =
         message.target() == null
             ? compilation.receivers.implicit(message.name(), span, block)
-            : operand(spread(message), block);
-    Node[] arguments = message.arguments() == null ? null : all(message, block);
+            : operand(spread(message, message.target()), block);
+    Node[] arguments =
+        message.arguments() == null ? null : all(message, message.arguments(), block);
     var sent = new Message(span, Slots.lookup(interpreter(), message.name()), target, arguments);
     if (target != null && arguments != null && arguments.length == 1) {
       Node computed = Operator.make(span, target, arguments[0], sent, interpreter());
@@ -120,22 +125,22 @@ final class Expressions {
   }
 
   /** The target of a message; a name that is subscripted is told of with its subscript. */
-  private static Ast spread(Ast.Message message) {
+  private static Ast spread(Ast.Message message, Ast target) {
     return message.name().equals("[]")
-            && message.target() instanceof Ast.Message name
+            && target instanceof Ast.Message name
             && name.target() == null
             && name.arguments() == null
         ? new Ast.Message(message.span(), null, name.name(), null, name.nameSpan())
-        : message.target();
+        : target;
   }
 
   /**
    * The arguments; those which may become jobs share the variables that they use. Who is given a
    * scope evaluates it later, or elsewhere.
    */
-  private Node[] all(Ast.Message message, Block block) {
+  private Node[] all(Ast.Message message, List<Ast> arguments, Block block) {
     boolean detaching = DETACHING.contains(message.name());
-    return message.arguments().stream()
+    return arguments.stream()
         .map(argument ->
             argument instanceof Ast.Scope
                 ? new Sequences.Placed(
@@ -164,7 +169,11 @@ final class Expressions {
     }
     Variable variable = function.local(Functions.CALL);
     if (variable == null) {
-      variable = compilation.declare(function, Functions.CALL, function.unit().callKey);
+      variable =
+          compilation.declare(
+              function,
+              Functions.CALL,
+              requireNonNull(function.unit().callKey, "it is a function with a call message"));
     }
     function.unit().usesCall = true;
     return compilation.read(call.span(), variable, block);

@@ -1,6 +1,7 @@
 package org.urbi.kernel.compile;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.CallMessageNode;
 import org.urbi.kernel.node.Formals;
 import org.urbi.kernel.node.Function;
@@ -41,12 +42,12 @@ final class Functions {
     var body =
         new Function.Body(
             function,
+            code,
             unit.layout(),
             formals,
             allPlain(cells) ? null : cells,
             unit.usesCall || formals == null,
             unit.closure && unit.returns);
-    body.setCode(code);
     return new Literals.Closure(function.span(), body, unit.capturedFrom(), function.closure());
   }
 
@@ -74,18 +75,14 @@ final class Functions {
     for (int i = 0; i < count; i++) {
       Ast.Formal formal = formals.get(i);
       names[i] = formal.name();
-      defaults[i] = optional(formal.defaultValue(), block);
-      types[i] = optional(formal.type(), block);
+      defaults[i] = compilation.optional(formal.defaultValue(), block);
+      types[i] = compilation.optional(formal.type(), block);
     }
     boolean variadic = count > 0 && formals.getLast().variadic();
     return new Formals(names, defaults, types, cells, variadic);
   }
 
-  private Node optional(Ast ast, Block block) {
-    return ast == null ? null : compilation.operand(ast, block);
-  }
-
-  private static boolean allPlain(int[] cells) {
+  private static boolean allPlain(int @Nullable [] cells) {
     if (cells != null) {
       for (int cell : cells) {
         if (cell >= 0) {

@@ -2,8 +2,10 @@ package org.urbi.kernel.compile;
 
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.event.AtCondition;
 import org.urbi.kernel.event.AtEvent;
+import org.urbi.kernel.event.Condition;
 import org.urbi.kernel.event.EventFilter;
 import org.urbi.kernel.event.Every;
 import org.urbi.kernel.event.WaitUntil;
@@ -27,11 +29,19 @@ final class Handlers {
   }
 
   private Node compile(Ast ast, Block block) {
-    return ast == null ? null : compilation.operand(ast, block);
+    return compilation.operand(ast, block);
+  }
+
+  private @Nullable Node optional(@Nullable Ast ast, Block block) {
+    return compilation.optional(ast, block);
   }
 
   private Node handler(Ast ast, Block block) {
-    return ast == null ? null : compilation.compile(ast, block, Seen.ALL);
+    return compilation.compile(ast, block, Seen.ALL);
+  }
+
+  private @Nullable Node optionalHandler(@Nullable Ast ast, Block block) {
+    return ast == null ? null : handler(ast, block);
   }
 
   // ------------------------------------------------------------------ tags
@@ -89,7 +99,7 @@ final class Handlers {
       Ast.Condition condition,
       Ast body,
       Consumer<TagState> enter,
-      Consumer<TagState> leave,
+      @Nullable Consumer<TagState> leave,
       Block block,
       Seen seen) {
     Block inner = block.construct();
@@ -118,7 +128,7 @@ final class Handlers {
             : condition.patterns().stream()
                 .map(pattern -> compilation.expressions.pattern(pattern, block))
                 .toArray(Pattern[]::new);
-    return new EventFilter(patterns, compile(condition.guard(), block));
+    return new EventFilter(patterns, optional(condition.guard(), block));
   }
 
   Node at(Ast.At at, Block block) {
@@ -129,7 +139,7 @@ final class Handlers {
         block,
         inner,
         () -> handler(at.body(), inner),
-        () -> handler(at.onLeave(), inner),
+        () -> optionalHandler(at.onLeave(), inner),
         at.sync());
   }
 
@@ -140,9 +150,9 @@ final class Handlers {
       Block block,
       Block inner,
       Supplier<Node> body,
-      Supplier<Node> onLeave,
+      Supplier<@Nullable Node> onLeave,
       boolean sync) {
-    Node duration = compile(condition.duration(), block);
+    Node duration = optional(condition.duration(), block);
     return switch (condition) {
       case Ast.WhenEmitted emitted -> {
         Node event = compile(emitted.event(), block);
@@ -163,22 +173,18 @@ final class Handlers {
         EventFilter filter = filter(emitted, inner);
         yield new Whenever(
             whenever.span(),
-            null,
-            compile(emitted.event(), block),
-            filter,
-            compile(emitted.duration(), block),
+            new Condition.Emitted(compile(emitted.event(), block), filter),
+            optional(emitted.duration(), block),
             handler(whenever.body(), inner),
-            handler(whenever.elseClause(), inner));
+            optionalHandler(whenever.elseClause(), inner));
       }
       case Ast.WhenTrue holds ->
           new Whenever(
               whenever.span(),
-              compile(holds.expression(), inner),
-              null,
-              null,
-              compile(holds.duration(), block),
+              new Condition.Holds(compile(holds.expression(), inner)),
+              optional(holds.duration(), block),
               handler(whenever.body(), inner),
-              handler(whenever.elseClause(), inner));
+              optionalHandler(whenever.elseClause(), inner));
     };
   }
 
@@ -187,18 +193,14 @@ final class Handlers {
       case Ast.WhenEmitted emitted ->
           new WaitUntil(
               wait.span(),
-              null,
-              compile(emitted.event(), block),
-              filter(emitted, block),
-              compile(emitted.duration(), block));
+              new Condition.Emitted(compile(emitted.event(), block), filter(emitted, block)),
+              optional(emitted.duration(), block));
       case Ast.WhenTrue holds ->
           new WaitUntil(
               wait.span(),
               // Another job evaluates it, so the variables that it reads are shared.
-              compile(holds.expression(), block.job(compilation.newRegion())),
-              null,
-              null,
-              compile(holds.duration(), block));
+              new Condition.Holds(compile(holds.expression(), block.job(compilation.newRegion()))),
+              optional(holds.duration(), block));
     };
   }
 

@@ -2,6 +2,7 @@ package org.urbi.kernel.compile;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.Imports;
 import org.urbi.kernel.node.Literals;
 import org.urbi.kernel.node.Node;
@@ -22,7 +23,7 @@ final class Receivers {
   }
 
   /** The target of a message, or of an access to a slot. */
-  Node target(Ast target, String name, Span span, Block block) {
+  Node target(@Nullable Ast target, String name, Span span, Block block) {
     if (target != null) {
       return compilation.operand(target, block);
     }
@@ -31,7 +32,7 @@ final class Receivers {
   }
 
   /** Who has a name without a target; null when it is {@code this} in any case. */
-  Node implicit(String name, Span span, Block block) {
+  @Nullable Node implicit(String name, Span span, Block block) {
     List<Node> inner = new ArrayList<>();
     List<Node> outer = new ArrayList<>();
     boolean crossed = false;
@@ -73,7 +74,7 @@ final class Receivers {
   }
 
   /** Where the path begins, and takes its first name off if that is done with. */
-  private Node root(List<String> path, String only, Span span, Block block) {
+  private Node root(List<String> path, @Nullable String only, Span span, Block block) {
     String first = path.getFirst();
     if (first.equals("this")) {
       path.removeFirst();

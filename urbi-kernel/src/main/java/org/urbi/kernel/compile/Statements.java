@@ -3,6 +3,7 @@ package org.urbi.kernel.compile;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.Assertion;
 import org.urbi.kernel.node.Conditionals;
 import org.urbi.kernel.node.ForEach;
@@ -142,9 +143,9 @@ final class Statements {
   Node loop(
       Span span,
       Flavor flavor,
-      Ast init,
-      Ast condition,
-      Ast step,
+      @Nullable Ast init,
+      @Nullable Ast condition,
+      @Nullable Ast step,
       Ast body,
       Block block,
       Seen seen) {

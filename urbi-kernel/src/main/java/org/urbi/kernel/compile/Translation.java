@@ -1,6 +1,7 @@
 package org.urbi.kernel.compile;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.event.Emit;
 import org.urbi.kernel.event.WatchExpression;
 import org.urbi.kernel.node.Conditionals;
@@ -35,9 +36,8 @@ final class Translation implements AstVisitor<Node> {
     return compilation.operand(ast, block);
   }
 
-  /** The code of what may be absent; null when it is. */
-  private Node optional(Ast ast) {
-    return ast == null ? null : operand(ast);
+  private @Nullable Node optional(@Nullable Ast ast) {
+    return compilation.optional(ast, block);
   }
 
   private Node[] all(List<Ast> asts) {

@@ -1,14 +1,17 @@
 package org.urbi.kernel.compile;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.FrameLayout;
 
 /** A function, or a statement of the top level, being compiled: what shares one activation. */
 final class Unit {
-  private final Unit parent;
+  private final @Nullable Unit parent;
   private final FrameLayout layout = new FrameLayout();
   private final Map<Variable, Integer> captures = new LinkedHashMap<>();
   private final List<Integer> capturedFrom = new ArrayList<>();
@@ -21,8 +24,14 @@ final class Unit {
   boolean returns;
 
   /** By what the variable of the call message is known; null where there is no call message. */
-  Object callKey;
+  @Nullable Object callKey;
 
+  /** Of the top level. */
+  Unit() {
+    parent = null;
+  }
+
+  /** Of a function. */
   Unit(Unit parent) {
     this.parent = parent;
   }
@@ -48,7 +57,7 @@ final class Unit {
     if (known == null) {
       known = captures.size();
       captures.put(variable, known);
-      capturedFrom.add(parent.cellOf(variable));
+      capturedFrom.add(requireNonNull(parent, "a variable is of a unit around").cellOf(variable));
     }
     return -1 - known;
   }

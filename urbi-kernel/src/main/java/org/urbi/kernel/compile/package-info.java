@@ -1,2 +1,5 @@
 /** From the syntax tree to executable nodes. */
+@NullMarked
 package org.urbi.kernel.compile;
+
+import org.jspecify.annotations.NullMarked;

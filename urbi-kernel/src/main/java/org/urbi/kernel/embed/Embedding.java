@@ -1,5 +1,7 @@
 package org.urbi.kernel.embed;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
@@ -12,6 +14,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.builtin.Primitive;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
@@ -38,7 +41,7 @@ public final class Embedding {
   @FunctionalInterface
   interface Task<T> {
     /** On the kernel thread; whatever it throws is what the caller gets. */
-    T run(Frame frame);
+    @Nullable T run(Frame frame);
   }
 
   private final Interpreter interpreter;
@@ -60,7 +63,7 @@ public final class Embedding {
 
   private volatile boolean closing;
   private volatile boolean over;
-  private volatile UrbiLobby lobby;
+  private volatile @Nullable UrbiLobby lobby;
   private int waitingForEnd;
   private int running;
   private boolean holdsTime;
@@ -128,7 +131,7 @@ public final class Embedding {
   // ------------------------------------------------------------------ evaluation
 
   /** Evaluates source text in the lobby of this program; see {@code Kernel.eval}. */
-  public Object eval(String source) {
+  public @Nullable Object eval(String source) {
     return eval(source, null, null, Object.class);
   }
 
@@ -139,7 +142,8 @@ public final class Embedding {
    * @param target {@code this} of the text; null for the lobby
    * @param type what to return the value of the last statement as, see {@link JavaValues#as}
    */
-  public <T> T eval(String source, String file, UrbiValue target, Class<T> type) {
+  public <T> @Nullable T eval(
+      String source, @Nullable String file, @Nullable UrbiValue target, Class<T> type) {
     UrbiObject self = target == null ? null : target.object(this);
     return JavaValues.as(await(source, evaluation(source, file, self, type)), type);
   }
@@ -168,7 +172,8 @@ public final class Embedding {
     return result;
   }
 
-  private Task<Object> evaluation(String source, String file, UrbiObject target, Class<?> type) {
+  private Task<Object> evaluation(
+      String source, @Nullable String file, @Nullable UrbiObject target, Class<?> type) {
     String bytes = JavaValues.bytes(source);
     String name = file == null ? null : JavaValues.bytes(file);
     return frame ->
@@ -179,7 +184,7 @@ public final class Embedding {
   }
 
   /** Calls a function of the lobby or, by a dotted name, of another object. */
-  public Object call(String function, Object... arguments) {
+  public @Nullable Object call(String function, Object... arguments) {
     Arguments made = arguments(arguments);
     int dot = function.lastIndexOf('.');
     String name = JavaValues.bytes(function.substring(dot + 1));
@@ -246,7 +251,7 @@ public final class Embedding {
 
   /** The lobby in which the program's code is evaluated. */
   public UrbiValue lobby() {
-    return await("lobby", frame -> new UrbiValue(this, lobby));
+    return await("lobby", frame -> new UrbiValue(this, own()));
   }
 
   /**
@@ -256,19 +261,25 @@ public final class Embedding {
   public UrbiValue newScope() {
     return await(
         "new scope",
-        frame -> new UrbiValue(this, new UrbiLobby(lobby.cloneShape(), lobby.connectionTag())));
+        frame -> new UrbiValue(this, new UrbiLobby(own().cloneShape(), own().connectionTag())));
   }
 
   /** A request begins; on the kernel thread. */
   UrbiLobby began() {
-    if (lobby == null) {
+    UrbiLobby known = lobby;
+    if (known == null) {
       UrbiTag tag = UrbiTag.named(interpreter, "Lobby_" + scheduler.nextNumber());
-      lobby = new UrbiLobby(interpreter.world().prototype("Lobby").cloneShape(), tag);
-      lobby.attach(new Output(scheduler, output::post));
+      known = new UrbiLobby(interpreter.world().prototype("Lobby").cloneShape(), tag);
+      known.attach(new Output(scheduler, output::post));
+      lobby = known;
     }
     running++;
     reviewTime();
-    return lobby;
+    return known;
+  }
+
+  private UrbiLobby own() {
+    return requireNonNull(lobby, "made when the first request began");
   }
 
   /** A request has been dealt with; on the kernel thread. */
@@ -321,7 +332,7 @@ public final class Embedding {
   }
 
   /** As {@link #await}; but at once in a Java function that urbiscript code has called. */
-  <T> T ask(Task<T> task) {
+  <T> @Nullable T ask(Task<T> task) {
     Frame caller = JavaFunction.caller();
     if (caller == null || caller.interpreter() != interpreter) {
       return await("a value", task);
@@ -404,8 +415,9 @@ public final class Embedding {
   /** The kernel has ended: nobody waits any longer. On the kernel thread. */
   public void kernelEnded() {
     over = true;
-    if (lobby != null) {
-      lobby.output().close();
+    UrbiLobby of = lobby;
+    if (of != null) {
+      of.output().close();
     }
     output.start();
     pending.values().forEach(request -> request.fail(ended()));

@@ -8,6 +8,7 @@ import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.embed.JavaValues.Maker;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.DictionaryKey;
@@ -29,7 +30,7 @@ final class FromJava {
     this.embedding = embedding;
   }
 
-  Maker read(Object value) {
+  Maker read(@Nullable Object value) {
     return switch (value) {
       case null -> frame -> values(frame).nil;
       case Boolean truth -> frame -> values(frame).bool(truth);

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
@@ -43,7 +44,7 @@ final class JavaFunction extends BuiltinTable {
   }
 
   /** Who called the Java function which this thread is executing; null when it executes none. */
-  static Frame caller() {
+  static @Nullable Frame caller() {
     return CALLER.isBound() ? CALLER.get() : null;
   }
 

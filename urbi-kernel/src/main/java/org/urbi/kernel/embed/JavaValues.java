@@ -6,6 +6,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -42,19 +43,19 @@ public final class JavaValues {
    *
    * @throws IllegalArgumentException if urbiscript has nothing like it
    */
-  static Maker fromJava(Embedding embedding, Object value) {
+  static Maker fromJava(Embedding embedding, @Nullable Object value) {
     return new FromJava(embedding).read(value);
   }
 
   // ------------------------------------------------------------------ to Java
 
   /** Copies an object; on the kernel thread. */
-  static Object toJava(Embedding embedding, UrbiObject object) {
+  static @Nullable Object toJava(Embedding embedding, UrbiObject object) {
     return new ToJava(embedding).copy(object, 0);
   }
 
   /** Copies an object for somebody who wants that type; on the kernel thread. */
-  static Object toJava(Embedding embedding, UrbiObject object, Class<?> type) {
+  static @Nullable Object toJava(Embedding embedding, UrbiObject object, Class<?> type) {
     if (type == UrbiValue.class && object != object.world().values().voidObject) {
       return new UrbiValue(embedding, object);
     }
@@ -96,11 +97,11 @@ public final class JavaValues {
    * @throws ClassCastException if it cannot be one
    */
   @SuppressWarnings("unchecked")
-  public static <T> T as(Object value, Class<T> type) {
+  public static <T> @Nullable T as(@Nullable Object value, Class<T> type) {
     return (T) converted(value, type);
   }
 
-  private static Object converted(Object value, Class<?> type) {
+  private static @Nullable Object converted(@Nullable Object value, Class<?> type) {
     if (value == null) {
       if (type.isPrimitive() && type != void.class) {
         throw new ClassCastException(Problem.NIL_IS_NO.text(type.getName()));
@@ -135,7 +136,7 @@ public final class JavaValues {
     return type == char.class || type == Character.class;
   }
 
-  private static Object number(double d, Class<?> type) {
+  private static @Nullable Object number(double d, Class<?> type) {
     if (type == double.class) {
       return d;
     }

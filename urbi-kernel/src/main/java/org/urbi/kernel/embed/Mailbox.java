@@ -9,6 +9,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.log.FailureLog;
 
@@ -39,7 +40,7 @@ final class Mailbox<T> {
   private final AtomicInteger behind = new AtomicInteger();
   private final AtomicInteger missed = new AtomicInteger();
   private final AtomicBoolean delivering = new AtomicBoolean();
-  private volatile Thread deliverer;
+  private volatile @Nullable Thread deliverer;
   private volatile boolean closed;
   private boolean announced;
 

@@ -2,6 +2,7 @@ package org.urbi.kernel.embed;
 
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.TagStop;
@@ -17,9 +18,9 @@ final class Request<T> {
   private final int number;
   private final Embedding.Task<T> task;
   private final CompletableFuture<T> future = new CompletableFuture<>();
-  private Job job;
-  private T value;
-  private Throwable failure;
+  private @Nullable Job job;
+  private @Nullable T value;
+  private @Nullable Throwable failure;
   private boolean over;
 
   Request(Embedding embedding, int number, Embedding.Task<T> task) {

@@ -6,6 +6,7 @@ import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiList;
@@ -26,7 +27,7 @@ final class ToJava {
     this.embedding = embedding;
   }
 
-  Object copy(UrbiObject object, int depth) {
+  @Nullable Object copy(UrbiObject object, int depth) {
     Values values = object.world().values();
     if (object == values.nil || object == values.voidObject || object == values.acceptedVoid) {
       return null;

@@ -2,6 +2,7 @@ package org.urbi.kernel.embed;
 
 import java.util.List;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.lobby.Complaint;
@@ -19,7 +20,7 @@ public final class UrbiError extends RuntimeException {
    *
    * @param location null when the call was made by Java code
    */
-  public record Call(String name, Location location) {
+  public record Call(String name, @Nullable Location location) {
     /** As the manual shows it: {@code file.u:1.5-7: name}. */
     @Override
     public String toString() {
@@ -27,17 +28,17 @@ public final class UrbiError extends RuntimeException {
     }
   }
 
-  private final transient Location location;
+  private final transient @Nullable Location location;
   private final transient List<Call> backtrace;
-  private final transient Object value;
-  private final transient UrbiException original;
+  private final transient @Nullable Object value;
+  private final transient @Nullable UrbiException original;
 
   UrbiError(
-      String message,
-      Location location,
+      @Nullable String message,
+      @Nullable Location location,
       List<Call> backtrace,
-      Object value,
-      UrbiException original) {
+      @Nullable Object value,
+      @Nullable UrbiException original) {
     super(message);
     this.original = original;
     this.location = location;
@@ -61,7 +62,7 @@ public final class UrbiError extends RuntimeException {
   }
 
   /** The exception of urbiscript that it stands for; null for an error of Java. */
-  UrbiException original() {
+  @Nullable UrbiException original() {
     return original;
   }
 
@@ -82,7 +83,7 @@ public final class UrbiError extends RuntimeException {
   }
 
   /** Where it was thrown, or where the source does not parse; null when that is not known. */
-  public Location location() {
+  public @Nullable Location location() {
     return location;
   }
 
@@ -92,13 +93,13 @@ public final class UrbiError extends RuntimeException {
   }
 
   /** What was thrown, as a Java value: for the errors of the language a {@link UrbiValue}. */
-  public Object value() {
+  public @Nullable Object value() {
     return value;
   }
 
   /** The error as the console shows it: {@code !!!} lines, without time stamps. */
   public String report() {
-    var text = new StringBuilder(Complaint.marked(getMessage()));
+    var text = new StringBuilder(Complaint.marked(String.valueOf(getMessage())));
     for (Call call : backtrace) {
       text.append('\n').append(Complaint.marked(Problem.CALLED_FROM.text("", call)));
     }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.ProblemKind;
 import org.urbi.kernel.error.UrbiException;
@@ -69,7 +70,7 @@ final class UrbiErrors {
   }
 
   /** Source that does not parse is not executed: its place is a slot of the exception. */
-  private static Location placeOfSyntaxError(Frame frame, UrbiObject value) {
+  private static @Nullable Location placeOfSyntaxError(Frame frame, UrbiObject value) {
     Interpreter interpreter = frame.interpreter();
     if (!interpreter.errors().is(value, ProblemKind.SYNTAX)
         || !(value.lookup(interpreter.world().symbol("loc")) instanceof UrbiString text)) {

@@ -1,7 +1,10 @@
 package org.urbi.kernel.embed;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.SlotUpdate;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
@@ -32,7 +35,7 @@ public final class UrbiValue {
   }
 
   /** The value of a slot, its own or an inherited one; a function is not called. */
-  public Object get(String slot) {
+  public @Nullable Object get(String slot) {
     return embedding.ask(frame ->
         JavaValues.toJava(embedding, frame.interpreter().get(frame, object, symbol(slot))));
   }
@@ -54,7 +57,7 @@ public final class UrbiValue {
 
   /** Whether the object itself has that slot. */
   public boolean has(String slot) {
-    return embedding.ask(frame -> object.hasLocalSlot(symbol(slot)));
+    return known(frame -> object.hasLocalSlot(symbol(slot)));
   }
 
   /** Removes a slot of the object itself; does nothing when it has none of that name. */
@@ -64,7 +67,7 @@ public final class UrbiValue {
 
   /** The names of the slots of the object itself, in the order of their creation. */
   public List<String> slotNames() {
-    return embedding.ask(frame -> {
+    return known(frame -> {
       List<String> names = new ArrayList<>();
       for (Symbol name : object.localSlotNames()) {
         names.add(JavaValues.text(name.name()));
@@ -74,7 +77,7 @@ public final class UrbiValue {
   }
 
   /** Calls a method, and returns what it returns; may take as long as that does. */
-  public Object call(String method, Object... arguments) {
+  public @Nullable Object call(String method, Object... arguments) {
     Embedding.Arguments made = embedding.arguments(arguments);
     return embedding.ask(frame ->
         JavaValues.toJava(
@@ -83,12 +86,17 @@ public final class UrbiValue {
   }
 
   /** Calls the object itself, which is a function; its target is the lobby. */
-  public Object apply(Object... arguments) {
+  public @Nullable Object apply(Object... arguments) {
     Embedding.Arguments made = embedding.arguments(arguments);
     return embedding.ask(frame ->
         JavaValues.toJava(
             embedding,
             frame.interpreter().call(frame, object, frame.job().lobby(), made.make(frame))));
+  }
+
+  /** Asks for something that is never nil. */
+  private <T> T known(Embedding.Task<T> task) {
+    return requireNonNull(embedding.ask(task), "what is asked for is there");
   }
 
   private Symbol symbol(String name) {
@@ -99,7 +107,7 @@ public final class UrbiValue {
   @Override
   public String toString() {
     try {
-      return embedding.ask(frame -> JavaValues.text(frame.interpreter().asString(frame, object)));
+      return known(frame -> JavaValues.text(frame.interpreter().asString(frame, object)));
     } catch (RuntimeException e) {
       return "UrbiValue (" + e.getMessage() + ")";
     }

@@ -1,4 +1,7 @@
 /**
  * The kernel as a library: evaluation, calls and subscriptions from any thread of a Java program.
  */
+@NullMarked
 package org.urbi.kernel.embed;
+
+import org.jspecify.annotations.NullMarked;

@@ -31,7 +31,8 @@ public final class Errors {
 
   /** Whether an exception is of the type of such problems. */
   public boolean is(UrbiObject exception, ProblemKind kind) {
-    UrbiObject prototype = world.prototype(kind.type());
+    String type = kind.type();
+    UrbiObject prototype = type == null ? null : world.findPrototype(type);
     return prototype != null && exception.isA(prototype);
   }
 
@@ -50,7 +51,7 @@ public final class Errors {
     if (type == null) {
       throw new IllegalArgumentException(problem + " is no exception");
     }
-    UrbiObject prototype = world.prototype(type);
+    UrbiObject prototype = world.findPrototype(type);
     return new Builder(prototype == null ? values.object.cloned() : prototype.cloned(), hint);
   }
 
@@ -116,12 +117,7 @@ public final class Errors {
 
   /** {@code routine: problem}. */
   public UrbiException primitive(String routine, Problem problem, Object... places) {
-    return of(problem, places).with("routine", named(routine)).build();
-  }
-
-  /** Code that is called from Java, as when a variable changes, may be called by no name. */
-  private static String named(String routine) {
-    return routine == null ? "apply" : routine;
+    return of(problem, places).with("routine", routine).build();
   }
 
   /** {@code property lookup failed: slot->property}. */
@@ -158,10 +154,9 @@ public final class Errors {
    * @param max {@link Integer#MAX_VALUE} when there may be any number
    */
   public UrbiException arity(String routine, int given, int min, int max) {
-    String name = named(routine);
     return untold(arityProblem(min, max))
-        .with("message", arityText(name, given, min, max))
-        .with("routine", name)
+        .with("message", arityText(routine, given, min, max))
+        .with("routine", routine)
         .with("effective", given)
         .with("minimum", min)
         .with("maximum", max == Integer.MAX_VALUE ? values.voidObject : values.number(max))
@@ -228,7 +223,7 @@ public final class Errors {
    */
   public UrbiException argument(String routine, int index, UrbiObject cause) {
     return untold(index == 0 ? Problem.WRONG_TARGET : Problem.WRONG_ARGUMENT)
-        .with("routine", named(routine))
+        .with("routine", routine)
         .with("index", index)
         .with("exception", cause)
         .build();
@@ -249,7 +244,7 @@ public final class Errors {
     String format = problem.text(shown);
     return untold(problem)
         .with("message", format)
-        .with("routine", named(routine))
+        .with("routine", routine)
         .with("fmt", format)
         .with("effective", effective)
         .build();

@@ -27,6 +27,7 @@ import static org.urbi.kernel.error.ProblemKind.UNEXPECTED_VOID;
 import static org.urbi.kernel.error.ProblemKind.WARNING;
 
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.urbi.lang.problem.Template;
 
 /**
@@ -305,13 +306,13 @@ public enum Problem {
 
   private final ProblemKind kind;
   private final Template template;
-  private final String hint;
+  private final @Nullable String hint;
 
   Problem(ProblemKind kind, String text) {
     this(kind, text, null);
   }
 
-  Problem(ProblemKind kind, String text, String hint) {
+  Problem(ProblemKind kind, String text, @Nullable String hint) {
     this.kind = kind;
     this.template = new Template(text);
     this.hint = hint;

@@ -1,5 +1,7 @@
 package org.urbi.kernel.error;
 
+import org.jspecify.annotations.Nullable;
+
 /** What becomes of a problem: an exception of one of the manual's types, or only a text. */
 public enum ProblemKind {
   ARGUMENT("Exception.Argument"),
@@ -34,14 +36,14 @@ public enum ProblemKind {
   /** Part of another message, such as the reason in it. */
   PART(null);
 
-  private final String type;
+  private final @Nullable String type;
 
-  ProblemKind(String type) {
+  ProblemKind(@Nullable String type) {
     this.type = type;
   }
 
   /** The type of exceptions it becomes; null when it is none. */
-  public String type() {
+  public @Nullable String type() {
     return type;
   }
 }

@@ -16,7 +16,7 @@ public final class UrbiException extends RuntimeException {
    *
    * @param span null when it is not known
    */
-  public record Call(String name, Span span) {
+  public record Call(String name, @Nullable Span span) {
     /** What stands for that many calls which are not shown. */
     public static Call leftOut(int count) {
       return new Call(Problem.LEFT_OUT.text(count), null);
@@ -26,8 +26,8 @@ public final class UrbiException extends RuntimeException {
   private final transient UrbiObject value;
   private final @Nullable String hint;
   private final boolean uncatchable;
-  private transient Span span;
-  private transient List<Call> backtrace;
+  private transient @Nullable Span span;
+  private transient @Nullable List<Call> backtrace;
 
   public UrbiException(UrbiObject value) {
     this(value, null);
@@ -70,13 +70,13 @@ public final class UrbiException extends RuntimeException {
   }
 
   /** Says where it was thrown; the innermost call comes first. */
-  public void locate(Span where, List<Call> calls) {
+  public void locate(@Nullable Span where, List<Call> calls) {
     span = where;
     backtrace = calls;
   }
 
   /** Where it was thrown, or null. */
-  public Span span() {
+  public @Nullable Span span() {
     return span;
   }
 

@@ -1,5 +1,6 @@
 package org.urbi.kernel.event;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
@@ -15,9 +16,9 @@ import org.urbi.lang.source.Span;
 /** {@code at (expression ~ duration) … onleave …}. */
 public final class AtCondition extends Node {
   private final Node condition;
-  private final Node duration;
+  private final @Nullable Node duration;
   private final Node body;
-  private final Node onLeave;
+  private final @Nullable Node onLeave;
   private final boolean sync;
 
   /**
@@ -25,7 +26,12 @@ public final class AtCondition extends Node {
    * @param onLeave may be null
    */
   public AtCondition(
-      Span span, Node condition, Node duration, Node body, Node onLeave, boolean sync) {
+      Span span,
+      Node condition,
+      @Nullable Node duration,
+      Node body,
+      @Nullable Node onLeave,
+      boolean sync) {
     super(span);
     this.condition = condition;
     this.duration = duration;
@@ -60,7 +66,7 @@ public final class AtCondition extends Node {
     private final WeakAttachment attachment = new WeakAttachment(this);
     private boolean holds;
     private boolean entered;
-    private Timers.Timer timer;
+    private Timers.@Nullable Timer timer;
 
     Armed(Handler handler, long hold) {
       this.handler = handler;
@@ -123,7 +129,7 @@ public final class AtCondition extends Node {
     }
 
     @Override
-    public void stopped(TagScope by) {
+    public void stopped(@Nullable TagScope by) {
       watch.close();
       if (timer != null) {
         timer.cancel();

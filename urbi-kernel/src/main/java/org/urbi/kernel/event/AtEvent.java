@@ -1,5 +1,6 @@
 package org.urbi.kernel.event;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.Timers;
@@ -13,9 +14,9 @@ import org.urbi.lang.source.Span;
 public final class AtEvent extends Node {
   private final Node event;
   private final EventFilter filter;
-  private final Node duration;
+  private final @Nullable Node duration;
   private final Node body;
-  private final Node onLeave;
+  private final @Nullable Node onLeave;
   private final boolean sync;
 
   /**
@@ -26,9 +27,9 @@ public final class AtEvent extends Node {
       Span span,
       Node event,
       EventFilter filter,
-      Node duration,
+      @Nullable Node duration,
       Node body,
-      Node onLeave,
+      @Nullable Node onLeave,
       boolean sync) {
     super(span);
     this.event = event;
@@ -115,7 +116,7 @@ public final class AtEvent extends Node {
     }
 
     @Override
-    public void stopped(TagScope by) {
+    public void stopped(@Nullable TagScope by) {
       stopped = true;
       source.unsubscribe(this);
       handler.scope().remove(attachment);
@@ -124,7 +125,7 @@ public final class AtEvent extends Node {
 
   /** An emission that may last long enough, or has been accepted. */
   private static final class Waiting {
-    Timers.Timer timer;
-    Frame entered;
+    Timers.@Nullable Timer timer;
+    @Nullable Frame entered;
   }
 }

@@ -1,5 +1,6 @@
 package org.urbi.kernel.event;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.object.UrbiFloat;
@@ -15,7 +16,7 @@ public final class Durations {
   private Durations() {}
 
   /** The value of an expression in nanoseconds; 0 when there is no expression. */
-  static long nanoseconds(Frame frame, Node expression) {
+  static long nanoseconds(Frame frame, @Nullable Node expression) {
     if (expression == null) {
       return 0;
     }

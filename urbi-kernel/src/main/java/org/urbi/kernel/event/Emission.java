@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -13,7 +14,7 @@ public final class Emission {
   private final UrbiObject[] payload;
   private final boolean sync;
   private final List<Subscription> told = new ArrayList<>();
-  private Map<Subscription, Object> notes;
+  private @Nullable Map<Subscription, Object> notes;
   private boolean over;
 
   Emission(UrbiEvent event, UrbiObject[] payload, boolean sync) {
@@ -73,7 +74,7 @@ public final class Emission {
   }
 
   /** What was kept for a subscription, or null. */
-  public Object noted(Subscription subscription) {
+  public @Nullable Object noted(Subscription subscription) {
     return notes == null ? null : notes.get(subscription);
   }
 }

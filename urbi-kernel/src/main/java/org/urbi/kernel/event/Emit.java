@@ -1,5 +1,6 @@
 package org.urbi.kernel.event;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -12,13 +13,13 @@ import org.urbi.lang.source.Span;
 public final class Emit extends Node implements CallSite {
   private final Node event;
   private final Node[] arguments;
-  private final Node duration;
+  private final @Nullable Node duration;
 
   /**
    * @param arguments may be empty
    * @param duration how long the event lasts, or null
    */
-  public Emit(Span span, Node event, Node[] arguments, Node duration) {
+  public Emit(Span span, Node event, Node[] arguments, @Nullable Node duration) {
     super(span);
     this.event = event;
     this.arguments = arguments;

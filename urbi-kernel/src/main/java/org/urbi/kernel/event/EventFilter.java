@@ -1,5 +1,6 @@
 package org.urbi.kernel.event;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Pattern;
@@ -7,14 +8,14 @@ import org.urbi.kernel.object.UrbiObject;
 
 /** Which emissions are meant: {@code event?(patterns) if guard}. */
 public final class EventFilter {
-  private final Pattern[] patterns;
-  private final Node guard;
+  private final Pattern @Nullable [] patterns;
+  private final @Nullable Node guard;
 
   /**
    * @param patterns null for any payload
    * @param guard may be null
    */
-  public EventFilter(Pattern[] patterns, Node guard) {
+  public EventFilter(Pattern @Nullable [] patterns, @Nullable Node guard) {
     this.patterns = patterns;
     this.guard = guard;
   }

@@ -1,6 +1,7 @@
 package org.urbi.kernel.event;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.node.Frame;
@@ -13,18 +14,18 @@ public final class FunctionHandler implements Subscription, TagScope.Attachment 
   private final Frame home;
   private final TagScope scope;
   private final UrbiObject lobby;
-  private final UrbiObject guard;
+  private final @Nullable UrbiObject guard;
   private final UrbiObject enter;
-  private final UrbiObject leave;
+  private final @Nullable UrbiObject leave;
   private final boolean sync;
   private boolean stopped;
 
   private FunctionHandler(
       Frame home,
       UrbiEvent event,
-      UrbiObject guard,
+      @Nullable UrbiObject guard,
       UrbiObject enter,
-      UrbiObject leave,
+      @Nullable UrbiObject leave,
       boolean sync) {
     this.event = event;
     this.home = home;
@@ -51,7 +52,7 @@ public final class FunctionHandler implements Subscription, TagScope.Attachment 
       UrbiEvent event,
       UrbiObject guard,
       UrbiObject enter,
-      UrbiObject leave,
+      @Nullable UrbiObject leave,
       boolean sync) {
     return new FunctionHandler(home, event, guard, enter, leave, sync);
   }
@@ -85,7 +86,7 @@ public final class FunctionHandler implements Subscription, TagScope.Attachment 
 
   @Override
   public void end(Emission emission, Job emitter) {
-    if (!stopped && emission.noted(this) instanceof UrbiObject[] arguments) {
+    if (leave != null && !stopped && emission.noted(this) instanceof UrbiObject[] arguments) {
       run(emission, emitter, leave, arguments);
     }
   }
@@ -104,7 +105,7 @@ public final class FunctionHandler implements Subscription, TagScope.Attachment 
   }
 
   @Override
-  public void stopped(TagScope by) {
+  public void stopped(@Nullable TagScope by) {
     stopped = true;
     event.unsubscribe(this);
     scope.remove(this);

@@ -1,9 +1,11 @@
 package org.urbi.kernel.event;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.Timers;
+import org.urbi.kernel.node.ForkedCode;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Profiler;
@@ -25,19 +27,19 @@ final class Handler {
   private final UrbiObject lobby;
 
   private final Node body;
-  private final Node onLeave;
+  private final @Nullable Node onLeave;
   private final boolean sync;
 
   /**
    * @param home the activation in which the {@code at} was executed
    * @param onLeave may be null
    */
-  Handler(Frame home, Node body, Node onLeave, boolean sync) {
+  Handler(Frame home, Node body, @Nullable Node onLeave, boolean sync) {
     this.home = home;
     this.scope = home.job().scope();
     this.lobby = home.job().lobby();
     this.body = Profiler.observing(home.job(), "event", body);
-    this.onLeave = Profiler.observing(home.job(), "event", onLeave);
+    this.onLeave = onLeave == null ? null : Profiler.observing(home.job(), "event", onLeave);
     this.sync = sync;
   }
 
@@ -75,11 +77,11 @@ final class Handler {
    *
    * @param by the scope that was stopped; null when nothing is to be executed any more
    */
-  void leaveStopped(Frame frame, TagScope by) {
+  void leaveStopped(Frame frame, @Nullable TagScope by) {
     if (onLeave != null && by != null) {
-      Detached detached = new Detached(onLeave);
+      var detached = new ForkedCode(onLeave::execute);
       Job job = home.job().scheduler().startDetached(lobby, by.parent(), "at", detached);
-      detached.frame = frame.fork(job, false);
+      detached.runWith(frame.fork(job, false));
     }
   }
 
@@ -95,9 +97,9 @@ final class Handler {
       }
       return;
     }
-    Detached detached = new Detached(code);
+    var detached = new ForkedCode(code::execute);
     Job job = trigger.scheduler().startDetached(lobby, scope, "at", detached);
-    detached.frame = frame.fork(job, false);
+    detached.runWith(frame.fork(job, false));
   }
 
   /** Does something later, unless it is cancelled. */
@@ -108,20 +110,5 @@ final class Handler {
         .add(
             scheduler.now() + nanoseconds,
             () -> scheduler.startDetached(lobby, scope, "at", action));
-  }
-
-  /** Code in a job that nobody waits for. */
-  static final class Detached implements Job.Body {
-    private final Node code;
-    Frame frame;
-
-    Detached(Node code) {
-      this.code = code;
-    }
-
-    @Override
-    public void run(Job job) {
-      code.execute(frame);
-    }
   }
 }

@@ -1,5 +1,6 @@
 package org.urbi.kernel.event;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.Timers;
@@ -16,15 +17,16 @@ public final class Persistence implements Watch.Listener, TagScope.Attachment {
   private final UrbiObject lobby;
   private final UrbiObject shown;
   private final long hold;
-  private Watch watch;
-  private Timers.Timer timer;
+  private final Watch watch;
+  private Timers.@Nullable Timer timer;
 
-  private Persistence(Frame home, long hold, UrbiObject shown) {
+  private Persistence(Frame home, Node expression, long hold, UrbiObject shown) {
     this.home = home;
     this.scope = home.job().scope();
     this.lobby = home.job().lobby();
     this.hold = hold;
     this.shown = shown;
+    this.watch = new Watch(home, expression, this);
   }
 
   /**
@@ -35,8 +37,7 @@ public final class Persistence implements Watch.Listener, TagScope.Attachment {
    */
   public static void watch(Frame frame, Node expression, long hold, UrbiObject shown) {
     Frame home = frame.fork(frame.job(), false);
-    var persistence = new Persistence(home, hold, shown);
-    persistence.watch = new Watch(home, expression, persistence);
+    var persistence = new Persistence(home, expression, hold, shown);
     persistence.scope.add(persistence);
     persistence.evaluated(persistence.watch.evaluate(frame.job()), frame.job());
   }
@@ -72,7 +73,7 @@ public final class Persistence implements Watch.Listener, TagScope.Attachment {
   }
 
   @Override
-  public void stopped(TagScope by) {
+  public void stopped(@Nullable TagScope by) {
     cancel();
     watch.close();
     scope.remove(this);

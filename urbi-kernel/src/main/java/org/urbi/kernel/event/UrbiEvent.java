@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.SlotUpdate;
@@ -18,7 +19,7 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
   private final Set<Subscription> subscriptions = new LinkedHashSet<>();
   private final Set<Emission> lasting = new LinkedHashSet<>();
   private Map<Subscription, UrbiSubscription> known = Map.of();
-  private Runnable subscribed;
+  private @Nullable Runnable subscribed;
 
   public UrbiEvent(Shape shape) {
     super(shape);

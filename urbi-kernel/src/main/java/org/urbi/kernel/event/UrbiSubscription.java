@@ -1,5 +1,8 @@
 package org.urbi.kernel.event;
 
+import static java.util.Objects.requireNonNull;
+
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.Shape;
@@ -14,9 +17,9 @@ public class UrbiSubscription extends UrbiObject {
   }
 
   private final CallGate gate = new CallGate();
-  private Listener listener;
-  private UrbiEvent event;
-  private Subscription subscription;
+  private @Nullable Listener listener;
+  private @Nullable UrbiEvent event;
+  private @Nullable Subscription subscription;
 
   public UrbiSubscription(Shape shape) {
     super(shape);
@@ -52,15 +55,16 @@ public class UrbiSubscription extends UrbiObject {
   public final void listenTo(Frame frame, UrbiEvent source) {
     disconnect();
     event = source;
-    subscription = listener.listenTo(frame, source);
-    source.subscribe(subscription, this, frame.job());
+    Subscription made = requireNonNull(listener, "it can listen").listenTo(frame, source);
+    subscription = made;
+    source.subscribe(made, this, frame.job());
   }
 
   /** Listens no more. */
   public void disconnect() {
     if (subscription instanceof TagScope.Attachment attached) {
       attached.stopped(null);
-    } else if (subscription != null) {
+    } else if (subscription != null && event != null) {
       event.unsubscribe(subscription);
     }
     subscription = null;

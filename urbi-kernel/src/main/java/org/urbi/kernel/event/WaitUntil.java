@@ -1,5 +1,6 @@
 package org.urbi.kernel.event;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Timers;
@@ -11,52 +12,53 @@ import org.urbi.lang.source.Span;
 
 /** {@code waituntil (condition)}: holds the job until an expression is true, or an event comes. */
 public final class WaitUntil extends Node {
-  private final Node expression;
-  private final Node event;
-  private final EventFilter filter;
-  private final Node duration;
+  private final Condition condition;
+  private final @Nullable Node duration;
 
   /**
-   * @param expression the condition; null when it is an event
-   * @param event the event; null when it is an expression
    * @param duration how long it must hold, or null
    */
-  public WaitUntil(Span span, Node expression, Node event, EventFilter filter, Node duration) {
+  public WaitUntil(Span span, Condition condition, @Nullable Node duration) {
     super(span);
-    this.expression = expression;
-    this.event = event;
-    this.filter = filter;
+    this.condition = condition;
     this.duration = duration;
   }
 
   @Override
   public UrbiObject execute(Frame frame) {
     long hold = Durations.nanoseconds(frame, duration);
-    if (event != null) {
-      UrbiEvent source = Events.event(frame, event);
-      var waiting = new ForEvent(frame, hold);
-      source.subscribe(waiting, frame.job());
-      try {
-        waiting.await();
-      } catch (UrbiException e) {
-        throw frame.located(e, event.span());
-      } finally {
-        source.unsubscribe(waiting);
-        waiting.close();
-      }
-    } else {
-      var waiting = new ForExpression(frame, hold);
-      try {
-        waiting.evaluated(waiting.watch.evaluate(frame.job()), frame.job());
-        waiting.await();
-      } catch (UrbiException e) {
-        throw frame.located(e, expression.span());
-      } finally {
-        waiting.watch.close();
-        waiting.close();
-      }
+    switch (condition) {
+      case Condition.Emitted emitted -> await(frame, emitted, hold);
+      case Condition.Holds holds -> await(frame, holds, hold);
     }
     return frame.interpreter().values().voidObject;
+  }
+
+  private static void await(Frame frame, Condition.Emitted condition, long hold) {
+    UrbiEvent source = Events.event(frame, condition.event());
+    var waiting = new ForEvent(frame, condition.filter(), hold);
+    source.subscribe(waiting, frame.job());
+    try {
+      waiting.await();
+    } catch (UrbiException e) {
+      throw frame.located(e, condition.event().span());
+    } finally {
+      source.unsubscribe(waiting);
+      waiting.close();
+    }
+  }
+
+  private static void await(Frame frame, Condition.Holds condition, long hold) {
+    var waiting = new ForExpression(frame, condition.expression(), hold);
+    try {
+      waiting.evaluated(waiting.watch.evaluate(frame.job()), frame.job());
+      waiting.await();
+    } catch (UrbiException e) {
+      throw frame.located(e, condition.expression().span());
+    } finally {
+      waiting.watch.close();
+      waiting.close();
+    }
   }
 
   /** A job that waits. */
@@ -64,7 +66,7 @@ public final class WaitUntil extends Node {
     final Frame frame;
     private final Job job;
     private final long hold;
-    private Timers.Timer timer;
+    private Timers.@Nullable Timer timer;
     private boolean done;
 
     Waiting(Frame frame, long hold) {
@@ -110,10 +112,10 @@ public final class WaitUntil extends Node {
   }
 
   /** For an expression to be true. */
-  private final class ForExpression extends Waiting implements Watch.Listener {
+  private static final class ForExpression extends Waiting implements Watch.Listener {
     private final Watch watch;
 
-    ForExpression(Frame frame, long hold) {
+    ForExpression(Frame frame, Node expression, long hold) {
       super(frame, hold);
       watch = new Watch(frame, expression, this);
     }
@@ -129,11 +131,13 @@ public final class WaitUntil extends Node {
   }
 
   /** For an event to come. */
-  private final class ForEvent extends Waiting implements Subscription {
+  private static final class ForEvent extends Waiting implements Subscription {
+    private final EventFilter filter;
     private final UrbiObject lobby;
 
-    ForEvent(Frame frame, long hold) {
+    ForEvent(Frame frame, EventFilter filter, long hold) {
       super(frame, hold);
+      this.filter = filter;
       lobby = frame.job().lobby();
     }
 

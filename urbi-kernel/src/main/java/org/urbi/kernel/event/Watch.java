@@ -2,6 +2,7 @@ package org.urbi.kernel.event;
 
 import java.util.LinkedHashSet;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
@@ -31,7 +32,7 @@ final class Watch implements Dependencies.Watcher {
   private final UrbiObject lobby;
   private final Listener listener;
   private Set<Dependencies> sources = new LinkedHashSet<>();
-  private Job evaluator;
+  private @Nullable Job evaluator;
   private boolean again;
   private boolean closed;
 

@@ -1,5 +1,6 @@
 package org.urbi.kernel.event;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
@@ -34,7 +35,7 @@ public final class WatchExpression extends Node {
     scope.add(
         new TagScope.Attachment() {
           @Override
-          public void stopped(TagScope by) {
+          public void stopped(@Nullable TagScope by) {
             watch.close();
             scope.remove(this);
           }

@@ -3,10 +3,12 @@ package org.urbi.kernel.event;
 import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.Timers;
+import org.urbi.kernel.node.ForkedCode;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Truth;
@@ -18,31 +20,23 @@ import org.urbi.lang.source.Span;
  * the condition holds, and the {@code else} clause as long as it does not.
  */
 public final class Whenever extends Node {
-  private final Node expression;
-  private final Node event;
-  private final EventFilter filter;
-  private final Node duration;
+  private final Condition condition;
+  private final @Nullable Node duration;
   private final Node body;
-  private final Node elseClause;
+  private final @Nullable Node elseClause;
 
   /**
-   * @param expression the condition; null when it is an event
-   * @param event the event; null when it is an expression
    * @param duration how long it must hold, or null
    * @param elseClause may be null
    */
   public Whenever(
       Span span,
-      Node expression,
-      Node event,
-      EventFilter filter,
-      Node duration,
+      Condition condition,
+      @Nullable Node duration,
       Node body,
-      Node elseClause) {
+      @Nullable Node elseClause) {
     super(span);
-    this.expression = expression;
-    this.event = event;
-    this.filter = filter;
+    this.condition = condition;
     this.duration = duration;
     this.body = body;
     this.elseClause = elseClause;
@@ -52,21 +46,24 @@ public final class Whenever extends Node {
   public UrbiObject execute(Frame frame) {
     long hold = Durations.nanoseconds(frame, duration);
     Frame home = frame.fork(frame.job(), false);
-    if (event != null) {
-      var armed = new OnEvent(home, Events.event(frame, event), hold);
-      armed.scope.add(armed);
-      armed.otherwise();
-      armed.source.subscribe(armed, frame.job());
-    } else {
-      var armed = new OnExpression(home, hold);
-      armed.scope.add(armed);
-      boolean ready = false;
-      try {
-        armed.evaluated(armed.watch.evaluate(frame.job()), frame.job());
-        ready = true;
-      } finally {
-        if (!ready) {
-          armed.stopped(null);
+    switch (condition) {
+      case Condition.Emitted emitted -> {
+        var armed = new OnEvent(home, Events.event(frame, emitted.event()), emitted.filter(), hold);
+        armed.scope.add(armed);
+        armed.otherwise();
+        armed.source.subscribe(armed, frame.job());
+      }
+      case Condition.Holds holds -> {
+        var armed = new OnExpression(home, holds.expression(), hold);
+        armed.scope.add(armed);
+        boolean ready = false;
+        try {
+          armed.evaluated(armed.watch.evaluate(frame.job()), frame.job());
+          ready = true;
+        } finally {
+          if (!ready) {
+            armed.stopped(null);
+          }
         }
       }
     }
@@ -89,36 +86,33 @@ public final class Whenever extends Node {
     /** Repeats a clause in a job of its own as long as that says so. */
     void repeat(Frame variables, Node clause, BooleanSupplier goesOn) {
       var code =
-          new Job.Body() {
-            Frame frame;
-
-            @Override
-            public void run(Job job) {
-              while (!stopped && goesOn.getAsBoolean()) {
-                clause.execute(frame);
-                // As in a loop of the condition and the clause, separated by ";".
-                job.yieldNow();
-                job.yieldNow();
-              }
+          new ForkedCode(frame -> {
+            while (!stopped && goesOn.getAsBoolean()) {
+              clause.execute(frame);
+              // As in a loop of the condition and the clause, separated by ";".
+              frame.job().yieldNow();
+              frame.job().yieldNow();
             }
-          };
+          });
       // Of emissions at the same time, the last one comes first.
       Job job = home.job().scheduler().startAhead(lobby, scope, "whenever", code);
-      code.frame = variables.fork(job, false);
+      code.runWith(variables.fork(job, false));
     }
   }
 
   /** On an expression. */
   private final class OnExpression extends Repeating implements Watch.Listener {
+    private final Node expression;
     private final Watch watch;
     private final long hold;
     private boolean known;
     private boolean holds;
     private long turn;
-    private Timers.Timer timer;
+    private Timers.@Nullable Timer timer;
 
-    OnExpression(Frame home, long hold) {
+    OnExpression(Frame home, Node expression, long hold) {
       super(home);
+      this.expression = expression;
       this.hold = hold;
       this.watch = new Watch(home, expression, this);
     }
@@ -157,7 +151,7 @@ public final class Whenever extends Node {
     }
 
     @Override
-    public void stopped(TagScope by) {
+    public void stopped(@Nullable TagScope by) {
       stopped = true;
       watch.close();
       if (timer != null) {
@@ -170,12 +164,14 @@ public final class Whenever extends Node {
   /** On an event. */
   private final class OnEvent extends Repeating implements Subscription {
     private final UrbiEvent source;
+    private final EventFilter filter;
     private final long hold;
     private final Map<Emission, Timers.Timer> accepted = new IdentityHashMap<>();
     private long turn;
 
-    OnEvent(Frame home, UrbiEvent source, long hold) {
+    OnEvent(Frame home, UrbiEvent source, EventFilter filter, long hold) {
       super(home);
+      this.filter = filter;
       this.source = source;
       this.hold = hold;
     }
@@ -234,7 +230,7 @@ public final class Whenever extends Node {
     }
 
     @Override
-    public void stopped(TagScope by) {
+    public void stopped(@Nullable TagScope by) {
       stopped = true;
       source.unsubscribe(this);
       scope.remove(this);

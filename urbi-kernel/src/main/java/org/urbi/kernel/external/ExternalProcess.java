@@ -1,5 +1,7 @@
 package org.urbi.kernel.external;
 
+import static java.util.Objects.requireNonNull;
+
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -80,10 +82,12 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
   /** The one behind the lobby of the code that runs. */
   public static ExternalProcess of(Frame frame, PluggedContext context) {
     UrbiLobby lobby = (UrbiLobby) frame.job().lobby();
-    if (lobby.remoteObjects() == null) {
-      lobby.attach(new ExternalProcess(lobby, frame.job().scheduler(), context));
+    if (lobby.remoteObjects() instanceof ExternalProcess known) {
+      return known;
     }
-    return (ExternalProcess) lobby.remoteObjects();
+    var made = new ExternalProcess(lobby, frame.job().scheduler(), context);
+    lobby.attach(made);
+    return made;
   }
 
   /** The variables that the process uses. */
@@ -201,7 +205,8 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
     var made = new CompletableFuture<Void>();
     wanted.put(name, made);
     StringBuilder text = message(NEW, name);
-    ValueText.quote(text.append(", "), access.parentOf(name));
+    ValueText.quote(
+        text.append(", "), requireNonNull(access.parentOf(name), "it is made of another one"));
     send(text);
     try {
       context.await(made, PATIENCE);
@@ -301,7 +306,8 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
       throw frame
           .interpreter()
           .errors()
-          .primitive(Texts.toUrbi(subject), Problem.REASON, Texts.toUrbi(e.getMessage()));
+          .primitive(
+              Texts.toUrbi(subject), Problem.REASON, Texts.toUrbi(String.valueOf(e.getMessage())));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.urbi.kernel.external;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
@@ -49,14 +51,16 @@ final class MessageReader {
       missing--;
       if (list != null) {
         list.add(value);
-      } else {
+      } else if (dictionary != null && key != null) {
         dictionary.put(key, value);
         key = null;
       }
     }
 
     UValue value() {
-      return list != null ? new UValue(list) : new UValue(dictionary);
+      return list != null
+          ? new UValue(list)
+          : new UValue(requireNonNull(dictionary, "it is the one or the other"));
     }
   }
 
@@ -146,6 +150,11 @@ final class MessageReader {
     return in.raw(length);
   }
 
+  /** Bytes behind their number, which are there. */
+  private String wholeString() {
+    return requireNonNull(string(), "it has been looked whether they are there");
+  }
+
   /** The value, with which it goes on; null when more input is needed. */
   private @Nullable UValue wholeValue() {
     if (value == null && code == EMIT && open.isEmpty()) {
@@ -223,7 +232,7 @@ final class MessageReader {
           return false;
         }
         in.octet();
-        String text = Texts.toJava(string());
+        String text = Texts.toJava(wholeString());
         put(type == STRING ? new UValue(text) : named(text));
       }
       case BINARY -> {
@@ -251,7 +260,7 @@ final class MessageReader {
       return false;
     }
     in.octet();
-    String keywords = Texts.toJava(string());
+    String keywords = Texts.toJava(wholeString());
     in.integer();
     byte[] data = in.bytes((int) size);
     try {

@@ -2,4 +2,7 @@
  * Processes that are linked with the SDK of Urbi 2.7: they bring their UObjects by statements of
  * urbiscript (docs/protocol.md).
  */
+@NullMarked
 package org.urbi.kernel.external;
+
+import org.jspecify.annotations.NullMarked;

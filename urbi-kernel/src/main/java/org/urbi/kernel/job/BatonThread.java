@@ -1,6 +1,9 @@
 package org.urbi.kernel.job;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.concurrent.locks.LockSupport;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.message.Message;
 
 /**
@@ -10,7 +13,7 @@ import org.urbi.kernel.message.Message;
 final class BatonThread implements JobThread {
   private final Factory factory;
   private final Job job;
-  private Thread thread;
+  private @Nullable Thread thread;
   private volatile boolean jobHasBaton;
 
   private BatonThread(Factory factory, Job job) {
@@ -53,14 +56,18 @@ final class BatonThread implements JobThread {
     }
   }
 
+  private Thread running() {
+    return requireNonNull(thread, "it runs already");
+  }
+
   @Override
   public void interrupt() {
-    thread.interrupt();
+    running().interrupt();
   }
 
   @Override
   public StackTraceElement[] stackTrace() {
-    return thread.getStackTrace();
+    return running().getStackTrace();
   }
 
   @Override
@@ -73,7 +80,7 @@ final class BatonThread implements JobThread {
     /** The stack of a virtual thread of the JDK is limited by that of its carrier. */
     private static final int MAXIMUM_DEPTH = 1_000;
 
-    private volatile Thread loop;
+    private volatile @Nullable Thread loop;
 
     @Override
     public JobThread create(Job job) {

@@ -3,12 +3,19 @@ package org.urbi.kernel.job;
 /** Reports to a job that one of the jobs it started and waits for was left by an exception. */
 final class ChildFailure extends Unwinding {
   private final transient JobGroup group;
+  private final transient Throwable failure;
 
-  ChildFailure(JobGroup group) {
+  ChildFailure(JobGroup group, Throwable failure) {
     this.group = group;
+    this.failure = failure;
   }
 
   JobGroup group() {
     return group;
+  }
+
+  /** What the job was left by. */
+  Throwable failure() {
+    return failure;
   }
 }

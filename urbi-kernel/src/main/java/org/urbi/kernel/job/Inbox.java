@@ -6,6 +6,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BiConsumer;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Receiver;
@@ -26,8 +27,8 @@ public final class Inbox {
   private final ConcurrentLinkedQueue<Message> messages = new ConcurrentLinkedQueue<>();
   private final AtomicInteger reserved = new AtomicInteger();
   private volatile boolean filled;
-  private volatile Thread waiting;
-  private volatile Listening.Wait elsewhere;
+  private volatile @Nullable Thread waiting;
+  private volatile Listening.@Nullable Wait elsewhere;
 
   private final Map<Integer, Receiver> receivers = new ConcurrentHashMap<>();
 
@@ -110,7 +111,7 @@ public final class Inbox {
     }
   }
 
-  private Message next() {
+  private @Nullable Message next() {
     Message message = messages.poll();
     if (message == null) {
       filled = false;

@@ -6,6 +6,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.journal.Ending;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.object.UrbiObject;
@@ -40,9 +41,9 @@ public final class Interruptions {
 
   // These are the kernel thread's own: what ends right now.
   private long endingTurn = NONE;
-  private Ending ending;
+  private Ending ending = Ending.NONE;
   private long farewellUntil;
-  private RuntimeException failure;
+  private @Nullable RuntimeException failure;
 
   /** The lobbies of which code has ended, and whose message has not come yet. */
   private final Set<UrbiObject> interrupted = new HashSet<>();
@@ -164,15 +165,15 @@ public final class Interruptions {
   }
 
   /** How the running job ends, if it does. */
-  record Farewell(Ending ending, long until, RuntimeException failure) {}
+  record Farewell(Ending ending, long until, @Nullable RuntimeException failure) {}
 
   /** The running job lets others run while it ends; null if it does not end. */
-  Farewell pause() {
+  @Nullable Farewell pause() {
     return endingTurn == turns.getAsLong() ? new Farewell(ending, farewellUntil, failure) : null;
   }
 
   /** It goes on to end. */
-  void resume(Farewell paused) {
+  void resume(@Nullable Farewell paused) {
     if (paused != null) {
       endingTurn = turns.getAsLong();
       ending = paused.ending;

@@ -1,8 +1,11 @@
 package org.urbi.kernel.job;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
@@ -52,22 +55,22 @@ public final class Job implements Runnable {
   private Role role;
   private final Budget budget;
   private final boolean surplus;
-  private final JobGroup group;
+  private final @Nullable JobGroup group;
   private final JobThread thread;
   private boolean resting;
   private TagScope scope;
   private State state = State.RUNNABLE;
-  private Unwinding injected;
-  private Timers.Timer timer;
+  private @Nullable Unwinding injected;
+  private Timers.@Nullable Timer timer;
   private int frozenDepth;
   private boolean heldByFreeze;
   private long frozenSince;
   private long sleepLeft;
   private long timeShift;
-  private List<Runnable> endListeners;
+  private @Nullable List<Runnable> endListeners;
 
   /** The values of the {@linkplain JobLocal variables} that were set for this job. */
-  JobLocal.Entry locals;
+  JobLocal.@Nullable Entry locals;
 
   /** Somebody who measures what a job does. */
   public interface Observer {
@@ -81,12 +84,12 @@ public final class Job implements Runnable {
     Observer forChild();
   }
 
-  private Observer observer;
+  private @Nullable Observer observer;
   private int nestedSends;
   private int redefinitions;
   private int nonInterruptible;
   private double priority;
-  private String component;
+  private @Nullable String component;
   private boolean componentInterrupted;
 
   Job(
@@ -95,7 +98,7 @@ public final class Job implements Runnable {
       String prefix,
       UrbiObject lobby,
       TagScope scope,
-      JobGroup group,
+      @Nullable JobGroup group,
       long timeShift) {
     this.scheduler = scheduler;
     this.body = body;
@@ -125,7 +128,7 @@ public final class Job implements Runnable {
    * A job too many ends the one that starts it. When that is not of its lobby, or there is none, it
    * is told itself, as soon as it runs.
    */
-  private boolean isAdmitted(Job creator) {
+  private boolean isAdmitted(@Nullable Job creator) {
     boolean admitted = budget.take(Resource.JOBS);
     if (!admitted && creator != null && creator.budget == budget) {
       throw refusal(Resource.JOBS);
@@ -235,12 +238,12 @@ public final class Job implements Runnable {
   // ------------------------------------------------------------------ how it runs
 
   /** Who measures what this job does; usually null. */
-  public Observer observer() {
+  public @Nullable Observer observer() {
     return observer;
   }
 
   /** Has somebody measure what this job does; nobody if it is null. */
-  public void observe(Observer by) {
+  public void observe(@Nullable Observer by) {
     observer = by;
   }
 
@@ -329,7 +332,7 @@ public final class Job implements Runnable {
     end(failure);
   }
 
-  private void end(Throwable failure) {
+  private void end(@Nullable Throwable failure) {
     state = State.ENDED;
     injected = null;
     scope.remove(this);
@@ -470,7 +473,7 @@ public final class Job implements Runnable {
   }
 
   /** Java code of a component begins to run, as that function; {@link #leaveComponent} ends it. */
-  public String enterComponent(String function) {
+  public @Nullable String enterComponent(@Nullable String function) {
     String outer = component;
     component = function;
     return outer;
@@ -481,7 +484,7 @@ public final class Job implements Runnable {
    *
    * @param outer what {@link #enterComponent} has returned
    */
-  public void leaveComponent(String outer) {
+  public void leaveComponent(@Nullable String outer) {
     if (outer != null || !scheduler.interruptions().areWanted()) {
       component = outer;
       return;
@@ -502,7 +505,7 @@ public final class Job implements Runnable {
   }
 
   /** The function of a component that is being executed, or null. May be asked on any thread. */
-  public String component() {
+  public @Nullable String component() {
     return component;
   }
 
@@ -578,12 +581,16 @@ public final class Job implements Runnable {
     if (--frozenDepth == 0) {
       timeShift += scheduler.now() - frozenSince;
       if (state == State.SLEEPING) {
-        timer = scheduler.timers().moved(timer, scheduler.now() + sleepLeft, this::timeIsUp);
+        timer = scheduler.timers().moved(alarm(), scheduler.now() + sleepLeft, this::timeIsUp);
       } else if (heldByFreeze) {
         heldByFreeze = false;
         scheduler.enqueue(this);
       }
     }
+  }
+
+  private Timers.Timer alarm() {
+    return requireNonNull(timer, "who sleeps has one");
   }
 
   // ------------------------------------------------------------------ from the outside

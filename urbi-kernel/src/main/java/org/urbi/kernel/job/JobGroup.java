@@ -3,6 +3,7 @@ package org.urbi.kernel.job;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 
 /**
@@ -14,7 +15,7 @@ public final class JobGroup {
   private final Job parent;
   private final Set<Job> live = new LinkedHashSet<>();
   private boolean left;
-  private Throwable failure;
+  private @Nullable Throwable failure;
 
   public JobGroup(Job parent) {
     this.parent = parent;
@@ -27,14 +28,14 @@ public final class JobGroup {
     return job;
   }
 
-  void childEnded(Job child, Throwable thrown) {
+  void childEnded(Job child, @Nullable Throwable thrown) {
     live.remove(child);
     if (left) {
       return;
     }
     if (thrown != null && failure == null) {
       failure = thrown;
-      parent.inject(new ChildFailure(this));
+      parent.inject(new ChildFailure(this, thrown));
       // The others do not run on until it is the parent's turn.
       for (Job job : new ArrayList<>(live)) {
         job.terminate();
@@ -57,16 +58,18 @@ public final class JobGroup {
       parent.waitForWake();
     }
     if (failure != null) {
-      throw rethrown();
+      throw rethrown(failure);
     }
   }
 
   /** What to throw on in the place of what was caught while the group was running. */
   public RuntimeException translate(RuntimeException caught) {
-    return caught instanceof ChildFailure report && report.group() == this ? rethrown() : caught;
+    return caught instanceof ChildFailure report && report.group() == this
+        ? rethrown(report.failure())
+        : caught;
   }
 
-  private RuntimeException rethrown() {
+  private static RuntimeException rethrown(Throwable failure) {
     if (failure instanceof Error error) {
       throw error;
     }

@@ -1,5 +1,7 @@
 package org.urbi.kernel.job;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * A variable of which every job has a value of its own, as a {@link ThreadLocal} is one of threads:
  * what a room of the kernel keeps for a job that need not know of it.
@@ -8,18 +10,19 @@ public final class JobLocal<T> {
   /** A value in one job; the others follow. */
   static final class Entry {
     final JobLocal<?> variable;
-    final Entry next;
+    final @Nullable Entry next;
     Object value;
 
-    Entry(JobLocal<?> variable, Entry next) {
+    Entry(JobLocal<?> variable, Object value, @Nullable Entry next) {
       this.variable = variable;
+      this.value = value;
       this.next = next;
     }
   }
 
   /** The value in a job; null when none was set. */
   @SuppressWarnings("unchecked")
-  public T get(Job job) {
+  public @Nullable T get(Job job) {
     Entry entry = find(job);
     return entry == null ? null : (T) entry.value;
   }
@@ -28,13 +31,13 @@ public final class JobLocal<T> {
   public void set(Job job, T value) {
     Entry entry = find(job);
     if (entry == null) {
-      entry = new Entry(this, job.locals);
-      job.locals = entry;
+      job.locals = new Entry(this, value, job.locals);
+    } else {
+      entry.value = value;
     }
-    entry.value = value;
   }
 
-  private Entry find(Job job) {
+  private @Nullable Entry find(Job job) {
     Entry entry = job.locals;
     while (entry != null && entry.variable != this) {
       entry = entry.next;

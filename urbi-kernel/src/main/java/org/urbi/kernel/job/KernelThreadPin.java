@@ -4,6 +4,7 @@ import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
 import java.lang.reflect.Method;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Keeps a job on the kernel thread while it executes code that is not ours. Whatever that code
@@ -12,8 +13,8 @@ import java.lang.reflect.Method;
  * would go on.
  */
 public final class KernelThreadPin {
-  private static final MethodHandle PIN = find("pin");
-  private static final MethodHandle UNPIN = find("unpin");
+  private static final @Nullable MethodHandle PIN = find("pin");
+  private static final @Nullable MethodHandle UNPIN = find("unpin");
 
   private KernelThreadPin() {}
 
@@ -22,7 +23,7 @@ public final class KernelThreadPin {
    * by what is in {@code java.lang}, which is open where the tick loop runs the jobs itself; where
    * it is not, jobs do not let others run unless they say so.
    */
-  private static MethodHandle find(String name) {
+  private static @Nullable MethodHandle find(String name) {
     try {
       Method export = Module.class.getDeclaredMethod("implAddExportsToAllUnnamed", String.class);
       export.setAccessible(true);

@@ -1,5 +1,7 @@
 package org.urbi.kernel.job;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * A way to hear from the outside on the kernel thread itself, without another thread that has to be
  * woken first. What is heard is {@linkplain Inbox#post posted}, as everything is. All methods but
@@ -10,7 +12,7 @@ public interface Listening {
   Listening NOWHERE =
       new Listening() {
         @Override
-        public Wait begin(long nanoseconds) {
+        public @Nullable Wait begin(long nanoseconds) {
           return null;
         }
 
@@ -38,7 +40,7 @@ public interface Listening {
    *
    * @return how to wait for what can be heard; null if there is nothing
    */
-  Wait begin(long nanoseconds);
+  @Nullable Wait begin(long nanoseconds);
 
   /** The wait is over: posts what is there. */
   void hear();

@@ -2,6 +2,7 @@ package org.urbi.kernel.job;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
@@ -12,10 +13,10 @@ import org.urbi.kernel.time.SystemClock;
  */
 public final class Meter {
   private final Clock machine = new SystemClock();
-  private ThreadMXBean threads;
+  private @Nullable ThreadMXBean threads;
   private volatile boolean measuring;
-  private volatile Thread thread;
-  private volatile Budget charged;
+  private volatile @Nullable Thread thread;
+  private volatile @Nullable Budget charged;
   private volatile long since;
   private volatile long allocatedBefore;
 
@@ -31,7 +32,7 @@ public final class Meter {
   }
 
   /** The turn is that of a job with this budget; of none if it is null. On the kernel thread. */
-  void turnOf(Budget next) {
+  void turnOf(@Nullable Budget next) {
     if (next == charged) {
       return;
     }
@@ -57,9 +58,10 @@ public final class Meter {
   /** Where jobs have carriers of the JDK's own, what they allocate cannot be told apart. */
   private long allocated() {
     Thread kernel = thread;
-    return kernel == null || kernel.isVirtual()
+    ThreadMXBean known = threads;
+    return kernel == null || known == null || kernel.isVirtual()
         ? 0
-        : threads.getThreadAllocatedBytes(kernel.threadId());
+        : known.getThreadAllocatedBytes(kernel.threadId());
   }
 
   /**

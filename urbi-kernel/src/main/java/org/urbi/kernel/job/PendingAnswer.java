@@ -1,5 +1,6 @@
 package org.urbi.kernel.job;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 import org.urbi.kernel.message.Receiver;
@@ -12,7 +13,7 @@ public final class PendingAnswer implements Receiver {
   private final Scheduler scheduler;
   private final Job job;
   private final int number;
-  private Outcome outcome;
+  private @Nullable Outcome outcome;
   private boolean abandoned;
 
   /** Begins to wait; in the job. */

@@ -7,6 +7,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.time.Clock;
@@ -38,12 +39,15 @@ final class RunQueue {
   private final ArrayDeque<Job> together = new ArrayDeque<>();
 
   /** The queues of the lobbies, null when there is no rush; {@link #together} is empty then. */
-  private Map<UrbiObject, Share> shares;
+  private @Nullable Map<UrbiObject, Share> shares;
+
+  /** Has no jobs: whose turn it is when it is nobody's. */
+  private final Share nobody = new Share(0, 0);
 
   /** What is left of this round in a rush, first to run last. */
   private final List<Share> round = new ArrayList<>();
 
-  private Share current;
+  private Share current = nobody;
   private int left;
   private int jobs;
   private boolean cuttable;
@@ -93,12 +97,12 @@ final class RunQueue {
 
   /** It can run, after all that can. */
   void add(Job job) {
-    (shares == null ? together : shareOf(job).jobs).add(job);
+    (shares == null ? together : shareOf(shares, job).jobs).add(job);
   }
 
   /** It can run, before all that can. */
   void addFirst(Job job) {
-    (shares == null ? together : shareOf(job).jobs).addFirst(job);
+    (shares == null ? together : shareOf(shares, job).jobs).addFirst(job);
   }
 
   /** It runs next in this round: the job that ran last has started it. */
@@ -108,20 +112,20 @@ final class RunQueue {
       left++;
       return;
     }
-    Share share = shareOf(job);
+    Share share = shareOf(shares, job);
     share.jobs.addFirst(job);
     if (share == current) {
       left++;
     }
   }
 
-  private Share shareOf(Job job) {
-    return shares.computeIfAbsent(job.lobby(), lobby -> new Share(sharesMade++, fewestCuts()));
+  private Share shareOf(Map<UrbiObject, Share> all, Job job) {
+    return all.computeIfAbsent(job.lobby(), lobby -> new Share(sharesMade++, fewestCuts(all)));
   }
 
   /** Who comes later has no credit from the time before. */
-  private long fewestCuts() {
-    return shares.values().stream().mapToLong(share -> share.cuts).min().orElse(0);
+  private static long fewestCuts(Map<UrbiObject, Share> all) {
+    return all.values().stream().mapToLong(share -> share.cuts).min().orElse(0);
   }
 
   /**
@@ -146,12 +150,12 @@ final class RunQueue {
         Comparator.comparingLong((Share share) -> share.cuts)
             .thenComparingLong(share -> share.number)
             .reversed());
-    current = null;
+    current = nobody;
     left = 0;
   }
 
   /** The next one in this round; null when it is over. */
-  Job next() {
+  @Nullable Job next() {
     if (shares == null) {
       if (left > 0 && isSliceOver()) {
         rush();
@@ -161,7 +165,7 @@ final class RunQueue {
     }
     while (left <= 0) {
       if (round.isEmpty()) {
-        relax();
+        relax(shares);
         return null;
       }
       current = round.removeLast();
@@ -190,17 +194,18 @@ final class RunQueue {
 
   private void rush() {
     left = 0;
-    shares = new IdentityHashMap<>();
-    together.forEach(job -> shareOf(job).jobs.add(job));
+    Map<UrbiObject, Share> rush = new IdentityHashMap<>();
+    shares = rush;
+    together.forEach(job -> shareOf(rush, job).jobs.add(job));
     together.clear();
   }
 
   /** Everybody had his turn in time. */
-  private void relax() {
-    List<Share> all = new ArrayList<>(shares.values());
+  private void relax(Map<UrbiObject, Share> rush) {
+    List<Share> all = new ArrayList<>(rush.values());
     all.sort(Comparator.comparingLong(share -> share.number));
     shares = null;
-    current = null;
+    current = nobody;
     all.forEach(share -> together.addAll(share.jobs));
   }
 }

@@ -1,5 +1,7 @@
 package org.urbi.kernel.job;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -11,12 +13,14 @@ import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Budgeted;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.message.Message;
+import org.urbi.kernel.message.Outcome;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.time.Clock;
@@ -44,7 +48,7 @@ public final class Scheduler {
 
   private final World world;
   private final Clock clock;
-  private volatile Thread loop;
+  private volatile @Nullable Thread loop;
   private final Inbox inbox;
   private final Journal journal;
   private final boolean counted;
@@ -73,7 +77,7 @@ public final class Scheduler {
   private long now;
   private long cycle;
   private int timeHolders;
-  private Job running;
+  private @Nullable Job running;
   private boolean stopped;
   private volatile boolean over;
   private long sequence;
@@ -128,8 +132,12 @@ public final class Scheduler {
     if (!counted) {
       return clock.now();
     }
+    return look(clock::now);
+  }
+
+  private <T> T look(Outcome.Work<T> work) {
     try {
-      return journal.look(clock::now);
+      return requireNonNull(journal.look(work), "what is looked at is there");
     } catch (IOException e) {
       throw new IllegalStateException(e);
     }
@@ -179,11 +187,7 @@ public final class Scheduler {
 
   /** Whether something can be begun outside; in a replay nothing is, but it could be then. */
   public boolean attempt(BooleanSupplier beginning) {
-    try {
-      return journal.look(beginning::getAsBoolean);
-    } catch (IOException e) {
-      throw new IllegalStateException(e);
-    }
+    return look(beginning::getAsBoolean);
   }
 
   /**
@@ -205,7 +209,7 @@ public final class Scheduler {
   }
 
   /** The job whose turn it is; null between turns. */
-  public Job running() {
+  public @Nullable Job running() {
     return running;
   }
 
@@ -293,7 +297,7 @@ public final class Scheduler {
   }
 
   /** Tells of a failure which nobody will catch. */
-  public void report(Job job, Throwable failure) {
+  public void report(@Nullable Job job, Throwable failure) {
     uncaught.accept(job, failure);
   }
 

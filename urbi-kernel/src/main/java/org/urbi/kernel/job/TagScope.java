@@ -1,9 +1,12 @@
 package org.urbi.kernel.job;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One execution of code under one tag. Scopes form a tree: code under a tag runs other tagged code,
@@ -18,7 +21,7 @@ public final class TagScope {
      *
      * @param by the scope whose tag was stopped; null when nothing more is to happen
      */
-    void stopped(TagScope by);
+    void stopped(@Nullable TagScope by);
 
     /** Whether nobody can bring about any more what it waited for. */
     default boolean isGone() {
@@ -29,8 +32,8 @@ public final class TagScope {
   private static final int SWEPT_FROM = 16;
 
   private final TagState tag;
-  private final TagScope parent;
-  private final Job owner;
+  private final @Nullable TagScope parent;
+  private final @Nullable Job owner;
   private final int depth;
   private final Set<TagScope> inner = new LinkedHashSet<>();
   private final Set<Job> jobs = new LinkedHashSet<>();
@@ -40,14 +43,14 @@ public final class TagScope {
 
   /** The root of the tree of a kernel: under no tag at all. */
   TagScope() {
-    this(null, null, null);
+    this(new TagState(), null, null);
   }
 
   /**
    * @param owner the job which entered the tagged code, and is under the scope only as long; null
    *     when all the jobs of the scope begin and end under it
    */
-  TagScope(TagState tag, TagScope parent, Job owner) {
+  TagScope(TagState tag, @Nullable TagScope parent, @Nullable Job owner) {
     this.tag = tag;
     this.parent = parent;
     this.owner = owner;
@@ -55,20 +58,19 @@ public final class TagScope {
     if (parent != null) {
       parent.inner.add(this);
     }
-    if (tag != null) {
-      tag.scopes.add(this);
-    }
+    tag.scopes.add(this);
   }
 
   public TagState tag() {
     return tag;
   }
 
+  /** The scope around, of any but the root. */
   public TagScope parent() {
-    return parent;
+    return requireNonNull(parent, "nobody leaves the root, or stops it");
   }
 
-  Job owner() {
+  @Nullable Job owner() {
     return owner;
   }
 
@@ -111,7 +113,7 @@ public final class TagScope {
   }
 
   private void detachIfOver() {
-    if (closed && jobs.isEmpty() && inner.isEmpty() && attachments.isEmpty()) {
+    if (parent != null && closed && jobs.isEmpty() && inner.isEmpty() && attachments.isEmpty()) {
       parent.inner.remove(this);
       tag.scopes.remove(this);
       parent.detachIfOver();
@@ -127,7 +129,7 @@ public final class TagScope {
   int frozenDepth() {
     int frozen = 0;
     for (TagScope scope = this; scope != null; scope = scope.parent) {
-      if (scope.tag != null && scope.tag.isFrozen()) {
+      if (scope.tag.isFrozen()) {
         frozen++;
       }
     }
@@ -135,10 +137,10 @@ public final class TagScope {
   }
 
   /** The blocked scope nearest to the root, or null. */
-  TagScope blockedScope() {
+  @Nullable TagScope blockedScope() {
     TagScope found = null;
     for (TagScope scope = this; scope != null; scope = scope.parent) {
-      if (scope.tag != null && scope.tag.isBlocked()) {
+      if (scope.tag.isBlocked()) {
         found = scope;
       }
     }
@@ -176,7 +178,7 @@ public final class TagScope {
   /** The tags around, innermost first. */
   public List<TagState> tags() {
     List<TagState> tags = new ArrayList<>();
-    for (TagScope scope = this; scope.tag != null; scope = scope.parent) {
+    for (TagScope scope = this; scope.parent != null; scope = scope.parent) {
       tags.add(scope.tag);
     }
     return tags;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
@@ -12,10 +13,14 @@ import org.urbi.kernel.object.UrbiObject;
  */
 public final class TagState {
   final Set<TagScope> scopes = new LinkedHashSet<>();
-  private final UrbiObject owner;
+  private final @Nullable UrbiObject owner;
   private boolean frozen;
-  private boolean blocked;
-  private UrbiObject blockedValue;
+  private @Nullable UrbiObject blockedValue;
+
+  /** What no code can name. */
+  public TagState() {
+    owner = null;
+  }
 
   /**
    * @param owner the urbiscript object that stands on this
@@ -24,8 +29,8 @@ public final class TagState {
     this.owner = owner;
   }
 
-  /** The urbiscript object that stands on this. */
-  public UrbiObject owner() {
+  /** The urbiscript object that stands on this, or null. */
+  public @Nullable UrbiObject owner() {
     return owner;
   }
 
@@ -57,11 +62,11 @@ public final class TagState {
   }
 
   public boolean isBlocked() {
-    return blocked;
+    return blockedValue != null;
   }
 
-  /** What blocked code returns. */
-  public UrbiObject blockedValue() {
+  /** What blocked code returns; null when this does not block. */
+  public @Nullable UrbiObject blockedValue() {
     return blockedValue;
   }
 
@@ -88,13 +93,11 @@ public final class TagState {
 
   /** Stops, and lets no code under this tag begin. */
   public void block(UrbiObject value) {
-    blocked = true;
     blockedValue = value;
     stop(value);
   }
 
   public void unblock() {
-    blocked = false;
     blockedValue = null;
   }
 

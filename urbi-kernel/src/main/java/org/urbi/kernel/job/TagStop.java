@@ -1,18 +1,21 @@
 package org.urbi.kernel.job;
 
+import static java.util.Objects.requireNonNull;
+
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 
 /** Unwinds a job up to the tagged code that was stopped (manual, "Tag", {@code stop}). */
 public final class TagStop extends Unwinding {
-  private final transient TagScope scope;
-  private final transient UrbiObject value;
+  private final transient @Nullable TagScope scope;
+  private final transient @Nullable UrbiObject value;
   private final boolean interruption;
 
-  TagStop(TagScope scope, UrbiObject value) {
+  TagStop(@Nullable TagScope scope, @Nullable UrbiObject value) {
     this(scope, value, false);
   }
 
-  private TagStop(TagScope scope, UrbiObject value, boolean interruption) {
+  private TagStop(@Nullable TagScope scope, @Nullable UrbiObject value, boolean interruption) {
     this.scope = scope;
     this.value = value;
     this.interruption = interruption;
@@ -29,12 +32,12 @@ public final class TagStop extends Unwinding {
   }
 
   /** The execution of tagged code that ends; null when the whole job does. */
-  public TagScope scope() {
+  public @Nullable TagScope scope() {
     return scope;
   }
 
-  /** What the tagged code returns. */
+  /** What the tagged code returns, if it is that which ends. */
   public UrbiObject value() {
-    return value;
+    return requireNonNull(value, "only what ends the whole job has none");
   }
 }

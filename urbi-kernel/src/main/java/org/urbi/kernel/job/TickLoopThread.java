@@ -1,5 +1,7 @@
 package org.urbi.kernel.job;
 
+import static java.util.Objects.requireNonNull;
+
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
@@ -11,6 +13,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.message.Message;
 
 /**
@@ -19,13 +22,13 @@ import org.urbi.kernel.message.Message;
  * turn of the job has come.
  */
 final class TickLoopThread implements JobThread, Executor {
-  private static final MethodHandle NEW_BUILDER = findBuilder();
+  private static final @Nullable MethodHandle NEW_BUILDER = findBuilder();
 
   private final Factory factory;
   private final Job job;
   private final Thread thread;
-  private Runnable own;
-  private Runnable continuation;
+  private @Nullable Runnable own;
+  private @Nullable Runnable continuation;
   private boolean started;
   private boolean resumed;
 
@@ -37,7 +40,8 @@ final class TickLoopThread implements JobThread, Executor {
     this.job = job;
     try {
       Thread.Builder.OfVirtual builder =
-          (Thread.Builder.OfVirtual) NEW_BUILDER.invokeExact((Executor) this);
+          (Thread.Builder.OfVirtual)
+              requireNonNull(NEW_BUILDER, "the factory has looked").invokeExact((Executor) this);
       thread = builder.unstarted(job);
     } catch (RuntimeException | Error e) {
       throw e;
@@ -50,7 +54,7 @@ final class TickLoopThread implements JobThread, Executor {
    * The JDK has no public way to choose the scheduler of a virtual thread; its builder has, and is
    * reached when {@code --add-opens java.base/java.lang=ALL-UNNAMED} opens the package.
    */
-  private static MethodHandle findBuilder() {
+  private static @Nullable MethodHandle findBuilder() {
     try {
       Class<?> builder = Class.forName("java.lang.ThreadBuilders$VirtualThreadBuilder");
       var constructor = builder.getDeclaredConstructor(Executor.class);
@@ -156,9 +160,9 @@ final class TickLoopThread implements JobThread, Executor {
     /** What can go on, by the numbers of the jobs. */
     private final Map<Long, TickLoopThread> awakened = new ConcurrentHashMap<>();
 
-    private volatile Thread loop;
+    private volatile @Nullable Thread loop;
     private volatile boolean ended;
-    private Executor late;
+    private @Nullable Executor late;
 
     Factory(Inbox inbox) {
       if (NEW_BUILDER == null) {
@@ -185,7 +189,7 @@ final class TickLoopThread implements JobThread, Executor {
     private void wake(TickLoopThread waiting) {
       awakened.put(waiting.job.number(), waiting);
       if (ended) {
-        late.execute(this::runLate);
+        lateThread().execute(this::runLate);
       } else {
         inbox.post(new Message.Resumed(waiting.job.number()));
       }
@@ -220,13 +224,20 @@ final class TickLoopThread implements JobThread, Executor {
       late = executor;
       ended = true;
       if (!awakened.isEmpty()) {
-        late.execute(this::runLate);
+        executor.execute(this::runLate);
       }
+    }
+
+    private Executor lateThread() {
+      return requireNonNull(late, "made before the end is told");
     }
 
     private void runLate() {
       for (Long job : awakened.keySet()) {
-        awakened.remove(job).own.run();
+        TickLoopThread waiting = awakened.remove(job);
+        if (waiting != null && waiting.own != null) {
+          waiting.own.run();
+        }
       }
     }
 

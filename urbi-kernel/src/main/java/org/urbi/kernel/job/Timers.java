@@ -2,6 +2,7 @@ package org.urbi.kernel.job;
 
 import java.util.PriorityQueue;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 
@@ -23,10 +24,10 @@ public final class Timers {
   public final class Timer implements Comparable<Timer> {
     private final long deadline;
     private final long order;
-    private final Budget budget;
-    private Runnable action;
+    private final @Nullable Budget budget;
+    private @Nullable Runnable action;
 
-    private Timer(long deadline, long order, Budget budget, Runnable action) {
+    private Timer(long deadline, long order, @Nullable Budget budget, Runnable action) {
       this.deadline = deadline;
       this.order = order;
       this.budget = budget;
@@ -77,7 +78,7 @@ public final class Timers {
     return add(deadline, null, action);
   }
 
-  private Timer add(long deadline, Budget budget, Runnable action) {
+  private Timer add(long deadline, @Nullable Budget budget, Runnable action) {
     Timer timer = new Timer(deadline, sequence++, budget, action);
     queue.add(timer);
     return timer;

@@ -1,6 +1,7 @@
 package org.urbi.kernel.job;
 
 import java.lang.ref.WeakReference;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What waits under a scope for as long as somebody else has it: a handler is kept by what it
@@ -8,7 +9,7 @@ import java.lang.ref.WeakReference;
  */
 public final class WeakAttachment implements TagScope.Attachment {
   private final WeakReference<TagScope.Attachment> handler;
-  private TagScope.Attachment kept;
+  private TagScope.@Nullable Attachment kept;
 
   public WeakAttachment(TagScope.Attachment handler) {
     this.handler = new WeakReference<>(handler);
@@ -25,7 +26,7 @@ public final class WeakAttachment implements TagScope.Attachment {
   }
 
   @Override
-  public void stopped(TagScope by) {
+  public void stopped(@Nullable TagScope by) {
     TagScope.Attachment there = handler.get();
     if (there != null) {
       there.stopped(by);

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 import urbi.UValue;
@@ -63,7 +64,7 @@ final class DataReader {
   }
 
   /** Reads a component of that type. */
-  Object part(Class<?> type) {
+  @Nullable Object part(Class<?> type) {
     if (type == int.class) {
       return (int) number();
     } else if (type == long.class) {
@@ -90,7 +91,7 @@ final class DataReader {
   }
 
   /** Reads a value of one of the types that there are. */
-  Object any() {
+  @Nullable Object any() {
     int kind = octet();
     return switch (kind) {
       case DataWriter.NULL, DataWriter.LIVE -> null;

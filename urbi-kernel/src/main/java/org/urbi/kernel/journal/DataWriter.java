@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 import urbi.UValue;
@@ -89,7 +90,7 @@ final class DataWriter {
   }
 
   /** Writes a value of one of the types that there are. */
-  void any(Object value) {
+  void any(@Nullable Object value) {
     switch (value) {
       case null -> octet(NULL);
       case Boolean truth -> octet(truth ? TRUE : FALSE);

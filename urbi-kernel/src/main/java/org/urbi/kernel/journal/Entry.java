@@ -1,6 +1,7 @@
 package org.urbi.kernel.journal;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 
@@ -25,13 +26,13 @@ public sealed interface Entry {
       long seed,
       int stackSize,
       List<String> searchPath,
-      String library,
+      @Nullable String library,
       List<String> modulePath,
       String programName,
       List<String> arguments,
       String logLevel,
-      String confinedTo,
-      String userDirectory,
+      @Nullable String confinedTo,
+      @Nullable String userDirectory,
       String workingDirectory,
       boolean reboots)
       implements Entry {}

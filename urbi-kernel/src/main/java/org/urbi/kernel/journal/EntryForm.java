@@ -1,5 +1,7 @@
 package org.urbi.kernel.journal;
 
+import static java.util.Objects.requireNonNull;
+
 import java.lang.reflect.Constructor;
 import java.lang.reflect.RecordComponent;
 import java.util.HashMap;
@@ -85,7 +87,7 @@ public final class EntryForm {
 
   /** Writes an entry, or a message. */
   static void write(DataWriter out, Object entry) {
-    Kind kind = BY_TYPE.get(entry.getClass());
+    Kind kind = requireNonNull(BY_TYPE.get(entry.getClass()), "every entry has its form");
     out.octet(kind.number);
     try {
       for (RecordComponent part : kind.parts) {

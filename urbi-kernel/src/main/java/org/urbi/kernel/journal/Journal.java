@@ -2,6 +2,7 @@ package org.urbi.kernel.journal;
 
 import java.io.IOException;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 
@@ -40,13 +41,13 @@ public interface Journal {
   }
 
   /** The next message that this tick takes, or null. */
-  default Message next(Supplier<Message> inbox) {
+  default @Nullable Message next(Supplier<Message> inbox) {
     return inbox.get();
   }
 
   /** What a look at the outside shows, which does not wait. */
   @SuppressWarnings("unchecked")
-  default <T> T look(Outcome.Work<T> work) throws IOException {
+  default <T> @Nullable T look(Outcome.Work<T> work) throws IOException {
     return (T) Outcome.of(work).get();
   }
 

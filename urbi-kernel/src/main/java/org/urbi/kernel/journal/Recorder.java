@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.function.Supplier;
 import java.util.zip.CRC32C;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 
@@ -43,7 +44,7 @@ public final class Recorder implements Journal {
   }
 
   @Override
-  public <T> T look(Outcome.Work<T> work) throws IOException {
+  public <T> @Nullable T look(Outcome.Work<T> work) throws IOException {
     Outcome outcome = Outcome.of(work);
     file.write(new Entry.Looked(outcome));
     return outcome.get();

@@ -7,6 +7,7 @@ import java.io.InputStream;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.zip.CRC32C;
+import org.jspecify.annotations.Nullable;
 import urbi.wire.WireException;
 
 /**
@@ -51,7 +52,7 @@ public final class RecordingReader implements AutoCloseable {
    *
    * @throws RecordingException if the file is damaged
    */
-  public Entry next() {
+  public @Nullable Entry next() {
     while (entries.isEmpty() && !cutOff) {
       byte[] block = block();
       if (block == null) {
@@ -67,7 +68,7 @@ public final class RecordingReader implements AutoCloseable {
     return cutOff;
   }
 
-  private byte[] block() {
+  private byte @Nullable [] block() {
     try {
       int first = in.read();
       if (first < 0) {

@@ -9,6 +9,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import java.util.zip.CRC32C;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Writes entries to a file, block by block, on a thread of its own: the kernel never waits for the
@@ -90,7 +91,7 @@ public final class RecordingWriter implements AutoCloseable {
     }
   }
 
-  private void fail(String why) {
+  private void fail(@Nullable String why) {
     if (!failed) {
       failed = true;
       trouble.accept("the run is not recorded any more: " + name + ": " + why);

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 
@@ -23,12 +24,12 @@ public final class Replay implements Journal {
 
   private final RecordingReader recording;
   private final Entry.Begun beginning;
-  private Entry next;
+  private @Nullable Entry next;
   private long now;
   private long ticks;
   private long safepoints;
   private boolean over;
-  private String difference;
+  private @Nullable String difference;
 
   /**
    * @throws RecordingException if the file is damaged
@@ -48,7 +49,7 @@ public final class Replay implements Journal {
   }
 
   /** How the run differed from the recorded one, or why it could not go on; null if it did not. */
-  public String difference() {
+  public @Nullable String difference() {
     return difference;
   }
 
@@ -87,7 +88,7 @@ public final class Replay implements Journal {
     return new Left();
   }
 
-  private static String described(Entry entry) {
+  private static String described(@Nullable Entry entry) {
     return switch (entry) {
       case null -> "nothing";
       case Entry.Sent sent -> "sent " + text(sent);
@@ -138,7 +139,7 @@ public final class Replay implements Journal {
   }
 
   @Override
-  public Message next(Supplier<Message> unused) {
+  public @Nullable Message next(Supplier<Message> unused) {
     if (next instanceof Entry.Taken taken && !over) {
       advance();
       return taken.message();
@@ -148,7 +149,7 @@ public final class Replay implements Journal {
 
   @Override
   @SuppressWarnings("unchecked")
-  public <T> T look(Outcome.Work<T> unused) throws IOException {
+  public <T> @Nullable T look(Outcome.Work<T> unused) throws IOException {
     if (ranOut()) {
       throw new Left();
     }

@@ -1,5 +1,7 @@
 package org.urbi.kernel.library;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -8,7 +10,6 @@ import java.util.Map;
 import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.builtin.Primitive;
 import org.urbi.kernel.error.UrbiException;
-import org.urbi.kernel.library.code.IdentityCode;
 import org.urbi.kernel.library.code.LocationType;
 import org.urbi.kernel.library.code.ScriptCode;
 import org.urbi.kernel.library.code.StackFrames;
@@ -80,9 +81,8 @@ public final class Library {
       }
     }
     types.forEach(world::declarePrototype);
-    interpreter.prototypes().asThis = new IdentityCode(interpreter.prototypes().code);
     for (BuiltinTable table : tables) {
-      UrbiObject type = types.get(table.type());
+      UrbiObject type = type(table.type());
       if (!table.isPart()) {
         name(table, type);
       }
@@ -92,8 +92,7 @@ public final class Library {
     constants();
     EvaluateVariable.install(interpreter);
     interpreter.setDescriber(this::describe);
-    interpreter.setAfterStatements(
-        ((UrbiFinalizable) types.get("Finalizable")).finalization()::run);
+    interpreter.setAfterStatements(((UrbiFinalizable) type("Finalizable")).finalization()::run);
     interpreter.rememberNumberOperators();
     keep();
   }
@@ -103,7 +102,7 @@ public final class Library {
     for (UrbiObject type : types.values()) {
       type.setKeeper(values.object);
       for (Symbol name : type.localSlotNames()) {
-        UrbiObject value = type.localSlot(name);
+        UrbiObject value = type.existingSlot(name);
         if (!(value instanceof Code)) {
           value.setKeeper(values.object);
         }
@@ -134,6 +133,10 @@ public final class Library {
     types.put("Tag.tags", core.tags);
   }
 
+  private UrbiObject type(String name) {
+    return requireNonNull(types.get(name), "every type has been made before");
+  }
+
   private UrbiObject prototype(BuiltinTable table) {
     UrbiObject made = table.newPrototype(world);
     return made == null ? values.object.cloned() : made;
@@ -148,7 +151,7 @@ public final class Library {
     String full = table.type();
     int dot = full.lastIndexOf('.');
     String simple = full.substring(dot + 1);
-    UrbiObject owner = dot < 0 ? types.get("Global") : types.get(full.substring(0, dot));
+    UrbiObject owner = dot < 0 ? type("Global") : type(full.substring(0, dot));
     owner.addSlot(world.symbol(simple), type);
     ClassNodes.nameType(interpreter, type, simple);
     if (full.equals("Exception") || full.startsWith("Exception.")) {
@@ -180,16 +183,16 @@ public final class Library {
             protos.add(found);
           }
         }
-        types.get(table.type()).setProtos(protos.toArray(UrbiObject[]::new));
+        type(table.type()).setProtos(protos.toArray(UrbiObject[]::new));
       }
     }
   }
 
   private void constants() {
-    UrbiObject global = types.get("Global");
+    UrbiObject global = type("Global");
     global.addSlot(world.symbol("true"), values.trueObject);
     global.addSlot(world.symbol("false"), values.falseObject);
-    UrbiObject channel = types.get("Channel");
+    UrbiObject channel = type("Channel");
     channel.addSlot(world.symbol("name"), values.string(""));
     channel.addSlot(world.symbol("enabled"), values.trueObject);
     channel.addSlot(world.symbol("quote"), values.trueObject);
@@ -202,24 +205,24 @@ public final class Library {
     global.addSlot(world.symbol("clog"), channel(channel, "clog", true));
     global.addSlot(world.symbol("cout"), channel(channel, "output", true));
     script(values.stringProto, "asList", "function () { split(\"\") }");
-    script(types.get("TrajectoryGenerator.Until"), "run", TrajectoryUntil.RUN);
-    script(types.get("TrajectoryGenerator.Sequence"), "run", TrajectorySequence.RUN);
+    script(type("TrajectoryGenerator.Until"), "run", TrajectoryUntil.RUN);
+    script(type("TrajectoryGenerator.Sequence"), "run", TrajectorySequence.RUN);
     OldNames.add(interpreter, types);
-    EventType.fill(types.get("Event"));
+    EventType.fill(type("Event"));
     for (String name : List.of("detach", "disown", "persist", "waituntil")) {
-      global.addSlot(world.symbol(name), types.get("Control").localSlot(world.symbol(name)));
+      global.addSlot(world.symbol(name), type("Control").existingSlot(world.symbol(name)));
     }
-    UrbiObject lobby = types.get("Lobby");
+    UrbiObject lobby = type("Lobby");
     lobby.setProtos(topLevel);
     lobby.addSlot(world.symbol("topLevel"), topLevel);
     lobby.addSlot(world.symbol("onDisconnect"), interpreter.prototypes().event.cloned());
     channel.addSlot(world.symbol("warning"), channel(channel, "warning", false));
-    types.get("Float").addSlot(world.symbol("epsilonTilde"), values.number(FloatType.TOLERANCE));
-    types.get("System").addSlot(world.symbol("period"), values.number(0.02));
-    types.get("Exception.Lookup").addSlot(world.symbol("fixSpelling"), values.trueObject);
-    types.get("UVar").addSlot(world.symbol("hookChanged"), values.trueObject);
-    types.get("UVar").addSlot(world.symbol("eraseThrowingCallbacks"), values.falseObject);
-    types.get("Exception").addSlot(world.symbol("message"), values.string("<no message>"));
+    type("Float").addSlot(world.symbol("epsilonTilde"), values.number(FloatType.TOLERANCE));
+    type("System").addSlot(world.symbol("period"), values.number(0.02));
+    type("Exception.Lookup").addSlot(world.symbol("fixSpelling"), values.trueObject);
+    type("UVar").addSlot(world.symbol("hookChanged"), values.trueObject);
+    type("UVar").addSlot(world.symbol("eraseThrowingCallbacks"), values.falseObject);
+    type("Exception").addSlot(world.symbol("message"), values.string("<no message>"));
   }
 
   /** Gives a type a function written in urbiscript. */
@@ -241,7 +244,7 @@ public final class Library {
   /** Gives a caught exception the place where it was thrown, and its message. */
   private void describe(Frame frame, UrbiException exception) {
     UrbiObject value = exception.value();
-    if (!value.isA(types.get("Exception"))) {
+    if (!value.isA(type("Exception"))) {
       return;
     }
     addMessage(frame, value);
@@ -255,10 +258,8 @@ public final class Library {
 
   /** An exception of the library that shows values has no message before it is caught. */
   private void addMessage(Frame frame, UrbiObject value) {
-    boolean argument = value.isA(types.get("Exception.Argument"));
-    if ((argument
-            || value.isA(types.get("Exception.Type"))
-            || value.isA(types.get("Exception.BadNumber")))
+    boolean argument = value.isA(type("Exception.Argument"));
+    if ((argument || value.isA(type("Exception.Type")) || value.isA(type("Exception.BadNumber")))
         && value.localSlot(world.symbol("message")) == null) {
       if (argument && value.localSlot(world.symbol("exception")) instanceof UrbiObject cause) {
         addMessage(frame, cause);

@@ -42,7 +42,7 @@ public final class LibraryReference {
       out.append("Prototypes: ").append(String.join(", ", table.protos())).append(".\n");
     }
     StringBuilder slots = slotsByType.get(table.type());
-    if (!slots.isEmpty()) {
+    if (slots != null && !slots.isEmpty()) {
       out.append('\n').append(slots);
     }
   }

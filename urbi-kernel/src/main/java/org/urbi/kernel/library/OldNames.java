@@ -1,5 +1,7 @@
 package org.urbi.kernel.library;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 import java.util.Map;
 import org.urbi.kernel.library.code.ScriptCode;
@@ -36,23 +38,27 @@ final class OldNames {
   static void add(Interpreter interpreter, Map<String, UrbiObject> types) {
     for (Function function : FUNCTIONS) {
       add(
-          types.get(function.type),
+          type(types, function.type),
           function.name,
           new ScriptCode(interpreter.prototypes().code.cloneShape(), function.text));
     }
     Values values = interpreter.values();
-    add(types.get("Exception"), "location", values.nil);
-    add(types.get("StackFrame"), "name", values.string(""));
-    add(types.get("StackFrame"), "location", values.nil);
-    add(types.get("Lazy"), "code", values.nil);
-    add(types.get("Enumeration"), "name", values.string("Enumeration"));
-    add(types.get("Enumeration"), "values", values.list(List.of()));
+    add(type(types, "Exception"), "location", values.nil);
+    add(type(types, "StackFrame"), "name", values.string(""));
+    add(type(types, "StackFrame"), "location", values.nil);
+    add(type(types, "Lazy"), "code", values.nil);
+    add(type(types, "Enumeration"), "name", values.string("Enumeration"));
+    add(type(types, "Enumeration"), "values", values.list(List.of()));
     // The server says so when it listens.
-    add(types.get("System"), "listenPort", values.number(-1));
-    add(types.get("Global"), "FunctionProfile", types.get("Profile.Function"));
+    add(type(types, "System"), "listenPort", values.number(-1));
+    add(type(types, "Global"), "FunctionProfile", type(types, "Profile.Function"));
   }
 
   private static void add(UrbiObject type, String name, UrbiObject value) {
     type.addSlot(type.world().symbol(name), value);
+  }
+
+  private static UrbiObject type(Map<String, UrbiObject> types, String name) {
+    return requireNonNull(types.get(name), "every type has been made before");
   }
 }

@@ -4,4 +4,7 @@
  * beside the Java class of its values; classes that are not named after a type help several of
  * them.
  */
+@NullMarked
 package org.urbi.kernel.library;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,6 +1,7 @@
 package org.urbi.kernel.lobby;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.lang.source.Span;
@@ -50,7 +51,7 @@ public final class Complaint {
   }
 
   /** A place as it stands before a text; empty when it is not known. */
-  public static String place(Span span) {
+  public static String place(@Nullable Span span) {
     return span == null ? "" : span.location() + ": ";
   }
 }

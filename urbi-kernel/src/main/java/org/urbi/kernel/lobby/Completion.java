@@ -6,6 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.Code;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
@@ -54,7 +55,7 @@ public final class Completion {
   }
 
   /** The object of that name; null when there is none without calling something. */
-  private static UrbiObject value(UrbiObject lobby, UrbiObject owner, String name) {
+  private static @Nullable UrbiObject value(UrbiObject lobby, UrbiObject owner, String name) {
     if (owner == lobby && name.equals("this")) {
       return lobby;
     }

@@ -1,5 +1,8 @@
 package org.urbi.kernel.lobby;
 
+import static java.util.Objects.requireNonNull;
+
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.error.Problem;
@@ -55,9 +58,9 @@ public final class Shell {
   private StatementReader reader = newReader();
   private final StringBuilder received = new StringBuilder();
   private final Imports imports = new Imports();
-  private Job job;
+  private @Nullable Job job;
   private UrbiTag foregroundTag;
-  private MessageInput messages;
+  private @Nullable MessageInput messages;
   private boolean textGoesOn;
   private boolean waiting;
   private boolean ended;
@@ -69,11 +72,20 @@ public final class Shell {
     this.interpreter = interpreter;
     this.lobby = lobby;
     this.listener = listener;
+    this.foregroundTag = newTag();
+  }
+
+  private UrbiTag newTag() {
+    return (UrbiTag) interpreter.prototypes().tag.cloned();
+  }
+
+  private Job job() {
+    return requireNonNull(job, "it has been started");
   }
 
   /** Reading a long statement can be interrupted, too. */
   private StatementReader newReader() {
-    return new StatementReader(null, this::longestStatement, () -> job.checkInterrupted());
+    return new StatementReader(null, this::longestStatement, () -> job().checkInterrupted());
   }
 
   private int longestStatement() {
@@ -134,7 +146,7 @@ public final class Shell {
 
   /** Whether it has nothing to do but to wait for input, or for the end. */
   public boolean isResting() {
-    return job.isResting();
+    return job().isResting();
   }
 
   /** Something went wrong that the lobby has been told of. */
@@ -144,7 +156,7 @@ public final class Shell {
 
   private void wake() {
     if (waiting) {
-      job.wake();
+      job().wake();
     }
   }
 
@@ -218,7 +230,7 @@ public final class Shell {
     }
   }
 
-  private Item nextItem(Job shell) {
+  private @Nullable Item nextItem(Job shell) {
     while (!closed) {
       Item item = reader.next();
       if (item != null) {
@@ -229,7 +241,7 @@ public final class Shell {
         received.setLength(0);
         reader.feed(chunk);
         listener.consumed();
-      } else if (messages != null && takeNext(shell)) {
+      } else if (messages != null && takeNext(shell, messages)) {
         listener.consumed();
       } else if (ended) {
         return reader.unfinished();
@@ -250,7 +262,7 @@ public final class Shell {
   }
 
   /** Does what the next message asks for; false if there is none. */
-  private boolean takeNext(Job shell) {
+  private boolean takeNext(Job shell, MessageInput messages) {
     MessageInput.Step step = messages.next();
     if (step == null) {
       return false;
@@ -269,15 +281,15 @@ public final class Shell {
 
   /** What is being executed may wait for an answer that has come already, behind other things. */
   private void lookForAnswers() {
-    if (messages.hasAnswers()) {
+    if (messages != null && messages.hasAnswers()) {
       interpreter.scheduler().atEndOfTick(this::answerIfBlocked);
     }
   }
 
   private void answerIfBlocked() {
-    Job.State state = job.state();
+    Job.State state = job().state();
     boolean blocked = busy && (state == Job.State.WAITING || state == Job.State.SLEEPING);
-    if (blocked && !closed && messages.hasAnswers()) {
+    if (blocked && !closed && messages != null && messages.hasAnswers()) {
       messages.answer();
       listener.consumed();
     }
@@ -353,7 +365,7 @@ public final class Shell {
   private void inForeground(Job shell, Runnable action) {
     busy = true;
     boolean interrupted = false;
-    foregroundTag = (UrbiTag) interpreter.prototypes().tag.cloned();
+    foregroundTag = newTag();
     try {
       TagScope scope = shell.enter(lobby.connectionTag().state());
       try {
@@ -402,7 +414,7 @@ public final class Shell {
       return compiled.code().execute(frame);
     } catch (TagStop stop) {
       if (stop.scope() == scope) {
-        return null;
+        return interpreter.values().voidObject;
       }
       throw stop;
     } finally {
@@ -412,8 +424,7 @@ public final class Shell {
 
   /** The top level passes over void, and over nil. */
   private boolean isShown(UrbiObject value) {
-    return value != null
-        && value != interpreter.values().voidObject
+    return value != interpreter.values().voidObject
         && value != interpreter.values().acceptedVoid
         && value != interpreter.values().nil;
   }

@@ -1,6 +1,9 @@
 package org.urbi.kernel.lobby;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Collection;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Budgeted;
 import org.urbi.kernel.event.UrbiEvent;
@@ -14,19 +17,21 @@ import org.urbi.kernel.trust.Trusted;
 
 /** The environment of one connection (manual, "Lobby"): {@code this} at its top level. */
 public final class UrbiLobby extends UrbiObject implements Trusted, Budgeted {
-  private final UrbiTag connectionTag;
-  private Output output;
-  private Shell shell;
-  private RemoteObjects remoteObjects;
+  private static final String NO_LOBBY = "the prototype of lobbies is no lobby";
+
+  private final @Nullable UrbiTag connectionTag;
+  private @Nullable Output output;
+  private @Nullable Shell shell;
+  private @Nullable RemoteObjects remoteObjects;
   private String name = "Lobby";
   private volatile String remoteAddress = "";
   private volatile Role role = Role.OWNER;
   private Budget budget = new Budget();
 
   /**
-   * @param connectionTag labels all the code executed for this lobby
+   * @param connectionTag labels all the code executed for this lobby; null for the prototype
    */
-  public UrbiLobby(Shape shape, UrbiTag connectionTag) {
+  public UrbiLobby(Shape shape, @Nullable UrbiTag connectionTag) {
     super(shape);
     this.connectionTag = connectionTag;
     setKeeper(this);
@@ -37,7 +42,7 @@ public final class UrbiLobby extends UrbiObject implements Trusted, Budgeted {
 
   /** The tag of all the code that is executed for this lobby. */
   public UrbiTag connectionTag() {
-    return connectionTag;
+    return requireNonNull(connectionTag, NO_LOBBY);
   }
 
   /** The name of its {@link #connectionTag}, by which people know it. */
@@ -82,18 +87,23 @@ public final class UrbiLobby extends UrbiObject implements Trusted, Budgeted {
   }
 
   /** What its client has declared; null if that is nothing. */
-  public RemoteObjects remoteObjects() {
+  public @Nullable RemoteObjects remoteObjects() {
     return remoteObjects;
   }
 
-  /** Where its output goes; null for the prototype. */
+  /** Where its output goes, if it is an {@linkplain #isInstance instance}. */
   public Output output() {
-    return output;
+    return requireNonNull(output, NO_LOBBY);
   }
 
-  /** Executes its input; null when it has none. */
+  /** Whether it has input of its own. */
+  public boolean hasShell() {
+    return shell != null;
+  }
+
+  /** Executes its input, if it {@linkplain #hasShell has any}. */
   public Shell shell() {
-    return shell;
+    return requireNonNull(shell, "a lobby of a program has no input");
   }
 
   /** The Internet address at the other end; empty when there is none. */

@@ -1,6 +1,7 @@
 package org.urbi.kernel.message;
 
 import java.net.InetSocketAddress;
+import org.jspecify.annotations.Nullable;
 import urbi.UValue;
 
 /**
@@ -138,7 +139,7 @@ public sealed interface Message {
    *
    * @param error what went wrong, or null
    */
-  record BytesEnded(int to, String error) implements Message {}
+  record BytesEnded(int to, @Nullable String error) implements Message {}
 
   /** So many bytes have been written. */
   record BytesWritten(int to, int count) implements Message {}

@@ -1,6 +1,7 @@
 package org.urbi.kernel.message;
 
 import java.io.IOException;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 
 /**
@@ -10,11 +11,11 @@ import org.urbi.kernel.error.Problem;
  *     that a replay has to do without
  * @param failure what was thrown, or null
  */
-public record Outcome(Object value, Throwable failure) {
+public record Outcome(@Nullable Object value, @Nullable Throwable failure) {
   /** Something that can be done. */
   @FunctionalInterface
   public interface Work<T> {
-    T run() throws Exception;
+    @Nullable T run() throws Exception;
   }
 
   /** Does something, and keeps what comes of it. */
@@ -33,7 +34,7 @@ public record Outcome(Object value, Throwable failure) {
    *     enough for the work is no reason for anything else to end
    */
   @SuppressWarnings("unchecked")
-  public <T> T get() throws IOException {
+  public <T> @Nullable T get() throws IOException {
     if (failure == null) {
       return (T) value;
     }

@@ -1,6 +1,7 @@
 package org.urbi.kernel.node;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
@@ -13,14 +14,28 @@ import org.urbi.lang.source.Span;
  * the values that it had (manual, "Assertions").
  */
 public final class Assertion extends Node {
-  /** The claim, taken apart so that the message can show the values of its parts. */
-  public record Claim(
+  /** What is claimed. */
+  public sealed interface Claim {
+    /** The claim as the message shows it. */
+    String text();
+  }
+
+  /** A claim of which the message shows the value alone. */
+  public record Whole(String text, Node code) implements Claim {}
+
+  /**
+   * A claim that is a message, taken apart so that the values of its parts can be shown.
+   *
+   * @param operator as it was written, or null
+   * @param target null for {@code this}
+   */
+  public record Sent(
       String text,
-      Node whole,
-      String operator,
-      Node target,
+      @Nullable String operator,
+      @Nullable Node target,
       Symbol message,
-      List<Node> arguments) {}
+      List<Node> arguments)
+      implements Claim {}
 
   /** What is declared among the claims; like them, only if they are checked. */
   public static final class Declared extends Node {
@@ -42,9 +57,6 @@ public final class Assertion extends Node {
 
   private final Claim claim;
 
-  /**
-   * @param claim its message is null when it is no message with arguments
-   */
   public Assertion(Span span, Claim claim) {
     super(span);
     this.claim = claim;
@@ -56,25 +68,32 @@ public final class Assertion extends Node {
     if (interpreter.assertionsDisabled()) {
       return interpreter.values().voidObject;
     }
-    if (claim.message == null) {
-      UrbiObject value = claim.whole.execute(frame);
-      if (!holds(frame, value)) {
-        // A construct, printed on lines of its own, says what it does: no value is added.
-        fail(
-            frame,
-            claim.text.indexOf('\n') >= 0
-                ? null
-                : claim.text + " == " + interpreter.asPrintable(frame, value));
-      }
-      return interpreter.values().voidObject;
+    switch (claim) {
+      case Whole whole -> check(frame, whole);
+      case Sent sent -> check(frame, sent);
     }
-    UrbiObject target = claim.target == null ? frame.self : claim.target.execute(frame);
-    Recorder recorder = new Recorder(claim, span());
+    return interpreter.values().voidObject;
+  }
+
+  private void check(Frame frame, Whole whole) {
+    UrbiObject value = whole.code.execute(frame);
+    if (!holds(frame, value)) {
+      // A construct, printed on lines of its own, says what it does: no value is added.
+      fail(
+          frame,
+          whole.text.indexOf('\n') >= 0
+              ? null
+              : whole.text + " == " + frame.interpreter.asPrintable(frame, value));
+    }
+  }
+
+  private void check(Frame frame, Sent sent) {
+    UrbiObject target = sent.target == null ? frame.self : sent.target.execute(frame);
+    Recorder recorder = new Recorder(sent, span());
     UrbiObject value = recorder.send(frame, target);
     if (!holds(frame, value)) {
       fail(frame, recorder.shown(frame, target, value));
     }
-    return interpreter.values().voidObject;
   }
 
   private boolean holds(Frame frame, UrbiObject value) {
@@ -88,17 +107,17 @@ public final class Assertion extends Node {
   /**
    * @param effective the claim with the values of its parts, or null
    */
-  private void fail(Frame frame, String effective) {
+  private void fail(Frame frame, @Nullable String effective) {
     Errors errors = frame.interpreter.errors();
     Errors.Builder error =
         frame.interpreter.assertionsShowValues() && effective != null
-            ? errors.of(Problem.ASSERTION_FAILED_WITH, claim.text, effective)
-            : errors.of(Problem.ASSERTION_FAILED, claim.text);
+            ? errors.of(Problem.ASSERTION_FAILED_WITH, claim.text(), effective)
+            : errors.of(Problem.ASSERTION_FAILED, claim.text());
     throw frame.located(error.build(), span());
   }
 
   /** What holds where a comparison does not. */
-  private static String opposite(String operator) {
+  private static @Nullable String opposite(String operator) {
     return switch (operator) {
       case "==" -> "!=";
       case "!=" -> "==";
@@ -117,12 +136,12 @@ public final class Assertion extends Node {
 
   /** Sends the message of a claim and remembers the arguments that were evaluated. */
   private static final class Recorder implements CallSite {
-    private final Claim claim;
+    private final Sent claim;
     private final Span span;
     private final Node[] nodes;
     private final UrbiObject[] seen;
 
-    Recorder(Claim claim, Span span) {
+    Recorder(Sent claim, Span span) {
       this.claim = claim;
       this.span = span;
       this.seen = new UrbiObject[claim.arguments.size()];
@@ -157,11 +176,12 @@ public final class Assertion extends Node {
 
     String shown(Frame frame, UrbiObject target, UrbiObject value) {
       Interpreter interpreter = frame.interpreter;
-      String opposite = claim.operator == null ? null : opposite(claim.operator);
-      if (opposite != null) {
+      String operator = claim.operator;
+      String opposite = operator == null ? null : opposite(operator);
+      if (operator != null && opposite != null) {
         String left = interpreter.asPrintable(frame, target);
         String right = seen[0] == null ? "?" : interpreter.asPrintable(frame, seen[0]);
-        return claim.operator.endsWith("in")
+        return operator.endsWith("in")
             ? right + " " + opposite + " " + left
             : left + " " + opposite + " " + right;
       }

@@ -19,8 +19,8 @@ final class Background implements AutoCloseable {
   /** Starts a statement, with variables of its own but for those it shares by name. */
   void start(Frame frame, Node statement) {
     frame.job.checkInterrupted();
-    Branch branch = new Branch(statement);
-    branch.frame = frame.fork(group.start(branch), true);
+    ForkedCode branch = branch(statement);
+    branch.runWith(frame.fork(group.start(branch), true));
   }
 
   /**
@@ -37,23 +37,15 @@ final class Background implements AutoCloseable {
       CallSite inner,
       CallSite outer) {
     frame.job.checkInterrupted();
-    Branch branch = new Branch(statement);
+    ForkedCode branch = branch(statement);
     Frame forked = frame.forkThrough(group.start(branch), inner, outer);
     variable.declare(forked, value);
-    branch.frame = forked;
+    branch.runWith(forked);
   }
 
   /** A statement in a job of its own. */
-  static final class Branch implements Job.Body {
-    private final Node statement;
-    Frame frame;
-
-    Branch(Node statement) {
-      this.statement = statement;
-    }
-
-    @Override
-    public void run(Job job) {
+  private static ForkedCode branch(Node statement) {
+    return new ForkedCode(frame -> {
       UrbiObject value = statement.execute(frame);
       if (frame.completion != null) {
         switch (frame.completion) {
@@ -62,7 +54,7 @@ final class Background implements AutoCloseable {
           case CONTINUE -> {}
         }
       }
-    }
+    });
   }
 
   /** Executes the code that goes on meanwhile. */

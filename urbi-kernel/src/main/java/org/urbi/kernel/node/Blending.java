@@ -6,6 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.TagState;
@@ -104,7 +105,7 @@ public final class Blending {
   // ------------------------------------------------------------------ values
 
   /** The value that the slot gets when a job assigns this one; null when it keeps its own. */
-  UrbiObject assigned(Frame frame, UrbiObject value) {
+  @Nullable UrbiObject assigned(Frame frame, UrbiObject value) {
     Job job = frame.job;
     if (mode == BlendMode.MIX || mode == BlendMode.ADD) {
       return value instanceof UrbiFloat number ? blended(frame, job, number.value()) : value;

@@ -1,5 +1,8 @@
 package org.urbi.kernel.node;
 
+import static java.util.Objects.requireNonNullElse;
+
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.Shape;
@@ -11,34 +14,38 @@ public final class CallMessages {
 
   /** An argument that has not been evaluated yet. */
   public static final class Lazy extends UrbiObject {
-    private final Node code;
-    private final Frame frame;
-    private final UrbiObject lobby;
+    private final @Nullable Argument argument;
 
     /**
-     * @param lobby for which it is evaluated if its evaluator may do something else
+     * @param argument null in the prototype and in those made by hand
      */
-    public Lazy(Shape shape, Node code, Frame frame, UrbiObject lobby) {
+    public Lazy(Shape shape, @Nullable Argument argument) {
       super(shape);
-      this.code = code;
-      this.frame = frame;
-      this.lobby = lobby;
+      this.argument = argument;
     }
 
-    /** The code; null in the prototype and in those made by hand. */
-    public Node code() {
-      return code;
-    }
-
-    /** Evaluates the argument in the activation of the caller; each time anew. */
-    public UrbiObject evaluate(Frame evaluator) {
-      Job job = evaluator.job;
-      return job.doFor(lobby, () -> code.execute(frame.in(job)));
+    /** The argument; null in the prototype and in those made by hand. */
+    public @Nullable Argument argument() {
+      return argument;
     }
 
     @Override
     public UrbiObject cloned() {
-      return new Lazy(cloneShape(), code, frame, lobby);
+      return new Lazy(cloneShape(), argument);
+    }
+  }
+
+  /**
+   * An argument as it was written.
+   *
+   * @param frame the activation of the caller
+   * @param lobby for which it is evaluated if its evaluator may do something else
+   */
+  public record Argument(Node code, Frame frame, UrbiObject lobby) {
+    /** Evaluates it in the activation of the caller; each time anew. */
+    public UrbiObject evaluate(Frame evaluator) {
+      Job job = evaluator.job;
+      return job.doFor(lobby, () -> code.execute(frame.in(job)));
     }
   }
 
@@ -48,11 +55,12 @@ public final class CallMessages {
     var world = interpreter.world();
     UrbiObject message = interpreter.prototypes.callMessage.cloned();
     var arguments = new Elements(0);
-    if (frame.site != null && frame.site.argumentNodes() != null) {
+    if (frame.site != null && frame.caller != null) {
       for (Node node : frame.site.argumentNodes()) {
         arguments.add(
             new Lazy(
-                interpreter.prototypes.lazy.cloneShape(), node, frame.caller, frame.job.lobby()));
+                interpreter.prototypes.lazy.cloneShape(),
+                new Argument(node, frame.caller, frame.job.lobby())));
       }
     }
     message.addSlot(world.symbol("target"), frame.self);
@@ -61,7 +69,7 @@ public final class CallMessages {
         world.symbol("code"), frame.function == null ? interpreter.values().nil : frame.function);
     message.addSlot(
         world.symbol("message"),
-        interpreter.values().string(frame.calledAs() == null ? "" : frame.calledAs()));
+        interpreter.values().string(requireNonNullElse(frame.calledAs(), "")));
     message.addSlot(world.symbol("args"), interpreter.values().listOf(arguments));
     return message;
   }

@@ -1,22 +1,31 @@
 package org.urbi.kernel.node;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.lang.source.Span;
 
 /** A place in the code from which something is called. */
 public interface CallSite {
+  /** Has no arguments that are code. */
+  Node[] NO_CODE = {};
+
   /** The name in the backtrace. */
   String calledName();
 
   /** The place in the backtrace; null when there is none. */
-  Span calledSpan();
+  @Nullable Span calledSpan();
 
   /** Whether backtraces tell of it. */
   default boolean isTraced() {
     return true;
   }
 
-  /** The arguments, as code; null when they came from Java. */
+  /** Whether a name was called: Java code also calls functions that it has from elsewhere. */
+  default boolean isNamed() {
+    return true;
+  }
+
+  /** The arguments, as code; none when they came from Java. */
   default Node[] argumentNodes() {
-    return null;
+    return NO_CODE;
   }
 }

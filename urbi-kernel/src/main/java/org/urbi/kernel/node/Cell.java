@@ -1,12 +1,13 @@
 package org.urbi.kernel.node;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.Dependencies;
 import org.urbi.kernel.object.UrbiObject;
 
 /** A local variable that closures or other jobs can reach. */
 final class Cell {
   private UrbiObject value;
-  private Dependencies dependents;
+  private @Nullable Dependencies dependents;
 
   Cell(UrbiObject value) {
     this.value = value;

@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiCode;
 import org.urbi.kernel.object.UrbiObject;
@@ -11,7 +12,7 @@ public abstract class Code extends UrbiCode {
   }
 
   /** The name under which Java code declares it; null for a function written in urbiscript. */
-  public String name() {
+  public @Nullable String name() {
     return null;
   }
 

@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
@@ -12,12 +13,12 @@ public final class Conditionals {
   public static final class If extends Node {
     private final Node condition;
     private final Node thenClause;
-    private final Node elseClause;
+    private final @Nullable Node elseClause;
 
     /**
      * @param elseClause may be null
      */
-    public If(Span span, Node condition, Node thenClause, Node elseClause) {
+    public If(Span span, Node condition, Node thenClause, @Nullable Node elseClause) {
       super(span);
       this.condition = condition;
       this.thenClause = thenClause;

@@ -18,7 +18,7 @@ public final class CorePrototypes {
   final Shape primitiveShape;
 
   /** The function {@code asType} of types: returns its target. */
-  public UrbiObject asThis;
+  final UrbiObject asThis;
 
   /** Where implicit tags are made. */
   public final UrbiObject tags;
@@ -37,6 +37,7 @@ public final class CorePrototypes {
     this.event = event;
     this.tag = tag;
     tags = values.object.cloned();
+    asThis = new IdentityCode(code);
     codeShape = code.cloneShape();
     primitiveShape = primitive.cloneShape();
   }

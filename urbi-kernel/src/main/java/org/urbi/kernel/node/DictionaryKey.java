@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiHash;
@@ -47,7 +48,7 @@ public final class DictionaryKey {
   /** Any other object: asks it. */
   private record ObjectKey(Frame frame, int hash, UrbiObject value) implements UrbiDictionary.Key {
     @Override
-    public Comparable<?> rank() {
+    public @Nullable Comparable<?> rank() {
       return null;
     }
 

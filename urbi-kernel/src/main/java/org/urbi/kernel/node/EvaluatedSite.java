@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
@@ -14,7 +15,7 @@ final class EvaluatedSite implements CallSite {
     for (int i = 0; i < values.length; i++) {
       UrbiObject value = values[i];
       arguments[i] =
-          new Node(null) {
+          new Node() {
             @Override
             public UrbiObject execute(Frame frame) {
               return value;
@@ -29,8 +30,13 @@ final class EvaluatedSite implements CallSite {
   }
 
   @Override
-  public Span calledSpan() {
+  public @Nullable Span calledSpan() {
     return site.calledSpan();
+  }
+
+  @Override
+  public boolean isNamed() {
+    return site.isNamed();
   }
 
   @Override

@@ -1,6 +1,7 @@
 package org.urbi.kernel.node;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.Symbol;
@@ -15,9 +16,6 @@ import org.urbi.lang.source.Span;
  * range. Numbers and lists whose {@code each} is that of the library are gone through directly.
  */
 public final class ForEach extends Node implements CallSite {
-  /** Stands for the value of a loop that {@code break} has ended. */
-  private static final UrbiObject BROKEN = new UrbiObject(null);
-
   private final Flavor flavor;
   private final Variables.Place variable;
   private final Node range;
@@ -67,8 +65,11 @@ public final class ForEach extends Node implements CallSite {
     boolean broken = false;
     try {
       UrbiObject value = over(frame, over);
-      broken = value == BROKEN;
-      return broken ? frame.interpreter.values().voidObject : value;
+      broken = frame.completion == Frame.Completion.BREAK;
+      if (broken) {
+        frame.completion = null;
+      }
+      return value;
     } catch (Leave.Break leave) {
       broken = true;
       return frame.interpreter.values().voidObject;
@@ -144,25 +145,25 @@ public final class ForEach extends Node implements CallSite {
   }
 
   /** One turn; what the loop is to return when that was the last one, or null. */
-  private UrbiObject turn(Frame frame, UrbiObject element) {
+  private @Nullable UrbiObject turn(Frame frame, UrbiObject element) {
     variable.declare(frame, element);
-    UrbiObject value = null;
+    UrbiObject value;
     try {
       value = body.execute(frame);
     } catch (Leave.Continue leave) {
-      // Goes on with the next turn.
+      return null;
     }
-    if (frame.completion != null) {
-      if (frame.completion == Frame.Completion.RETURN) {
-        return value;
-      }
-      boolean over = frame.completion == Frame.Completion.BREAK;
-      frame.completion = null;
-      if (over) {
-        return BROKEN;
-      }
+    if (frame.completion == null) {
+      return null;
     }
-    return null;
+    return switch (frame.completion) {
+      case RETURN -> value;
+      case BREAK -> frame.interpreter.values().voidObject;
+      case CONTINUE -> {
+        frame.completion = null;
+        yield null;
+      }
+    };
   }
 
   /** Any other range: gives its {@code each} the body as a function. */

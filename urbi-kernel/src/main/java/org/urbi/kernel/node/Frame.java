@@ -3,6 +3,7 @@ package org.urbi.kernel.node;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
@@ -30,16 +31,16 @@ public final class Frame {
   final int depth;
 
   /** Who called; null at the top level, and in jobs that outlive their caller. */
-  final Frame caller;
+  final @Nullable Frame caller;
 
   /** Where the call was made, or null. */
-  final CallSite site;
+  final @Nullable CallSite site;
 
   /** {@code this}. */
   final UrbiObject self;
 
   /** The function that runs; null at the top level. */
-  final Function function;
+  final @Nullable Function function;
 
   final UrbiObject[] locals;
   final Cell[] cells;
@@ -48,31 +49,31 @@ public final class Frame {
   final Object activation;
 
   /** Set by {@code break}, {@code continue} and {@code return}; null while all goes on. */
-  Completion completion;
+  @Nullable Completion completion;
 
   /** The exception that the {@code catch} clause being executed has caught, or null. */
-  UrbiException caught;
+  @Nullable UrbiException caught;
 
   /** The jobs to which the scope being executed has given statements, or null. */
-  Background background;
+  @Nullable Background background;
 
   /** The loop being executed, for the jobs that its code detaches; or null. */
-  LoopJobs loopJobs;
+  @Nullable LoopJobs loopJobs;
 
   /** What is to be done when the innermost marked scope being executed is left, or null. */
-  ScopeEnd scopeEnd;
+  @Nullable ScopeEnd scopeEnd;
 
   private Frame(
       Interpreter interpreter,
       Job job,
       int depth,
-      Frame caller,
-      CallSite site,
+      @Nullable Frame caller,
+      @Nullable CallSite site,
       UrbiObject self,
-      Function function,
+      @Nullable Function function,
       UrbiObject[] locals,
       Cell[] cells,
-      Object activation) {
+      @Nullable Object activation) {
     this.interpreter = interpreter;
     this.job = job;
     this.depth = depth;
@@ -107,7 +108,7 @@ public final class Frame {
   }
 
   /** The frame of code evaluated on behalf of a library function called at that site. */
-  public Frame nested(CallSite from, UrbiObject target, FrameLayout layout) {
+  public Frame nested(@Nullable CallSite from, UrbiObject target, FrameLayout layout) {
     return new Frame(
         interpreter,
         job,
@@ -171,7 +172,7 @@ public final class Frame {
    *
    * @param how what stands in the backtrace for a caller that is not kept, or null
    */
-  private Frame copy(Job other, boolean waited, CallSite how) {
+  private Frame copy(Job other, boolean waited, @Nullable CallSite how) {
     boolean kept = keepsCaller(waited);
     return inScopeOf(
         this,
@@ -233,17 +234,17 @@ public final class Frame {
   }
 
   /** The call message's arguments as code, or null; and the activation to evaluate them in. */
-  public CallSite site() {
+  public @Nullable CallSite site() {
     return site;
   }
 
   /** Who called; null at the top level. */
-  public Frame caller() {
+  public @Nullable Frame caller() {
     return caller;
   }
 
   /** The function that runs; null at the top level. */
-  public Function function() {
+  public @Nullable Function function() {
     return function;
   }
 
@@ -256,8 +257,15 @@ public final class Frame {
    * The end of the scope being executed: of the innermost one that is marked, or else of the
    * function; null at the top level.
    */
-  public ScopeEnd scopeEnd() {
+  public @Nullable ScopeEnd scopeEnd() {
     return scopeEnd == null && function != null ? ((Frame) activation).functionEnd() : scopeEnd;
+  }
+
+  /** The variables of the code around that the function has captured. */
+  // No check, since variables are read here: code that reads what it has captured is a function's.
+  @SuppressWarnings("NullAway")
+  Cell[] captured() {
+    return function.captured();
   }
 
   /** The end of the function, in the frame that its call has made. */
@@ -268,13 +276,16 @@ public final class Frame {
     return scopeEnd;
   }
 
-  /** Whether an activation, null for none, is among those that wait for this one to end. */
+  /** The activation that a {@code return} in the closure that runs ends; null if there is none. */
+  @Nullable Object home() {
+    return function == null ? null : function.home();
+  }
+
+  /** Whether an activation is among those that wait for this one to end. */
   boolean isCalledWithin(Object other) {
-    if (other != null) {
-      for (Frame frame = caller; frame != null; frame = frame.caller) {
-        if (frame.activation == other) {
-          return true;
-        }
+    for (Frame frame = caller; frame != null; frame = frame.caller) {
+      if (frame.activation == other) {
+        return true;
       }
     }
     return false;
@@ -285,9 +296,9 @@ public final class Frame {
     return interpreter.errors().primitive(at.calledName(), problem, places);
   }
 
-  /** The name by which the innermost function was called; null at the top level. */
-  public String calledAs() {
-    return site == null ? null : site.calledName();
+  /** The name by which the innermost function was called; null when there is none. */
+  public @Nullable String calledAs() {
+    return site == null || !site.isNamed() ? null : site.calledName();
   }
 
   /**

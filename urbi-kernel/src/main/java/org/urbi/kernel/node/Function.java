@@ -1,6 +1,7 @@
 package org.urbi.kernel.node;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.TagStop;
 import org.urbi.kernel.object.Shape;
@@ -16,10 +17,10 @@ public final class Function extends Code {
   public static final class Body {
     final Ast.Function source;
     final FrameLayout layout;
-    final Formals formals;
+    final @Nullable Formals formals;
 
     /** Where the parameters that are cells stand, by parameter; -1 for plain ones. */
-    final int[] parameterCells;
+    final int @Nullable [] parameterCells;
 
     final boolean usesCall;
 
@@ -29,21 +30,24 @@ public final class Function extends Code {
     /** Whether the parameters are ready as soon as the arguments are there. */
     final boolean plain;
 
-    Node code;
+    final Node code;
 
     /**
+     * @param code what is executed, when the parameters are ready
      * @param formals null for a lazy function
      * @param usesCall whether the code asks for its call message
      * @param leavesHome whether it is a closure with a {@code return}
      */
     public Body(
         Ast.Function source,
+        Node code,
         FrameLayout layout,
-        Formals formals,
-        int[] parameterCells,
+        @Nullable Formals formals,
+        int @Nullable [] parameterCells,
         boolean usesCall,
         boolean leavesHome) {
       this.source = source;
+      this.code = code;
       this.leavesHome = leavesHome;
       this.usesCall = usesCall;
       this.layout = layout;
@@ -51,35 +55,30 @@ public final class Function extends Code {
       this.parameterCells = parameterCells;
       this.plain = parameterCells == null && (formals == null || !formals.hasDefaults());
     }
-
-    /** Sets the code; once, when it has been compiled. */
-    public void setCode(Node compiled) {
-      code = compiled;
-    }
   }
 
   private final Body body;
   private final Cell[] captured;
 
   /** The target of closures; null in functions, whose target is that of the call. */
-  private final UrbiObject boundSelf;
+  private final @Nullable UrbiObject boundSelf;
 
   /**
    * The lobby of closures, for which their code runs, and of all functions that were made for a
    * lobby which may not do everything: whoever calls them lends them no rights. Null in others.
    */
-  private final UrbiObject boundLobby;
+  private final @Nullable UrbiObject boundLobby;
 
   /** The activation that a {@code return} in a closure ends; null when there is none. */
-  private final Object home;
+  private final @Nullable Object home;
 
   public Function(
       Shape shape,
       Body body,
       Cell[] captured,
-      UrbiObject boundSelf,
-      UrbiObject boundLobby,
-      Object home) {
+      @Nullable UrbiObject boundSelf,
+      @Nullable UrbiObject boundLobby,
+      @Nullable Object home) {
     super(shape);
     this.home = home;
     this.body = body;
@@ -110,7 +109,7 @@ public final class Function extends Code {
     return body.source.closure();
   }
 
-  Object home() {
+  @Nullable Object home() {
     return home;
   }
 
@@ -118,7 +117,7 @@ public final class Function extends Code {
     return captured;
   }
 
-  Formals formals() {
+  @Nullable Formals formals() {
     return body.formals;
   }
 
@@ -162,7 +161,8 @@ public final class Function extends Code {
     if (!caller.interpreter.profiling) {
       return execute(caller, site, self, locals);
     }
-    Profiler.Stack stack = Profiler.enter(caller.job, site.calledName(), body);
+    Profiler.Stack stack =
+        Profiler.enter(caller.job, site.isNamed() ? site.calledName() : "?", body);
     try {
       return execute(caller, site, self, locals);
     } finally {

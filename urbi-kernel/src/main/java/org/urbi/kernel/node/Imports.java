@@ -2,6 +2,7 @@ package org.urbi.kernel.node;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
@@ -14,7 +15,7 @@ import org.urbi.lang.source.Span;
  */
 public final class Imports {
   /** An object that names are imported from at the top level, and the only name if it is one. */
-  public record Imported(UrbiObject from, String only) {}
+  public record Imported(UrbiObject from, @Nullable String only) {}
 
   private final List<Imported> all = new ArrayList<>();
 
@@ -77,12 +78,12 @@ public final class Imports {
   /** {@code import} at the top level: for the statements that follow. */
   public final class AtTop extends Node {
     private final Node source;
-    private final Symbol only;
+    private final @Nullable Symbol only;
 
     /**
      * @param only the only name that is imported, or null
      */
-    public AtTop(Node source, Symbol only) {
+    public AtTop(Node source, @Nullable Symbol only) {
       super(source.span());
       this.source = source;
       this.only = only;
@@ -108,14 +109,14 @@ public final class Imports {
   /** {@code import} in a scope. */
   public static final class Local extends Node {
     private final Node source;
-    private final Symbol only;
+    private final @Nullable Symbol only;
     private final Variables.Place place;
 
     /**
      * @param only the only name that is imported, or null
      * @param place where the object is kept for the code that follows
      */
-    public Local(Node source, Symbol only, Variables.Place place) {
+    public Local(Node source, @Nullable Symbol only, Variables.Place place) {
       super(source.span());
       this.source = source;
       this.only = only;
@@ -177,7 +178,7 @@ public final class Imports {
       return found == null ? frame.self : found;
     }
 
-    private UrbiObject among(Frame frame, Node[] sources) {
+    private @Nullable UrbiObject among(Frame frame, Node[] sources) {
       UrbiObject everybody = frame.interpreter.values().object;
       for (Node source : sources) {
         UrbiObject from = source.execute(frame);

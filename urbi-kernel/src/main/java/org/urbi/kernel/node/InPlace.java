@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiFloat;
@@ -43,7 +44,11 @@ public final class InPlace extends Node implements CallSite {
   /** A slot. */
   public record Slot(Node target, SlotLookup lookup, Slots.Assign writer) implements Access {
     public Slot(Node target, SlotLookup lookup, Span span) {
-      this(target, lookup, new Slots.Assign(span, span, target, lookup.name(), null));
+      // It is given the value.
+      this(
+          target,
+          lookup,
+          new Slots.Assign(span, span, target, lookup.name(), new Sequences.Noop(span)));
     }
 
     @Override
@@ -88,7 +93,7 @@ public final class InPlace extends Node implements CallSite {
       frame.interpreter.send(frame, parts[0], set.name(), tail(parts, value));
     }
 
-    private static UrbiObject[] tail(UrbiObject[] parts, UrbiObject last) {
+    private static UrbiObject[] tail(UrbiObject[] parts, @Nullable UrbiObject last) {
       UrbiObject[] tail = new UrbiObject[parts.length - (last == null ? 1 : 0)];
       System.arraycopy(parts, 1, tail, 0, parts.length - 1);
       if (last != null) {
@@ -134,10 +139,10 @@ public final class InPlace extends Node implements CallSite {
 
   private final Access access;
   private final Symbol operator;
-  private final Node operand;
+  private final @Nullable Node operand;
   private final Values values;
   private final int sign;
-  private final UrbiObject original;
+  private final @Nullable UrbiObject original;
   private int intactEpoch = -1;
 
   /** The index of the plain local variable modified, or -1 when it is something else. */
@@ -149,7 +154,8 @@ public final class InPlace extends Node implements CallSite {
   /**
    * @param operand null for the postfix operators
    */
-  public InPlace(Span span, Interpreter interpreter, Access access, String operator, Node operand) {
+  public InPlace(
+      Span span, Interpreter interpreter, Access access, String operator, @Nullable Node operand) {
     super(span);
     this.access = access;
     this.operator = interpreter.world().symbol(operator);
@@ -166,7 +172,7 @@ public final class InPlace extends Node implements CallSite {
     this.step = sign == 0 ? Double.NaN : sign * stepOf(operand);
   }
 
-  private static double stepOf(Node operand) {
+  private static double stepOf(@Nullable Node operand) {
     if (operand == null) {
       return 1;
     }

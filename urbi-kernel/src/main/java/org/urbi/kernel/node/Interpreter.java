@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
@@ -25,9 +26,9 @@ import org.urbi.lang.source.Span;
  */
 public final class Interpreter {
   /** A call made by Java code: it does not show in backtraces. */
-  private record JavaSite(String calledName) implements CallSite {
+  private record JavaSite(String calledName, boolean isNamed) implements CallSite {
     @Override
-    public Span calledSpan() {
+    public @Nullable Span calledSpan() {
       return null;
     }
 
@@ -40,7 +41,7 @@ public final class Interpreter {
   /** No data are nested as deeply, unless they are within themselves. */
   private static final int MAXIMUM_NESTED_SENDS = 10_000;
 
-  private static final CallSite FROM_JAVA = new JavaSite(null);
+  private static final CallSite FROM_JAVA = new JavaSite("apply", false);
 
   private final World world;
   private final Values values;
@@ -149,7 +150,7 @@ public final class Interpreter {
   }
 
   /** The operator of plain numbers of that name, as the library made it; null if none. */
-  UrbiObject operatorOfNumbers(Symbol name) {
+  @Nullable UrbiObject operatorOfNumbers(Symbol name) {
     return numberOperators.get(name);
   }
 
@@ -163,10 +164,14 @@ public final class Interpreter {
 
   // ------------------------------------------------------------------ calling urbiscript
 
+  private static CallSite javaSite(String name) {
+    return new JavaSite(name, true);
+  }
+
   /** Calls a function; what is no function is its own value. */
   public UrbiObject call(Frame caller, UrbiObject code, UrbiObject self, UrbiObject... arguments) {
     CallSite site =
-        code instanceof Code own && own.name() != null ? new JavaSite(own.name()) : FROM_JAVA;
+        code instanceof Code own && own.name() != null ? javaSite(own.name()) : FROM_JAVA;
     return call(caller, site, code, self, arguments);
   }
 
@@ -203,7 +208,7 @@ public final class Interpreter {
       throw errors.scheduling(Problem.STACK_EXHAUSTED);
     }
     try {
-      return send(caller, new JavaSite(message), target, world.symbol(message), arguments);
+      return send(caller, javaSite(message), target, world.symbol(message), arguments);
     } finally {
       caller.job.endSend();
     }
@@ -215,7 +220,7 @@ public final class Interpreter {
     UrbiObject found = SlotLookup.find(caller, target, message);
     if (found == null) {
       return fallback(
-          caller, new EvaluatedSite(new JavaSite(message.name()), arguments), target, message);
+          caller, new EvaluatedSite(javaSite(message.name()), arguments), target, message);
     }
     if (found instanceof Code) {
       return call(caller, site, found, target, arguments);
@@ -267,7 +272,7 @@ public final class Interpreter {
     if (value instanceof UrbiString string && how == symbols.asString) {
       return string.value();
     }
-    UrbiObject text = send(caller, new JavaSite(how.name()), value, how);
+    UrbiObject text = send(caller, javaSite(how.name()), value, how);
     if (text instanceof UrbiString string) {
       return string.value();
     }

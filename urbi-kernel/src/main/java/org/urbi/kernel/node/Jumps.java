@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.UrbiObject;
@@ -11,7 +12,7 @@ public final class Jumps {
 
   /** {@code return value}. */
   public static final class Return extends Node {
-    private final Node value;
+    private final @Nullable Node value;
     private final boolean inClosure;
     private final boolean seen;
 
@@ -20,7 +21,7 @@ public final class Jumps {
      * @param inClosure whether it stands in a closure, and leaves the function in which that stands
      * @param seen whether the statements around see how this one ended; otherwise it is thrown
      */
-    public Return(Span span, Node value, boolean inClosure, boolean seen) {
+    public Return(Span span, @Nullable Node value, boolean inClosure, boolean seen) {
       super(span);
       this.value = value;
       this.inClosure = inClosure;
@@ -31,8 +32,9 @@ public final class Jumps {
     public UrbiObject execute(Frame frame) {
       UrbiObject result =
           value == null ? frame.interpreter.values().voidObject : value.execute(frame);
-      if (inClosure && frame.isCalledWithin(frame.function.home())) {
-        throw new Leave.Return(frame.function.home(), result);
+      Object home = inClosure ? frame.home() : null;
+      if (home != null && frame.isCalledWithin(home)) {
+        throw new Leave.Return(home, result);
       }
       if (!seen) {
         throw new Leave.Return(frame.activation, result);
@@ -69,12 +71,12 @@ public final class Jumps {
 
   /** {@code throw value}, or {@code throw} again what was caught. */
   public static final class Throw extends Node {
-    private final Node value;
+    private final @Nullable Node value;
 
     /**
      * @param value null to throw again
      */
-    public Throw(Span span, Node value) {
+    public Throw(Span span, @Nullable Node value) {
       super(span);
       this.value = value;
     }

@@ -2,6 +2,7 @@ package org.urbi.kernel.node;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiObject;
@@ -141,7 +142,7 @@ public final class Literals {
     }
 
     /** The activation of the function around all the closures; null at the top level. */
-    private static Object home(Frame frame) {
+    private static @Nullable Object home(Frame frame) {
       if (frame.function == null) {
         return null;
       }

@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.TagState;
@@ -9,11 +10,10 @@ import org.urbi.kernel.job.TagState;
  * the loop (manual, "Control", {@code detach}).
  */
 public final class LoopJobs {
-  private final LoopJobs outer;
-  private TagState tag;
-  private TagScope scope;
+  private final @Nullable LoopJobs outer;
+  private @Nullable TagScope scope;
 
-  private LoopJobs(LoopJobs outer) {
+  private LoopJobs(@Nullable LoopJobs outer) {
     this.outer = outer;
   }
 
@@ -29,7 +29,7 @@ public final class LoopJobs {
     frame.loopJobs = outer;
     if (scope != null) {
       if (broken) {
-        tag.stop(frame.interpreter.values().voidObject);
+        scope.tag().stop(frame.interpreter.values().voidObject);
       }
       scope.end();
     }
@@ -42,8 +42,7 @@ public final class LoopJobs {
 
   private TagScope scope(Job job) {
     if (scope == null) {
-      tag = new TagState(null);
-      scope = job.branch(tag, outer == null ? job.scope() : outer.scope(job));
+      scope = job.branch(new TagState(), outer == null ? job.scope() : outer.scope(job));
     }
     return scope;
   }

@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.ast.Ast.Flavor;
 import org.urbi.lang.source.Span;
@@ -10,9 +11,9 @@ public final class Loops {
 
   /** A loop whose turns come one after the other. */
   public static final class Sequential extends Node {
-    private final Node init;
-    private final Node condition;
-    private final Node step;
+    private final @Nullable Node init;
+    private final @Nullable Node condition;
+    private final @Nullable Node step;
     private final Node body;
     private final boolean yields;
 
@@ -21,7 +22,13 @@ public final class Loops {
      * @param condition null when there is none: endless
      * @param step done after each turn, or null
      */
-    public Sequential(Span span, Flavor flavor, Node init, Node condition, Node step, Node body) {
+    public Sequential(
+        Span span,
+        Flavor flavor,
+        @Nullable Node init,
+        @Nullable Node condition,
+        @Nullable Node step,
+        Node body) {
       super(span);
       this.init = init;
       this.condition = condition;
@@ -39,13 +46,13 @@ public final class Loops {
           init.execute(frame);
         }
         while (condition == null || condition.test(frame)) {
-          UrbiObject value = null;
+          UrbiObject value;
           try {
             value = body.execute(frame);
           } catch (Leave.Break leave) {
             return frame.interpreter.values().voidObject;
           } catch (Leave.Continue leave) {
-            // Goes on with the next turn.
+            value = frame.interpreter.values().voidObject;
           }
           if (frame.completion != null) {
             if (frame.completion == Frame.Completion.RETURN) {
@@ -80,13 +87,14 @@ public final class Loops {
 
   /** A loop whose turns run in the background, all at once. */
   public static final class Concurrent extends Node {
-    private final Node init;
-    private final Node condition;
-    private final Node step;
+    private final @Nullable Node init;
+    private final @Nullable Node condition;
+    private final @Nullable Node step;
     private final Node body;
 
     /** The parameters are those of {@link Sequential}. */
-    public Concurrent(Span span, Node init, Node condition, Node step, Node body) {
+    public Concurrent(
+        Span span, @Nullable Node init, @Nullable Node condition, @Nullable Node step, Node body) {
       super(span);
       this.init = init;
       this.condition = condition;

@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
@@ -12,18 +13,18 @@ public final class Matching {
    *
    * @param guard may be null
    */
-  public record Case(Pattern pattern, Node guard, Node body) {}
+  public record Case(Pattern pattern, @Nullable Node guard, Node body) {}
 
   /** {@code switch (value) {…}}: the value of the case that matches. */
   public static final class Switch extends Node {
     private final Node value;
     private final Case[] cases;
-    private final Node defaultCase;
+    private final @Nullable Node defaultCase;
 
     /**
      * @param defaultCase may be null
      */
-    public Switch(Span span, Node value, Case[] cases, Node defaultCase) {
+    public Switch(Span span, Node value, Case[] cases, @Nullable Node defaultCase) {
       super(span);
       this.value = value;
       this.cases = cases;

@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
@@ -9,7 +10,7 @@ import org.urbi.lang.source.Span;
 public final class Message extends Node implements CallSite {
   private static final Node[] NONE = {};
 
-  private final Node target;
+  private final @Nullable Node target;
   private final Node[] arguments;
   private final SlotLookup lookup;
 
@@ -17,7 +18,7 @@ public final class Message extends Node implements CallSite {
    * @param target null for {@code this}
    * @param arguments null when there are no parentheses
    */
-  public Message(Span span, SlotLookup lookup, Node target, Node[] arguments) {
+  public Message(Span span, SlotLookup lookup, @Nullable Node target, Node @Nullable [] arguments) {
     super(span);
     this.lookup = lookup;
     this.target = target;

@@ -1,14 +1,28 @@
 package org.urbi.kernel.node;
 
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Source;
 import org.urbi.lang.source.Span;
 
 /** A piece of code, ready to be executed. */
 public abstract class Node {
+  private static final Span NOWHERE =
+      new Span(new Source("", 1, new Source.Line(0, null, 1)), 0, 0);
+
   private final Span span;
 
   protected Node(Span span) {
     this.span = span;
+  }
+
+  /** Code that Java makes in the place of what is written. */
+  protected Node() {
+    this(NOWHERE);
+  }
+
+  /** Whether it is a piece of a source text. */
+  public final boolean isWritten() {
+    return span != NOWHERE;
   }
 
   /** Where it was written. */

@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiFloat;
@@ -14,13 +15,13 @@ public final class Normalized extends Node {
   private final Node target;
   private final Symbol slot;
   private final Node plain;
-  private final Node value;
+  private final @Nullable Node value;
 
   /**
    * @param plain what it means for a slot without a range
    * @param value what is assigned, or null
    */
-  public Normalized(Span span, Node target, Symbol slot, Node plain, Node value) {
+  public Normalized(Span span, Node target, Symbol slot, Node plain, @Nullable Node value) {
     super(span);
     this.target = target;
     this.slot = slot;
@@ -36,7 +37,7 @@ public final class Normalized extends Node {
           && bound(frame, object, "rangemax") instanceof UrbiFloat most) {
         return value == null
             ? read(frame, object, least.value(), most.value())
-            : write(frame, object, least.value(), most.value());
+            : write(frame, object, value, least.value(), most.value());
       }
     } catch (UrbiException e) {
       throw frame.located(e, span());
@@ -44,7 +45,7 @@ public final class Normalized extends Node {
     return plain.execute(frame);
   }
 
-  private UrbiObject bound(Frame frame, UrbiObject object, String property) {
+  private @Nullable UrbiObject bound(Frame frame, UrbiObject object, String property) {
     return object.locate(slot) == null ? null : Properties.find(frame, object, slot, property);
   }
 
@@ -53,8 +54,9 @@ public final class Normalized extends Node {
     return frame.interpreter.values().number((number(frame, current) - least) / (most - least));
   }
 
-  private UrbiObject write(Frame frame, UrbiObject object, double least, double most) {
-    UrbiObject part = Arguments.notVoid(frame, value, span());
+  private UrbiObject write(
+      Frame frame, UrbiObject object, Node assigned, double least, double most) {
+    UrbiObject part = Arguments.notVoid(frame, assigned, span());
     double scaled = least + number(frame, part) * (most - least);
     SlotUpdate.assign(frame, object, slot, frame.interpreter.values().number(scaled));
     return part;

@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
@@ -30,7 +31,7 @@ public final class Operator extends Node {
   private final Message message;
   private final Values values;
   private final Symbol name;
-  private final UrbiObject original;
+  private final @Nullable UrbiObject original;
   private int intactEpoch = -1;
 
   /** The index of a left operand that is a plain local variable, or -1. */
@@ -46,7 +47,7 @@ public final class Operator extends Node {
       Node right,
       Message message,
       Values values,
-      UrbiObject original) {
+      @Nullable UrbiObject original) {
     super(span);
     this.kind = kind;
     this.left = left;
@@ -60,7 +61,7 @@ public final class Operator extends Node {
   }
 
   /** The operator of that name computed in place, or null if there is no such. */
-  public static Node make(
+  public static @Nullable Node make(
       Span span, Node left, Node right, Message message, Interpreter interpreter) {
     UrbiObject original = interpreter.operatorOfNumbers(message.name());
     int kind = original == null ? -1 : kind(message.name().name());

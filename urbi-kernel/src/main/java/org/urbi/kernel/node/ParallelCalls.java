@@ -1,7 +1,6 @@
 package org.urbi.kernel.node;
 
 import java.util.List;
-import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.JobGroup;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -21,31 +20,14 @@ public final class ParallelCalls {
     JobGroup group = new JobGroup(caller.job());
     try {
       for (UrbiObject value : values) {
-        Branch branch = new Branch(action, value);
-        branch.frame = caller.fork(group.start(branch), true);
+        var branch = new ForkedCode(frame -> action.run(frame, value));
+        branch.runWith(caller.fork(group.start(branch), true));
       }
       group.join();
     } catch (RuntimeException e) {
       throw group.translate(e);
     } finally {
       group.leave();
-    }
-  }
-
-  /** One of the jobs. */
-  private static final class Branch implements Job.Body {
-    private final Action action;
-    private final UrbiObject value;
-    private Frame frame;
-
-    Branch(Action action, UrbiObject value) {
-      this.action = action;
-      this.value = value;
-    }
-
-    @Override
-    public void run(Job job) {
-      action.run(frame, value);
     }
   }
 }

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.object.UrbiObject;
@@ -82,7 +83,7 @@ public final class Profiler {
   }
 
   /** Called at the beginning of each call, while there is a profiler. */
-  public static Stack enter(Job job, String name, Object key) {
+  public static @Nullable Stack enter(Job job, String name, Object key) {
     if (job.observer() instanceof Stack stack) {
       stack.enter(name, key);
       return stack;
@@ -95,13 +96,10 @@ public final class Profiler {
    * still counts for the profiler of the job.
    *
    * @param name what the executions of the code count as
-   * @param code may be null
    * @return the code itself, when nobody observes the job
    */
   public static Node observing(Job job, String name, Node code) {
-    return code != null && job.observer() instanceof Stack stack
-        ? stack.profiler().new Observed(name, code)
-        : code;
+    return job.observer() instanceof Stack stack ? stack.profiler().new Observed(name, code) : code;
   }
 
   /** Code that counts for this profiler, whoever executes it. */
@@ -145,7 +143,7 @@ public final class Profiler {
       account();
       Calls entered = calls.get(key);
       if (entered == null) {
-        entered = new Calls(calls.isEmpty() ? "<profiled>" : name == null ? "?" : name);
+        entered = new Calls(calls.isEmpty() ? "<profiled>" : name);
         calls.put(key, entered);
         order.add(entered);
       }

@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.BlendMode;
@@ -15,7 +16,8 @@ public final class Properties {
   // ------------------------------------------------------------------ what the library uses too
 
   /** The property, or null. */
-  public static UrbiObject find(Frame frame, UrbiObject target, Symbol slot, String property) {
+  public static @Nullable UrbiObject find(
+      Frame frame, UrbiObject target, Symbol slot, String property) {
     if (target instanceof SlotProxy proxy && target.shape().indexOf(slot) < 0) {
       return proxy.property(frame, slot, property);
     }
@@ -55,11 +57,11 @@ public final class Properties {
     }
     UrbiObject holder = holder(frame, target, slot);
     Guard.checkChange(frame, "setProperty", holder);
-    BlendMode blend = property.equals("blend") ? blendMode(frame, value) : null;
+    Object blending = property.equals("blend") ? blending(frame, value) : null;
     SlotData data = holder.ensureSlotData(slot);
     data.properties.put(property, value);
     switch (property) {
-      case "blend" -> data.blending = blend == BlendMode.NORMAL ? null : new Blending(blend);
+      case "blend" -> data.blending = blending;
       case "constant" -> data.constant = Truth.of(frame, value);
       case "changed" -> data.changed = value;
       case "get" -> data.getter = value;
@@ -72,7 +74,8 @@ public final class Properties {
     holder.slotDataChanged(slot);
   }
 
-  private static BlendMode blendMode(Frame frame, UrbiObject value) {
+  /** What the slot needs to be assigned so; null for nothing. */
+  private static @Nullable Blending blending(Frame frame, UrbiObject value) {
     BlendMode mode = BlendMode.of(value);
     if (mode == null) {
       throw frame
@@ -81,11 +84,12 @@ public final class Properties {
           .primitive(
               "setProperty", Problem.BLEND_MODE, frame.interpreter.asPrintable(frame, value));
     }
-    return mode;
+    return mode == BlendMode.NORMAL ? null : new Blending(mode);
   }
 
   /** Removes a property; null when there was none. */
-  public static UrbiObject remove(Frame frame, UrbiObject target, Symbol slot, String property) {
+  public static @Nullable UrbiObject remove(
+      Frame frame, UrbiObject target, Symbol slot, String property) {
     UrbiObject holder = holder(frame, target, slot);
     Guard.checkChange(frame, "removeProperty", holder);
     SlotData data = holder.slotData(slot);

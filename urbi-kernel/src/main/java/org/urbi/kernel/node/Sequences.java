@@ -1,5 +1,7 @@
 package org.urbi.kernel.node;
 
+import static java.util.Objects.requireNonNull;
+
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
@@ -84,7 +86,7 @@ public final class Sequences {
 
     @Override
     public UrbiObject execute(Frame frame) {
-      frame.background.start(frame, statement);
+      requireNonNull(frame.background, "code with a comma has one around").start(frame, statement);
       frame.job.yield();
       return frame.interpreter.values().voidObject;
     }

@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.Dependencies;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.SlotData;
@@ -20,12 +21,12 @@ final class SlotLookup {
     final int epoch;
 
     /** Null when the target itself has the slot. */
-    final UrbiObject holder;
+    final @Nullable UrbiObject holder;
 
     final int index;
-    final Entry next;
+    final @Nullable Entry next;
 
-    Entry(Shape shape, int epoch, UrbiObject holder, int index, Entry next) {
+    Entry(Shape shape, int epoch, @Nullable UrbiObject holder, int index, @Nullable Entry next) {
       this.shape = shape;
       this.epoch = epoch;
       this.holder = holder;
@@ -36,7 +37,7 @@ final class SlotLookup {
 
   private final World world;
   private final Symbol name;
-  private Entry entries;
+  private @Nullable Entry entries;
 
   SlotLookup(World world, Symbol name) {
     this.world = world;
@@ -48,7 +49,7 @@ final class SlotLookup {
   }
 
   /** The value of the slot, or null; a getter is called. */
-  UrbiObject find(Frame frame, UrbiObject target) {
+  @Nullable UrbiObject find(Frame frame, UrbiObject target) {
     if (world.tracker == null) {
       Shape shape = target.shape();
       for (Entry entry = entries; entry != null; entry = entry.next) {
@@ -62,7 +63,7 @@ final class SlotLookup {
     return find(frame, target, name);
   }
 
-  private UrbiObject remember(Frame frame, UrbiObject target) {
+  private @Nullable UrbiObject remember(Frame frame, UrbiObject target) {
     UrbiObject holder = target.locate(name);
     if (holder == null) {
       return null;
@@ -87,7 +88,7 @@ final class SlotLookup {
   }
 
   /** The value of a slot, or null, without memory; a getter is called. */
-  static UrbiObject find(Frame frame, UrbiObject target, Symbol name) {
+  static @Nullable UrbiObject find(Frame frame, UrbiObject target, Symbol name) {
     UrbiObject holder = target.locate(name);
     Dependencies.Tracker tracker = target.world().tracker;
     if (holder == null) {
@@ -111,7 +112,7 @@ final class SlotLookup {
   }
 
   /** The value of a slot, or null, as it is: no getter is called. */
-  static UrbiObject findRaw(UrbiObject target, Symbol name) {
+  static @Nullable UrbiObject findRaw(UrbiObject target, Symbol name) {
     UrbiObject holder = target.locate(name);
     if (holder == null) {
       target.noteAbsence();
@@ -126,7 +127,8 @@ final class SlotLookup {
     return holder.localSlot(name);
   }
 
-  private static UrbiObject read(Frame frame, UrbiObject target, UrbiObject holder, Symbol name) {
+  private static @Nullable UrbiObject read(
+      Frame frame, UrbiObject target, UrbiObject holder, Symbol name) {
     SlotData data = holder.slotData(name);
     if (data != null && data.getter != null) {
       return frame.interpreter.call(frame, data.getter, target);

@@ -1,5 +1,7 @@
 package org.urbi.kernel.node;
 
+import static java.util.Objects.requireNonNull;
+
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.SlotData;
 import org.urbi.kernel.object.Symbol;
@@ -64,7 +66,7 @@ public final class SlotUpdate {
     }
     int inherited = holder.shape().indexOf(name);
     if (holder.shape().writeSpecial(inherited)) {
-      SlotData data = holder.slotData(name);
+      SlotData data = special(holder, name);
       if (data.setter != null) {
         return assignSpecial(frame, target, holder, name, value);
       }
@@ -80,6 +82,10 @@ public final class SlotUpdate {
     return value;
   }
 
+  private static SlotData special(UrbiObject holder, Symbol name) {
+    return requireNonNull(holder.slotData(name), "what is special about a slot is in its data");
+  }
+
   /** What the slot's {@code updateHook} and its range make of a value. */
   private static UrbiObject accepted(
       Frame frame, UrbiObject target, Symbol name, SlotData data, UrbiObject given) {
@@ -91,13 +97,11 @@ public final class SlotUpdate {
       value = wanted == values.voidObject ? given : wanted;
     }
     if (value instanceof UrbiFloat number) {
-      double least = data.least instanceof UrbiFloat min ? min.value() : Double.NEGATIVE_INFINITY;
-      double most = data.most instanceof UrbiFloat max ? max.value() : Double.POSITIVE_INFINITY;
-      if (number.value() < least) {
-        return data.least;
+      if (data.least instanceof UrbiFloat least && number.value() < least.value()) {
+        return least;
       }
-      if (number.value() > most) {
-        return data.most;
+      if (data.most instanceof UrbiFloat most && number.value() > most.value()) {
+        return most;
       }
     }
     return value;
@@ -116,7 +120,7 @@ public final class SlotUpdate {
 
   private static UrbiObject assignSpecial(
       Frame frame, UrbiObject target, UrbiObject holder, Symbol name, UrbiObject given) {
-    SlotData data = holder.slotData(name);
+    SlotData data = special(holder, name);
     if (data.constant) {
       throw frame.interpreter.errors().constness();
     }

@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.Symbol;
@@ -14,9 +15,9 @@ public final class Slots {
   public static final class Declare extends Node {
     private final Node target;
     private final Symbol name;
-    private final Node value;
+    private final @Nullable Node value;
     private final boolean constant;
-    private final Node type;
+    private final @Nullable Node type;
     private final Span nameSpan;
 
     /**
@@ -29,9 +30,9 @@ public final class Slots {
         Span nameSpan,
         Node target,
         Symbol name,
-        Node value,
+        @Nullable Node value,
         boolean constant,
-        Node type) {
+        @Nullable Node type) {
       super(span);
       this.nameSpan = nameSpan;
       this.target = target;
@@ -66,7 +67,7 @@ public final class Slots {
     private final Symbol name;
     private final Node value;
     private final Span place;
-    private Shape knownShape;
+    private @Nullable Shape knownShape;
     private int knownIndex;
 
     /**

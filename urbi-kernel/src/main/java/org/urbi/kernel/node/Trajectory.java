@@ -3,6 +3,7 @@ package org.urbi.kernel.node;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.SlotData;
@@ -21,8 +22,7 @@ public final class Trajectory extends Node implements CallSite {
   private static final List<String> LIMITS = List.of("speedmin", "speedmax", "delta");
 
   private final Node variable;
-  private final Node owner;
-  private final Symbol slot;
+  private final @Nullable Slot slot;
   private final Variables.Place written;
   private final Node write;
   private final Node target;
@@ -30,17 +30,22 @@ public final class Trajectory extends Node implements CallSite {
   private final Node[] values;
 
   /**
+   * A slot that is moved.
+   *
+   * @param owner the object that has it
+   */
+  public record Slot(Node owner, Symbol name) {}
+
+  /**
    * @param variable reads what is moved
-   * @param owner the object whose slot is moved; null when it is no slot
-   * @param slot the name of that slot
+   * @param slot what is moved; null when it is no slot
    * @param written where the next value is put before {@code write} is executed
    * @param write assigns it to what is moved
    */
   public Trajectory(
       Span span,
       Node variable,
-      Node owner,
-      Symbol slot,
+      @Nullable Slot slot,
       Variables.Place written,
       Node write,
       Node target,
@@ -48,7 +53,6 @@ public final class Trajectory extends Node implements CallSite {
       Node[] values) {
     super(span);
     this.variable = variable;
-    this.owner = owner;
     this.slot = slot;
     this.written = written;
     this.write = write;
@@ -98,12 +102,12 @@ public final class Trajectory extends Node implements CallSite {
   }
 
   /** What the slot has besides its value, or null. */
-  private SlotData data(Frame frame) {
-    if (owner == null) {
+  private @Nullable SlotData data(Frame frame) {
+    if (slot == null) {
       return null;
     }
-    UrbiObject holder = owner.execute(frame).locate(slot);
-    return holder == null ? null : holder.slotData(slot);
+    UrbiObject holder = slot.owner.execute(frame).locate(slot.name);
+    return holder == null ? null : holder.slotData(slot.name);
   }
 
   private UrbiObject follow(

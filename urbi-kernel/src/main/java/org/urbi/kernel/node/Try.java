@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.UrbiObject;
@@ -13,18 +14,23 @@ public final class Try extends Node {
    * @param pattern null when it catches everything
    * @param guard may be null
    */
-  public record Clause(Pattern pattern, Node guard, Node body) {}
+  public record Clause(@Nullable Pattern pattern, @Nullable Node guard, Node body) {}
 
   private final Node body;
   private final Clause[] clauses;
-  private final Node elseClause;
-  private final Node finallyClause;
+  private final @Nullable Node elseClause;
+  private final @Nullable Node finallyClause;
 
   /**
    * @param elseClause may be null
    * @param finallyClause may be null
    */
-  public Try(Span span, Node body, Clause[] clauses, Node elseClause, Node finallyClause) {
+  public Try(
+      Span span,
+      Node body,
+      Clause[] clauses,
+      @Nullable Node elseClause,
+      @Nullable Node finallyClause) {
     super(span);
     this.body = body;
     this.clauses = clauses;

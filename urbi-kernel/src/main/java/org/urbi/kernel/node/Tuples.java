@@ -1,6 +1,7 @@
 package org.urbi.kernel.node;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiTuple;
@@ -10,7 +11,7 @@ public final class Tuples {
   private Tuples() {}
 
   /** The members; null when the value is no tuple. */
-  public static List<UrbiObject> members(Frame frame, UrbiObject value) {
+  public static @Nullable List<UrbiObject> members(Frame frame, UrbiObject value) {
     if (value instanceof UrbiTuple tuple) {
       return tuple.elements();
     }

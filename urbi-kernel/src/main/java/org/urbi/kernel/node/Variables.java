@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.Dependencies;
 import org.urbi.kernel.object.UrbiObject;
@@ -12,7 +13,7 @@ public final class Variables {
   /** The cell at an index of the frame, or, from -1 down, of the captured variables. */
   static Cell cell(Frame frame, int index) {
     if (index < 0) {
-      return frame.function.captured()[-1 - index];
+      return frame.captured()[-1 - index];
     }
     Cell cell = frame.cells[index];
     if (cell == null) {
@@ -37,7 +38,7 @@ public final class Variables {
 
     @Override
     public UrbiObject execute(Frame frame) {
-      UrbiObject value = frame.locals[index];
+      @Nullable UrbiObject value = frame.locals[index];
       return value == null ? frame.interpreter.values().voidObject : value;
     }
   }
@@ -117,8 +118,8 @@ public final class Variables {
   /** {@code var x = value}. */
   public static final class Declare extends Node {
     private final Place place;
-    private final Node value;
-    private final Node type;
+    private final @Nullable Node value;
+    private final @Nullable Node type;
     private final String name;
 
     /**
@@ -126,7 +127,7 @@ public final class Variables {
      * @param value null for void
      * @param type the type that it must have, or null
      */
-    public Declare(Span span, String name, Place place, Node value, Node type) {
+    public Declare(Span span, String name, Place place, @Nullable Node value, @Nullable Node type) {
       super(span);
       this.name = name;
       this.place = place;
@@ -167,7 +168,7 @@ public final class Variables {
   }
 
   /** The initial value of a variable: void when there is none, but void itself is refused. */
-  static UrbiObject initialValue(Frame frame, Node value, Span at) {
+  static UrbiObject initialValue(Frame frame, @Nullable Node value, Span at) {
     return value == null
         ? frame.interpreter.values().voidObject
         : Arguments.notVoid(frame, value, at);

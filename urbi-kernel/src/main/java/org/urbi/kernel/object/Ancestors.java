@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashSet;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Goes through an object and all from which it inherits, each once, depth first and in the order of
@@ -23,7 +24,7 @@ final class Ancestors {
   }
 
   /** The next one; null when there is none. */
-  UrbiObject next() {
+  @Nullable UrbiObject next() {
     while (!pending.isEmpty()) {
       UrbiObject next = pending.pop();
       if (visited.add(next)) {

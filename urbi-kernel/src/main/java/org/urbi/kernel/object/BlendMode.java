@@ -1,6 +1,7 @@
 package org.urbi.kernel.object;
 
 import java.util.Locale;
+import org.jspecify.annotations.Nullable;
 
 /** What becomes of several assignments of one slot at a time: its property {@code blend}. */
 public enum BlendMode {
@@ -24,7 +25,7 @@ public enum BlendMode {
   }
 
   /** The mode that a value of the property stands for, a name or a number; null when none is. */
-  public static BlendMode of(UrbiObject value) {
+  public static @Nullable BlendMode of(UrbiObject value) {
     for (BlendMode mode : values()) {
       if (value instanceof UrbiString name && name.value().equals(mode.text())
           || value instanceof UrbiFloat number && number.value() == mode.ordinal()) {

@@ -3,6 +3,7 @@ package org.urbi.kernel.object;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What objects of the same build have in common (a "hidden class"): their prototypes, the names of
@@ -15,6 +16,8 @@ import java.util.Map;
  */
 public final class Shape {
   static final UrbiObject[] NO_PROTOS = {};
+  private static final Symbol[] NO_NAMES = {};
+  private static final byte[] NO_FLAGS = {};
 
   /** Writing goes through {@link SlotData}: constant, watched, or with a setter. */
   static final byte WRITE_SPECIAL = 1;
@@ -35,19 +38,20 @@ public final class Shape {
   private final byte[] flags;
 
   /** The slots of an object with very many; null for others, whose slots are the names. */
-  private final SlotTable table;
+  private final @Nullable SlotTable table;
 
   /** Keeps the shape alive that this one was made from: objects will pass through it again. */
-  private final Shape parent;
+  private final @Nullable Shape parent;
 
-  private Map<Symbol, Integer> index;
+  private @Nullable Map<Symbol, Integer> index;
 
   /** How often a slot has been searched one by one: most shapes are only passed on the way. */
   private int searches;
 
-  private Transitions additions;
+  private @Nullable Transitions additions;
 
-  private Shape(World world, UrbiObject[] protos, Symbol[] names, byte[] flags, Shape parent) {
+  private Shape(
+      World world, UrbiObject[] protos, Symbol[] names, byte[] flags, @Nullable Shape parent) {
     this.world = world;
     this.protos = protos;
     this.names = names;
@@ -59,14 +63,14 @@ public final class Shape {
   private Shape(World world, UrbiObject[] protos, SlotTable table) {
     this.world = world;
     this.protos = protos;
-    this.names = null;
-    this.flags = null;
+    this.names = NO_NAMES;
+    this.flags = NO_FLAGS;
     this.table = table;
     this.parent = null;
   }
 
   static Shape root(World world, UrbiObject[] protos) {
-    return new Shape(world, protos, new Symbol[0], new byte[0], null);
+    return new Shape(world, protos, NO_NAMES, NO_FLAGS, null);
   }
 
   /** The kernel's shared state. */
@@ -79,7 +83,7 @@ public final class Shape {
     return table == null ? names.length : table.size();
   }
 
-  /** The name of the slot at an index; null where one has been removed. */
+  /** The name of the slot at an index, where none has been removed. */
   Symbol nameAt(int i) {
     return table == null ? names[i] : table.nameAt(i);
   }
@@ -202,6 +206,9 @@ public final class Shape {
 
   /** This shape without holes: the slots that there are, in their order. */
   Shape compact() {
+    if (table == null) {
+      return this;
+    }
     Symbol[] there = table.names();
     byte[] theirs = new byte[there.length];
     for (int i = 0; i < theirs.length; i++) {

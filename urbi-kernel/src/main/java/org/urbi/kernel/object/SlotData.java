@@ -1,6 +1,7 @@
 package org.urbi.kernel.object;
 
 import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What a slot has besides its value (manual, "Properties"): plain slots have none of this and do
@@ -14,31 +15,31 @@ public final class SlotData {
   public boolean constant;
 
   /** Emitted at each assignment: the {@code changed} property, made when first asked for. */
-  public UrbiObject changed;
+  public @Nullable UrbiObject changed;
 
   /** A function called for the value instead of the slot, or null. */
-  public UrbiObject getter;
+  public @Nullable UrbiObject getter;
 
   /** A function called with the value that is assigned, or null. */
-  public UrbiObject setter;
+  public @Nullable UrbiObject setter;
 
   /** A function that is asked for the value to assign instead of the one given, or null. */
-  public UrbiObject updateHook;
+  public @Nullable UrbiObject updateHook;
 
   /** The least and the greatest number that an assignment leaves; null when there is no limit. */
-  public UrbiObject least;
+  public @Nullable UrbiObject least;
 
   /** See {@link #least}. */
-  public UrbiObject most;
+  public @Nullable UrbiObject most;
 
   /** Conditions that read this slot; null while there are none. */
-  public Dependencies dependents;
+  public @Nullable Dependencies dependents;
 
   /** Whether the slot is no longer there. */
   public boolean removed;
 
   /** What those who execute code know of assignments at the same time, {@code blend}; or null. */
-  public Object blending;
+  public @Nullable Object blending;
 
   byte flags() {
     byte flags = 0;

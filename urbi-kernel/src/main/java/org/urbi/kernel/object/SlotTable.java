@@ -35,7 +35,7 @@ final class SlotTable {
     return found == null ? -1 : found;
   }
 
-  /** The name of the slot at an index; null for a hole. */
+  /** The name of the slot at an index, which is no hole. */
   Symbol nameAt(int i) {
     return names[i];
   }

@@ -3,6 +3,7 @@ package org.urbi.kernel.object;
 import java.lang.ref.WeakReference;
 import java.util.HashMap;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The shapes that one shape becomes when a slot is added. They are held weakly: a shape lives as
@@ -16,7 +17,7 @@ final class Transitions {
   private int sweptAt = SWEPT_FROM;
 
   /** The shape with one more slot of that name, or null when there is none. */
-  Shape get(Symbol name) {
+  @Nullable Shape get(Symbol name) {
     WeakReference<Shape> known = byName.get(name);
     return known == null ? null : known.get();
   }

@@ -4,6 +4,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A dictionary (manual, "Dictionary"). Keys are compared as {@code ==} and {@code hash} of
@@ -15,7 +16,7 @@ public final class UrbiDictionary extends UrbiObject {
     UrbiObject value();
 
     /** Where strings and numbers stand among their likes; null for others. */
-    Comparable<?> rank();
+    @Nullable Comparable<?> rank();
   }
 
   /** Strings, then numbers, each in their order, then the other keys as they came. */
@@ -32,7 +33,7 @@ public final class UrbiDictionary extends UrbiObject {
         return Integer.compare(group(left), group(right));
       };
 
-  private static int group(Comparable<?> rank) {
+  private static int group(@Nullable Comparable<?> rank) {
     return rank instanceof String ? 0 : rank instanceof Double ? 1 : 2;
   }
 

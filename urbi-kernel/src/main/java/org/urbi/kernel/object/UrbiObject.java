@@ -3,6 +3,7 @@ package org.urbi.kernel.object;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /**
  * An urbiscript object: slots, and prototypes to inherit slots from (manual, "Objects" and
@@ -17,23 +18,23 @@ public class UrbiObject {
   private Shape shape;
 
   /** Null as long as the object has nothing of its own, as most numbers: they stay small. */
-  private Storage storage;
+  private @Nullable Storage storage;
 
   /** What an object has of its own. */
   private static final class Storage {
     UrbiObject[] slots = NO_SLOTS;
-    Extra extra;
+    @Nullable Extra extra;
   }
 
   /** What few objects need. */
   private static final class Extra {
     long uid;
-    Shape cloneShape;
+    @Nullable Shape cloneShape;
     boolean inherited;
-    Map<Symbol, SlotData> slotData;
-    Dependencies structure;
-    Dependencies content;
-    UrbiObject keeper;
+    @Nullable Map<Symbol, SlotData> slotData;
+    @Nullable Dependencies structure;
+    @Nullable Dependencies content;
+    @Nullable UrbiObject keeper;
   }
 
   /** An object of that shape, whose slots are all unset: use a shape without slots. */
@@ -69,6 +70,14 @@ public class UrbiObject {
     return s;
   }
 
+  /** What an object has of its own that has a slot. */
+  // No check, since every access of a slot passes here: an index of a slot is only had of an
+  // object that has one.
+  @SuppressWarnings("NullAway")
+  private Storage present() {
+    return storage;
+  }
+
   private Extra extra() {
     Storage s = storage();
     if (s.extra == null) {
@@ -77,7 +86,7 @@ public class UrbiObject {
     return s.extra;
   }
 
-  private Extra extraOrNull() {
+  private @Nullable Extra extraOrNull() {
     return storage == null ? null : storage.extra;
   }
 
@@ -103,12 +112,12 @@ public class UrbiObject {
 
   /** The value of the slot at an index that {@link Shape#indexOf} gave. */
   public final UrbiObject slotAt(int index) {
-    return storage.slots[index];
+    return present().slots[index];
   }
 
   /** Sets the slot at an index which is not {@linkplain Shape#writeSpecial special}. */
   public final void setSlotAt(int index, UrbiObject value) {
-    UrbiObject[] slots = storage.slots;
+    UrbiObject[] slots = present().slots;
     if (slots[index] instanceof UrbiCode) {
       shape.nameAt(index).epoch++;
     }
@@ -121,9 +130,14 @@ public class UrbiObject {
   }
 
   /** The value of the object's own slot, or null. */
-  public final UrbiObject localSlot(Symbol name) {
+  public final @Nullable UrbiObject localSlot(Symbol name) {
     int i = shape.indexOf(name);
-    return i < 0 ? null : storage.slots[i];
+    return i < 0 ? null : present().slots[i];
+  }
+
+  /** The value of the object's own slot, which is there. */
+  public final UrbiObject existingSlot(Symbol name) {
+    return slotAt(shape.indexOf(name));
   }
 
   /** The names of the object's own slots, in the order of their creation. */
@@ -133,7 +147,7 @@ public class UrbiObject {
   }
 
   /** The object where the lookup of a name ends: this one, a prototype, or null. */
-  public final UrbiObject locate(Symbol name) {
+  public final @Nullable UrbiObject locate(Symbol name) {
     UrbiObject at = this;
     // The usual case, one prototype each, needs no set of visited objects.
     for (int steps = 0; steps < 64; steps++) {
@@ -150,14 +164,15 @@ public class UrbiObject {
       at = protos[0];
     }
     Ancestors ancestors = new Ancestors(at);
-    while ((at = ancestors.next()) != null && at.shape.indexOf(name) < 0) {
+    UrbiObject next;
+    while ((next = ancestors.next()) != null && next.shape.indexOf(name) < 0) {
       // Goes on with the next one.
     }
-    return at;
+    return next;
   }
 
   /** The value that the lookup of a name finds, or null; getters are not called. */
-  public final UrbiObject lookup(Symbol name) {
+  public final @Nullable UrbiObject lookup(Symbol name) {
     UrbiObject holder = locate(name);
     return holder == null ? null : holder.localSlot(name);
   }
@@ -183,7 +198,7 @@ public class UrbiObject {
     SlotData data = slotData(name);
     takeOut(i);
     if (data != null) {
-      storage.extra.slotData.remove(name);
+      forgetSlotData(name);
       data.removed = true;
       if (data.dependents != null) {
         data.dependents.changed();
@@ -194,7 +209,7 @@ public class UrbiObject {
   }
 
   private void takeOut(int i) {
-    Storage s = storage;
+    Storage s = present();
     boolean inherited = isInherited();
     if (shape.leavesHoles()) {
       s.slots[i] = null;
@@ -221,13 +236,10 @@ public class UrbiObject {
   private static UrbiObject[] compacted(Shape shape, UrbiObject[] sparse, boolean inherited) {
     UrbiObject[] dense = new UrbiObject[shape.names().length];
     int next = 0;
-    for (int i = 0; i < shape.size(); i++) {
-      Symbol name = shape.nameAt(i);
-      if (name != null) {
-        dense[next++] = sparse[i];
-        if (inherited) {
-          name.epoch++;
-        }
+    for (Symbol name : shape.names()) {
+      dense[next++] = sparse[shape.indexOf(name)];
+      if (inherited) {
+        name.epoch++;
       }
     }
     return dense;
@@ -235,7 +247,7 @@ public class UrbiObject {
 
   /** A slot of that name has come or gone. */
   private void slotsChanged(Symbol name) {
-    Extra x = storage.extra;
+    Extra x = present().extra;
     if (x != null) {
       if (x.inherited) {
         name.epoch++;
@@ -246,15 +258,23 @@ public class UrbiObject {
 
   /** Whether others have looked up slots here, or may have. */
   private boolean isInherited() {
-    return storage.extra != null && storage.extra.inherited;
+    Extra x = extraOrNull();
+    return x != null && x.inherited;
   }
 
   // ------------------------------------------------------------------ properties
 
   /** The data of the object's own slot, or null when it is plain. */
-  public final SlotData slotData(Symbol name) {
+  public final @Nullable SlotData slotData(Symbol name) {
     Extra x = extraOrNull();
     return x == null || x.slotData == null ? null : x.slotData.get(name);
+  }
+
+  private void forgetSlotData(Symbol name) {
+    Extra x = extraOrNull();
+    if (x != null && x.slotData != null) {
+      x.slotData.remove(name);
+    }
   }
 
   /** The data of the object's own slot, made when missing; call {@link #slotDataChanged} after. */
@@ -273,7 +293,7 @@ public class UrbiObject {
     byte flags = data == null ? 0 : data.flags();
     if (i >= 0 && shape.flagsAt(i) != flags) {
       shape = shape.withFlags(i, flags);
-      if (storage.extra.inherited) {
+      if (isInherited()) {
         name.epoch++;
       }
     }
@@ -340,10 +360,11 @@ public class UrbiObject {
       }
     }
     Ancestors ancestors = new Ancestors(at);
-    while ((at = ancestors.next()) != null && at != ancestor) {
+    UrbiObject next;
+    while ((next = ancestors.next()) != null && next != ancestor) {
       // Goes on with the next one.
     }
-    return at != null;
+    return next != null;
   }
 
   // ------------------------------------------------------------------ who may change it
@@ -352,7 +373,7 @@ public class UrbiObject {
    * Whose it is, so that not everybody may change it: the lobby to which it belongs, the prototype
    * of all objects when it belongs to the system; null when it is anybody's.
    */
-  public UrbiObject keeper() {
+  public @Nullable UrbiObject keeper() {
     Extra x = extraOrNull();
     return x == null ? null : x.keeper;
   }

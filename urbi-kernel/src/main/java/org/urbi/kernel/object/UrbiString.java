@@ -1,5 +1,9 @@
 package org.urbi.kernel.object;
 
+import static java.util.Objects.requireNonNull;
+
+import org.jspecify.annotations.Nullable;
+
 /**
  * A string (manual, "String"): a sequence of bytes, each of which is a {@code char} from 0 to 255.
  * Assigning to a range of it changes it in place.
@@ -12,10 +16,10 @@ public final class UrbiString extends UrbiObject {
   private static final int SHARED_LENGTH = 1024;
 
   /** Null as long as nobody has asked for it, and only the buffer has it. */
-  private String value;
+  private @Nullable String value;
 
   /** The buffer that begins with this string, or null. */
-  private StringBuilder buffer;
+  private @Nullable StringBuilder buffer;
 
   /** Whether the buffer is no other string's: what is assigned to parts is put there. */
   private boolean own;
@@ -36,10 +40,16 @@ public final class UrbiString extends UrbiObject {
 
   public String value() {
     noteContentRead();
-    if (value == null) {
-      value = buffer.substring(0, length);
+    String known = value;
+    if (known == null) {
+      known = buffer().substring(0, length);
+      value = known;
     }
-    return value;
+    return known;
+  }
+
+  private StringBuilder buffer() {
+    return requireNonNull(buffer, "what is not in the value is in the buffer");
   }
 
   public void setValue(String other) {
@@ -59,7 +69,7 @@ public final class UrbiString extends UrbiObject {
   /** The characters from an index to another one, which is excluded. */
   public String part(int begin, int end) {
     noteContentRead();
-    return value == null ? buffer.substring(begin, end) : value.substring(begin, end);
+    return value == null ? buffer().substring(begin, end) : value.substring(begin, end);
   }
 
   /** Replaces the characters from an index to another one, which is excluded, in place. */
@@ -68,13 +78,14 @@ public final class UrbiString extends UrbiObject {
       buffer = new StringBuilder(value());
       own = true;
     }
+    StringBuilder changed = buffer();
     if (end - begin == 1 && other.length() == 1) {
-      buffer.setCharAt(begin, other.charAt(0));
+      changed.setCharAt(begin, other.charAt(0));
     } else {
-      buffer.replace(begin, end, other);
+      changed.replace(begin, end, other);
     }
     value = null;
-    length = buffer.length();
+    length = changed.length();
     noteContentChange();
   }
 

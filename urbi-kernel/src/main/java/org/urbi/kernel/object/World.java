@@ -2,6 +2,8 @@ package org.urbi.kernel.object;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.NoSuchElementException;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.time.Randomness;
 
 /**
@@ -23,7 +25,7 @@ public final class World {
   private Runnable checkpoint = () -> {};
 
   /** Who wants to know which slots are read, while a condition is evaluated; usually null. */
-  public Dependencies.Tracker tracker;
+  public Dependencies.@Nullable Tracker tracker;
 
   /** Whether calls are counted, so that operators must be called as they are written. */
   public boolean profiled;
@@ -53,9 +55,18 @@ public final class World {
     prototypes.put(type, prototype);
   }
 
-  /** The prototype of a type of the library, whatever programs call it now; null if unknown. */
-  public UrbiObject prototype(String type) {
+  /** The prototype of a type of the library; null if there is no such type. */
+  public @Nullable UrbiObject findPrototype(String type) {
     return prototypes.get(type);
+  }
+
+  /** The prototype of a type that the library has declared, whatever programs call it now. */
+  public UrbiObject prototype(String type) {
+    UrbiObject known = prototypes.get(type);
+    if (known == null) {
+      throw new NoSuchElementException("no type of the library: " + type);
+    }
+    return known;
   }
 
   /** The random numbers of this kernel. */

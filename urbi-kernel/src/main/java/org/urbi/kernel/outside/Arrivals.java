@@ -12,7 +12,6 @@ import org.urbi.kernel.message.Message;
 /** The connections that come in at one place, on their way to the kernel thread. */
 final class Arrivals {
   private final Outside outside;
-  private final ServerSocketChannel place;
   private final Consumer<Network.Connected> listener;
   private final int number;
 
@@ -22,15 +21,14 @@ final class Arrivals {
   /**
    * @param listener told of each connection, on the kernel thread
    */
-  Arrivals(Outside outside, ServerSocketChannel place, Consumer<Network.Connected> listener) {
+  Arrivals(Outside outside, Consumer<Network.Connected> listener) {
     this.outside = outside;
-    this.place = place;
     this.listener = listener;
     number = outside.inbox().register(this::take);
   }
 
   /** Waits for connections until the place is closed; on a thread of its own. */
-  void accept() {
+  void accept(ServerSocketChannel place) {
     try {
       while (place.isOpen()) {
         arrived(place.accept());
@@ -63,7 +61,7 @@ final class Arrivals {
           listener.accept(
               new Network.Connected(Network.link(outside, channel), made.local(), made.remote()));
         } catch (IOException e) {
-          Outside.closeQuietly(channel);
+          Outside.closeQuietly(Outside.live(channel));
         }
       }
       case Message.ListeningEnded end -> {

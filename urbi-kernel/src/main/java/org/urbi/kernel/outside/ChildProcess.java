@@ -1,11 +1,14 @@
 package org.urbi.kernel.outside;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.Closeable;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.job.Job;
@@ -21,7 +24,7 @@ public final class ChildProcess {
   private final Waiters waiters = new Waiters();
 
   /** Null in a replay. */
-  private final Process process;
+  private final @Nullable Process process;
 
   /** Whose it is. */
   private final Budget budget;
@@ -29,18 +32,17 @@ public final class ChildProcess {
   private final PipeSink in;
   private final PipeSource out;
   private final PipeSource err;
-  private Integer status;
+  private @Nullable Integer status;
 
-  private ChildProcess(Outside outside, Process process, Budget budget) {
+  private ChildProcess(Outside outside, @Nullable Process process, Budget budget) {
     this.process = process;
     this.budget = budget;
-    boolean live = process != null;
-    in = new PipeSink(outside, live ? process.getOutputStream() : null, false);
-    out = new PipeSource(outside, live ? process.getInputStream() : null);
-    err = new PipeSource(outside, live ? process.getErrorStream() : null);
+    in = new PipeSink(outside, process == null ? null : process.getOutputStream(), false);
+    out = new PipeSource(outside, process == null ? null : process.getInputStream());
+    err = new PipeSource(outside, process == null ? null : process.getErrorStream());
     outside.scheduler().pace().begin();
     int number = outside.inbox().register(message -> ended(outside, message));
-    if (live) {
+    if (process != null) {
       // The process holds on to what kills it as long as it runs.
       Closeable end = process::destroyForcibly;
       outside.opened(end);
@@ -75,7 +77,7 @@ public final class ChildProcess {
     job.take(Resource.PROCESSES);
     boolean started = false;
     try {
-      Process process = outside.await(job, () -> builder(command, directory, env).start());
+      Process process = outside.awaitOpen(job, () -> builder(command, directory, env).start());
       started = true;
       return new ChildProcess(outside, process, job.budget());
     } finally {
@@ -155,12 +157,16 @@ public final class ChildProcess {
 
   /** The status with which it ended; 0 for one that was ended by a signal. */
   public int exitStatus() {
-    return signal() == 0 ? status : 0;
+    return signal() == 0 ? status() : 0;
   }
 
   /** The signal by which it was ended, or 0. */
   public int signal() {
-    return signal(status);
+    return signal(status());
+  }
+
+  private int status() {
+    return requireNonNull(status, "asked for after the end");
   }
 
   /** The signal that a status of the JDK stands for, or 0. */

@@ -1,11 +1,14 @@
 package org.urbi.kernel.outside;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.nio.file.FileSystemLoopException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 
 /**
@@ -16,14 +19,14 @@ public final class Confinement {
   private static final int MOST_LINKS = 40;
 
   /** Null when all is allowed. */
-  private final Path directory;
+  private final @Nullable Path directory;
 
   private final Path working;
 
   /** Whether nothing at all is allowed. */
   private final boolean closed;
 
-  private Confinement(Path directory, Path working, boolean closed) {
+  private Confinement(@Nullable Path directory, Path working, boolean closed) {
     this.directory = directory;
     this.working = working;
     this.closed = closed;
@@ -35,7 +38,7 @@ public final class Confinement {
    * @param directory the one to which it was confined, or null
    * @param working where relative paths started from
    */
-  public static Confinement recorded(String directory, String working) {
+  public static Confinement recorded(@Nullable String directory, String working) {
     return new Confinement(directory == null ? null : Path.of(directory), Path.of(working), false);
   }
 
@@ -46,7 +49,7 @@ public final class Confinement {
 
   /** Nothing is allowed. */
   public static Confinement total() {
-    return new Confinement(null, null, true);
+    return new Confinement(null, Path.of("/"), true);
   }
 
   /**
@@ -67,7 +70,12 @@ public final class Confinement {
     return closed || directory != null;
   }
 
-  /** Where relative paths start from in the beginning; null when no files are allowed. */
+  /** Whether any files are allowed. */
+  public boolean allowsFiles() {
+    return !closed;
+  }
+
+  /** Where relative paths start from in the beginning. */
   public Path workingDirectory() {
     return working;
   }
@@ -79,7 +87,7 @@ public final class Confinement {
    */
   Path followed(Path path) throws IOException {
     checkFiles();
-    return directory == null ? path : checked(resolved(path));
+    return directory == null ? path : checked(directory, resolved(path));
   }
 
   /**
@@ -92,7 +100,7 @@ public final class Confinement {
     Path name = path.getFileName();
     return directory == null || name == null
         ? followed(path)
-        : checked(resolved(path.getParent()).resolve(name));
+        : checked(directory, resolved(directoryOf(path)).resolve(name));
   }
 
   /**
@@ -114,7 +122,11 @@ public final class Confinement {
     }
   }
 
-  private Path checked(Path resolved) throws ConfinedException {
+  private static Path directoryOf(Path path) {
+    return requireNonNull(path.getParent(), "all paths are absolute");
+  }
+
+  private static Path checked(Path directory, Path resolved) throws ConfinedException {
     if (!resolved.startsWith(directory)) {
       throw new ConfinedException(Problem.CONFINED_OUTSIDE);
     }

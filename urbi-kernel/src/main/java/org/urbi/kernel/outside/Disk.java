@@ -13,6 +13,7 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 
 /**
@@ -35,16 +36,8 @@ public final class Disk {
     return outside.confinement();
   }
 
-  /** Something that is done, without a result. */
-  private interface Change {
-    void make() throws IOException;
-  }
-
-  private void change(Change change) throws IOException {
-    outside.look(() -> {
-      change.make();
-      return null;
-    });
+  private void change(Outside.Change change) throws IOException {
+    outside.change(change);
   }
 
   // ------------------------------------------------------------------ looking
@@ -128,7 +121,7 @@ public final class Disk {
   public FileSource source(Path path) throws IOException {
     return new FileSource(
         outside,
-        outside.look(
+        outside.open(
             () -> FileChannel.open(confinement().followed(path), StandardOpenOption.READ)));
   }
 
@@ -136,21 +129,21 @@ public final class Disk {
   public FileSink sink(Path path) throws IOException {
     return new FileSink(
         outside,
-        outside.look(() ->
+        outside.open(() ->
             FileChannel.open(
                 confinement().followed(path),
                 StandardOpenOption.WRITE,
                 StandardOpenOption.APPEND)));
   }
 
-  /** The bytes of what may let its readers wait. */
-  public InputStream input(Path path) throws IOException {
-    return outside.look(() -> new FileInputStream(confinement().followed(path).toFile()));
+  /** The bytes of what may let its readers wait; null in a replay. */
+  public @Nullable InputStream input(Path path) throws IOException {
+    return outside.open(() -> new FileInputStream(confinement().followed(path).toFile()));
   }
 
-  /** The end of what may let its writers wait. */
-  public OutputStream output(Path path) throws IOException {
-    return outside.look(() -> new FileOutputStream(confinement().followed(path).toFile(), true));
+  /** The end of what may let its writers wait; null in a replay. */
+  public @Nullable OutputStream output(Path path) throws IOException {
+    return outside.open(() -> new FileOutputStream(confinement().followed(path).toFile(), true));
   }
 
   // ------------------------------------------------------------------ files

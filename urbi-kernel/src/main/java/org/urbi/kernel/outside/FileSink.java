@@ -3,26 +3,29 @@ package org.urbi.kernel.outside;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 
 /** The end of a regular file. What is written is there for everybody at once. */
 public final class FileSink implements ByteSink {
   private final Outside outside;
-  private final FileChannel channel;
 
-  FileSink(Outside outside, FileChannel channel) {
+  /** Null in a replay. */
+  private final @Nullable FileChannel channel;
+
+  FileSink(Outside outside, @Nullable FileChannel channel) {
     this.outside = outside;
     this.channel = channel;
   }
 
   @Override
   public void write(Job job, byte[] bytes) throws IOException {
-    outside.look(() -> {
+    outside.change(() -> {
+      FileChannel live = Outside.live(channel);
       ByteBuffer rest = ByteBuffer.wrap(bytes);
       while (rest.hasRemaining()) {
-        channel.write(rest);
+        live.write(rest);
       }
-      return null;
     });
   }
 

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 
 /** The bytes of a regular file. */
@@ -11,11 +12,14 @@ public final class FileSource implements ByteSource {
   private static final int BUFFER = 1 << 13;
 
   private final Outside outside;
-  private final FileChannel channel;
+
+  /** Null in a replay. */
+  private final @Nullable FileChannel channel;
+
   private byte[] bytes = new byte[0];
   private int position;
 
-  FileSource(Outside outside, FileChannel channel) {
+  FileSource(Outside outside, @Nullable FileChannel channel) {
     this.outside = outside;
     this.channel = channel;
   }
@@ -31,7 +35,7 @@ public final class FileSource implements ByteSource {
 
   private byte[] readSome() throws IOException {
     ByteBuffer buffer = ByteBuffer.allocate(BUFFER);
-    channel.read(buffer);
+    Outside.live(channel).read(buffer);
     return Arrays.copyOf(buffer.array(), buffer.position());
   }
 

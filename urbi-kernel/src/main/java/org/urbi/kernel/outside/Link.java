@@ -1,10 +1,13 @@
 package org.urbi.kernel.outside;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
@@ -20,7 +23,7 @@ public final class Link implements Closeable {
      *
      * @param error what went wrong, or null when the other end has closed the connection
      */
-    void ended(String error);
+    void ended(@Nullable String error);
   }
 
   private static final int CHUNK = 1 << 16;
@@ -33,7 +36,7 @@ public final class Link implements Closeable {
   private final PipeSink sink;
   private final Closeable connection;
   private final boolean network;
-  private Listener listener;
+  private @Nullable Listener listener;
   private int number;
 
   /** Guarded by this object, which tells the reader to go on. */
@@ -78,6 +81,12 @@ public final class Link implements Closeable {
     };
   }
 
+  /** A connection of a replay, to which nothing is sent and from which only the journal reads. */
+  static Link replayed(Outside outside, boolean network) {
+    return new Link(
+        outside, InputStream.nullInputStream(), OutputStream.nullOutputStream(), () -> {}, network);
+  }
+
   /** Begins to listen. */
   public void open(Listener to) {
     listener = to;
@@ -113,10 +122,14 @@ public final class Link implements Closeable {
 
   private void take(Message message) {
     switch (message) {
-      case Message.BytesArrived arrived -> listener.received(arrived.bytes());
+      case Message.BytesArrived arrived -> listener().received(arrived.bytes());
       case Message.BytesEnded end -> end(end.error());
       default -> throw new IllegalArgumentException(message.toString());
     }
+  }
+
+  private Listener listener() {
+    return requireNonNull(listener, "set before the first message is asked for");
   }
 
   private synchronized boolean hasRoom() {
@@ -130,11 +143,11 @@ public final class Link implements Closeable {
     return !closed;
   }
 
-  private void end(String error) {
+  private void end(@Nullable String error) {
     outside.inbox().forget(number);
     outside.scheduler().pace().end();
     outside.closed(connection);
-    listener.ended(error);
+    listener().ended(error);
     close();
   }
 

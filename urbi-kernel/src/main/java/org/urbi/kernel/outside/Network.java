@@ -16,6 +16,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Job;
 
@@ -41,20 +42,24 @@ public final class Network {
   public static Connected connect(Outside outside, Job job, String host, String port)
       throws IOException {
     outside.confinement().checkConnections();
-    SocketChannel channel = outside.await(job, () -> SocketChannel.open(address(host, port)));
+    SocketChannel channel = outside.awaitOpen(job, () -> SocketChannel.open(address(host, port)));
     return connected(outside, channel);
   }
 
-  private static Connected connected(Outside outside, SocketChannel channel) throws IOException {
+  private static Connected connected(Outside outside, @Nullable SocketChannel channel)
+      throws IOException {
     return new Connected(
         link(outside, channel),
-        outside.look(() -> internet(channel.getLocalAddress())),
-        outside.look(() -> internet(channel.getRemoteAddress())));
+        outside.look(() -> internet(Outside.live(channel).getLocalAddress())),
+        outside.look(() -> internet(Outside.live(channel).getRemoteAddress())));
   }
 
-  static Link link(Outside outside, SocketChannel channel) throws IOException {
-    if (outside.isReplay()) {
-      return new Link(outside, null, null, () -> {}, true);
+  /**
+   * @param channel null in a replay
+   */
+  static Link link(Outside outside, @Nullable SocketChannel channel) throws IOException {
+    if (channel == null) {
+      return Link.replayed(outside, true);
     }
     channel.socket().setTcpNoDelay(true);
     return new Link(
@@ -81,7 +86,7 @@ public final class Network {
       throws IOException {
     outside.confinement().checkConnections();
     ServerSocketChannel place =
-        outside.await(
+        outside.awaitOpen(
             job,
             () -> {
               ServerSocketChannel made = ServerSocketChannel.open();
@@ -92,11 +97,15 @@ public final class Network {
                 throw e;
               }
             });
-    outside.opened(place);
     outside.scheduler().pace().begin();
-    Arrivals arrivals = new Arrivals(outside, place, listener);
-    outside.startVirtual(arrivals::accept);
-    return new Listening(outside.look(() -> internet(place.getLocalAddress())), place);
+    Arrivals arrivals = new Arrivals(outside, listener);
+    if (place != null) {
+      outside.opened(place);
+      outside.startVirtual(() -> arrivals.accept(place));
+    }
+    return new Listening(
+        outside.look(() -> internet(Outside.live(place).getLocalAddress())),
+        place == null ? () -> {} : place);
   }
 
   private static InetSocketAddress address(String host, String port) throws IOException {
@@ -156,7 +165,7 @@ public final class Network {
       throws IOException {
     outside.confinement().checkConnections();
     SerialLine line =
-        outside.await(
+        outside.awaitOpen(
             job,
             () -> {
               // The line has to be raw before the first byte comes.
@@ -185,7 +194,7 @@ public final class Network {
               return new SerialLine(in, out);
             });
     return line == null
-        ? new Link(outside, null, null, () -> {}, false)
+        ? Link.replayed(outside, false)
         : new Link(outside, line.in, line.out, line, false);
   }
 

@@ -1,5 +1,7 @@
 package org.urbi.kernel.outside;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -13,6 +15,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicReference;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Inbox;
 import org.urbi.kernel.job.Job;
@@ -44,7 +47,7 @@ public final class Outside implements Closeable {
       Executors.newCachedThreadPool(
           Thread.ofPlatform().daemon().name("urbi-outside-", 0).factory());
   private final Set<Closeable> open = Collections.newSetFromMap(new WeakHashMap<>());
-  private DirectoryWatch directories;
+  private @Nullable DirectoryWatch directories;
   private boolean closed;
 
   /**
@@ -82,9 +85,7 @@ public final class Outside implements Closeable {
    */
   public Path startOfPaths(Path otherwise) {
     Confinement own = confinement();
-    return own == confinement || own.workingDirectory() == null
-        ? otherwise
-        : own.workingDirectory();
+    return own == confinement || !own.allowsFiles() ? otherwise : own.workingDirectory();
   }
 
   /** Files and directories. */
@@ -106,18 +107,44 @@ public final class Outside implements Closeable {
   }
 
   /**
-   * What a look at the machine shows, which does not wait: from the kernel thread it is written
-   * down, from another one its answer will be.
+   * What a look at the machine shows, which does not wait: data, which from the kernel thread is
+   * written down; from another one its answer will be.
    *
    * @throws IOException as the work does
    */
   public <T> T look(Outcome.Work<T> work) throws IOException {
-    return scheduler.isKernelThread() ? scheduler.journal().look(work) : seen(work);
+    return requireNonNull(open(work), "what is looked at is there");
   }
 
-  @SuppressWarnings("unchecked")
-  private static <T> T seen(Outcome.Work<T> work) throws IOException {
-    return (T) Outcome.of(work).get();
+  /**
+   * Like {@link #look}, for something live, such as a file that is opened: null in a replay.
+   *
+   * @throws IOException as the work does
+   */
+  <T> @Nullable T open(Outcome.Work<T> work) throws IOException {
+    return scheduler.isKernelThread() ? scheduler.journal().look(work) : Outcome.of(work).get();
+  }
+
+  /** What a look or a change is for: in a replay neither is made. */
+  static <T> T live(@Nullable T thing) {
+    return requireNonNull(thing, "a replay does nothing to the machine");
+  }
+
+  /** Something that is done to the machine, without a result. */
+  interface Change {
+    void make() throws IOException;
+  }
+
+  /**
+   * Changes something, which does not wait; in a replay, only its failure is there.
+   *
+   * @throws IOException as the change does
+   */
+  void change(Change change) throws IOException {
+    open(() -> {
+      change.make();
+      return null;
+    });
   }
 
   /** Runs something that may wait for long inside the operating system; in a replay it does not. */
@@ -150,7 +177,7 @@ public final class Outside implements Closeable {
   public void watch(Job job, Path directory, DirectoryWatch.Listener listener) throws IOException {
     int number = inbox().register(listener::take);
     try {
-      await(
+      outcome(
           job,
           () -> {
             directories().watch(confinement().followed(directory), number);
@@ -172,12 +199,12 @@ public final class Outside implements Closeable {
 
   /**
    * Like {@link #await}, for work that takes less than the others would notice: as a rule none of
-   * them runs before it is done.
+   * them runs before it is done. It may have no result, and none that is live in a replay.
    *
    * @throws IOException as the work did
    */
-  public <T> T awaitBriefly(Job job, Callable<T> work) throws IOException {
-    return await(job, work, SPINS);
+  public <T> @Nullable T awaitBriefly(Job job, Callable<T> work) throws IOException {
+    return outcome(job, work, SPINS);
   }
 
   /**
@@ -186,10 +213,19 @@ public final class Outside implements Closeable {
    * @throws IOException as the work did
    */
   public <T> T await(Job job, Callable<T> work) throws IOException {
-    return await(job, work, 0);
+    return requireNonNull(awaitOpen(job, work), "what is waited for is there");
   }
 
-  private <T> T await(Job job, Callable<T> work, int spins) throws IOException {
+  /**
+   * Like {@link #await}, for something live, such as a program that is started: null in a replay.
+   *
+   * @throws IOException as the work did
+   */
+  <T> @Nullable T awaitOpen(Job job, Callable<T> work) throws IOException {
+    return outcome(job, work, 0);
+  }
+
+  private <T> @Nullable T outcome(Job job, Callable<T> work, int spins) throws IOException {
     PendingAnswer answer = new PendingAnswer(job);
     AtomicReference<Outcome> early = new AtomicReference<>();
     Confinement allowed = confinement();
@@ -205,7 +241,7 @@ public final class Outside implements Closeable {
       return answer.await().get();
     }
     answer.abandon();
-    return look(() -> early.get().get());
+    return open(() -> requireNonNull(early.get(), "it was there").get());
   }
 
   /** How much memory the kernel can have, in bytes. */
@@ -222,9 +258,6 @@ public final class Outside implements Closeable {
 
   /** Something is open: it is closed with the kernel, unless nobody knows it any more. */
   public void opened(Closeable resource) {
-    if (resource == null) {
-      return;
-    }
     synchronized (open) {
       if (!closed) {
         open.add(resource);
@@ -257,9 +290,7 @@ public final class Outside implements Closeable {
   /** Closes what nobody can be told of any more. */
   static void closeQuietly(Closeable resource) {
     try {
-      if (resource != null) {
-        resource.close();
-      }
+      resource.close();
     } catch (IOException e) {
       // There is nobody to tell.
     }

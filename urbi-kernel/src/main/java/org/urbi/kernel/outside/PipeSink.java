@@ -1,8 +1,11 @@
 package org.urbi.kernel.outside;
 
+import static java.util.Objects.requireNonNullElseGet;
+
 import java.io.IOException;
 import java.io.OutputStream;
 import java.util.concurrent.LinkedBlockingQueue;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.log.FailureLog;
@@ -27,14 +30,15 @@ public final class PipeSink implements ByteSink {
   private boolean started;
   private int underWay;
   private boolean closed;
-  private String failure;
+  private @Nullable String failure;
 
   /**
+   * @param out null in a replay
    * @param network whether it is a connection, not a file of the operating system
    */
-  public PipeSink(Outside outside, OutputStream out, boolean network) {
+  public PipeSink(Outside outside, @Nullable OutputStream out, boolean network) {
     this.outside = outside;
-    this.out = out;
+    this.out = requireNonNullElseGet(out, OutputStream::nullOutputStream);
     this.network = network;
     number = outside.inbox().register(this::take);
   }

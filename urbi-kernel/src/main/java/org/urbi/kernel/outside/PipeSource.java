@@ -1,9 +1,12 @@
 package org.urbi.kernel.outside;
 
+import static java.util.Objects.requireNonNullElseGet;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.ArrayDeque;
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
@@ -25,17 +28,21 @@ public final class PipeSource implements ByteSource {
   private final ArrayDeque<byte[]> chunks = new ArrayDeque<>();
   private int position;
   private boolean ended;
-  private String failure;
+  private @Nullable String failure;
 
   /** How much is waiting; guarded by this object, which tells the thread to go on. */
   private int ahead;
 
   private boolean closed;
 
-  /** Reads from now on. */
-  public PipeSource(Outside outside, InputStream in) {
+  /**
+   * Reads from now on.
+   *
+   * @param in null in a replay
+   */
+  public PipeSource(Outside outside, @Nullable InputStream in) {
     this.outside = outside;
-    this.in = in;
+    this.in = requireNonNullElseGet(in, InputStream::nullInputStream);
     number = outside.inbox().register(this::take);
     outside.start(this::readAhead);
   }

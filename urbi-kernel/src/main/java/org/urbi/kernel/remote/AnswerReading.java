@@ -1,9 +1,12 @@
 package org.urbi.kernel.remote;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Listening;
 import org.urbi.kernel.outside.SocketWatch;
 
@@ -27,8 +30,8 @@ public final class AnswerReading implements Listening {
   private final List<RemotePeer> asked = new ArrayList<>();
   private final List<RemotePeer> read = new ArrayList<>();
   private final List<RemotePeer> ready = new ArrayList<>();
-  private ByteBuffer space;
-  private SocketWatch<RemotePeer> watch;
+  private @Nullable ByteBuffer space;
+  private @Nullable SocketWatch<RemotePeer> watch;
   private int waits;
   private boolean looking;
   private long looked;
@@ -49,7 +52,7 @@ public final class AnswerReading implements Listening {
   }
 
   @Override
-  public Wait begin(long nanoseconds) {
+  public @Nullable Wait begin(long nanoseconds) {
     for (int i = asked.size() - 1; i >= 0; i--) {
       if (!asked.get(i).isAsked()) {
         asked.remove(i);
@@ -67,8 +70,8 @@ public final class AnswerReading implements Listening {
     if (read.isEmpty()) {
       return null;
     }
-    watch.limit(nanoseconds / MILLISECOND);
-    return watch;
+    watch().limit(nanoseconds / MILLISECOND);
+    return watch();
   }
 
   @Override
@@ -79,7 +82,8 @@ public final class AnswerReading implements Listening {
 
   /** The network has left a connection to the kernel. */
   void begin(RemotePeer peer) {
-    if (peer.socket() == null) {
+    SocketWatch.Socket socket = peer.socket();
+    if (socket == null) {
       return;
     }
     try {
@@ -87,7 +91,7 @@ public final class AnswerReading implements Listening {
         watch = new SocketWatch<>();
         space = ByteBuffer.allocateDirect(1 << 16);
       }
-      watch.add(peer.socket(), peer);
+      watch.add(socket, peer);
       read.add(peer);
     } catch (IOException e) {
       // The connection is closed, or about to be.
@@ -95,27 +99,42 @@ public final class AnswerReading implements Listening {
     }
   }
 
+  private SocketWatch<RemotePeer> watch() {
+    return requireNonNull(watch, "made before the first connection is read");
+  }
+
+  private ByteBuffer space() {
+    return requireNonNull(space, "made together with the watch");
+  }
+
+  private void unwatch(RemotePeer peer) {
+    SocketWatch.Socket socket = peer.socket();
+    if (socket != null) {
+      watch().remove(socket);
+    }
+  }
+
   private void leave() {
     for (int i = read.size() - 1; i >= 0; i--) {
       RemotePeer peer = read.remove(i);
-      watch.remove(peer.socket());
+      unwatch(peer);
       peer.stopReading();
     }
   }
 
   private void look() {
-    watch.glance();
+    watch().glance();
     pass();
   }
 
   /** Posts what there is. */
   private void pass() {
-    watch.ready(ready);
+    watch().ready(ready);
     for (int i = ready.size() - 1; i >= 0; i--) {
       RemotePeer peer = ready.remove(i);
-      if (!peer.read(space)) {
+      if (!peer.read(space())) {
         read.remove(peer);
-        watch.remove(peer.socket());
+        unwatch(peer);
       }
     }
   }

@@ -6,6 +6,7 @@ import java.lang.invoke.MethodType;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.uobject.Perishable;
 import urbi.UCallback;
 import urbi.UObject;
@@ -60,7 +61,7 @@ public final class RemoteObject extends UObject implements AutoCloseable, Perish
   }
 
   @Override
-  public String whyGone() {
+  public @Nullable String whyGone() {
     return process.lost();
   }
 

@@ -11,6 +11,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.message.Message;
@@ -48,7 +49,7 @@ public final class RemotePeer implements RemoteProcess {
   private final PluggedContext context;
   private final RemoteWire wire;
   private final AnswerReading reading;
-  private volatile SocketWatch.Socket socket;
+  private volatile SocketWatch.@Nullable Socket socket;
   private boolean wanting;
   private final UModule module;
   private final RemoteTasks tasks;
@@ -70,8 +71,8 @@ public final class RemotePeer implements RemoteProcess {
   private boolean behind;
   private boolean greeted;
   private boolean broken;
-  private String lost;
-  private Runnable rtpEnd;
+  private @Nullable String lost;
+  private @Nullable Runnable rtpEnd;
 
   /**
    * @param number of the receiver of its messages
@@ -130,7 +131,7 @@ public final class RemotePeer implements RemoteProcess {
     return context;
   }
 
-  SocketWatch.Socket socket() {
+  SocketWatch.@Nullable Socket socket() {
     return socket;
   }
 
@@ -205,7 +206,7 @@ public final class RemotePeer implements RemoteProcess {
     return thrown;
   }
 
-  private void complete(int number, UValue value, RuntimeException error) {
+  private void complete(int number, @Nullable UValue value, @Nullable RuntimeException error) {
     // Whoever waits finds done what came before the result: what the function has bound, say.
     tasks.hurry();
     CompletableFuture<UValue> call = calls.remove(number);
@@ -323,7 +324,7 @@ public final class RemotePeer implements RemoteProcess {
   }
 
   @Override
-  public String lost() {
+  public @Nullable String lost() {
     return lost;
   }
 
@@ -366,7 +367,7 @@ public final class RemotePeer implements RemoteProcess {
   }
 
   /** Emits an event; only makes it if there is no payload. */
-  void emit(String name, UValue[] payload) {
+  void emit(String name, UValue @Nullable [] payload) {
     UEmitter emitter = events.computeIfAbsent(name, context::event);
     if (payload != null) {
       emitter.emit(payload);
@@ -558,7 +559,9 @@ public final class RemotePeer implements RemoteProcess {
     all.forEach(UObject::clean);
     classes.values().forEach(context::stop);
     module.leave(context);
-    rtpEnd.run();
+    if (rtpEnd != null) {
+      rtpEnd.run();
+    }
     tasks.end();
     reading.forget(this);
   }

@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.Unwinding;
@@ -30,7 +31,7 @@ final class RemoteTasks {
   /** Up to this one, tasks are done without a break. */
   private long urgent;
 
-  private Job job;
+  private @Nullable Job job;
   private boolean waiting;
   private boolean ended;
 

@@ -3,6 +3,7 @@ package org.urbi.kernel.remote;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.uobject.PluggedContext;
 import org.urbi.kernel.variable.UrbiUVar;
 import urbi.UCallback;
@@ -21,14 +22,14 @@ final class RemoteVariable {
   private final RemotePeer peer;
   private final int id;
   private final USlot slot;
-  private Runnable notification;
-  private Runnable interception;
+  private @Nullable Runnable notification;
+  private @Nullable Runnable interception;
   private int watch;
-  private UValue beingSet;
+  private @Nullable UValue beingSet;
   private boolean stale;
   private boolean mirror;
   private int accesses;
-  private UValue accessed;
+  private @Nullable UValue accessed;
   private final UrbiUVar variable;
   private final Runnable rtpEnd;
 

@@ -1,6 +1,7 @@
 package org.urbi.kernel.remote;
 
 import java.nio.ByteBuffer;
+import org.jspecify.annotations.Nullable;
 import urbi.rtp.RtpSession;
 import urbi.rtp.RtpTerms;
 
@@ -20,7 +21,7 @@ public interface RemoteWire {
   void openDatagrams(RtpTerms terms);
 
   /** The datagrams that were agreed upon; null without. */
-  RtpSession datagrams();
+  @Nullable RtpSession datagrams();
 
   /** Ends the datagrams, if there are any. */
   void closeDatagrams();

@@ -1,6 +1,7 @@
 package org.urbi.kernel.remote;
 
 import java.nio.ByteBuffer;
+import org.jspecify.annotations.Nullable;
 import urbi.rtp.RtpSession;
 import urbi.rtp.RtpTerms;
 
@@ -16,7 +17,7 @@ public final class SilentWire implements RemoteWire {
   public void openDatagrams(RtpTerms terms) {}
 
   @Override
-  public RtpSession datagrams() {
+  public @Nullable RtpSession datagrams() {
     return null;
   }
 

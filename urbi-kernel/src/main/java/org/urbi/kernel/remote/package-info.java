@@ -3,4 +3,7 @@
  * context is asked to do what the process asks for, and what the context asks for is sent there
  * (docs/protocol.md).
  */
+@NullMarked
 package org.urbi.kernel.remote;
+
+import org.jspecify.annotations.NullMarked;

@@ -6,6 +6,7 @@ import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
 import java.lang.reflect.Proxy;
 import java.util.function.BiPredicate;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.embed.JavaValues;
 import org.urbi.kernel.embed.UrbiValue;
 
@@ -24,7 +25,8 @@ final class InterfaceProxy implements InvocationHandler {
    *
    * @throws IllegalArgumentException if the type is no interface
    */
-  static <T> T of(UrbiValue object, Class<T> type, BiPredicate<UrbiValue, String> understands) {
+  static <T> @Nullable T of(
+      UrbiValue object, Class<T> type, BiPredicate<UrbiValue, String> understands) {
     if (type == null || !type.isInterface()) {
       throw new IllegalArgumentException("no interface: " + type);
     }
@@ -40,7 +42,8 @@ final class InterfaceProxy implements InvocationHandler {
   }
 
   @Override
-  public Object invoke(Object proxy, Method method, Object[] arguments) throws Throwable {
+  public @Nullable Object invoke(Object proxy, Method method, Object @Nullable [] arguments)
+      throws Throwable {
     Object[] given = arguments == null ? new Object[0] : arguments;
     if (method.getDeclaringClass() == Object.class) {
       return switch (method.getName()) {

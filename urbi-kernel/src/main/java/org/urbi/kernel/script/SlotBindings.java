@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import javax.script.Bindings;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.embed.UrbiValue;
 
 /** The slots of an object as the variables of an engine: what one side sets, the other one sees. */
@@ -35,20 +36,20 @@ final class SlotBindings extends AbstractMap<String, Object> implements Bindings
   }
 
   @Override
-  public Object get(Object key) {
+  public @Nullable Object get(Object key) {
     String name = name(key);
     return object.has(name) ? object.get(name) : null;
   }
 
   @Override
-  public Object put(String key, Object value) {
+  public @Nullable Object put(String key, Object value) {
     Object old = get(key);
     object.set(key, value);
     return old;
   }
 
   @Override
-  public Object remove(Object key) {
+  public @Nullable Object remove(Object key) {
     Object old = get(key);
     object.remove(name(key));
     return old;
@@ -72,7 +73,7 @@ final class SlotBindings extends AbstractMap<String, Object> implements Bindings
 
   private final class Entries implements Iterator<Map.Entry<String, Object>> {
     private final Iterator<String> names;
-    private String last;
+    private @Nullable String last;
 
     Entries(Iterator<String> names) {
       this.names = names;
@@ -85,8 +86,9 @@ final class SlotBindings extends AbstractMap<String, Object> implements Bindings
 
     @Override
     public Map.Entry<String, Object> next() {
-      last = names.next();
-      return new SimpleEntry<>(last, SlotBindings.this.get(last)) {
+      String name = names.next();
+      last = name;
+      return new SimpleEntry<>(name, SlotBindings.this.get(name)) {
         private static final long serialVersionUID = 1;
 
         @Override
@@ -99,6 +101,9 @@ final class SlotBindings extends AbstractMap<String, Object> implements Bindings
 
     @Override
     public void remove() {
+      if (last == null) {
+        throw new IllegalStateException();
+      }
       object.remove(last);
     }
   }

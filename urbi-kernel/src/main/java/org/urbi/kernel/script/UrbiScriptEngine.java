@@ -1,5 +1,7 @@
 package org.urbi.kernel.script;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.io.Reader;
 import java.io.UncheckedIOException;
@@ -14,6 +16,7 @@ import javax.script.ScriptContext;
 import javax.script.ScriptEngine;
 import javax.script.ScriptException;
 import javax.script.SimpleBindings;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.embed.UrbiError;
 import org.urbi.kernel.embed.UrbiValue;
@@ -40,7 +43,7 @@ public final class UrbiScriptEngine extends AbstractScriptEngine
     this.factory = factory;
     this.writer = getContext().getWriter();
     this.kernel = Kernel.builder().output(this::print).start();
-    this.globals = kernel.eval("Object.new", UrbiValue.class);
+    this.globals = requireNonNull(kernel.eval("Object.new", UrbiValue.class), "a new object");
     UrbiValue lobby = kernel.embedding().lobby();
     lobby.call("addProto", globals);
     setBindings(new SlotBindings(lobby), ScriptContext.ENGINE_SCOPE);
@@ -80,7 +83,7 @@ public final class UrbiScriptEngine extends AbstractScriptEngine
   // ------------------------------------------------------------------ evaluation
 
   @Override
-  public Object eval(Reader reader, ScriptContext in) throws ScriptException {
+  public @Nullable Object eval(Reader reader, ScriptContext in) throws ScriptException {
     StringBuilder text = new StringBuilder();
     char[] chunk = new char[8192];
     try {
@@ -94,7 +97,7 @@ public final class UrbiScriptEngine extends AbstractScriptEngine
   }
 
   @Override
-  public Object eval(String script, ScriptContext in) throws ScriptException {
+  public @Nullable Object eval(String script, ScriptContext in) throws ScriptException {
     writer = in.getWriter();
     try {
       String file = in.getAttribute(ScriptEngine.FILENAME) instanceof String name ? name : null;
@@ -121,7 +124,7 @@ public final class UrbiScriptEngine extends AbstractScriptEngine
     }
   }
 
-  private Object evaluate(String script, String file, UrbiValue target) {
+  private @Nullable Object evaluate(String script, @Nullable String file, UrbiValue target) {
     return kernel.embedding().eval(script, file, target, Object.class);
   }
 
@@ -156,7 +159,7 @@ public final class UrbiScriptEngine extends AbstractScriptEngine
               private static final long serialVersionUID = 1;
 
               @Override
-              public String getMessage() {
+              public @Nullable String getMessage() {
                 // The place is there already.
                 return e.getMessage();
               }
@@ -168,13 +171,13 @@ public final class UrbiScriptEngine extends AbstractScriptEngine
   // ------------------------------------------------------------------ calls
 
   @Override
-  public Object invokeFunction(String name, Object... arguments)
+  public @Nullable Object invokeFunction(String name, Object... arguments)
       throws ScriptException, NoSuchMethodException {
     return invoke(kernel.embedding().lobby(), name, arguments);
   }
 
   @Override
-  public Object invokeMethod(Object target, String name, Object... arguments)
+  public @Nullable Object invokeMethod(Object target, String name, Object... arguments)
       throws ScriptException, NoSuchMethodException {
     if (!(target instanceof UrbiValue object)) {
       throw new IllegalArgumentException("no object of urbiscript: " + target);
@@ -182,7 +185,7 @@ public final class UrbiScriptEngine extends AbstractScriptEngine
     return invoke(object, name, arguments);
   }
 
-  private static Object invoke(UrbiValue target, String name, Object[] arguments)
+  private static @Nullable Object invoke(UrbiValue target, String name, Object[] arguments)
       throws ScriptException, NoSuchMethodException {
     try {
       if (!understands(target, name)) {
@@ -201,12 +204,12 @@ public final class UrbiScriptEngine extends AbstractScriptEngine
   }
 
   @Override
-  public <T> T getInterface(Class<T> type) {
+  public <T> @Nullable T getInterface(Class<T> type) {
     return getInterface(kernel.embedding().lobby(), type);
   }
 
   @Override
-  public <T> T getInterface(Object target, Class<T> type) {
+  public <T> @Nullable T getInterface(Object target, Class<T> type) {
     if (!(target instanceof UrbiValue object)) {
       throw new IllegalArgumentException("no object of urbiscript: " + target);
     }

@@ -3,6 +3,7 @@ package org.urbi.kernel.script;
 import java.util.List;
 import javax.script.ScriptEngine;
 import javax.script.ScriptEngineFactory;
+import org.jspecify.annotations.Nullable;
 
 /** Makes {@code urbiscript} known to {@link javax.script.ScriptEngineManager}. */
 public final class UrbiScriptEngineFactory implements ScriptEngineFactory {
@@ -45,7 +46,7 @@ public final class UrbiScriptEngineFactory implements ScriptEngineFactory {
   }
 
   @Override
-  public Object getParameter(String key) {
+  public @Nullable Object getParameter(String key) {
     return switch (key) {
       case ScriptEngine.ENGINE -> getEngineName();
       case ScriptEngine.ENGINE_VERSION -> getEngineVersion();

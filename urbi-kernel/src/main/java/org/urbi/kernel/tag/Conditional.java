@@ -1,6 +1,7 @@
 package org.urbi.kernel.tag;
 
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagState;
@@ -106,7 +107,7 @@ public final class Conditional {
    */
   private static final class Controlled extends UrbiTag {
     private boolean begun;
-    private Consumer<TagState> wanted;
+    private @Nullable Consumer<TagState> wanted;
 
     Controlled(Shape shape) {
       super(shape);
@@ -121,7 +122,8 @@ public final class Conditional {
     }
 
     void begin(Frame frame) {
-      if (wanted == null) {
+      Consumer<TagState> action = wanted;
+      if (action == null) {
         begun = true;
       } else {
         Job job = frame.job();
@@ -132,7 +134,7 @@ public final class Conditional {
                 "stopif",
                 started -> {
                   begun = true;
-                  wanted.accept(state());
+                  action.accept(state());
                 });
       }
     }

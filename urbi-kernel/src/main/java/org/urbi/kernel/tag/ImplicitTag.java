@@ -1,5 +1,6 @@
 package org.urbi.kernel.tag;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
@@ -13,7 +14,7 @@ import org.urbi.lang.source.Span;
  * that of {@code a.b: code} is made in the tag {@code a}, under which it stands (manual, "Tag").
  */
 public final class ImplicitTag extends Node {
-  private final Node target;
+  private final @Nullable Node target;
   private final Symbol name;
   private final Node tag;
 
@@ -21,7 +22,8 @@ public final class ImplicitTag extends Node {
    * @param target the tag in which the name is looked up, made if it must be; null for a plain name
    * @param tag the expression as it would be evaluated anyway
    */
-  public ImplicitTag(Span span, Interpreter interpreter, Node target, String name, Node tag) {
+  public ImplicitTag(
+      Span span, Interpreter interpreter, @Nullable Node target, String name, Node tag) {
     super(span);
     this.target = target;
     this.name = interpreter.world().symbol(name);

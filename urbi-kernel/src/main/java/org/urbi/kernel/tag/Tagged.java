@@ -2,7 +2,9 @@ package org.urbi.kernel.tag;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.TagStop;
@@ -59,8 +61,9 @@ public final class Tagged extends Node {
       return body.execute(frame);
     }
     UrbiTag tag = tags.get(index);
-    if (tag.state().isBlocked()) {
-      return tag.state().blockedValue();
+    UrbiObject blocked = tag.state().blockedValue();
+    if (blocked != null) {
+      return blocked;
     }
     double before = job.priority();
     job.setPriority(Math.max(before, tag.priority()));
@@ -77,9 +80,7 @@ public final class Tagged extends Node {
       job.setPriority(before);
       if (told[index]) {
         tag.left(frame);
-        if (tag.leaveEvent() != null) {
-          tag.leaveEvent().emit(job, true);
-        }
+        emit(tag.leaveEvent(), job);
       }
     }
   }
@@ -88,9 +89,13 @@ public final class Tagged extends Node {
     for (int i = 0; i < told.length; i++) {
       tags.get(i).entering(frame);
       told[i] = true;
-      if (tags.get(i).enterEvent() != null) {
-        tags.get(i).enterEvent().emit(frame.job(), true);
-      }
+      emit(tags.get(i).enterEvent(), frame.job());
+    }
+  }
+
+  private static void emit(@Nullable UrbiEvent event, Job job) {
+    if (event != null) {
+      event.emit(job, true);
     }
   }
 

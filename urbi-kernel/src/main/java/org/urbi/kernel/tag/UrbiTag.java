@@ -1,5 +1,6 @@
 package org.urbi.kernel.tag;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.TagState;
 import org.urbi.kernel.node.Frame;
@@ -10,10 +11,10 @@ import org.urbi.kernel.object.UrbiObject;
 /** A tag (manual, "Tag"): labels code in order to control it. */
 public class UrbiTag extends UrbiObject {
   private final TagState state;
-  private UrbiTag parent;
+  private @Nullable UrbiTag parent;
   private double priority;
-  private UrbiEvent enter;
-  private UrbiEvent leave;
+  private @Nullable UrbiEvent enter;
+  private @Nullable UrbiEvent leave;
 
   @SuppressWarnings("this-escape") // The state only keeps the tag that it is of.
   public UrbiTag(Shape shape) {
@@ -54,7 +55,7 @@ public class UrbiTag extends UrbiObject {
   }
 
   /** The tag which this one stands under, or null: whoever controls it controls this one too. */
-  public UrbiTag parent() {
+  public @Nullable UrbiTag parent() {
     return parent;
   }
 
@@ -68,12 +69,12 @@ public class UrbiTag extends UrbiObject {
   }
 
   /** Emitted when code enters; null when nobody has asked for it. */
-  public UrbiEvent enterEvent() {
+  public @Nullable UrbiEvent enterEvent() {
     return enter;
   }
 
   /** Emitted when code leaves; null when nobody has asked for it. */
-  public UrbiEvent leaveEvent() {
+  public @Nullable UrbiEvent leaveEvent() {
     return leave;
   }
 

@@ -1,5 +1,7 @@
 package org.urbi.kernel.trust;
 
+import org.jspecify.annotations.Nullable;
+
 /** What the code of a lobby may do; each may do what those before it may (docs/networking.md). */
 public enum Role {
   /** Reads and subscribes, and changes nothing but what is its own. */
@@ -14,7 +16,7 @@ public enum Role {
   private final String text = name().toLowerCase(java.util.Locale.ROOT);
 
   /** The role of that name: {@code owner}, {@code user}, {@code observer}; null if unknown. */
-  public static Role of(String name) {
+  public static @Nullable Role of(String name) {
     for (Role role : values()) {
       if (role.text.equals(name)) {
         return role;

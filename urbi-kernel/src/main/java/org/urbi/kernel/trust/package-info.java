@@ -1,2 +1,5 @@
 /** Who may do what. */
+@NullMarked
 package org.urbi.kernel.trust;
+
+import org.jspecify.annotations.NullMarked;

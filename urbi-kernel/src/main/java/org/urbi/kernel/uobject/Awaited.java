@@ -2,6 +2,7 @@ package org.urbi.kernel.uobject;
 
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.PendingAnswer;
 import org.urbi.kernel.job.Scheduler;
@@ -23,7 +24,7 @@ final class Awaited {
    *
    * @throws CompletionException if it is a failure
    */
-  Object await(CompletionStage<?> stage) {
+  @Nullable Object await(CompletionStage<?> stage) {
     stage.whenComplete((result, thrown) -> complete(new Outcome(result, thrown)));
     waiting = true;
     Outcome outcome = answer.await();

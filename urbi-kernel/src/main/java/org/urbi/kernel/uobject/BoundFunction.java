@@ -2,6 +2,7 @@ package org.urbi.kernel.uobject;
 
 import java.lang.invoke.MethodHandle;
 import java.util.concurrent.CompletionStage;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
@@ -19,10 +20,10 @@ final class BoundFunction extends Code {
   private final int arity;
 
   /** From the arguments in urbiscript to the result there, all in one. */
-  private final MethodHandle whole;
+  private final @Nullable MethodHandle whole;
 
   private final CallStatistics.Entry statistics;
-  private String gone;
+  private @Nullable String gone;
 
   BoundFunction(Shape shape, PluggedContext context, UCallback callback) {
     super(shape);
@@ -55,7 +56,7 @@ final class BoundFunction extends Code {
   @Override
   public UrbiObject call(Frame caller, CallSite site, UrbiObject self, UrbiObject... arguments) {
     if (arguments.length != arity) {
-      String called = site.calledName() == null ? callback.name() : site.calledName();
+      String called = site.isNamed() ? site.calledName() : callback.name();
       throw caller.interpreter().errors().arity(called, arguments.length, arity, arity);
     }
     if (!caller.job().isOwner()) {
@@ -66,13 +67,16 @@ final class BoundFunction extends Code {
     }
     long started = statistics.begin();
     try {
-      return whole == null ? threaded(caller, site, arguments) : direct(caller, site, arguments);
+      return whole == null
+          ? threaded(caller, site, arguments)
+          : direct(whole, caller, site, arguments);
     } finally {
       statistics.end(started);
     }
   }
 
-  private UrbiObject direct(Frame caller, CallSite site, UrbiObject[] arguments) {
+  private UrbiObject direct(
+      MethodHandle whole, Frame caller, CallSite site, UrbiObject[] arguments) {
     Frame outer = context.leave(caller, callback.name());
     UrbiObject result;
     try {

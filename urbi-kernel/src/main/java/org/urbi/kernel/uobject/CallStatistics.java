@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.event.CallTimes;
 
 /**
@@ -13,7 +14,7 @@ public final class CallStatistics {
   /** The calls of one function. */
   final class Entry {
     private final String function;
-    private CallTimes times;
+    private @Nullable CallTimes times;
 
     Entry(String function) {
       this.function = function;
@@ -40,7 +41,7 @@ public final class CallStatistics {
 
   private final LongSupplier clock;
   private final Map<String, CallTimes> called = new LinkedHashMap<>();
-  private Consumer<String> trace;
+  private @Nullable Consumer<String> trace;
   private boolean enabled;
 
   CallStatistics(LongSupplier clock) {
@@ -62,7 +63,7 @@ public final class CallStatistics {
   }
 
   /** Who is told of each call; null for nobody. */
-  public void trace(Consumer<String> told) {
+  public void trace(@Nullable Consumer<String> told) {
     trace = told;
   }
 

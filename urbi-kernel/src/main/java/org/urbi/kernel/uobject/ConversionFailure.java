@@ -1,17 +1,18 @@
 package org.urbi.kernel.uobject;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 
 /** A value of urbiscript cannot be what Java code wants; it carries no Java stack trace. */
 final class ConversionFailure extends RuntimeException {
   private final transient UrbiObject given;
-  private final String expected;
+  private final @Nullable String expected;
 
   /**
    * @param expected the type in urbiscript
    * @param message what else there is to say, or null
    */
-  ConversionFailure(UrbiObject given, String expected, String message) {
+  ConversionFailure(UrbiObject given, @Nullable String expected, @Nullable String message) {
     super(message, null, false, false);
     this.given = given;
     this.expected = expected;
@@ -21,7 +22,7 @@ final class ConversionFailure extends RuntimeException {
     return given;
   }
 
-  String expected() {
+  @Nullable String expected() {
     return expected;
   }
 }

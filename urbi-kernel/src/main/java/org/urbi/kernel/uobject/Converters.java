@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
@@ -198,7 +199,7 @@ final class Converters {
     throw new ConversionFailure(given, "Boolean", null);
   }
 
-  private String text(UrbiObject given) {
+  private @Nullable String text(UrbiObject given) {
     if (given instanceof UrbiString string) {
       return Texts.toJava(string.value());
     }
@@ -219,7 +220,7 @@ final class Converters {
     throw new ConversionFailure(given, "UVar", Problem.CAST_TO_UVAR.text());
   }
 
-  private Object cast(Type type, UrbiObject given) {
+  private @Nullable Object cast(Type type, UrbiObject given) {
     if (type instanceof Class<?> raw && UObject.class.isAssignableFrom(raw)) {
       Instance instance = context.objects().nearest(given);
       if (instance != null && raw.isInstance(instance.java())) {
@@ -245,12 +246,12 @@ final class Converters {
     return values.bool(result);
   }
 
-  private UrbiObject ofText(String result) {
+  private UrbiObject ofText(@Nullable String result) {
     return result == null ? values.voidObject : values.string(Texts.toUrbi(result));
   }
 
   /** A result that need not be there yet. */
-  private UrbiObject waited(Object result) {
+  private UrbiObject waited(@Nullable Object result) {
     return result(
         result instanceof CompletionStage<?> stage
             ? context.inKernel(frame -> context.await(frame, stage))
@@ -258,7 +259,7 @@ final class Converters {
   }
 
   /** The value of urbiscript for an object of Java. */
-  UrbiObject result(Object result) {
+  UrbiObject result(@Nullable Object result) {
     return switch (result) {
       case null -> values.voidObject;
       case Boolean truth -> values.bool(truth);
@@ -266,7 +267,7 @@ final class Converters {
       case String text -> ofText(text);
       case UrbiObject object -> object;
       case UVar variable ->
-          context.inKernel(frame -> context.variables().find(frame, variable.getName()));
+          context.fromKernel(frame -> context.variables().find(frame, variable.getName()));
       default -> exchange.toUrbi(UCast.toUValue(result));
     };
   }

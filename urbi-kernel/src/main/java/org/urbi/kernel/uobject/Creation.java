@@ -3,6 +3,7 @@ package org.urbi.kernel.uobject;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Unwinding;
@@ -173,7 +174,7 @@ public final class Creation {
   }
 
   /** A Java object is being constructed: for an urbiscript object, or for one to be made. */
-  String attach(Frame frame, UObject object, String name) {
+  String attach(Frame frame, UObject object, @Nullable String name) {
     Instance instance = name == null ? null : pending.get(name);
     if (instance == null) {
       UClass type = object.getUClass();
@@ -207,7 +208,7 @@ public final class Creation {
         });
   }
 
-  private static String why(UObject java) {
+  private static String why(@Nullable UObject java) {
     String why = java instanceof Perishable perishable ? perishable.whyGone() : null;
     return why == null ? Problem.OBJECT_DESTROYED.text() : why;
   }

@@ -1,5 +1,6 @@
 package org.urbi.kernel.uobject;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.JobLocal;
 import org.urbi.kernel.job.Unwinding;
@@ -10,10 +11,10 @@ final class Crossing {
   private static final JobLocal<Crossing> OF_JOB = new JobLocal<>();
 
   /** The activation that has called Java code, while that code runs; else null. */
-  Frame caller;
+  @Nullable Frame caller;
 
   /** What unwinds the job although Java code may have caught it; usually null. */
-  Unwinding unwinding;
+  @Nullable Unwinding unwinding;
 
   static Crossing of(Job job) {
     Crossing known = OF_JOB.get(job);

@@ -2,6 +2,7 @@ package org.urbi.kernel.uobject;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.variable.Datum;
 import org.urbi.kernel.variable.UrbiUVar;
@@ -32,7 +33,7 @@ final class Deliveries {
   }
 
   /** The value of a variable with which that job is calling a function, or null. */
-  Datum find(Job job, UrbiUVar variable) {
+  @Nullable Datum find(Job job, UrbiUVar variable) {
     for (int i = underWay.size() - 1; i >= 0; i--) {
       Delivery delivery = underWay.get(i);
       if (delivery.job == job && delivery.variable == variable) {

@@ -2,6 +2,7 @@ package org.urbi.kernel.uobject;
 
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
@@ -35,9 +36,9 @@ final class Failures {
       case RaisedInUrbi raised -> raised.original();
       case KernelRefusal refusal ->
           errors.primitive(
-              site.calledName() == null ? function : site.calledName(),
+              site.isNamed() ? site.calledName() : function,
               Problem.REASON,
-              Texts.toUrbi(refusal.getMessage()));
+              Texts.toUrbi(refusal.reason()));
       case ConversionFailure e when e.getMessage() == null ->
           argument(context, errors, function, arguments, e);
       case CompletionException e
@@ -53,7 +54,7 @@ final class Failures {
               elsewhere.expected());
       default ->
           errors.primitive(
-              site.calledName() == null ? function : site.calledName(),
+              site.isNamed() ? site.calledName() : function,
               Problem.REASON,
               Texts.toUrbi(caught(calling(function), failure)));
     };
@@ -78,8 +79,8 @@ final class Failures {
       String function,
       int place,
       UrbiObject given,
-      String type) {
-    UrbiObject expected = context.interpreter().world().prototype(type);
+      @Nullable String type) {
+    UrbiObject expected = type == null ? null : context.interpreter().world().findPrototype(type);
     return errors.argumentType(
         Texts.toUrbi(function),
         place,

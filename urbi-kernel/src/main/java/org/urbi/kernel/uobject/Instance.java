@@ -3,6 +3,7 @@ package org.urbi.kernel.uobject;
 import java.lang.ref.WeakReference;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.object.SlotData;
 import org.urbi.kernel.object.Symbol;
@@ -20,9 +21,9 @@ final class Instance {
   private final UrbiObject lobby;
   private final Map<String, BoundFunction> functions = new LinkedHashMap<>();
   private UClass type;
-  private UObject java;
-  private UrbiObject[] initArguments;
-  private UrbiObject keptAlive;
+  private @Nullable UObject java;
+  private UrbiObject @Nullable [] initArguments;
+  private @Nullable UrbiObject keptAlive;
   private boolean published;
 
   /**
@@ -40,7 +41,7 @@ final class Instance {
   }
 
   /** The urbiscript object; null when it has gone. */
-  UrbiObject object() {
+  @Nullable UrbiObject object() {
     return object.get();
   }
 
@@ -53,7 +54,7 @@ final class Instance {
   }
 
   /** The Java object; null while it is being made. */
-  UObject java() {
+  @Nullable UObject java() {
     return java;
   }
 
@@ -81,7 +82,7 @@ final class Instance {
   }
 
   /** What its {@code init} was called with; null if it was not called. */
-  UrbiObject[] initArguments() {
+  UrbiObject @Nullable [] initArguments() {
     return initArguments;
   }
 

@@ -1,11 +1,14 @@
 package org.urbi.kernel.uobject;
 
+import static java.util.Objects.requireNonNull;
+
 import java.lang.ref.Cleaner;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.WeakHashMap;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Inbox;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.CallSite;
@@ -77,7 +80,11 @@ final class Instances {
 
   /** Makes it a slot of {@code uobjects} which does. */
   void publishClass(Instance instance) {
-    setSlot(namespace(), world.symbol(Texts.toUrbi(instance.name())), instance.object());
+    setSlot(namespace(), world.symbol(Texts.toUrbi(instance.name())), present(instance));
+  }
+
+  private static UrbiObject present(Instance instance) {
+    return requireNonNull(instance.object(), "it has just been made");
   }
 
   /** Nobody referred any more to the urbiscript object of that name, a moment ago. */
@@ -99,29 +106,29 @@ final class Instances {
   }
 
   /** The one of that name, or null. */
-  Instance named(String name) {
+  @Nullable Instance named(String name) {
     return byName.get(name);
   }
 
   /** The urbiscript object of that name, or null. */
-  UrbiObject find(String name) {
+  @Nullable UrbiObject find(String name) {
     Instance instance = byName.get(name);
     return instance == null ? null : instance.object();
   }
 
   /** That of an object itself, or null. */
-  Instance of(UrbiObject object) {
+  @Nullable Instance of(UrbiObject object) {
     return byObject.get(object);
   }
 
   /** The name of an object, or null if it is no UObject. */
-  String nameOf(UrbiObject object) {
+  @Nullable String nameOf(UrbiObject object) {
     Instance instance = byObject.get(object);
     return instance == null ? null : instance.name();
   }
 
   /** That of an object or of the nearest of its ancestors; or null. */
-  Instance nearest(UrbiObject object) {
+  @Nullable Instance nearest(UrbiObject object) {
     Instance own = byObject.get(object);
     if (own != null) {
       return own;

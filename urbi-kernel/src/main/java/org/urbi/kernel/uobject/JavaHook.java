@@ -1,7 +1,10 @@
 package org.urbi.kernel.uobject;
 
+import static java.util.Objects.requireNonNull;
+
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodType;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Unwinding;
@@ -22,10 +25,10 @@ final class JavaHook implements Hook {
   private final CallStatistics.Entry statistics;
 
   /** From the value in urbiscript, if it is wanted, to a result there. */
-  private final MethodHandle whole;
+  private final @Nullable MethodHandle whole;
 
   /** From a value that was not copied, if it is wanted; null if it is not. */
-  private final MethodHandle uncopied;
+  private final @Nullable MethodHandle uncopied;
 
   JavaHook(PluggedContext context, UCallback callback) {
     this.context = context;
@@ -35,7 +38,7 @@ final class JavaHook implements Hook {
     this.statistics = context.statistics().entry(callback.name());
   }
 
-  private static MethodHandle uncopied(UCallback callback) {
+  private static @Nullable MethodHandle uncopied(UCallback callback) {
     MethodHandle taken = callback.arity() == 1 ? callback.handle() : callback.uncopied();
     return taken == null ? null : taken.asType(MethodType.genericMethodType(1));
   }
@@ -74,7 +77,8 @@ final class JavaHook implements Hook {
       return;
     }
     UrbiObject[] arguments = callback.arity() == 0 ? NONE : new UrbiObject[] {value.value()};
-    UrbiObject ignored = (UrbiObject) whole.invokeExact(arguments);
+    UrbiObject ignored =
+        (UrbiObject) requireNonNull(whole, "it is not threaded").invokeExact(arguments);
   }
 
   private Object[] arguments(Datum value) throws Throwable {
@@ -111,7 +115,8 @@ final class JavaHook implements Hook {
   private String message(Throwable e) {
     String doing = Failures.calling(callback.name());
     return e instanceof ConversionFailure failure && failure.getMessage() == null
-        ? Problem.CAUGHT_IN_COMPONENT.text(doing, Problem.NO_VALUE_OF_TYPE.text(failure.expected()))
+        ? Problem.CAUGHT_IN_COMPONENT.text(
+            doing, Problem.NO_VALUE_OF_TYPE.text(String.valueOf(failure.expected())))
         : Failures.caught(doing, e);
   }
 }

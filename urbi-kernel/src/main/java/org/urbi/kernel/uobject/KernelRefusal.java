@@ -9,7 +9,19 @@ import org.urbi.kernel.error.Problem;
 final class KernelRefusal extends IllegalArgumentException {
   private static final long serialVersionUID = 1;
 
+  private final String reason;
+
   KernelRefusal(Problem problem, Object... places) {
-    super(problem.text(places));
+    this(problem.text(places));
+  }
+
+  private KernelRefusal(String reason) {
+    super(reason);
+    this.reason = reason;
+  }
+
+  /** What is wrong. */
+  String reason() {
+    return reason;
   }
 }

@@ -132,7 +132,7 @@ final class KernelRequests {
     }
   }
 
-  private static IllegalStateException ended() {
+  static IllegalStateException ended() {
     return new IllegalStateException(Problem.KERNEL_ENDED.text());
   }
 

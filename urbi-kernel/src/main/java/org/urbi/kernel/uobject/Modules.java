@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.outside.ConfinedException;
@@ -58,7 +59,7 @@ public final class Modules {
    * @param working where relative paths start from
    * @return null if there is none
    */
-  public Path find(Path working, String name) {
+  public @Nullable Path find(Path working, String name) {
     for (String suffix : suffixes(name)) {
       try {
         Path path = Path.of(name + suffix);
@@ -119,7 +120,8 @@ public final class Modules {
     } catch (ConfinedException e) {
       throw new UModuleException(e.getMessage(), e);
     } catch (IOException e) {
-      throw new UModuleException(Problem.UNREADABLE_MODULE.text(file, e.getMessage()), e);
+      throw new UModuleException(
+          Problem.UNREADABLE_MODULE.text(file, String.valueOf(e.getMessage())), e);
     }
   }
 
@@ -132,7 +134,7 @@ public final class Modules {
     }
   }
 
-  private void start(Frame frame, UModule module, Loaded before) {
+  private void start(Frame frame, UModule module, @Nullable Loaded before) {
     try {
       module.startIn(context);
     } catch (RuntimeException | Error e) {

@@ -1,5 +1,6 @@
 package org.urbi.kernel.uobject;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.Timers;
@@ -14,7 +15,7 @@ final class PeriodicCall {
   private final UCallback callback;
   private final double milliseconds;
   private final boolean afterPass;
-  private Timers.Timer timer;
+  private Timers.@Nullable Timer timer;
   private long deadline;
   private boolean calling;
   private boolean ended;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
@@ -36,12 +37,12 @@ final class Periods {
     return call;
   }
 
-  private Instance instance(Object owner) {
+  private @Nullable Instance instance(Object owner) {
     return owner instanceof UObject object ? context.objects().named(object.get__name()) : null;
   }
 
   /** An object of which something is called stays, although nobody refers to it. */
-  private static void keep(Instance instance, boolean alive) {
+  private static void keep(@Nullable Instance instance, boolean alive) {
     if (instance != null) {
       instance.keepAlive(alive);
     }

@@ -1,5 +1,7 @@
 package org.urbi.kernel.uobject;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.LinkedHashMap;
@@ -11,6 +13,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.UrbiEvent;
@@ -58,7 +61,7 @@ public final class PluggedContext implements UContext {
   private final Creation creation;
   private final Variables variables;
   private final ValueExchange exchange;
-  private Converters converters;
+  private @Nullable Converters converters;
   private final CallStatistics statistics;
   private final ConnectionList connections = new ConnectionList();
   private final Deliveries deliveries = new Deliveries();
@@ -120,10 +123,12 @@ public final class PluggedContext implements UContext {
 
   /** On the kernel thread; a kernel without UObjects does without. */
   Converters converters() {
-    if (converters == null) {
-      converters = new Converters(this, exchange);
+    Converters known = converters;
+    if (known == null) {
+      known = new Converters(this, exchange);
+      converters = known;
     }
-    return converters;
+    return known;
   }
 
   Deliveries deliveries() {
@@ -183,7 +188,7 @@ public final class PluggedContext implements UContext {
    *
    * @param function what is called, for people
    */
-  Frame leave(Frame caller, String function) {
+  @Nullable Frame leave(Frame caller, String function) {
     Crossing crossing = Crossing.of(caller.job());
     Frame outer = crossing.caller;
     crossing.caller = caller;
@@ -196,7 +201,7 @@ public final class PluggedContext implements UContext {
   }
 
   /** The Java code has returned, or thrown something. */
-  void back(Frame caller, Frame outer) {
+  void back(Frame caller, @Nullable Frame outer) {
     Crossing crossing = Crossing.of(caller.job());
     crossing.caller = outer;
     if (outer == null) {
@@ -219,18 +224,20 @@ public final class PluggedContext implements UContext {
   /**
    * Does something with urbiscript objects: at once on the kernel thread, where it may let others
    * run; from another thread by a job, and waits for that.
+   *
+   * @return what the task returns, which may be null; null when the kernel has ended: the last ones
+   *     say good-bye
    */
-  <T> T inKernel(Function<Frame, T> task) {
+  <T> @Nullable T inKernel(Function<Frame, T> task) {
     if (!scheduler.isKernelThread()) {
       return requests.ask(frame -> translated(frame, task));
     }
     if (over) {
-      // The last ones say good-bye.
       return null;
     }
-    Job job = scheduler.running();
+    Job job = requireNonNull(scheduler.running(), "components are called by jobs");
     Crossing crossing = Crossing.of(job);
-    Frame caller = crossing.caller;
+    @Nullable Frame caller = crossing.caller;
     if (caller == null) {
       return task.apply(Frame.top(interpreter, job, job.lobby(), new FrameLayout()));
     }
@@ -247,6 +254,19 @@ public final class PluggedContext implements UContext {
       KernelThreadPin.pin();
       crossing.caller = caller;
     }
+  }
+
+  /**
+   * Like {@link #inKernel}, for a task that always has a result.
+   *
+   * @throws IllegalStateException when the kernel has ended
+   */
+  <T> T fromKernel(Function<Frame, T> task) {
+    T result = inKernel(task);
+    if (result == null) {
+      throw KernelRequests.ended();
+    }
+    return result;
   }
 
   private <T> T translated(Frame frame, Function<Frame, T> task) {
@@ -267,7 +287,7 @@ public final class PluggedContext implements UContext {
   }
 
   /** Waits for a result while other jobs run; on the kernel thread. */
-  Object await(Frame frame, CompletionStage<?> stage) {
+  @Nullable Object await(Frame frame, CompletionStage<?> stage) {
     return new Awaited(frame.job()).await(stage);
   }
 
@@ -375,7 +395,7 @@ public final class PluggedContext implements UContext {
    * @return what makes its object a slot of {@code uobjects}
    */
   public Runnable startUnseen(UClass type) {
-    return inKernel(frame -> creation.start(frame, type));
+    return fromKernel(frame -> creation.start(frame, type));
   }
 
   /** Ends a class with all its objects, which stay in urbiscript without their functions. */
@@ -408,8 +428,8 @@ public final class PluggedContext implements UContext {
   }
 
   @Override
-  public String attach(UObject object, String name) {
-    return inKernel(frame -> creation.attach(frame, object, name));
+  public String attach(UObject object, @Nullable String name) {
+    return fromKernel(frame -> creation.attach(frame, object, name));
   }
 
   @Override
@@ -421,7 +441,7 @@ public final class PluggedContext implements UContext {
   }
 
   @Override
-  public UObject getUObject(String name) {
+  public @Nullable UObject getUObject(String name) {
     return inKernel(frame -> {
       Instance instance = objects.named(name);
       return instance == null ? null : instance.java();
@@ -429,7 +449,7 @@ public final class PluggedContext implements UContext {
   }
 
   @Override
-  public UObjectHub getUObjectHub(String name) {
+  public @Nullable UObjectHub getUObjectHub(String name) {
     return inKernel(frame -> hubs.get(name));
   }
 
@@ -452,7 +472,7 @@ public final class PluggedContext implements UContext {
   }
 
   private USlot slot(String name, boolean input) {
-    return inKernel(frame -> {
+    return fromKernel(frame -> {
       UrbiUVar variable = variables.find(frame, name);
       if (input) {
         variable.makeInput();
@@ -463,7 +483,7 @@ public final class PluggedContext implements UContext {
 
   @Override
   public UEmitter event(String name) {
-    return inKernel(frame -> {
+    return fromKernel(frame -> {
       Variables.Place place = variables.place(frame, name);
       if (place.owner().localSlot(place.slot()) == null) {
         place.owner().addSlot(place.slot(), interpreter.prototypes().event.cloned());
@@ -514,7 +534,7 @@ public final class PluggedContext implements UContext {
 
   @Override
   public Runnable every(Object owner, double milliseconds, UCallback function, boolean afterPass) {
-    return inKernel(frame -> {
+    return fromKernel(frame -> {
       PeriodicCall call = periods.begin(frame, owner, milliseconds, function, afterPass);
       return () ->
           inKernel(later -> {

@@ -2,6 +2,7 @@ package org.urbi.kernel.uobject;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Properties;
@@ -48,7 +49,7 @@ final class PluggedSlot implements USlot {
 
   @Override
   public UValue get() {
-    return context.inKernel(frame -> {
+    return context.fromKernel(frame -> {
       Datum told = context.deliveries().find(frame.job(), variable);
       if (told != null && told.foreign() instanceof ForeignValue foreign) {
         return foreign.value();
@@ -89,17 +90,17 @@ final class PluggedSlot implements USlot {
 
   @Override
   public long timestamp() {
-    return context.inKernel(frame -> (long) (variable.written() / NANOSECONDS_PER_MICROSECOND));
+    return context.fromKernel(frame -> (long) (variable.written() / NANOSECONDS_PER_MICROSECOND));
   }
 
   @Override
   public double in() {
-    return context.inKernel(frame -> number(seen().value()));
+    return context.fromKernel(frame -> number(seen().value()));
   }
 
   @Override
   public double out() {
-    return context.inKernel(frame -> owner ? number(variable.visible().value()) : lastWritten);
+    return context.fromKernel(frame -> owner ? number(variable.visible().value()) : lastWritten);
   }
 
   private static double number(UrbiObject value) {
@@ -110,7 +111,7 @@ final class PluggedSlot implements USlot {
 
   @Override
   public UValue property(UProperty property) {
-    return context.inKernel(frame -> {
+    return context.fromKernel(frame -> {
       UrbiObject value = Properties.find(frame, object(), symbol(frame), property.text());
       return value == null ? new UValue() : context.exchange().toJava(value);
     });
@@ -185,8 +186,8 @@ final class PluggedSlot implements USlot {
   // ------------------------------------------------------------------ notifications
 
   @Override
-  public Runnable onChange(UObject object, UCallback function) {
-    return context.inKernel(frame -> {
+  public Runnable onChange(@Nullable UObject object, UCallback function) {
+    return context.fromKernel(frame -> {
       JavaHook hook = new JavaHook(context, function);
       if (owner) {
         long id = variable.notifyChangeOwned(hook);
@@ -198,8 +199,8 @@ final class PluggedSlot implements USlot {
   }
 
   @Override
-  public Runnable onAccess(UObject object, UCallback function) {
-    return context.inKernel(frame -> {
+  public Runnable onAccess(@Nullable UObject object, UCallback function) {
+    return context.fromKernel(frame -> {
       long id = variable.notifyAccess(frame, new JavaHook(context, function));
       return ending(() -> variable.removeAccess(id));
     });

@@ -2,6 +2,7 @@ package org.urbi.kernel.uobject;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.Symbol;
@@ -26,7 +27,7 @@ final class Replacement {
         }
 
         @Override
-        public Span calledSpan() {
+        public @Nullable Span calledSpan() {
           return null;
         }
       };
@@ -39,17 +40,19 @@ final class Replacement {
     this.creation = creation;
   }
 
+  /** What a variable had before. */
+  private record Values(Datum target, Datum sensed) {}
+
   /** What an object had before. */
   private record Before(
       UObject java,
       UClass type,
       Map<String, BoundFunction> functions,
-      Map<UrbiUVar, Datum> targets,
-      Map<UrbiUVar, Datum> sensed) {
+      Map<UrbiUVar, Values> values) {
     /** The variables get their values back, and tell of changes again. */
     void restore() {
-      targets.forEach((variable, datum) -> {
-        variable.restore(datum, sensed.get(variable));
+      values.forEach((variable, known) -> {
+        variable.restore(known.target, known.sensed);
         variable.silence(false);
       });
     }
@@ -58,18 +61,19 @@ final class Replacement {
   /** Replaces what is behind all the objects of the class of that name. */
   void replace(Frame frame, UClass type) {
     for (Instance instance : context.objects().all()) {
-      if (instance.type().name().equals(type.name()) && instance.java() != null) {
+      UObject java = instance.java();
+      if (instance.type().name().equals(type.name()) && java != null) {
         UrbiObject object = instance.object();
         if (object != null) {
-          replace(frame, instance, object, type);
+          replace(frame, instance, before(instance, java, object), object, type);
         }
       }
     }
   }
 
-  private void replace(Frame frame, Instance instance, UrbiObject object, UClass type) {
-    Before before = before(instance, object);
-    before.targets.keySet().forEach(variable -> variable.silence(true));
+  private void replace(
+      Frame frame, Instance instance, Before before, UrbiObject object, UClass type) {
+    before.values.keySet().forEach(variable -> variable.silence(true));
     instance.functions().clear();
     instance.setType(type);
     try {
@@ -90,22 +94,15 @@ final class Replacement {
     before.restore();
   }
 
-  private static Before before(Instance instance, UrbiObject object) {
-    Map<UrbiUVar, Datum> targets = new LinkedHashMap<>();
-    Map<UrbiUVar, Datum> sensed = new LinkedHashMap<>();
+  private static Before before(Instance instance, UObject java, UrbiObject object) {
+    Map<UrbiUVar, Values> values = new LinkedHashMap<>();
     for (Symbol slot : object.localSlotNames()) {
       UrbiUVar variable = UrbiUVar.behind(object, slot);
       if (variable != null) {
-        targets.put(variable, variable.target());
-        sensed.put(variable, variable.visible());
+        values.put(variable, new Values(variable.target(), variable.visible()));
       }
     }
-    return new Before(
-        instance.java(),
-        instance.type(),
-        new LinkedHashMap<>(instance.functions()),
-        targets,
-        sensed);
+    return new Before(java, instance.type(), new LinkedHashMap<>(instance.functions()), values);
   }
 
   private void undo(Frame frame, Instance instance, UrbiObject object, Before before) {
@@ -118,7 +115,7 @@ final class Replacement {
     before.functions.forEach((name, function) -> creation.setSlot(object, name, function));
     instance.setJava(before.java);
     instance.setType(before.type);
-    if (failed != before.java) {
+    if (failed != null && failed != before.java) {
       clean(frame, failed);
     }
     before.restore();

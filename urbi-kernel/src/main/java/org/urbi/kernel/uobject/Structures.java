@@ -37,9 +37,9 @@ final class Structures {
   /** The fields are the slots of the class. */
   UDictionary toJava(UrbiObject object, int depth) {
     UrbiObject type = type(object);
-    return context.inKernel(frame -> {
+    return context.fromKernel(frame -> {
       UDictionary fields = new UDictionary();
-      fields.with(NAME, Texts.toJava(frame.interpreter().asString(frame, typeName(type))));
+      fields.with(NAME, Texts.toJava(frame.interpreter().asString(frame, typeName(frame, type))));
       for (Symbol slot : type.localSlotNames()) {
         if (isField(type, slot)) {
           UrbiObject value = frame.interpreter().get(frame, object, slot);
@@ -50,8 +50,8 @@ final class Structures {
     });
   }
 
-  private UrbiObject typeName(UrbiObject type) {
-    return type.lookup(context.interpreter().world().symbol("type"));
+  private static UrbiObject typeName(Frame frame, UrbiObject type) {
+    return frame.interpreter().get(frame, type, frame.interpreter().world().symbol("type"));
   }
 
   /** The nearest ancestor which has a name; the object itself may be one. */
@@ -68,7 +68,7 @@ final class Structures {
 
   /** A fresh object of the class of that name, with these fields. */
   UrbiObject toUrbi(String name, UDictionary fields) {
-    return context.inKernel(frame -> {
+    return context.fromKernel(frame -> {
       UrbiObject registered =
           prototype("Serializables").localSlot(frame.interpreter().world().symbol(name));
       if (registered == null) {

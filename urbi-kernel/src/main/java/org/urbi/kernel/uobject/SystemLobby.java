@@ -1,5 +1,6 @@
 package org.urbi.kernel.uobject;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.Shell;
@@ -15,7 +16,7 @@ import org.urbi.kernel.trust.Role;
 final class SystemLobby {
   private final Interpreter interpreter;
   private final KernelLog log;
-  private UrbiLobby lobby;
+  private @Nullable UrbiLobby lobby;
 
   SystemLobby(Interpreter interpreter, KernelLog log) {
     this.interpreter = interpreter;
@@ -24,7 +25,8 @@ final class SystemLobby {
 
   /** The lobby; on the kernel thread. */
   UrbiLobby get() {
-    if (lobby == null) {
+    UrbiLobby known = lobby;
+    if (known == null) {
       Shell.Listener listener =
           new Shell.Listener() {
             @Override
@@ -35,16 +37,17 @@ final class SystemLobby {
               lobby = null;
             }
           };
-      lobby =
+      known =
           UrbiLobby.start(
               interpreter,
               new Output(interpreter.scheduler(), this::write),
               listener,
               Role.OWNER,
               new Budget());
-      lobby.shell().start();
+      lobby = known;
+      known.shell().start();
     }
-    return lobby;
+    return known;
   }
 
   private void write(String bytes) {

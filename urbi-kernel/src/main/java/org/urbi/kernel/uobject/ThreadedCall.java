@@ -1,5 +1,6 @@
 package org.urbi.kernel.uobject;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.PendingAnswer;
 import org.urbi.kernel.message.Outcome;
@@ -19,12 +20,13 @@ final class ThreadedCall {
    * @return null if the call was dropped because too many wait
    * @throws Throwable what the function throws
    */
-  static Object await(PluggedContext context, Frame caller, UCallback callback, Object[] arguments)
+  static @Nullable Object await(
+      PluggedContext context, Frame caller, UCallback callback, Object[] arguments)
       throws Throwable {
     PendingAnswer answer = new PendingAnswer(caller.job());
     Runnable call = () -> answer.post(run(callback, arguments));
     if (!caller.job().scheduler().attempt(() -> callback.execute(context, call))) {
-      answer.arrived(null);
+      answer.arrived(new Outcome(null, null));
       return null;
     }
     Outcome outcome = answer.await();

@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.DictionaryKey;
@@ -99,7 +100,7 @@ final class ValueExchange {
   }
 
   private KernelRefusal badKey(UrbiObject key) {
-    return context.inKernel(frame -> {
+    return context.fromKernel(frame -> {
       Interpreter interpreter = frame.interpreter();
       UrbiObject type = key.lookup(interpreter.world().symbol("type"));
       String shown = Texts.toJava(interpreter.asString(frame, key));
@@ -123,7 +124,7 @@ final class ValueExchange {
     if (structures.isStructure(object)) {
       return new UValue(structures.toJava(object, depth));
     }
-    return context.inKernel(frame -> {
+    return context.fromKernel(frame -> {
       try {
         return new UValue(Texts.toJava(frame.interpreter().asString(frame, object)));
       } catch (UrbiException e) {
@@ -135,7 +136,7 @@ final class ValueExchange {
   // ------------------------------------------------------------------ to urbiscript
 
   /** A value of Java; nothing is void. */
-  UrbiObject toUrbi(UValue value) {
+  UrbiObject toUrbi(@Nullable UValue value) {
     return value == null || value.isVoid() ? values.voidObject : content(value);
   }
 
@@ -156,7 +157,7 @@ final class ValueExchange {
     if (object != null) {
       return object;
     }
-    return context.inKernel(frame -> context.variables().find(frame, name));
+    return context.fromKernel(frame -> context.variables().find(frame, name));
   }
 
   private UrbiObject list(UList list) {
@@ -172,7 +173,7 @@ final class ValueExchange {
     if (structure != null && structure.getType() == UDataType.DATA_STRING) {
       return structures.toUrbi(structure.stringValue(), dictionary);
     }
-    return context.inKernel(frame -> values.dictionary(entries(frame, dictionary)));
+    return context.fromKernel(frame -> values.dictionary(entries(frame, dictionary)));
   }
 
   private Map<UrbiDictionary.Key, UrbiObject> entries(Frame frame, UDictionary dictionary) {

@@ -3,6 +3,7 @@ package org.urbi.kernel.uobject;
 import java.lang.ref.WeakReference;
 import java.util.HashMap;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.Symbol;
@@ -78,7 +79,7 @@ final class Variables {
     return found;
   }
 
-  private UrbiObject owner(Frame frame, String path) {
+  private @Nullable UrbiObject owner(Frame frame, String path) {
     UrbiObject object = objects.find(path);
     if (object != null) {
       return object;

@@ -1,5 +1,8 @@
 package org.urbi.kernel.variable;
 
+import static java.util.Objects.requireNonNull;
+
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
@@ -14,8 +17,8 @@ public final class Datum {
     UrbiObject copy();
   }
 
-  private final Foreign foreign;
-  private UrbiObject value;
+  private final @Nullable Foreign foreign;
+  private @Nullable UrbiObject value;
 
   public Datum(UrbiObject value) {
     this.value = value;
@@ -28,14 +31,16 @@ public final class Datum {
 
   /** The value for urbiscript. */
   public UrbiObject value() {
-    if (value == null) {
-      value = foreign.copy();
+    UrbiObject known = value;
+    if (known == null) {
+      known = requireNonNull(foreign, "a value is of urbiscript, or foreign").copy();
+      value = known;
     }
-    return value;
+    return known;
   }
 
   /** What Java code has written; null if urbiscript has written the value. */
-  public Foreign foreign() {
+  public @Nullable Foreign foreign() {
     return foreign;
   }
 }

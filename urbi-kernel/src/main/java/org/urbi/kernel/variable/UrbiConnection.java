@@ -1,5 +1,8 @@
 package org.urbi.kernel.variable;
 
+import static java.util.Objects.requireNonNull;
+
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.event.UrbiSubscription;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.node.Frame;
@@ -10,8 +13,8 @@ import org.urbi.kernel.object.UrbiObject;
 
 /** Leads each new value of one variable to another (manual, "Customizing data-flow links"). */
 public final class UrbiConnection extends UrbiSubscription {
-  private UrbiUVar source;
-  private UrbiUVar target;
+  private @Nullable UrbiUVar source;
+  private @Nullable UrbiUVar target;
 
   public UrbiConnection(Shape shape) {
     super(shape);
@@ -40,12 +43,12 @@ public final class UrbiConnection extends UrbiSubscription {
   }
 
   /** Where the values come from; null when it is disconnected. */
-  public UrbiUVar source() {
+  public @Nullable UrbiUVar source() {
     return source;
   }
 
   /** Where they go; null for the prototype. */
-  public UrbiUVar target() {
+  public @Nullable UrbiUVar target() {
     return target;
   }
 
@@ -53,11 +56,12 @@ public final class UrbiConnection extends UrbiSubscription {
   void pass(Frame frame, Datum value) {
     Interpreter interpreter = frame.interpreter();
     Job caller = frame.job();
+    UrbiUVar to = requireNonNull(target, "values come when it is connected");
     gate()
         .call(
             caller,
             job ->
-                target.write(
+                to.write(
                     job == caller
                         ? frame
                         : Frame.top(interpreter, job, job.lobby(), new FrameLayout()),

@@ -1,10 +1,13 @@
 package org.urbi.kernel.variable;
 
+import static java.util.Objects.requireNonNull;
+
 import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.UrbiEvent;
@@ -41,7 +44,7 @@ public final class UrbiUVar extends UrbiObject {
     }
 
     /** The data of the slot; null when it or the object has gone. */
-    SlotData data() {
+    @Nullable SlotData data() {
       SlotData data = slot.get();
       return data == null || data.removed ? null : data;
     }
@@ -50,7 +53,7 @@ public final class UrbiUVar extends UrbiObject {
   /** A job that waits for the next value in bypass mode. */
   private static final class Reader {
     private final Job job;
-    private UrbiObject value;
+    private @Nullable UrbiObject value;
     private boolean late;
 
     Reader(Job job) {
@@ -70,10 +73,10 @@ public final class UrbiUVar extends UrbiObject {
   private List<UrbiConnection> connections = List.of();
 
   private final List<Reader> readers = new ArrayList<>(0);
-  private AccessLoop accessLoop;
+  private @Nullable AccessLoop accessLoop;
   private int mirrors;
-  private UrbiEvent changed;
-  private UrbiObject lobby;
+  private @Nullable UrbiEvent changed;
+  private @Nullable UrbiObject lobby;
   private String name = "";
   private Datum value;
   private Datum sensed;
@@ -82,8 +85,8 @@ public final class UrbiUVar extends UrbiObject {
   private final Symbol inputPort;
   private boolean bypass;
   private boolean silent;
-  private RangeWarning rangeWarning;
-  private Boolean rtp;
+  private @Nullable RangeWarning rangeWarning;
+  private @Nullable Boolean rtp;
   private final List<Runnable> onRtp = new ArrayList<>(0);
   private long written;
   private long lastId;
@@ -103,7 +106,7 @@ public final class UrbiUVar extends UrbiObject {
   // ------------------------------------------------------------------ where it stands
 
   /** The variable behind the object's own slot, or null. */
-  public static UrbiUVar behind(UrbiObject owner, Symbol slot) {
+  public static @Nullable UrbiUVar behind(UrbiObject owner, Symbol slot) {
     return owner.localSlot(slot) instanceof UrbiUVar variable && isHooked(owner, slot)
         ? variable
         : null;
@@ -153,13 +156,13 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   /** The object behind whose slot it was put first; null when there is none, or it has gone. */
-  public UrbiObject owner() {
+  public @Nullable UrbiObject owner() {
     return places.isEmpty() ? null : places.getFirst().owner.get();
   }
 
   /** The lobby for which it is read when it is read by itself. */
   UrbiObject lobby() {
-    return lobby;
+    return requireNonNull(lobby, "there is somebody who sets the value");
   }
 
   // ------------------------------------------------------------------ how it behaves
@@ -221,13 +224,13 @@ public final class UrbiUVar extends UrbiObject {
    * Whether its values travel in datagrams to and from remote processes (manual, "Per-UVar control
    * of RTP mode"): what was said of it, else of the prototype; null if nothing was.
    */
-  public Boolean rtp() {
+  public @Nullable Boolean rtp() {
     UrbiUVar prototype = general();
     return rtp != null || prototype == this ? rtp : prototype.rtp;
   }
 
   /** Says whether they do; of the prototype, for all of which nothing else is said. */
-  public void setRtp(Boolean on) {
+  public void setRtp(@Nullable Boolean on) {
     rtp = on;
     List.copyOf(onRtp).forEach(Runnable::run);
   }
@@ -530,7 +533,7 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   void reportFailure(Frame frame, UrbiException failure) {
-    if (frame.job().lobby() instanceof UrbiLobby told && told.output() != null) {
+    if (frame.job().lobby() instanceof UrbiLobby told && told.isInstance()) {
       Complaint.error(told.output(), Problem.CAUGHT_IN_NOTIFY.text(name));
     }
     frame.interpreter().report(frame.job(), failure);

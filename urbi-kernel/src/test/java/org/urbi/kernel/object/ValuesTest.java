@@ -8,11 +8,13 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.NoSuchElementException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -279,10 +281,12 @@ class ValuesTest {
 
   @Test
   void prototypesOfTheLibraryAreKnownByName() {
-    assertNull(world.prototype("Date"));
+    assertNull(world.findPrototype("Date"));
+    assertThrows(NoSuchElementException.class, () -> world.prototype("Date"));
     world.declarePrototype("Date", values.nil);
     assertSame(values.nil, world.prototype("Date"));
-    assertNull(world.prototype("Path"));
+    assertSame(values.nil, world.findPrototype("Date"));
+    assertNull(world.findPrototype("Path"));
   }
 
   @Test

@@ -16,7 +16,7 @@ public sealed interface Item {
    *
    * @param separator {@link Ast.Flavor#SEMICOLON} or {@link Ast.Flavor#COMMA}
    */
-  record Statement(@Nullable Ast tree, Ast.@Nullable Flavor separator, List<SyntaxWarning> warnings)
+  record Statement(Ast tree, Ast.@Nullable Flavor separator, List<SyntaxWarning> warnings)
       implements Item {}
 
   /** What would have been a statement. */

@@ -33,7 +33,7 @@ public final class StatementReader {
   private boolean ended;
 
   /** A reader without limit to the size of a statement. */
-  public StatementReader(String file) {
+  public StatementReader(@Nullable String file) {
     this(file, () -> Integer.MAX_VALUE, () -> {});
   }
 
@@ -44,7 +44,7 @@ public final class StatementReader {
    * @param maximumSize gives the length, in characters, beyond which a statement is refused
    * @param checkpoint called again and again by {@link #next}, which it ends by an exception
    */
-  public StatementReader(String file, IntSupplier maximumSize, Runnable checkpoint) {
+  public StatementReader(@Nullable String file, IntSupplier maximumSize, Runnable checkpoint) {
     this.lines = new LineTable(file, 1);
     this.splitter = new Splitter(lines);
     this.maximumSize = maximumSize;
@@ -143,8 +143,9 @@ public final class StatementReader {
   }
 
   private static Item result(Parsed parsed, Ast.@Nullable Flavor separator) {
-    return parsed.valid()
-        ? new Item.Statement(parsed.tree(), separator, parsed.warnings())
+    Ast tree = parsed.tree();
+    return tree != null && parsed.valid()
+        ? new Item.Statement(tree, separator, parsed.warnings())
         : new Item.Invalid(parsed.errors(), parsed.warnings());
   }
 

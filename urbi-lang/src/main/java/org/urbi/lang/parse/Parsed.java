@@ -1,5 +1,7 @@
 package org.urbi.lang.parse;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
@@ -22,8 +24,8 @@ public record Parsed(
     return errors.isEmpty();
   }
 
-  /** The tree of a complete text. */
-  public Ast.@Nullable Sequence sequence() {
-    return (Ast.Sequence) tree;
+  /** The tree of a complete text without errors. */
+  public Ast.Sequence sequence() {
+    return (Ast.Sequence) requireNonNull(tree, "a text with errors has no tree");
   }
 }

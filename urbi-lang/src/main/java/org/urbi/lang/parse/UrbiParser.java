@@ -32,7 +32,7 @@ public final class UrbiParser {
    * @param file the name that locations show, or null
    * @return a {@link Ast.Sequence}, or errors
    */
-  public static Parsed parse(String text, String file) {
+  public static Parsed parse(String text, @Nullable String file) {
     return parse(Sources.of(text, file), 0, text.length());
   }
 
@@ -43,7 +43,7 @@ public final class UrbiParser {
    * @param checkpoint called again and again, to end the parsing by an exception
    * @return a {@link Ast.Sequence}, or errors
    */
-  public static Parsed parse(String text, String file, Runnable checkpoint) {
+  public static Parsed parse(String text, @Nullable String file, Runnable checkpoint) {
     return new Run(Sources.of(text, file), 0, text.length(), false, checkpoint).parse();
   }
 

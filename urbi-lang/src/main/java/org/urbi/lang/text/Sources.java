@@ -1,5 +1,6 @@
 package org.urbi.lang.text;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.lang.source.Source;
 
 /** Makes sources of complete texts. */
@@ -7,7 +8,7 @@ public final class Sources {
   private Sources() {}
 
   /** The source of a complete text, its synclines obeyed. */
-  public static Source of(String text, String file) {
+  public static Source of(String text, @Nullable String file) {
     var lines = new LineTable(file, 1);
     var splitter = new Splitter(lines);
     int at = 0;

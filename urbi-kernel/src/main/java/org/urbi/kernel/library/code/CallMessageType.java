@@ -2,6 +2,7 @@ package org.urbi.kernel.library.code;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
@@ -105,7 +106,7 @@ final class CallMessageType {
       for (int i = 0; i < arguments.length; i++) {
         UrbiObject lazy = lazies.get(i);
         arguments[i] =
-            new Node(null) {
+            new Node() {
               @Override
               public UrbiObject execute(Frame evaluator) {
                 return frame.interpreter().send(evaluator, lazy, "eval");
@@ -120,7 +121,7 @@ final class CallMessageType {
     }
 
     @Override
-    public Span calledSpan() {
+    public @Nullable Span calledSpan() {
       return null;
     }
 

@@ -6,6 +6,7 @@ import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.CallMessages.Lazy;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
@@ -35,8 +36,8 @@ final class LazyType {
 
   @Builtin(doc = "Evaluates the expression, each time anew.")
   static UrbiObject eval(Frame frame, UrbiObject self) {
-    if (self instanceof Lazy lazy && lazy.code() != null) {
-      return lazy.evaluate(frame);
+    if (self instanceof Lazy lazy && lazy.argument() != null) {
+      return lazy.argument().evaluate(frame);
     }
     UrbiObject result =
         frame
@@ -76,8 +77,9 @@ final class LazyType {
 
   @Builtin(doc = "The text of the code.")
   static String asString(Frame frame, UrbiObject self) {
-    if (self instanceof Lazy lazy && lazy.code() != null) {
-      return lazy.code().span() == null ? "Lazy" : CodeText.of(lazy.code().span());
+    if (self instanceof Lazy lazy && lazy.argument() != null) {
+      Node written = lazy.argument().code();
+      return written.isWritten() ? CodeText.of(written.span()) : "Lazy";
     }
     UrbiObject code = self.lookup(code(self));
     return code == null
@@ -86,6 +88,6 @@ final class LazyType {
   }
 
   static UrbiObject newPrototype(World world) {
-    return new Lazy(world.values().object.cloneShape(), null, null, null);
+    return new Lazy(world.values().object.cloneShape(), null);
   }
 }

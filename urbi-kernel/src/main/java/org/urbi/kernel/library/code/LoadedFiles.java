@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 
 /** Which source files one kernel has loaded, or is loading (manual, "System": requireFile). */
@@ -42,7 +43,7 @@ public final class LoadedFiles {
   }
 
   /** Whether messages call a file of the library so. */
-  boolean isSystemFile(String name) {
+  boolean isSystemFile(@Nullable String name) {
     return systemFiles.contains(name);
   }
 

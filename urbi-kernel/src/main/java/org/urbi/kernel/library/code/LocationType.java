@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.code;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -46,8 +47,8 @@ public final class LocationType {
       Frame frame,
       CallSite site,
       UrbiObject self,
-      @Optional UrbiObject begin,
-      @Optional UrbiObject end) {
+      @Optional @Nullable UrbiObject begin,
+      @Optional @Nullable UrbiObject end) {
     UrbiObject from = begin == null ? PositionType.make(self.world(), null, 1, 1) : begin;
     OwnSlots.put(self, "begin", copy(frame, site, 1, from));
     OwnSlots.put(self, "end", copy(frame, site, end == null ? 1 : 2, end == null ? from : end));

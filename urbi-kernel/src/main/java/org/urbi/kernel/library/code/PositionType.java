@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.code;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
@@ -39,7 +40,7 @@ public final class PositionType {
    *
    * @param file null when there is none
    */
-  public static UrbiObject make(World world, String file, int line, int column) {
+  public static UrbiObject make(World world, @Nullable String file, int line, int column) {
     UrbiObject made = world.prototype("Position").cloned();
     fill(
         made,
@@ -55,7 +56,7 @@ public final class PositionType {
   }
 
   /** The name of the file, or null. */
-  static String file(Frame frame, UrbiObject self) {
+  static @Nullable String file(Frame frame, UrbiObject self) {
     UrbiObject file = OwnSlots.get(frame, self, "file");
     return file == self.world().values().nil ? null : frame.interpreter().asString(frame, file);
   }

@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.code;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
@@ -16,8 +17,8 @@ import org.urbi.lang.parse.UrbiParser;
  */
 public final class ScriptCode extends Code {
   private final String text;
-  private Ast.Function tree;
-  private Function function;
+  private Ast.@Nullable Function tree;
+  private @Nullable Function function;
 
   public ScriptCode(Shape shape, String text) {
     super(shape);

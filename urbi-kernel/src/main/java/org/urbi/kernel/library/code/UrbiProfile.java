@@ -1,20 +1,21 @@
 package org.urbi.kernel.library.code;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.Profiler;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
 /** What code has called, and for how long (manual, "Profile"). */
 public final class UrbiProfile extends UrbiObject {
-  private final Profiler profiler;
+  private final @Nullable Profiler profiler;
 
-  public UrbiProfile(Shape shape, Profiler profiler) {
+  public UrbiProfile(Shape shape, @Nullable Profiler profiler) {
     super(shape);
     this.profiler = profiler;
   }
 
   /** Null in the prototype. */
-  Profiler profiler() {
+  @Nullable Profiler profiler() {
     return profiler;
   }
 

@@ -2,6 +2,7 @@ package org.urbi.kernel.library.collection;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -28,7 +29,7 @@ public final class ListOrder {
 
   @Builtin(doc = "A new list with the elements in the order that fun, or '<', says.")
   static List<UrbiObject> sort(
-      Frame caller, CallSite site, UrbiList self, @Optional UrbiObject fun) {
+      Frame caller, CallSite site, UrbiList self, @Optional @Nullable UrbiObject fun) {
     Comparison.Order order = Comparison.order(caller, site, self, fun);
     try {
       return Comparison.sorted(caller, self.elements(), order);
@@ -38,22 +39,26 @@ public final class ListOrder {
   }
 
   @Builtin(doc = "The greatest element, as fun, or '<', says.")
-  static UrbiObject max(Frame caller, CallSite site, UrbiList self, @Optional UrbiObject fun) {
+  static UrbiObject max(
+      Frame caller, CallSite site, UrbiList self, @Optional @Nullable UrbiObject fun) {
     return max(caller, site, self.elements(), self, fun);
   }
 
   @Builtin(doc = "The least element, as fun, or '<', says.")
-  static UrbiObject min(Frame caller, CallSite site, UrbiList self, @Optional UrbiObject fun) {
+  static UrbiObject min(
+      Frame caller, CallSite site, UrbiList self, @Optional @Nullable UrbiObject fun) {
     return min(caller, site, self.elements(), self, fun);
   }
 
   @Builtin(doc = "The index of the first of the greatest elements, as fun, or '<', says.")
-  static int argMax(Frame caller, CallSite site, UrbiList self, @Optional UrbiObject fun) {
+  static int argMax(
+      Frame caller, CallSite site, UrbiList self, @Optional @Nullable UrbiObject fun) {
     return best(caller, site, new ArrayList<>(self.elements()), self, fun, false);
   }
 
   @Builtin(doc = "The index of the first of the least elements, as fun, or '<', says.")
-  static int argMin(Frame caller, CallSite site, UrbiList self, @Optional UrbiObject fun) {
+  static int argMin(
+      Frame caller, CallSite site, UrbiList self, @Optional @Nullable UrbiObject fun) {
     return best(caller, site, new ArrayList<>(self.elements()), self, fun, true);
   }
 
@@ -63,7 +68,11 @@ public final class ListOrder {
    * @param fun the order; {@code <} when it is null
    */
   public static UrbiObject max(
-      Frame caller, CallSite site, List<UrbiObject> values, UrbiObject self, UrbiObject fun) {
+      Frame caller,
+      CallSite site,
+      List<UrbiObject> values,
+      UrbiObject self,
+      @Nullable UrbiObject fun) {
     List<UrbiObject> copy = List.copyOf(values);
     return copy.get(best(caller, site, copy, self, fun, false));
   }
@@ -74,7 +83,11 @@ public final class ListOrder {
    * @param fun the order; {@code <} when it is null
    */
   public static UrbiObject min(
-      Frame caller, CallSite site, List<UrbiObject> values, UrbiObject self, UrbiObject fun) {
+      Frame caller,
+      CallSite site,
+      List<UrbiObject> values,
+      UrbiObject self,
+      @Nullable UrbiObject fun) {
     List<UrbiObject> copy = List.copyOf(values);
     return copy.get(best(caller, site, copy, self, fun, true));
   }
@@ -84,7 +97,7 @@ public final class ListOrder {
       CallSite site,
       List<UrbiObject> values,
       UrbiObject self,
-      UrbiObject fun,
+      @Nullable UrbiObject fun,
       boolean least) {
     if (values.isEmpty()) {
       throw caller.error(site, Problem.NOTHING_TO_COMPARE);

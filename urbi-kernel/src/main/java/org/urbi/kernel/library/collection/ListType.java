@@ -3,6 +3,7 @@ package org.urbi.kernel.library.collection;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -127,7 +128,7 @@ final class ListType {
   @Builtin(
       doc = "The elements from begin to end, which is excluded; negatives number from the end.")
   static List<UrbiObject> range(
-      Frame caller, CallSite site, UrbiList self, int begin, @Optional UrbiObject end) {
+      Frame caller, CallSite site, UrbiList self, int begin, @Optional @Nullable UrbiObject end) {
     int from = begin;
     int to;
     if (end == null || end == values(caller).nil) {
@@ -295,9 +296,9 @@ final class ListType {
   static String join(
       Frame caller,
       UrbiList self,
-      @Optional String sep,
-      @Optional String prefix,
-      @Optional String suffix) {
+      @Optional @Nullable String sep,
+      @Optional @Nullable String prefix,
+      @Optional @Nullable String suffix) {
     return StringType.join(
         caller,
         sep == null ? "" : sep,

@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.concurrent;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -21,7 +22,7 @@ final class BarrierType {
     return new UrbiBarrier(world.values().object.cloneShape());
   }
 
-  private static UrbiObject payload(Frame frame, UrbiObject given) {
+  private static UrbiObject payload(Frame frame, @Nullable UrbiObject given) {
     return given == null ? frame.interpreter().values().voidObject : given;
   }
 
@@ -34,12 +35,12 @@ final class BarrierType {
   @Builtin(
       doc = "Wakes the job that has waited longest; the number of jobs woken.",
       needs = Need.CHANGE)
-  static double signal(Frame frame, UrbiBarrier self, @Optional UrbiObject payload) {
+  static double signal(Frame frame, UrbiBarrier self, @Optional @Nullable UrbiObject payload) {
     return self.signal(payload(frame, payload)) ? 1 : 0;
   }
 
   @Builtin(doc = "Wakes all the jobs that wait; the number of jobs woken.", needs = Need.CHANGE)
-  static double signalAll(Frame frame, UrbiBarrier self, @Optional UrbiObject payload) {
+  static double signalAll(Frame frame, UrbiBarrier self, @Optional @Nullable UrbiObject payload) {
     int woken = 0;
     while (self.signal(payload(frame, payload))) {
       woken++;

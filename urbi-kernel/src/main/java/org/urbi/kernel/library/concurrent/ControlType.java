@@ -1,16 +1,19 @@
 package org.urbi.kernel.library.concurrent;
 
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
+import org.urbi.kernel.event.Condition;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.event.Persistence;
 import org.urbi.kernel.event.WaitUntil;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.ForkedCode;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.LoopJobs;
 import org.urbi.kernel.node.Node;
@@ -42,12 +45,12 @@ public final class ControlType {
 
   private static UrbiObject background(Frame frame, CallSite site, TagScope scope) {
     Node code = site.argumentNodes()[0];
-    var started = new Started(site.calledName(), code.span());
+    var started = new Started(site.calledName(), code.isWritten() ? code.span() : null);
     return JobType.object(frame, start(frame, started, scope, code::execute));
   }
 
   /** How a job was started, for its backtrace. */
-  private record Started(String calledName, Span calledSpan) implements CallSite {}
+  private record Started(String calledName, @Nullable Span calledSpan) implements CallSite {}
 
   @Builtin(
       value = {"waituntil"},
@@ -57,7 +60,7 @@ public final class ControlType {
       doc = "Waits until an expression is true, as the construct of that name does.")
   static void waitUntil(Frame frame, CallSite site, UrbiObject self) {
     Node condition = site.argumentNodes()[0];
-    new WaitUntil(condition.span(), condition, null, null, null).execute(frame);
+    new WaitUntil(condition.span(), new Condition.Holds(condition), null).execute(frame);
   }
 
   /** Starts a job that runs with the variables of a frame and outlives it. */
@@ -65,18 +68,11 @@ public final class ControlType {
     return start(frame, null, scope, action);
   }
 
-  private static Job start(Frame frame, CallSite how, TagScope scope, Consumer<Frame> action) {
-    var body =
-        new Job.Body() {
-          Frame forked;
-
-          @Override
-          public void run(Job job) {
-            action.accept(forked);
-          }
-        };
+  private static Job start(
+      Frame frame, @Nullable CallSite how, TagScope scope, Consumer<Frame> action) {
+    var body = new ForkedCode(action);
     Job job = frame.job().scheduler().startAhead(frame.job().lobby(), scope, "shell", body);
-    body.forked = how == null ? frame.fork(job, false) : frame.detach(job, how);
+    body.runWith(how == null ? frame.fork(job, false) : frame.detach(job, how));
     return job;
   }
 

@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.concurrent;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -96,8 +97,8 @@ public final class EventType {
       UrbiEvent self,
       UrbiObject guard,
       UrbiObject enter,
-      @Optional UrbiObject leave,
-      @Optional UrbiObject sync) {
+      @Optional @Nullable UrbiObject leave,
+      @Optional @Nullable UrbiObject sync) {
     boolean wait = sync != null && Truth.of(frame, sync);
     UrbiSubscription subscription =
         (UrbiSubscription) self.world().prototype("Subscription").cloned();

@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.concurrent;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -26,7 +27,7 @@ public final class TagType {
   private TagType() {}
 
   @Builtin(doc = "Gives the tag a name; without one it gets a number.", needs = Need.CHANGE)
-  static void init(Frame frame, UrbiTag self, @Optional String name) {
+  static void init(Frame frame, UrbiTag self, @Optional @Nullable String name) {
     Symbol slot = self.world().symbol("name");
     String chosen = name == null ? "tag_" + frame.job().scheduler().nextNumber() : name;
     if (self.localSlot(slot) == null) {
@@ -45,7 +46,7 @@ public final class TagType {
         : ObjectType.asString(frame, self);
   }
 
-  private static UrbiObject result(Frame frame, UrbiObject result) {
+  private static UrbiObject result(Frame frame, @Nullable UrbiObject result) {
     return result == null ? frame.interpreter().values().voidObject : result;
   }
 
@@ -66,7 +67,7 @@ public final class TagType {
   }
 
   @Builtin(doc = "Ends the code under the tag, which returns that value.", needs = Need.CHANGE)
-  static void stop(Frame frame, UrbiTag self, @Optional UrbiObject result) {
+  static void stop(Frame frame, UrbiTag self, @Optional @Nullable UrbiObject result) {
     self.state().stop(result(frame, result));
     frame.job().checkInjected();
   }
@@ -74,7 +75,7 @@ public final class TagType {
   @Builtin(
       doc = "Ends the code under the tag, and lets none begin; it returns that value.",
       needs = Need.CHANGE)
-  static void block(Frame frame, UrbiTag self, @Optional UrbiObject result) {
+  static void block(Frame frame, UrbiTag self, @Optional @Nullable UrbiObject result) {
     self.state().block(result(frame, result));
     frame.job().checkInjected();
   }
@@ -126,18 +127,22 @@ public final class TagType {
 
   @Builtin(doc = "An event emitted each time code enters the tag.")
   static UrbiEvent enter(Frame frame, UrbiTag self) {
-    if (self.enterEvent() == null) {
-      self.setEnterEvent((UrbiEvent) frame.interpreter().prototypes().event.cloned());
+    UrbiEvent known = self.enterEvent();
+    if (known == null) {
+      known = (UrbiEvent) frame.interpreter().prototypes().event.cloned();
+      self.setEnterEvent(known);
     }
-    return self.enterEvent();
+    return known;
   }
 
   @Builtin(doc = "An event emitted each time code leaves the tag.")
   static UrbiEvent leave(Frame frame, UrbiTag self) {
-    if (self.leaveEvent() == null) {
-      self.setLeaveEvent((UrbiEvent) frame.interpreter().prototypes().event.cloned());
+    UrbiEvent known = self.leaveEvent();
+    if (known == null) {
+      known = (UrbiEvent) frame.interpreter().prototypes().event.cloned();
+      self.setLeaveEvent(known);
     }
-    return self.leaveEvent();
+    return known;
   }
 
   @Builtin(doc = "A tag under this one which tells when code enters it.")

@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.concurrent;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -27,7 +28,8 @@ final class TimeoutType {
   @Builtin(
       doc = "For code that has so many seconds; whether to throw when they are over.",
       needs = Need.CHANGE)
-  static void init(Frame frame, UrbiTimeout self, double duration, @Optional UrbiObject throwing) {
+  static void init(
+      Frame frame, UrbiTimeout self, double duration, @Optional @Nullable UrbiObject throwing) {
     self.set(Durations.nanoseconds(duration), throwing == null || Truth.of(frame, throwing));
   }
 

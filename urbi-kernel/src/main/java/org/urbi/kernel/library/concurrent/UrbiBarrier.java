@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.concurrent;
 
 import java.util.ArrayDeque;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
@@ -12,7 +13,7 @@ final class UrbiBarrier extends UrbiObject {
   /** A job that waits. */
   private static final class Waiting {
     private final Job job;
-    private UrbiObject received;
+    private @Nullable UrbiObject received;
 
     Waiting(Job job) {
       this.job = job;

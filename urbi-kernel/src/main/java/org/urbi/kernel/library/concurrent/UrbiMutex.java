@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.concurrent;
 
 import java.util.ArrayDeque;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.Shape;
@@ -10,7 +11,7 @@ import org.urbi.kernel.tag.UrbiTag;
 /** A tag under which one job runs at a time; it may enter again (manual, "Mutex"). */
 final class UrbiMutex extends UrbiTag {
   private final ArrayDeque<Job> queue = new ArrayDeque<>();
-  private Job owner;
+  private @Nullable Job owner;
   private int depth;
 
   UrbiMutex(Shape shape) {

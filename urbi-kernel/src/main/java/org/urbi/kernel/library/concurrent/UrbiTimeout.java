@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.concurrent;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Timers;
 import org.urbi.kernel.node.Frame;
@@ -13,7 +14,7 @@ final class UrbiTimeout extends UrbiTag {
   private boolean throwing = true;
   private boolean timedOut;
   private int running;
-  private Timers.Timer timer;
+  private Timers.@Nullable Timer timer;
 
   UrbiTimeout(Shape shape) {
     super(shape);

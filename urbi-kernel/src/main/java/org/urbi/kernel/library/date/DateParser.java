@@ -5,6 +5,7 @@ import java.time.LocalDateTime;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.library.text.Characters;
 
 /** Reads dates (manual, "Date", "Construction"). */
@@ -20,7 +21,7 @@ final class DateParser {
   private DateParser() {}
 
   /** The date; null when the text is no date. */
-  static LocalDateTime parse(String text) {
+  static @Nullable LocalDateTime parse(String text) {
     Matcher matcher = DATE.matcher(text);
     if (!matcher.matches()) {
       return null;

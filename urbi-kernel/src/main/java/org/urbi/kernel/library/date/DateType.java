@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.date;
 
 import java.time.LocalDateTime;
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -48,7 +49,7 @@ final class DateType {
   @Builtin(
       doc = "Makes it the date that the string denotes; the current one without a string.",
       needs = Need.CHANGE)
-  static UrbiObject init(Frame caller, CallSite site, UrbiDate self, @Optional String d) {
+  static UrbiObject init(Frame caller, CallSite site, UrbiDate self, @Optional @Nullable String d) {
     if (d == null) {
       self.setMicroseconds(currentMicroseconds(caller));
       return self;

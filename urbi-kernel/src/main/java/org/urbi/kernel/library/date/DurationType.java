@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.date;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -29,7 +30,7 @@ final class DurationType {
   }
 
   @Builtin(value = "new", doc = "A duration of so many seconds; of none without an argument.")
-  static UrbiObject make(UrbiFloat self, @Optional Double seconds) {
+  static UrbiObject make(UrbiFloat self, @Optional @Nullable Double seconds) {
     return new UrbiFloat(self.cloneShape(), seconds == null ? self.value() : seconds);
   }
 

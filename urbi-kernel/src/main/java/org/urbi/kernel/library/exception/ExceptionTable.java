@@ -1,7 +1,10 @@
 package org.urbi.kernel.library.exception;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.value.OwnSlots;
@@ -82,20 +85,21 @@ final class ExceptionTable extends BuiltinTable {
     }
   }
 
-  private final Init init;
-  private final Shown shown;
+  private final @Nullable Init init;
+  private final @Nullable Shown shown;
 
   /**
    * @param init null for the one it inherits
    * @param shown null for the text it inherits
    */
-  ExceptionTable(String type, String proto, String doc, Init init, Shown shown) {
+  ExceptionTable(
+      String type, String proto, String doc, @Nullable Init init, @Nullable Shown shown) {
     super(type, doc, new String[] {proto}, entries(init, shown));
     this.init = init;
     this.shown = shown;
   }
 
-  private static Entry[] entries(Init init, Shown shown) {
+  private static Entry[] entries(@Nullable Init init, @Nullable Shown shown) {
     List<Entry> entries = new ArrayList<>();
     if (init != null) {
       entries.add(init.entry());
@@ -114,6 +118,8 @@ final class ExceptionTable extends BuiltinTable {
       init.action.run(caller, site, self, arguments);
       return values.voidObject;
     }
-    return values.string(ExceptionType.placed(caller, self, shown.text.of(caller, self)));
+    return values.string(
+        ExceptionType.placed(
+            caller, self, requireNonNull(shown, "declared only then").text.of(caller, self)));
   }
 }

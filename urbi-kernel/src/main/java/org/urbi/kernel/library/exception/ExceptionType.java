@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.exception;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -27,7 +28,7 @@ public final class ExceptionType {
   }
 
   @Builtin(doc = "Makes an exception with that message.", needs = Need.CHANGE)
-  static void init(UrbiObject self, @Optional UrbiObject message) {
+  static void init(UrbiObject self, @Optional @Nullable UrbiObject message) {
     if (message != null) {
       OwnSlots.put(self, "message", message);
     }

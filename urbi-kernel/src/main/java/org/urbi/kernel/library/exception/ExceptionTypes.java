@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.exception;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.Problem;
@@ -259,7 +260,7 @@ public final class ExceptionTypes {
     return meant == null ? Problem.NOT_FOUND.text(name) : Problem.MISSPELLED.text(name, meant);
   }
 
-  private static String meant(Frame frame, UrbiObject self, String name) {
+  private static @Nullable String meant(Frame frame, UrbiObject self, String name) {
     UrbiObject object = self.lookup(self.world().symbol("object"));
     if (object == null || !Truth.of(frame, OwnSlots.get(frame, self, "fixSpelling"))) {
       return null;

@@ -1,7 +1,10 @@
 package org.urbi.kernel.library.file;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
@@ -25,7 +28,7 @@ final class DirectoryEvents implements DirectoryWatch.Listener {
   private final UrbiDirectory directory;
   private final UrbiEvent created;
   private final UrbiEvent deleted;
-  private Path watched;
+  private @Nullable Path watched;
 
   private DirectoryEvents(Frame frame, Outside outside, UrbiDirectory directory) {
     this.interpreter = frame.interpreter();
@@ -58,7 +61,7 @@ final class DirectoryEvents implements DirectoryWatch.Listener {
     boolean first = watched == null;
     watched = file;
     Scheduler scheduler = interpreter.scheduler();
-    Job job = scheduler.running();
+    Job job = requireNonNull(scheduler.running(), "who subscribes is code");
     try {
       outside.watch(job, file, this);
     } catch (IOException e) {

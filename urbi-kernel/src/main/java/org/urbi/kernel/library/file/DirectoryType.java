@@ -141,8 +141,9 @@ final class DirectoryType {
 
   @Builtin(doc = "The paths of what is in it, which begin with its own.")
   List<UrbiPath> asList(Frame frame, CallSite site, UrbiDirectory self) {
+    UrbiPath path = path(frame, site, self);
     return names(frame, site, self).stream()
-        .map(name -> self.path().sibling(self.text() + "/" + name))
+        .map(name -> path.sibling(path.text() + "/" + name))
         .toList();
   }
 

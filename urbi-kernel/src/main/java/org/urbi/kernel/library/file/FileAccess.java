@@ -1,5 +1,7 @@
 package org.urbi.kernel.library.file;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
@@ -11,6 +13,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
@@ -143,8 +146,13 @@ public final class FileAccess {
     }
   }
 
-  /** Does something to files that may take long, while the job waits. */
+  /** Finds out about files what may take long, while the job waits. */
   <T> T slowly(Frame frame, CallSite site, UrbiPath path, Callable<T> action) {
+    return requireNonNull(openSlowly(frame, site, path, action), "what is found out is there");
+  }
+
+  /** Opens a file, which may take long, while the job waits; null in a replay. */
+  <T> @Nullable T openSlowly(Frame frame, CallSite site, UrbiPath path, Callable<T> action) {
     try {
       return outside.awaitBriefly(frame.job(), action);
     } catch (IOException e) {
@@ -166,17 +174,23 @@ public final class FileAccess {
 
   /** Makes a change that is quick. */
   static void change(Frame frame, CallSite site, UrbiPath path, Change change) {
-    quickly(frame, site, path, () -> done(change));
+    try {
+      change.run();
+    } catch (IOException e) {
+      throw failed(frame, site, path, e);
+    }
   }
 
   /** Makes a change that may take long, while the job waits. */
   void changeSlowly(Frame frame, CallSite site, UrbiPath path, Change change) {
-    slowly(frame, site, path, () -> done(change));
-  }
-
-  private static Void done(Change change) throws IOException {
-    change.run();
-    return null;
+    openSlowly(
+        frame,
+        site,
+        path,
+        () -> {
+          change.run();
+          return null;
+        });
   }
 
   private static UrbiException failed(

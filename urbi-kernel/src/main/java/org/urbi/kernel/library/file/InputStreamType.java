@@ -49,7 +49,7 @@ public final class InputStreamType {
         files.isRegularFile(frame, site, name)
             ? FileAccess.quickly(frame, site, name, () -> outside.disk().source(path))
             : new PipeSource(
-                outside, files.slowly(frame, site, name, () -> outside.disk().input(path)));
+                outside, files.openSlowly(frame, site, name, () -> outside.disk().input(path)));
     outside.opened(source);
     self.open(source);
     return self;

@@ -53,7 +53,9 @@ public final class OutputStreamType {
         files.isRegularFile(frame, site, name) || !files.exists(frame, site, name)
             ? FileAccess.quickly(frame, site, name, () -> outside.disk().sink(path))
             : new PipeSink(
-                outside, files.slowly(frame, site, name, () -> outside.disk().output(path)), false);
+                outside,
+                files.openSlowly(frame, site, name, () -> outside.disk().output(path)),
+                false);
     outside.opened(sink);
     self.open(sink);
     return self;

@@ -1,11 +1,12 @@
 package org.urbi.kernel.library.file;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
 /** A directory (manual, "Directory"). */
 final class UrbiDirectory extends UrbiEntry {
-  UrbiDirectory(Shape shape, UrbiPath path) {
+  UrbiDirectory(Shape shape, @Nullable UrbiPath path) {
     super(shape, path);
   }
 

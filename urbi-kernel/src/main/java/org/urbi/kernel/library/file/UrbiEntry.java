@@ -1,19 +1,23 @@
 package org.urbi.kernel.library.file;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
 /** What is in the file system under a path: a file or a directory. */
 abstract class UrbiEntry extends UrbiObject {
-  private UrbiPath path;
+  private @Nullable UrbiPath path;
 
-  UrbiEntry(Shape shape, UrbiPath path) {
+  UrbiEntry(Shape shape, @Nullable UrbiPath path) {
     super(shape);
     this.path = path;
   }
 
-  UrbiPath path() {
+  /** Where it is; null of the prototype. */
+  @Nullable UrbiPath path() {
     return path;
   }
 
@@ -21,13 +25,17 @@ abstract class UrbiEntry extends UrbiObject {
     path = other;
   }
 
+  private UrbiPath own() {
+    return requireNonNull(path, "nothing is asked of the prototype");
+  }
+
   /** The path as the machine knows it. */
   Path file() {
-    return path.file();
+    return own().file();
   }
 
   /** The path as urbiscript shows it. */
   String text() {
-    return path.text();
+    return own().text();
   }
 }

@@ -1,11 +1,12 @@
 package org.urbi.kernel.library.file;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
 /** A file (manual, "File"). */
 final class UrbiFile extends UrbiEntry {
-  UrbiFile(Shape shape, UrbiPath path) {
+  UrbiFile(Shape shape, @Nullable UrbiPath path) {
     super(shape, path);
   }
 

@@ -2,6 +2,7 @@ package org.urbi.kernel.library.file;
 
 import java.io.Closeable;
 import java.io.IOException;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.CallSite;
@@ -12,9 +13,9 @@ import org.urbi.kernel.outside.Outside;
 
 /** What InputStream and OutputStream have in common (manual, "Stream"). */
 abstract class UrbiStream<T extends Closeable> extends UrbiObject {
-  private T channel;
+  private @Nullable T channel;
 
-  UrbiStream(Shape shape, T channel) {
+  UrbiStream(Shape shape, @Nullable T channel) {
     super(shape);
     this.channel = channel;
   }

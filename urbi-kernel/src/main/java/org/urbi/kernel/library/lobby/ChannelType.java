@@ -47,7 +47,7 @@ final class ChannelType {
   }
 
   private static Output output(Frame frame, UrbiObject self) {
-    return self instanceof UrbiLobby lobby && lobby.output() != null
+    return self instanceof UrbiLobby lobby && lobby.isInstance()
         ? lobby.output()
         : LobbyType.of(frame).output();
   }

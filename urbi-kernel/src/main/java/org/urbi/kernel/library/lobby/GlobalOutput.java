@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.lobby;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -24,15 +25,15 @@ final class GlobalOutput {
       Frame frame,
       UrbiObject self,
       UrbiObject value,
-      @Optional String channel,
-      @Optional String prefix) {
+      @Optional @Nullable String channel,
+      @Optional @Nullable String prefix) {
     LobbyType.echo(frame, LobbyType.of(frame), value, channel, prefix);
   }
 
   @Builtin(
       doc = "Sends a value as text to all lobbies, on a channel if one is given.",
       needs = Need.USER)
-  void wall(Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
+  void wall(Frame frame, UrbiObject self, UrbiObject value, @Optional @Nullable String channel) {
     String text = "*** " + frame.interpreter().asString(frame, value);
     for (UrbiLobby lobby : lobbies.all()) {
       // What a lobby made by a program is sent goes to its creator, who is told anyway.

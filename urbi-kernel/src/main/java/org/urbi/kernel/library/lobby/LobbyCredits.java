@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.lobby;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -62,7 +63,7 @@ final class LobbyCredits {
   }
 
   @Builtin(doc = "Tells the version and who holds the rights, of the parts as well if deep.")
-  static void copyright(Frame frame, UrbiObject self, @Optional UrbiObject deep) {
+  static void copyright(Frame frame, UrbiObject self, @Optional @Nullable UrbiObject deep) {
     String version = version(frame);
     say(
         frame,

@@ -2,6 +2,7 @@ package org.urbi.kernel.library.lobby;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -41,7 +42,7 @@ public final class LobbyType {
   /** Where code sends something in the name of an object; its own lobby must have room for it. */
   static Output output(Frame frame, UrbiObject self) {
     UrbiLobby own = of(frame);
-    UrbiLobby to = self instanceof UrbiLobby lobby && lobby.output() != null ? lobby : own;
+    UrbiLobby to = self instanceof UrbiLobby lobby && lobby.isInstance() ? lobby : own;
     if (to == own && to.output().isFull()) {
       throw frame.job().refusal(Resource.OUTPUT);
     }
@@ -50,7 +51,7 @@ public final class LobbyType {
 
   /** Where output goes that others see: a lobby is told nothing in the name of another one. */
   private static Output output(Frame frame, String routine, UrbiObject self) {
-    if (self instanceof UrbiLobby lobby && lobby.output() != null) {
+    if (self instanceof UrbiLobby lobby && lobby.isInstance()) {
       Guard.checkChange(frame, routine, lobby);
     }
     return output(frame, self);
@@ -61,22 +62,23 @@ public final class LobbyType {
       Frame frame,
       UrbiObject self,
       UrbiObject value,
-      @Optional String channel,
-      @Optional String prefix) {
+      @Optional @Nullable String channel,
+      @Optional @Nullable String prefix) {
     String text = frame.interpreter().asString(frame, value);
     output(frame, "echo", self)
         .send(channel == null ? "" : channel, (prefix == null ? "*** " : prefix) + text);
   }
 
   @Builtin(doc = "Sends each member of a list as text, on a channel if one is given.")
-  static void echoEach(Frame frame, UrbiObject self, UrbiList list, @Optional String channel) {
+  static void echoEach(
+      Frame frame, UrbiObject self, UrbiList list, @Optional @Nullable String channel) {
     for (UrbiObject value : list.elements()) {
       echo(frame, self, value, channel, null);
     }
   }
 
   @Builtin(doc = "Sends text with a time stamp, on a channel if one is given.")
-  static void send(Frame frame, UrbiObject self, String text, @Optional String channel) {
+  static void send(Frame frame, UrbiObject self, String text, @Optional @Nullable String channel) {
     output(frame, "send", self).send(channel == null ? "" : channel, text);
   }
 
@@ -143,12 +145,12 @@ public final class LobbyType {
 
   @Builtin(doc = "Closes the connection.")
   static void quit(Frame frame, UrbiObject self) {
-    UrbiLobby lobby = self instanceof UrbiLobby own && own.shell() != null ? own : of(frame);
+    UrbiLobby lobby = self instanceof UrbiLobby own && own.hasShell() ? own : of(frame);
     Guard.checkChange(frame, "quit", lobby);
-    if (lobby.shell() == null) {
-      lobby.connectionTag().state().stop(frame.interpreter().values().voidObject);
-    } else {
+    if (lobby.hasShell()) {
       lobby.shell().close();
+    } else {
+      lobby.connectionTag().state().stop(frame.interpreter().values().voidObject);
     }
     frame.job().checkInjected();
   }
@@ -196,14 +198,14 @@ public final class LobbyType {
 
   @Builtin(
       doc = "Has the lobby begin as those of new connections do: with local.u, if there is one.")
-  static void initialize(Frame frame, UrbiObject self, @Optional UrbiObject remote) {
+  static void initialize(Frame frame, UrbiObject self, @Optional @Nullable UrbiObject remote) {
     receive(frame, self, "maybeLoad(\"local.u\");");
   }
 
   @Builtin(
       doc = "Sends a value as text to all lobbies, on a channel if one is given.",
       needs = Need.USER)
-  void wall(Frame frame, UrbiObject self, UrbiObject value, @Optional String channel) {
+  void wall(Frame frame, UrbiObject self, UrbiObject value, @Optional @Nullable String channel) {
     new GlobalOutput(lobbies).wall(frame, self, value, channel);
   }
 

@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.lobby;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -39,8 +40,8 @@ final class LoggerType {
       Frame frame,
       CallSite site,
       UrbiLogger self,
-      @Optional String category,
-      @Optional UrbiObject level) {
+      @Optional @Nullable String category,
+      @Optional @Nullable UrbiObject level) {
     if (category != null) {
       self.setCategory(category);
     }
@@ -81,7 +82,11 @@ final class LoggerType {
   }
 
   private UrbiObject report(
-      Frame frame, UrbiLogger self, LogLevel level, UrbiObject message, String category) {
+      Frame frame,
+      UrbiLogger self,
+      LogLevel level,
+      @Nullable UrbiObject message,
+      @Nullable String category) {
     String name = category == null ? self.category() : category;
     if (message == null) {
       return self.at(level, name);
@@ -97,25 +102,37 @@ final class LoggerType {
       value = {"err", "warn", "log"},
       doc = "Reports a message that everybody is to see; returns the target.")
   UrbiObject log(
-      Frame frame, UrbiLogger self, @Optional UrbiObject message, @Optional String category) {
+      Frame frame,
+      UrbiLogger self,
+      @Optional @Nullable UrbiObject message,
+      @Optional @Nullable String category) {
     return report(frame, self, LogLevel.LOG, message, category);
   }
 
   @Builtin(doc = "Reports a message for those who follow what happens; returns the target.")
   UrbiObject trace(
-      Frame frame, UrbiLogger self, @Optional UrbiObject message, @Optional String category) {
+      Frame frame,
+      UrbiLogger self,
+      @Optional @Nullable UrbiObject message,
+      @Optional @Nullable String category) {
     return report(frame, self, LogLevel.TRACE, message, category);
   }
 
   @Builtin(doc = "Reports a message for those who look for a mistake; returns the target.")
   UrbiObject debug(
-      Frame frame, UrbiLogger self, @Optional UrbiObject message, @Optional String category) {
+      Frame frame,
+      UrbiLogger self,
+      @Optional @Nullable UrbiObject message,
+      @Optional @Nullable String category) {
     return report(frame, self, LogLevel.DEBUG, message, category);
   }
 
   @Builtin(doc = "Reports a message for those who want every detail; returns the target.")
   UrbiObject dump(
-      Frame frame, UrbiLogger self, @Optional UrbiObject message, @Optional String category) {
+      Frame frame,
+      UrbiLogger self,
+      @Optional @Nullable UrbiObject message,
+      @Optional @Nullable String category) {
     return report(frame, self, LogLevel.DUMP, message, category);
   }
 
@@ -123,10 +140,11 @@ final class LoggerType {
       value = {"<<"},
       doc = "Reports a message of the category and the level of the target; returns it.")
   UrbiObject send(Frame frame, CallSite site, UrbiLogger self, UrbiObject message) {
-    if (self.level() == null) {
+    LogLevel level = self.level();
+    if (level == null) {
       throw frame.error(site, Problem.LOGGER_UNDEFINED);
     }
-    return report(frame, self, self.level(), message, null);
+    return report(frame, self, level, message, null);
   }
 
   @Builtin(doc = "The category.")

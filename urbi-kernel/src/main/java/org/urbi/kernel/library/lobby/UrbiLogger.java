@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.lobby;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.Shape;
@@ -17,9 +18,9 @@ final class UrbiLogger extends UrbiTag {
 
   private final Depth depth;
   private String category;
-  private LogLevel level;
+  private @Nullable LogLevel level;
 
-  UrbiLogger(Shape shape, Depth depth, String category, LogLevel level) {
+  UrbiLogger(Shape shape, Depth depth, String category, @Nullable LogLevel level) {
     super(shape);
     this.depth = depth;
     this.category = category;
@@ -40,7 +41,7 @@ final class UrbiLogger extends UrbiTag {
   }
 
   /** The level of what is sent with {@code <<}; null when there is none. */
-  LogLevel level() {
+  @Nullable LogLevel level() {
     return level;
   }
 

@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.lobby;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.lobby.Complaint;
@@ -20,7 +21,7 @@ public final class Warnings {
    *
    * @param other null when there is nothing to use instead
    */
-  public static void deprecated(Frame caller, CallSite site, String old, String other) {
+  public static void deprecated(Frame caller, CallSite site, String old, @Nullable String other) {
     if (!isOff(caller)) {
       Output output = LobbyType.of(caller).output();
       Complaint.warning(output, Complaint.place(site.calledSpan()) + deprecation(old, other));
@@ -35,7 +36,7 @@ public final class Warnings {
     }
   }
 
-  private static String deprecation(String old, String other) {
+  private static String deprecation(String old, @Nullable String other) {
     return other == null ? Problem.DEPRECATED.text(old) : Problem.DEPRECATED_FOR.text(old, other);
   }
 
@@ -47,13 +48,14 @@ public final class Warnings {
   }
 
   /** Something in a text that is evaluated by the function called at that site. */
-  public static void in(Frame caller, CallSite site, SyntaxWarning warning) {
+  public static void in(Frame caller, @Nullable CallSite site, SyntaxWarning warning) {
     if (!isOff(caller)) {
       tell(caller, site, warning.span(), warning.message());
     }
   }
 
-  private static void tell(Frame caller, CallSite site, Span span, String text) {
+  private static void tell(
+      Frame caller, @Nullable CallSite site, @Nullable Span span, String text) {
     Output output = LobbyType.of(caller).output();
     Complaint.warning(output, Complaint.place(span) + text);
     if (site != null) {

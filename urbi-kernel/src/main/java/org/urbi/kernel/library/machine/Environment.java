@@ -3,6 +3,7 @@ package org.urbi.kernel.library.machine;
 import java.util.Collections;
 import java.util.Map;
 import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 
 /** The variables of the environment, of one kernel and of the programs that it runs. */
 public final class Environment {
@@ -21,7 +22,7 @@ public final class Environment {
   }
 
   /** The value of a variable, or null. */
-  String get(String name) {
+  @Nullable String get(String name) {
     return variables.get(name);
   }
 
@@ -30,7 +31,7 @@ public final class Environment {
   }
 
   /** Removes a variable, and returns its value or null. */
-  String unset(String name) {
+  @Nullable String unset(String name) {
     return variables.remove(name);
   }
 }

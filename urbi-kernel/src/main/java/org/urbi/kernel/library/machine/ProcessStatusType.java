@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.machine;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
@@ -23,16 +24,16 @@ final class ProcessStatusType {
   private ProcessStatusType() {}
 
   /** The status of a program; null when it was not started. */
-  static UrbiObject of(Frame frame, ChildProcess program) {
+  static UrbiObject of(Frame frame, @Nullable ChildProcess program) {
     Values values = frame.interpreter().values();
     UrbiObject status = frame.interpreter().world().prototype("Process.Status").cloned();
-    boolean ended = program != null && !program.isRunning();
-    int signal = ended ? program.signal() : 0;
+    ChildProcess over = program == null || program.isRunning() ? null : program;
+    int signal = over == null ? 0 : over.signal();
     add(status, "started", values.bool(program != null));
-    add(status, "running", values.bool(program != null && !ended));
-    add(status, "exited", values.bool(ended && signal == 0));
+    add(status, "running", values.bool(program != null && over == null));
+    add(status, "exited", values.bool(over != null && signal == 0));
     add(status, "signaled", values.bool(signal != 0));
-    add(status, "exitStatus", ended ? values.number(program.exitStatus()) : values.nil);
+    add(status, "exitStatus", over == null ? values.nil : values.number(over.exitStatus()));
     add(status, "signal", signal == 0 ? values.nil : values.number(signal));
     return status;
   }

@@ -97,10 +97,11 @@ public final class ProcessType {
               FileAccess.anyPath(frame).working().path(),
               environment.variables());
       self.start(
-          program,
-          OutputStreamType.stream(frame, program.in()),
-          InputStreamType.stream(frame, program.out()),
-          InputStreamType.stream(frame, program.err()));
+          new UrbiProcess.Running(
+              program,
+              OutputStreamType.stream(frame, program.in()),
+              InputStreamType.stream(frame, program.out()),
+              InputStreamType.stream(frame, program.err())));
     } catch (IOException e) {
       self.setStarted(false);
       throw cannotRun(frame, site, self.command().getFirst(), e);
@@ -120,7 +121,7 @@ public final class ProcessType {
   @Builtin(doc = "Runs the program, and gives what it writes to that function, line by line.")
   void runTo(Frame frame, CallSite site, UrbiProcess self, UrbiObject target) {
     run(frame, site, self);
-    UrbiInputStream out = (UrbiInputStream) self.stdout();
+    UrbiInputStream out = running(frame, site, self).stdout();
     UrbiObject end = frame.interpreter().values().voidObject;
     UrbiObject line = InputStreamType.getLine(frame, site, out);
     while (line != end) {
@@ -130,21 +131,22 @@ public final class ProcessType {
     join(frame, site, self);
   }
 
-  private static ChildProcess running(Frame frame, CallSite site, UrbiProcess self) {
-    if (self.running() == null) {
+  private static UrbiProcess.Running running(Frame frame, CallSite site, UrbiProcess self) {
+    UrbiProcess.Running running = self.running();
+    if (running == null) {
       throw frame.error(site, Problem.PROCESS_NOT_RUN);
     }
-    return self.running();
+    return running;
   }
 
   @Builtin(doc = "Waits until the program has ended.")
   static void join(Frame frame, CallSite site, UrbiProcess self) {
-    running(frame, site, self).join(frame.job());
+    running(frame, site, self).program().join(frame.job());
   }
 
   @Builtin(doc = "Ends the program, unless it has ended; it is not asked.")
   static void kill(Frame frame, CallSite site, UrbiProcess self) {
-    ChildProcess program = running(frame, site, self);
+    ChildProcess program = running(frame, site, self).program();
     if (program.isRunning()) {
       program.kill();
     }
@@ -152,31 +154,29 @@ public final class ProcessType {
 
   @Builtin(doc = "Whether the program has ended.")
   static boolean done(UrbiProcess self) {
-    return self.running() != null && !self.running().isRunning();
+    return self.running() != null && !self.running().program().isRunning();
   }
 
   @Builtin(doc = "Whether the program runs, has run or not, and how it has ended.")
   static UrbiObject status(Frame frame, UrbiProcess self) {
-    return ProcessStatusType.of(frame, self.running());
+    UrbiProcess.Running running = self.running();
+    return ProcessStatusType.of(frame, running == null ? null : running.program());
   }
 
   // ------------------------------------------------------------------ its streams
 
   @Builtin(doc = "The standard input of the program, to write to.")
   static UrbiObject stdin(Frame frame, CallSite site, UrbiProcess self) {
-    running(frame, site, self);
-    return self.stdin();
+    return running(frame, site, self).stdin();
   }
 
   @Builtin(doc = "The standard output of the program, to read from.")
   static UrbiObject stdout(Frame frame, CallSite site, UrbiProcess self) {
-    running(frame, site, self);
-    return self.stdout();
+    return running(frame, site, self).stdout();
   }
 
   @Builtin(doc = "The standard error of the program, to read from.")
   static UrbiObject stderr(Frame frame, CallSite site, UrbiProcess self) {
-    running(frame, site, self);
-    return self.stderr();
+    return running(frame, site, self).stderr();
   }
 }

@@ -49,7 +49,8 @@ final class ServerType {
 
   @Builtin(doc = "Listens on a port of a host of this machine; 0 is any port that is free.")
   void listen(Frame frame, CallSite site, UrbiServer self, String host, UrbiObject port) {
-    if (self.service() == null) {
+    UrbiIoService service = self.service();
+    if (service == null) {
       throw frame.error(site, Problem.NOT_A_SERVER);
     }
     if (self.address() != null) {
@@ -59,7 +60,7 @@ final class ServerType {
     Mailbox mailbox =
         new Mailbox(
             frame,
-            self.service(),
+            service,
             () -> {
               UrbiEvent event = self.connection();
               return event == null || event.hasSubscribers();
@@ -71,7 +72,7 @@ final class ServerType {
               frame.job(),
               NativeText.toJava(host),
               SocketType.port(frame, site, port),
-              made -> accept(frame, self, mailbox, made));
+              made -> accept(frame, self, service, mailbox, made));
       self.setAddress(place.local());
       mailbox.open();
     } catch (IOException e) {
@@ -81,8 +82,12 @@ final class ServerType {
   }
 
   private static void accept(
-      Frame frame, UrbiServer self, Mailbox mailbox, Network.Connected made) {
-    UrbiSocket socket = SocketType.socket(frame, self.service());
+      Frame frame,
+      UrbiServer self,
+      UrbiIoService service,
+      Mailbox mailbox,
+      Network.Connected made) {
+    UrbiSocket socket = SocketType.socket(frame, service);
     Mailbox own = socket.connect(frame, made.link(), made.local(), made.remote());
     mailbox.add(told -> {
       self.sockets().add(socket);

@@ -2,6 +2,7 @@ package org.urbi.kernel.library.machine;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
@@ -97,7 +98,11 @@ final class SocketType {
   }
 
   private static void connected(
-      Frame frame, UrbiSocket self, Link link, InetSocketAddress local, InetSocketAddress remote) {
+      Frame frame,
+      UrbiSocket self,
+      Link link,
+      @Nullable InetSocketAddress local,
+      @Nullable InetSocketAddress remote) {
     Mailbox mailbox = self.connect(frame, link, local, remote);
     self.emit(frame, "connected");
     mailbox.open();
@@ -118,7 +123,7 @@ final class SocketType {
   // ------------------------------------------------------------------ where it is
 
   private static InetSocketAddress known(
-      Frame frame, CallSite site, UrbiSocket self, InetSocketAddress address) {
+      Frame frame, CallSite site, UrbiSocket self, @Nullable InetSocketAddress address) {
     if (self.link() == null || address == null) {
       throw frame.error(site, Problem.SOCKET_NOT_CONNECTED);
     }

@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.machine;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiTypePart;
@@ -27,7 +28,7 @@ final class SystemEnvironment {
   }
 
   /** A variable of the machine as a value of urbiscript. */
-  static UrbiObject value(Frame frame, String value) {
+  static UrbiObject value(Frame frame, @Nullable String value) {
     var values = frame.interpreter().values();
     return value == null ? values.nil : values.string(NativeText.toUrbi(value));
   }

@@ -1,6 +1,8 @@
 package org.urbi.kernel.library.machine;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.library.file.UrbiInputStream;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.outside.ChildProcess;
@@ -9,10 +11,11 @@ import org.urbi.kernel.outside.ChildProcess;
 final class UrbiProcess extends UrbiObject {
   private List<String> command = List.of();
   private boolean started;
-  private ChildProcess running;
-  private UrbiObject stdin;
-  private UrbiObject stdout;
-  private UrbiObject stderr;
+  private @Nullable Running running;
+
+  /** A program that was started, and its streams. */
+  record Running(
+      ChildProcess program, UrbiObject stdin, UrbiInputStream stdout, UrbiInputStream stderr) {}
 
   UrbiProcess(Shape shape) {
     super(shape);
@@ -37,27 +40,12 @@ final class UrbiProcess extends UrbiObject {
   }
 
   /** The running program, or what is left of it; null before. */
-  ChildProcess running() {
+  @Nullable Running running() {
     return running;
   }
 
-  void start(ChildProcess program, UrbiObject in, UrbiObject out, UrbiObject err) {
+  void start(Running program) {
     running = program;
-    stdin = in;
-    stdout = out;
-    stderr = err;
-  }
-
-  UrbiObject stdin() {
-    return stdin;
-  }
-
-  UrbiObject stdout() {
-    return stdout;
-  }
-
-  UrbiObject stderr() {
-    return stderr;
   }
 
   @Override

@@ -3,6 +3,7 @@ package org.urbi.kernel.library.machine;
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.Shape;
@@ -12,8 +13,8 @@ import org.urbi.kernel.object.UrbiObject;
 /** A place where connections come in (manual, "Server"). */
 final class UrbiServer extends UrbiObject {
   private final List<UrbiObject> sockets = new ArrayList<>();
-  private UrbiIoService service;
-  private InetSocketAddress address;
+  private @Nullable UrbiIoService service;
+  private @Nullable InetSocketAddress address;
 
   UrbiServer(Shape shape) {
     super(shape);
@@ -24,7 +25,7 @@ final class UrbiServer extends UrbiObject {
     return new UrbiServer(cloneShape());
   }
 
-  UrbiIoService service() {
+  @Nullable UrbiIoService service() {
     return service;
   }
 
@@ -37,13 +38,13 @@ final class UrbiServer extends UrbiObject {
   }
 
   /** The event that tells of connections, or null when a program has replaced it. */
-  UrbiEvent connection() {
+  @Nullable UrbiEvent connection() {
     UrbiObject value = lookup(world().symbol("connection"));
     return value instanceof UrbiEvent event ? event : null;
   }
 
   /** Where it listens; null when it does not. */
-  InetSocketAddress address() {
+  @Nullable InetSocketAddress address() {
     return address;
   }
 

@@ -1,6 +1,9 @@
 package org.urbi.kernel.library.machine;
 
+import static java.util.Objects.requireNonNull;
+
 import java.net.InetSocketAddress;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.Frame;
@@ -12,10 +15,10 @@ import org.urbi.kernel.outside.Link;
 
 /** One end of a connection (manual, "Socket"). */
 final class UrbiSocket extends UrbiObject {
-  private UrbiIoService service;
-  private Link link;
-  private InetSocketAddress local;
-  private InetSocketAddress remote;
+  private @Nullable UrbiIoService service;
+  private @Nullable Link link;
+  private @Nullable InetSocketAddress local;
+  private @Nullable InetSocketAddress remote;
 
   UrbiSocket(Shape shape) {
     super(shape);
@@ -26,7 +29,7 @@ final class UrbiSocket extends UrbiObject {
     return new UrbiSocket(cloneShape());
   }
 
-  UrbiIoService service() {
+  @Nullable UrbiIoService service() {
     return service;
   }
 
@@ -41,7 +44,7 @@ final class UrbiSocket extends UrbiObject {
   }
 
   /** The event of that name, or null when a program has put something else in its slot. */
-  UrbiEvent event(String name) {
+  @Nullable UrbiEvent event(String name) {
     UrbiObject value = lookup(world().symbol(name));
     return value instanceof UrbiEvent event ? event : null;
   }
@@ -55,15 +58,15 @@ final class UrbiSocket extends UrbiObject {
   }
 
   /** The connection, or null. */
-  Link link() {
+  @Nullable Link link() {
     return link;
   }
 
-  InetSocketAddress local() {
+  @Nullable InetSocketAddress local() {
     return local;
   }
 
-  InetSocketAddress remote() {
+  @Nullable InetSocketAddress remote() {
     return remote;
   }
 
@@ -73,11 +76,12 @@ final class UrbiSocket extends UrbiObject {
    * @param here its address, or null
    * @param there that of the other end, or null
    */
-  Mailbox connect(Frame frame, Link over, InetSocketAddress here, InetSocketAddress there) {
+  Mailbox connect(
+      Frame frame, Link over, @Nullable InetSocketAddress here, @Nullable InetSocketAddress there) {
     link = over;
     local = here;
     remote = there;
-    Mailbox own = new Mailbox(frame, service, this::isWanted);
+    Mailbox own = new Mailbox(frame, requireNonNull(service, "it is no prototype"), this::isWanted);
     over.open(
         new Link.Listener() {
           @Override
@@ -92,7 +96,7 @@ final class UrbiSocket extends UrbiObject {
           }
 
           @Override
-          public void ended(String error) {
+          public void ended(@Nullable String error) {
             own.add(told -> {
               if (link == over) {
                 if (error != null) {
@@ -118,7 +122,9 @@ final class UrbiSocket extends UrbiObject {
   void disconnected(Frame frame) {
     Link was = link;
     link = null;
-    was.close();
+    if (was != null) {
+      was.close();
+    }
     emit(frame, "disconnected");
   }
 }

@@ -3,6 +3,7 @@ package org.urbi.kernel.library.math;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -36,12 +37,12 @@ public final class FloatType {
   // ------------------------------------------------------------------ operators
 
   @Builtin(value = "+", doc = "The sum of the target and that; without that, the target.")
-  static UrbiFloat plus(Frame caller, UrbiFloat self, @Optional Double that) {
+  static UrbiFloat plus(Frame caller, UrbiFloat self, @Optional @Nullable Double that) {
     return that == null ? self : number(caller, self.value() + that);
   }
 
   @Builtin(value = "-", doc = "The target minus that; without that, its opposite.")
-  static UrbiFloat minus(Frame caller, UrbiFloat self, @Optional Double that) {
+  static UrbiFloat minus(Frame caller, UrbiFloat self, @Optional @Nullable Double that) {
     // The opposite of 0 is 0, and not -0.
     return number(caller, that == null ? 0 - self.value() : self.value() - that);
   }

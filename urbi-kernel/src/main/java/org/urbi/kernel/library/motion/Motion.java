@@ -1,5 +1,8 @@
 package org.urbi.kernel.library.motion;
 
+import static java.util.Objects.requireNonNullElse;
+
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.job.Job;
@@ -171,7 +174,7 @@ final class Motion {
 
   // ---------------------------------------------------------------- attributes
 
-  private UrbiObject attribute(String name) {
+  private @Nullable UrbiObject attribute(String name) {
     return attributes
         .entries()
         .get(DictionaryKey.of(frame, frame.interpreter().values().string(name)));
@@ -182,14 +185,16 @@ final class Motion {
   }
 
   boolean isAdaptive() {
-    return has("adaptive") && Truth.of(frame, attribute("adaptive"));
+    UrbiObject adaptive = attribute("adaptive");
+    return adaptive != null && Truth.of(frame, adaptive);
   }
 
   double number(String name) {
-    if (attribute(name) instanceof UrbiFloat number) {
+    UrbiObject given = attribute(name);
+    if (given instanceof UrbiFloat number) {
       return number.value();
     }
-    throw wrongType(1, attribute(name));
+    throw wrongType(1, requireNonNullElse(given, frame.interpreter().values().voidObject));
   }
 
   /** A speed: at 0 the variable stays where it is. */

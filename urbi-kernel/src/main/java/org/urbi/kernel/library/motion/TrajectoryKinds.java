@@ -1,7 +1,10 @@
 package org.urbi.kernel.library.motion;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.node.CallSite;
@@ -65,9 +68,9 @@ public final class TrajectoryKinds {
 
   /** A kind with its {@code follow}, or without for those that others have in common. */
   private static final class Kind extends BuiltinTable {
-    private final Consumer<Motion> way;
+    private final @Nullable Consumer<Motion> way;
 
-    Kind(String type, String proto, String doc, Consumer<Motion> way) {
+    Kind(String type, String proto, String doc, @Nullable Consumer<Motion> way) {
       super(type, doc, new String[] {proto}, way == null ? new Entry[0] : new Entry[] {FOLLOW});
       this.way = way;
     }
@@ -95,7 +98,8 @@ public final class TrajectoryKinds {
           arguments[3] instanceof UrbiDictionary given
               ? given
               : Arguments.unexpected(caller, site, 4, arguments[3], "Dictionary");
-      way.accept(new Motion(caller, site, self, arguments[0], arguments[1], target, attributes));
+      var motion = new Motion(caller, site, self, arguments[0], arguments[1], target, attributes);
+      requireNonNull(way, "declared only with a way").accept(motion);
       return caller.interpreter().values().voidObject;
     }
   }

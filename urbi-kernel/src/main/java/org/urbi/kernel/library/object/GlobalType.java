@@ -33,7 +33,7 @@ final class GlobalType {
       doc = "Whether a name, or names with dots between them, stands for something.")
   static boolean isdef(Frame frame, CallSite site, UrbiObject self) {
     Node argument = site.argumentNodes()[0];
-    String written = argument.span() == null ? "" : argument.span().text();
+    String written = argument.isWritten() ? argument.span().text() : "";
     String name =
         NAMES.matcher(written).matches()
             ? written

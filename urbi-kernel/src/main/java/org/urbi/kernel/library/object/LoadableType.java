@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.object;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -27,17 +28,17 @@ final class LoadableType {
   }
 
   @Builtin(doc = "Switches the target on, and returns it.")
-  static UrbiObject on(Frame frame, UrbiObject self, @Optional UrbiObject val) {
+  static UrbiObject on(Frame frame, UrbiObject self, @Optional @Nullable UrbiObject val) {
     return set(frame, self, true);
   }
 
   @Builtin(doc = "Switches the target off, and returns it.")
-  static UrbiObject off(Frame frame, UrbiObject self, @Optional UrbiObject val) {
+  static UrbiObject off(Frame frame, UrbiObject self, @Optional @Nullable UrbiObject val) {
     return set(frame, self, false);
   }
 
   @Builtin(doc = "Switches the target on if it is off, off if it is on, and returns it.")
-  static UrbiObject toggle(Frame frame, UrbiObject self, @Optional UrbiObject val) {
+  static UrbiObject toggle(Frame frame, UrbiObject self, @Optional @Nullable UrbiObject val) {
     return set(frame, self, !Truth.of(frame, OwnSlots.get(frame, self, "load")));
   }
 }

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -58,7 +59,7 @@ final class ObjectDescription {
   // ------------------------------------------------------------------ inspect
 
   @Builtin(doc = "Shows the prototypes and the slots; also the inherited ones when deep.")
-  static void inspect(Frame frame, UrbiObject self, @Optional UrbiObject deep) {
+  static void inspect(Frame frame, UrbiObject self, @Optional @Nullable UrbiObject deep) {
     say(frame, "Inspecting " + frame.interpreter().asPrintable(frame, self));
     say(frame, "** Prototypes:");
     for (UrbiObject proto : self.protos()) {
@@ -78,7 +79,7 @@ final class ObjectDescription {
 
   private static void listSlots(Frame frame, UrbiObject object) {
     for (Symbol name : slots(object)) {
-      say(frame, "  " + name.name() + " : " + typeOf(frame, object.localSlot(name)));
+      say(frame, "  " + name.name() + " : " + typeOf(frame, object.existingSlot(name)));
       Map<String, UrbiObject> properties = properties(object, name);
       if (!properties.isEmpty()) {
         say(frame, "    Properties:");
@@ -147,7 +148,7 @@ final class ObjectDescription {
       }
       say(frame, indent + "/* Slots */");
       for (Symbol name : slots(object)) {
-        value(name.name(), object.localSlot(name), depth, indent);
+        value(name.name(), object.existingSlot(name), depth, indent);
         Map<String, UrbiObject> properties = properties(object, name);
         if (!properties.isEmpty()) {
           say(frame, indent + "  /* Properties */");

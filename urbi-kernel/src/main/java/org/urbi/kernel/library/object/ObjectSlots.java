@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiTypePart;
@@ -30,7 +31,8 @@ final class ObjectSlots {
     return self.world().symbol(name);
   }
 
-  private static UrbiObject found(Frame frame, UrbiObject self, String name, UrbiObject value) {
+  private static UrbiObject found(
+      Frame frame, UrbiObject self, String name, @Nullable UrbiObject value) {
     if (value == null) {
       throw frame.interpreter().errors().lookup(self, name);
     }

@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.system;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
@@ -23,7 +24,7 @@ public final class EvaluateVariable implements Hook {
         }
 
         @Override
-        public Span calledSpan() {
+        public @Nullable Span calledSpan() {
           return null;
         }
       };

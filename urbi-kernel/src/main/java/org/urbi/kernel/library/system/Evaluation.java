@@ -2,6 +2,7 @@ package org.urbi.kernel.library.system;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.library.code.LocationType;
@@ -31,7 +32,7 @@ public final class Evaluation {
    * @return the value of its last statement
    */
   public static UrbiObject eval(
-      Frame frame, CallSite site, UrbiObject target, String text, String file) {
+      Frame frame, @Nullable CallSite site, UrbiObject target, String text, @Nullable String file) {
     Parsed parsed = UrbiParser.parse(text, file, frame.job()::checkInterrupted);
     for (SyntaxWarning warning : parsed.warnings()) {
       Warnings.in(frame, site, warning);
@@ -43,7 +44,8 @@ public final class Evaluation {
   }
 
   /** The message tells the place in the text, the calls tell who wanted it evaluated. */
-  private static UrbiException syntax(Frame frame, CallSite site, SyntaxError error, String text) {
+  private static UrbiException syntax(
+      Frame frame, @Nullable CallSite site, SyntaxError error, String text) {
     UrbiException exception = frame.interpreter().errors().syntax(error, text);
     if (site == null) {
       return exception;
@@ -63,7 +65,7 @@ public final class Evaluation {
 
   /** Executes statements one after the other, as the top level does. */
   private static UrbiObject execute(
-      Frame frame, CallSite site, UrbiObject target, Ast.Sequence program) {
+      Frame frame, @Nullable CallSite site, UrbiObject target, Ast.Sequence program) {
     UrbiObject value = frame.interpreter().values().voidObject;
     Imports imports = new Imports();
     for (int i = 0; i < program.statements().size(); i++) {

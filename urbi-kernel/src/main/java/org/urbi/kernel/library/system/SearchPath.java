@@ -2,6 +2,7 @@ package org.urbi.kernel.library.system;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Where source files are looked for.
@@ -9,4 +10,4 @@ import java.util.List;
  * @param folders first to last
  * @param library the folder of the library's own source files; null when there is none
  */
-public record SearchPath(List<Path> folders, Path library) {}
+public record SearchPath(List<Path> folders, @Nullable Path library) {}

@@ -6,6 +6,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -39,7 +40,11 @@ final class SystemFiles {
           "Evaluates a source file found in the search path, in the working directory or beside the"
               + " file that loads it, and returns its last value.")
   UrbiObject load(
-      Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
+      Frame frame,
+      CallSite site,
+      UrbiObject self,
+      UrbiObject file,
+      @Optional @Nullable UrbiObject target) {
     String name = frame.interpreter().asString(frame, file);
     Path path = search(frame, site, name);
     if (path == null) {
@@ -50,7 +55,11 @@ final class SystemFiles {
 
   @Builtin(doc = "Evaluates a source file, and returns its last value.")
   UrbiObject loadFile(
-      Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
+      Frame frame,
+      CallSite site,
+      UrbiObject self,
+      UrbiObject file,
+      @Optional @Nullable UrbiObject target) {
     String name = frame.interpreter().asString(frame, file);
     Path path = workingDirectory(frame).resolve(path(frame, name));
     if (!isFile(frame, site, path)) {
@@ -61,7 +70,11 @@ final class SystemFiles {
 
   @Builtin(doc = "Evaluates a source file if it is found, and says so on a channel.")
   UrbiObject maybeLoad(
-      Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject channel) {
+      Frame frame,
+      CallSite site,
+      UrbiObject self,
+      UrbiObject file,
+      @Optional @Nullable UrbiObject channel) {
     String name = frame.interpreter().asString(frame, file);
     Path path = search(frame, site, name);
     if (path == null) {
@@ -92,7 +105,11 @@ final class SystemFiles {
 
   @Builtin(doc = "Evaluates a source file found in the search path, unless that was done before.")
   void requireFile(
-      Frame frame, CallSite site, UrbiObject self, UrbiObject file, @Optional UrbiObject target) {
+      Frame frame,
+      CallSite site,
+      UrbiObject self,
+      UrbiObject file,
+      @Optional @Nullable UrbiObject target) {
     Path path = found(frame, site, frame.interpreter().asString(frame, file));
     if (!loadedFiles.contains(frame.job(), key(frame, path))) {
       evaluate(frame, site, self, path, target);
@@ -167,7 +184,7 @@ final class SystemFiles {
     return path;
   }
 
-  private Path search(Frame frame, CallSite site, String name) {
+  private @Nullable Path search(Frame frame, CallSite site, String name) {
     Path path = path(frame, name);
     Path working = workingDirectory(frame);
     if (path.isAbsolute()) {
@@ -192,7 +209,7 @@ final class SystemFiles {
   }
 
   /** A file in the folder of the one in which the call is written; null when that has no name. */
-  private Path beside(Frame frame, CallSite site, Path path) {
+  private @Nullable Path beside(Frame frame, CallSite site, Path path) {
     if (site.calledSpan() == null || site.calledSpan().location().file() == null) {
       return null;
     }
@@ -237,7 +254,7 @@ final class SystemFiles {
   }
 
   private UrbiObject evaluate(
-      Frame frame, CallSite site, UrbiObject self, Path path, UrbiObject target) {
+      Frame frame, CallSite site, UrbiObject self, Path path, @Nullable UrbiObject target) {
     Path key = key(frame, path);
     boolean complete = false;
     loadedFiles.begin(frame.job(), key);

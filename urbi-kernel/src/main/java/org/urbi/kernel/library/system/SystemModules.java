@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.system;
 
 import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -49,7 +50,11 @@ final class SystemModules {
           "Loads the UObjects of a module. One that is loaded already is replaced if the file has"
               + " changed; its objects stay.")
   void loadModule(
-      Frame frame, CallSite site, UrbiObject self, UrbiObject module, @Optional String options) {
+      Frame frame,
+      CallSite site,
+      UrbiObject self,
+      UrbiObject module,
+      @Optional @Nullable String options) {
     load(frame, site, module, false);
   }
 
@@ -58,7 +63,11 @@ final class SystemModules {
           "Loads a module whose classes can be used by those that are loaded later. It need not"
               + " have UObjects.")
   void loadLibrary(
-      Frame frame, CallSite site, UrbiObject self, UrbiObject library, @Optional String options) {
+      Frame frame,
+      CallSite site,
+      UrbiObject self,
+      UrbiObject library,
+      @Optional @Nullable String options) {
     load(frame, site, library, true);
   }
 
@@ -76,7 +85,7 @@ final class SystemModules {
         uobjects.modules().load(frame, file(frame, site, module), library);
       }
     } catch (UModuleException | ConfinedException e) {
-      throw frame.error(site, Problem.REASON, NativeText.toUrbi(e.getMessage()));
+      throw frame.error(site, Problem.REASON, NativeText.toUrbi(String.valueOf(e.getMessage())));
     }
   }
 

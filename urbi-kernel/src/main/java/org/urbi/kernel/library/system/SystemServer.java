@@ -192,7 +192,7 @@ final class SystemServer {
 
   /** Code as urbiscript shows it. */
   private static String shown(Node claim) {
-    if (claim.span() == null) {
+    if (!claim.isWritten()) {
       return "?";
     }
     String text = claim.span().text();

@@ -2,6 +2,7 @@ package org.urbi.kernel.library.system;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -28,7 +29,8 @@ final class SystemType {
   }
 
   @Builtin(doc = "Waits for that many seconds; for ever when none is given.")
-  static void sleep(Frame frame, CallSite site, UrbiObject self, @Optional Double duration) {
+  static void sleep(
+      Frame frame, CallSite site, UrbiObject self, @Optional @Nullable Double duration) {
     Job job = frame.job();
     Activity.note(frame, site);
     if (duration == null || duration == Double.POSITIVE_INFINITY) {
@@ -55,14 +57,18 @@ final class SystemType {
   }
 
   @Builtin(doc = "Ends the server.", needs = Need.OWNER)
-  void shutdown(Frame frame, UrbiObject self, @Optional Integer status) {
+  void shutdown(Frame frame, UrbiObject self, @Optional @Nullable Integer status) {
     kernelEnd.requestShutdown(status == null ? 0 : status);
     frame.job().waitForWake();
   }
 
   @Builtin(doc = "Evaluates source text on the target, and returns its value.")
   static UrbiObject eval(
-      Frame frame, CallSite site, UrbiObject self, String source, @Optional UrbiObject target) {
+      Frame frame,
+      CallSite site,
+      UrbiObject self,
+      String source,
+      @Optional @Nullable UrbiObject target) {
     return Evaluation.eval(frame, site, target == null ? self : target, source, null);
   }
 

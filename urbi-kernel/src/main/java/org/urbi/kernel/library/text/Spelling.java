@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.text;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /** How alike words are (manual, "String.distance", "String.closest"). */
 public final class Spelling {
@@ -48,7 +49,7 @@ public final class Spelling {
   }
 
   /** The first of the most alike candidates; null when none is worth a suggestion. */
-  static String closest(String word, List<String> candidates, Runnable onRow) {
+  static @Nullable String closest(String word, List<String> candidates, Runnable onRow) {
     String closest = null;
     int least = Integer.MAX_VALUE;
     for (String candidate : candidates) {
@@ -81,7 +82,7 @@ public final class Spelling {
     private final boolean open;
     private boolean known;
     private int least = MOST_EDITS + 1;
-    private String meant;
+    private @Nullable String meant;
 
     public Guess(String name) {
       this.name = name;
@@ -110,13 +111,16 @@ public final class Spelling {
       }
     }
 
-    private static boolean isAfter(String one, String other) {
+    private static boolean isAfter(String one, @Nullable String other) {
+      if (other == null) {
+        return true;
+      }
       boolean dollar = one.startsWith("$");
       return dollar == other.startsWith("$") ? one.compareTo(other) > 0 : dollar;
     }
 
     /** The name that was meant; null when there is none, or there is one of just that name. */
-    public String meant() {
+    public @Nullable String meant() {
       return known ? null : meant;
     }
   }

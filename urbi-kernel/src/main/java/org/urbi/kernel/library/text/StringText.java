@@ -3,6 +3,7 @@ package org.urbi.kernel.library.text;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -31,10 +32,10 @@ final class StringText {
       Frame caller,
       CallSite site,
       UrbiString self,
-      @Optional UrbiObject sep,
-      @Optional UrbiObject lim,
-      @Optional UrbiObject keepSep,
-      @Optional UrbiObject keepEmpty) {
+      @Optional @Nullable UrbiObject sep,
+      @Optional @Nullable UrbiObject lim,
+      @Optional @Nullable UrbiObject keepSep,
+      @Optional @Nullable UrbiObject keepEmpty) {
     List<String> separators = SPACES;
     if (sep instanceof UrbiList list) {
       separators = new ArrayList<>();
@@ -110,7 +111,7 @@ final class StringText {
     return parts;
   }
 
-  private static String separatorAt(
+  private static @Nullable String separatorAt(
       String text, int at, List<String> separators, Checkpoint checkpoint) {
     for (String separator : separators) {
       checkpoint.pass();

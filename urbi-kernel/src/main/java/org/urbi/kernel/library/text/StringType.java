@@ -2,6 +2,7 @@ package org.urbi.kernel.library.text;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -36,7 +37,7 @@ public final class StringType {
   // ------------------------------------------------------------------ conversions
 
   @Builtin(doc = "Makes it the same string as another one.", needs = Need.CHANGE)
-  static UrbiObject init(UrbiString self, @Optional String value) {
+  static UrbiObject init(UrbiString self, @Optional @Nullable String value) {
     if (value != null) {
       self.setValue(value);
     }
@@ -62,7 +63,7 @@ public final class StringType {
     return number;
   }
 
-  private static Double parseNumber(String text) {
+  private static @Nullable Double parseNumber(String text) {
     String digits = text.startsWith("-") || text.startsWith("+") ? text.substring(1) : text;
     double sign = text.startsWith("-") ? -1 : 1;
     if (digits.equals("inf")) {
@@ -171,7 +172,8 @@ public final class StringType {
   }
 
   @Builtin(value = "[]", doc = "The characters from an index to another one, which is excluded.")
-  static String get(Frame caller, CallSite site, UrbiString self, int from, @Optional Integer to) {
+  static String get(
+      Frame caller, CallSite site, UrbiString self, int from, @Optional @Nullable Integer to) {
     int[] bounds = bounds(caller, site, self.length(), from, to);
     return self.part(bounds[0], bounds[1]);
   }
@@ -186,7 +188,7 @@ public final class StringType {
       UrbiString self,
       int from,
       UrbiObject toOrOther,
-      @Optional String other) {
+      @Optional @Nullable String other) {
     Integer to = other == null ? null : Arguments.integer(caller, site, 2, toOrOther);
     UrbiObject given = other == null ? toOrOther : string(caller, other);
     String inserted = Arguments.text(caller, site, other == null ? 2 : 3, given);
@@ -196,7 +198,8 @@ public final class StringType {
   }
 
   /** Where a range begins and ends; without an end it has one character. */
-  private static int[] bounds(Frame caller, CallSite site, int size, int from, Integer to) {
+  private static int[] bounds(
+      Frame caller, CallSite site, int size, int from, @Nullable Integer to) {
     int end = to == null ? from + 1 : to;
     if (from < 0 || from > size || (to == null && from == size)) {
       throw Counting.invalidIndex(caller, site, from);

@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.uobject;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -33,8 +34,8 @@ final class ExternalLobby {
       UrbiObject self,
       String kind,
       String first,
-      @Optional String second,
-      @Optional String third) {
+      @Nullable @Optional String second,
+      @Nullable @Optional String third) {
     ExternalProcess process = ExternalProcess.of(frame, uobjects);
     ExternalProcess.attempt(
         frame,
@@ -57,7 +58,7 @@ final class ExternalLobby {
     return Integer.parseInt(text);
   }
 
-  private static String name(String text) {
+  private static String name(@Nullable String text) {
     if (text == null) {
       throw new IllegalArgumentException(Problem.NAME_MISSING.text());
     }

@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.uobject;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
@@ -31,7 +32,7 @@ final class ExternalUObject {
   }
 
   @Builtin(doc = "The result of a call of a function of the process at the other end.")
-  void funCall(Frame frame, UrbiObject self, String call, @Optional UrbiObject result) {
+  void funCall(Frame frame, UrbiObject self, String call, @Nullable @Optional UrbiObject result) {
     ExternalProcess process = ExternalProcess.of(frame, uobjects);
     UrbiObject exception = frame.interpreter().world().prototype("Exception");
     ExternalProcess.attempt(

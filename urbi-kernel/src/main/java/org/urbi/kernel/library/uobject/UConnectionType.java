@@ -50,9 +50,10 @@ final class UConnectionType {
 
   @Builtin(doc = "Where it begins and ends, to be shown.")
   static String asString(UrbiConnection self) {
-    if (self.source() == null) {
-      return "UConnection";
-    }
-    return self.source().name() + " >> " + self.target().name();
+    UrbiUVar source = self.source();
+    UrbiUVar target = self.target();
+    return source == null || target == null
+        ? "UConnection"
+        : source.name() + " >> " + target.name();
   }
 }

@@ -21,6 +21,7 @@ import org.urbi.kernel.object.Values;
 import org.urbi.kernel.uobject.ObjectAccess;
 import org.urbi.kernel.uobject.PluggedContext;
 import org.urbi.kernel.variable.UrbiConnection;
+import org.urbi.kernel.variable.UrbiUVar;
 
 /** Where the UObjects are (manual, "uobjects"). */
 @UrbiType(
@@ -82,14 +83,16 @@ final class UObjectsType {
     List<UrbiConnection> all = uobjects.connections().all();
     List<String> lines = new ArrayList<>();
     for (UrbiConnection connection : all) {
-      if (connection.source() != null) {
+      UrbiUVar source = connection.source();
+      UrbiUVar target = connection.target();
+      if (source != null && target != null) {
         CallTimes times = connection.gate().times();
         lines.add(
             String.format(
                 Locale.ROOT,
                 "%s >> %s: %d calls, %.1f Hz, call time mean %.6f min %.6f max %.6f",
-                connection.source().name(),
-                connection.target().name(),
+                source.name(),
+                target.name(),
                 times.count(),
                 connection.gate().fireRate(),
                 times.mean(),

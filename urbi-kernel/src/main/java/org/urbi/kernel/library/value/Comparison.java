@@ -2,6 +2,7 @@ package org.urbi.kernel.library.value;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.builtin.Primitive;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -58,7 +59,8 @@ public final class Comparison {
   }
 
   /** The order that a function of urbiscript defines; that of {@code <} when it is null. */
-  public static Order order(Frame caller, CallSite site, UrbiObject self, UrbiObject function) {
+  public static Order order(
+      Frame caller, CallSite site, UrbiObject self, @Nullable UrbiObject function) {
     if (function == null) {
       return (a, b) -> less(caller, a, b);
     }

@@ -5,6 +5,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Function;
@@ -80,7 +81,7 @@ public final class Printing {
     return isOfLibrary(value.lookup(asPrintable)) && isOfLibrary(value.lookup(asString));
   }
 
-  private static boolean isOfLibrary(UrbiObject method) {
+  private static boolean isOfLibrary(@Nullable UrbiObject method) {
     return method instanceof Code && !(method instanceof Function);
   }
 

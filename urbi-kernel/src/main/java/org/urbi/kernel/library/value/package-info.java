@@ -2,4 +2,7 @@
  * What every value can be asked: comparing, hashing, printing, and the plain types (manual,
  * "Boolean", "nil", "void", "Enumeration", "Comparable", "Orderable").
  */
+@NullMarked
 package org.urbi.kernel.library.value;
+
+import org.jspecify.annotations.NullMarked;

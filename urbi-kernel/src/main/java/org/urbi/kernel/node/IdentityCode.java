@@ -1,13 +1,10 @@
-package org.urbi.kernel.library.code;
+package org.urbi.kernel.node;
 
-import org.urbi.kernel.node.CallSite;
-import org.urbi.kernel.node.Code;
-import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 
 /** The method {@code asType} of a type: returns its target. */
-public final class IdentityCode extends Code {
-  public IdentityCode(UrbiObject prototype) {
+final class IdentityCode extends Code {
+  IdentityCode(UrbiObject prototype) {
     super(prototype.cloneShape());
   }
 
