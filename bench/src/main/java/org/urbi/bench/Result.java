@@ -2,6 +2,7 @@ package org.urbi.bench;
 
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A line of the table.
@@ -22,7 +23,7 @@ record Result(
     String note) {
 
   /** How many times what another language needs, or null. */
-  Double ratioTo(Language other) {
+  @Nullable Double ratioTo(Language other) {
     Double own = figures.get(Language.URBISCRIPT);
     Double its = figures.get(other);
     return own == null || its == null || its == 0 ? null : own / its;

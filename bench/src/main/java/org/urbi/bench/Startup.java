@@ -1,5 +1,7 @@
 package org.urbi.bench;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintStream;
@@ -123,7 +125,7 @@ public final class Startup {
           label, new Candidate(label, Installation.java(), flags, "-cp", folder, "Hello"));
     }
     measure(List.copyOf(candidates.values()), runs);
-    double bare = candidates.get("java Hello").total();
+    double bare = total(candidates, "java Hello");
     out.printf("%-32s %14s %14s %16s%n", "", "first output", "whole process", "to java Hello");
     for (Candidate candidate : candidates.values()) {
       out.printf(
@@ -133,8 +135,12 @@ public final class Startup {
           Unit.TIME.text(candidate.total()),
           candidate.total() / bare);
     }
-    double ratio = candidates.get("./urbi").total() / bare;
+    double ratio = total(candidates, "./urbi") / bare;
     out.printf("target <= 3.0: %s%n", ratio <= 3 ? "met" : "MISSED");
+  }
+
+  private static double total(Map<String, Candidate> candidates, String label) {
+    return requireNonNull(candidates.get(label), label).total();
   }
 
   /** The folder of a compiled class that says hello and nothing else. */

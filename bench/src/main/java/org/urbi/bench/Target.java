@@ -1,11 +1,12 @@
 package org.urbi.bench;
 
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /** What a row of the table has to reach. */
 sealed interface Target {
   /** Whether the figures reach it; null when that cannot be told on this machine. */
-  Boolean met(Map<Language, Double> figures);
+  @Nullable Boolean met(Map<Language, Double> figures);
 
   /** How the table names it. */
   String text();
@@ -13,7 +14,7 @@ sealed interface Target {
   /** At most so many times what another language needs. */
   record Ratio(Language to, double most) implements Target {
     @Override
-    public Boolean met(Map<Language, Double> figures) {
+    public @Nullable Boolean met(Map<Language, Double> figures) {
       Double other = figures.get(to);
       Double own = figures.get(Language.URBISCRIPT);
       return other == null || own == null ? null : own <= most * other;
@@ -28,7 +29,7 @@ sealed interface Target {
   /** At most so much, in the unit of the row. */
   record Absolute(double most, Unit unit) implements Target {
     @Override
-    public Boolean met(Map<Language, Double> figures) {
+    public @Nullable Boolean met(Map<Language, Double> figures) {
       Double own = figures.get(Language.URBISCRIPT);
       return own == null ? null : own <= most;
     }
@@ -42,7 +43,7 @@ sealed interface Target {
   /** Nothing: the row is there to be looked at. */
   record None() implements Target {
     @Override
-    public Boolean met(Map<Language, Double> figures) {
+    public @Nullable Boolean met(Map<Language, Double> figures) {
       return null;
     }
 

@@ -64,7 +64,7 @@ public final class WholePrograms {
       if (wanted(only, "startup") && !arguments.has("--profile")) {
         results.addAll(new Startup(machine, progress).run(quick ? 5 : STARTUP_RUNS));
       }
-      String file = arguments.value("--json", null);
+      String file = arguments.value("--json");
       if (file != null) {
         Files.writeString(Path.of(file), Json.of(description, results));
       }

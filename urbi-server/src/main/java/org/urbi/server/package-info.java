@@ -6,4 +6,7 @@
  * urbi-send} and {@code urbi-ping}, which only know a socket. This package itself holds what they
  * share.
  */
+@NullMarked
 package org.urbi.server;
+
+import org.jspecify.annotations.NullMarked;

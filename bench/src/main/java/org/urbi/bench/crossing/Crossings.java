@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.IntConsumer;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Kernel;
 
 /**
@@ -21,7 +22,7 @@ public final class Crossings {
   private static final int ROUNDS = 15;
 
   /** Something that is measured, less something else. */
-  private record Item(String name, IntConsumer turns, IntConsumer less) {
+  private record Item(String name, IntConsumer turns, @Nullable IntConsumer less) {
     Item(String name, IntConsumer turns) {
       this(name, turns, null);
     }
@@ -47,7 +48,7 @@ public final class Crossings {
           function Global.changes(n) { var i = 0| while| (i < n) { Crossings.watched = 1| i += 1 } };
           """);
       Object same = kernel.eval("Crossings.images(10)");
-      if (!same.equals(10.0)) {
+      if (!Double.valueOf(10).equals(same)) {
         throw new IllegalStateException("images were copied: " + same + " of 10 were not");
       }
       IntConsumer empty = n -> kernel.call("empty", n);

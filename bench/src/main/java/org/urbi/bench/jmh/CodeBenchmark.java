@@ -60,7 +60,10 @@ public class CodeBenchmark {
     }
   }
 
-  @Param public Turn turn;
+  // JMH sets it before the setup.
+  @SuppressWarnings("NullAway.Init")
+  @Param
+  public Turn turn;
 
   private Session session;
 

@@ -53,7 +53,10 @@ public class UObjectBenchmark {
     }
   }
 
-  @Param public Turn turn;
+  // JMH sets it before the setup.
+  @SuppressWarnings("NullAway.Init")
+  @Param
+  public Turn turn;
 
   private Session session;
   private MethodHandle handle;

@@ -1,5 +1,7 @@
 package org.urbi.bench.remote;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.BufferedReader;
 import java.io.DataInputStream;
 import java.io.IOException;
@@ -159,7 +161,7 @@ public final class RemoteBenchmark {
           "for| (var i = 0; i < "
               + IMAGES
               + "; i += 1) { Global.image = Global.data | sleep(1ms) }");
-      int seen = ((Number) kernel.eval("Component.count")).intValue();
+      int seen = requireNonNull(kernel.eval("Component.count", Integer.class), "a count");
       if (turn == 1) {
         rate("640x480 images to a remote", seen, start, 200);
       }

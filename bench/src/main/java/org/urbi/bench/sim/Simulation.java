@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import org.jspecify.annotations.Nullable;
 import org.opencv.core.Core;
 import org.opencv.core.CvType;
 import org.opencv.core.Mat;
@@ -73,7 +74,8 @@ public final class Simulation {
     return samples[ROUNDS / 2];
   }
 
-  private static void steps(Solver solver, String bare) throws IOException, InterruptedException {
+  private static void steps(Solver solver, @Nullable String bare)
+      throws IOException, InterruptedException {
     double inC = bare == null ? Double.NaN : bareSteps(bare, solver);
     for (String engine : List.of("ode", "ode4j")) {
       try (PhysicsWorld world =

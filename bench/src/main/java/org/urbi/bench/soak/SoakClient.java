@@ -3,6 +3,7 @@ package org.urbi.bench.soak;
 import java.io.IOException;
 import java.util.Random;
 import java.util.concurrent.atomic.AtomicLong;
+import org.jspecify.annotations.Nullable;
 
 /** Connects, does something, leaves in one way or another, and comes again; seeded. */
 final class SoakClient implements Runnable {
@@ -22,7 +23,7 @@ final class SoakClient implements Runnable {
     final AtomicLong failures = new AtomicLong();
     private volatile String lastFailure = "";
 
-    void failed(Behaviour behaviour, IOException e) {
+    void failed(@Nullable Behaviour behaviour, IOException e) {
       failures.incrementAndGet();
       lastFailure = behaviour + ": " + e.getMessage();
     }
@@ -73,7 +74,7 @@ final class SoakClient implements Runnable {
     }
   }
 
-  private void goodbye(Visit visit, Behaviour last) throws IOException {
+  private void goodbye(Visit visit, @Nullable Behaviour last) throws IOException {
     switch (random.nextInt(4)) {
       case 0 -> visit.vanish();
       case 1 -> {

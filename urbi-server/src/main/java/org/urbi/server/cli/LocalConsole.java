@@ -1,5 +1,7 @@
 package org.urbi.server.cli;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.FileDescriptor;
 import java.io.FileInputStream;
 import java.io.FileOutputStream;
@@ -7,6 +9,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.util.function.BiFunction;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
@@ -32,11 +35,11 @@ final class LocalConsole implements AutoCloseable {
   private final BiFunction<Client, Boolean, Connection> lobbies;
   private final Runnable end;
   private final Screen screen;
-  private final TerminalSession terminal;
+  private final @Nullable TerminalSession terminal;
   private final Console console;
   private final PrintStream err;
   private volatile boolean outputLost;
-  private Connection connection;
+  private @Nullable Connection connection;
 
   LocalConsole(
       Settings settings,
@@ -79,15 +82,16 @@ final class LocalConsole implements AutoCloseable {
   /** Opens the lobby, sends what there is to send, and reads on in a thread of its own. */
   void start() {
     Interrupts interrupts =
-        new Interrupts(this::isSession, () -> connection.interrupt(), this::shutDown);
+        new Interrupts(this::isSession, () -> opened().interrupt(), this::shutDown);
     if (terminal == null) {
       interrupts.install();
     }
     if (settings.text().isEmpty() && settings.input() == Settings.Input.NONE) {
       return;
     }
-    connection = lobbies.apply(console, settings.holdsTime());
-    connection.send(settings.text());
+    Connection made = lobbies.apply(console, settings.holdsTime());
+    connection = made;
+    made.send(settings.text());
     switch (settings.input()) {
       case NONE -> inputEnded();
       case STREAM -> read(this::readStream);
@@ -95,11 +99,15 @@ final class LocalConsole implements AutoCloseable {
     }
   }
 
+  private Connection opened() {
+    return requireNonNull(connection, "asked for when the lobby is open");
+  }
+
   /** In a session, as if {@code shutdown} had been typed; otherwise there is nobody to tell. */
   private void shutDown() {
     if (isSession()) {
-      connection.interrupt();
-      connection.send(SHUTDOWN);
+      opened().interrupt();
+      opened().send(SHUTDOWN);
     } else {
       if (connection != null) {
         connection.close();
@@ -118,7 +126,7 @@ final class LocalConsole implements AutoCloseable {
           try {
             reader.run();
           } catch (Throwable failure) {
-            connection.failed("the reading of the input", failure);
+            opened().failed("the reading of the input", failure);
             inputEnded();
           }
         };
@@ -127,12 +135,13 @@ final class LocalConsole implements AutoCloseable {
 
   private void readStream() {
     boolean all = settings.fast() && settings.holdsTime();
-    new PipeInput(new FileInputStream(FileDescriptor.in), console, connection, all).run();
+    new PipeInput(new FileInputStream(FileDescriptor.in), console, opened(), all).run();
     inputEnded();
   }
 
   private void converse(Interrupts interrupts) {
-    terminal.run(console, connection, interrupts::interrupted);
+    requireNonNull(terminal, "a conversation has one")
+        .run(console, opened(), interrupts::interrupted);
     if (console.isOpen()) {
       kernel.requestShutdown(0);
     }
@@ -141,7 +150,7 @@ final class LocalConsole implements AutoCloseable {
   /** Nothing more will come: without another way in, the run is over once the jobs are. */
   private void inputEnded() {
     if (!settings.keepsServing()) {
-      connection.end();
+      opened().end();
     }
   }
 

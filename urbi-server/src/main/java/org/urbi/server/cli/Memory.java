@@ -7,6 +7,7 @@ import java.lang.management.MemoryType;
 import java.lang.management.MemoryUsage;
 import java.util.Comparator;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /** How full the heap is. */
 final class Memory {
@@ -25,9 +26,9 @@ final class Memory {
   private static final long MILLISECOND = 1_000_000;
 
   /** Where old objects are; looked for when it matters, since that takes long. */
-  private MemoryPoolMXBean old;
+  private @Nullable MemoryPoolMXBean old;
 
-  private List<GarbageCollectorMXBean> collectors;
+  private List<GarbageCollectorMXBean> collectors = List.of();
   private long windowBegan;
   private long collectedBefore;
   private boolean collecting;
@@ -46,19 +47,21 @@ final class Memory {
    * @param now the time in nanoseconds
    */
   boolean isTight(long now) {
-    if (old == null) {
-      old =
+    MemoryPoolMXBean known = old;
+    if (known == null) {
+      known =
           ManagementFactory.getMemoryPoolMXBeans().stream()
               .filter(pool -> pool.getType() == MemoryType.HEAP)
               .max(Comparator.comparingLong(pool -> pool.getUsage().getMax()))
               .orElseThrow();
+      old = known;
       // Those that work beside the program keep nobody waiting.
       collectors =
           ManagementFactory.getGarbageCollectorMXBeans().stream()
               .filter(bean -> !bean.getName().matches(".*(Cycles|Concurrent).*"))
               .toList();
     }
-    MemoryUsage left = old.getCollectionUsage();
+    MemoryUsage left = known.getCollectionUsage();
     return left != null && left.getMax() > 0 && left.getUsed() > FULL * left.getMax()
         || isCollecting(now);
   }

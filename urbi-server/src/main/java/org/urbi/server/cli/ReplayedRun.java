@@ -31,7 +31,7 @@ final class ReplayedRun {
     } catch (RecordingException e) {
       throw Failure.of(file + " " + e.getMessage());
     } catch (UncheckedIOException e) {
-      throw Failure.of("cannot read the recording " + file + ": " + e.getCause().getMessage());
+      throw Failure.of("cannot read the recording " + file + ": " + Failure.reason(e));
     }
     int status = kernel.awaitTermination();
     out.flush();

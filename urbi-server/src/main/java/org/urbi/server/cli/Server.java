@@ -1,5 +1,7 @@
 package org.urbi.server.cli;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.io.PrintStream;
 import java.io.UncheckedIOException;
@@ -8,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.time.Duration;
+import org.jspecify.annotations.Nullable;
 import org.urbi.bridge.NativeThreads;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
@@ -28,13 +31,13 @@ final class Server {
   private final PrintStream err;
   private final StartFiles startFiles;
   private int runs;
-  private volatile Kernel kernel;
-  private volatile LocalConsole console;
+  private volatile @Nullable Kernel kernel;
+  private volatile @Nullable LocalConsole console;
   private volatile boolean reboot;
   private volatile boolean ending;
   private volatile boolean terminated;
-  private volatile ConsoleServer listening;
-  private volatile Watchdog watchdog;
+  private volatile @Nullable ConsoleServer listening;
+  private volatile @Nullable Watchdog watchdog;
   private boolean outputLost;
 
   Server(Settings settings, PrintStream out, PrintStream err) {
@@ -58,7 +61,7 @@ final class Server {
   }
 
   private int runOnce() {
-    kernel =
+    Kernel started =
         withFiles(recorded(Kernel.builder()))
             .virtualTime(settings.fast())
             .searchPath(settings.searchPath().directories())
@@ -71,27 +74,30 @@ final class Server {
             .onHalt(this::halt)
             .onReboot(() -> reboot = true)
             .start();
+    kernel = started;
     ConsoleServer network = null;
-    watch();
+    watch(started);
     try {
-      startFiles.loadGlobal(kernel, err);
+      startFiles.loadGlobal(started, err);
       network = settings.hasPort() ? listen() : null;
       listening = network;
-      console = new LocalConsole(settings, kernel, this::connect, this::end, out, err);
-      console.start();
-      int status = kernel.awaitTermination();
-      return status == 0 && settings.strict() && console.hasFailed() ? LocalConsole.FAILED : status;
+      var local = new LocalConsole(settings, started, this::connect, this::end, out, err);
+      console = local;
+      local.start();
+      int status = started.awaitTermination();
+      return status == 0 && settings.strict() && local.hasFailed() ? LocalConsole.FAILED : status;
     } finally {
-      kernel.close();
+      started.close();
       listening = null;
       if (network != null) {
         network.close();
         removePortFile();
       }
-      watchdog.stop();
-      if (console != null) {
-        console.close();
-        outputLost = !settings.keepsServing() && console.isOutputLost();
+      watchdog().stop();
+      LocalConsole local = console;
+      if (local != null) {
+        local.close();
+        outputLost = !settings.keepsServing() && local.isOutputLost();
       }
     }
   }
@@ -101,16 +107,17 @@ final class Server {
     return users == null ? builder : builder.userDirectory(users);
   }
 
-  private void watch() {
-    watchdog =
+  private void watch(Kernel watched) {
+    Watchdog made =
         new Watchdog(
-            kernel,
+            watched,
             this::networkSilence,
             settings.hasPort() ? settings.watchdog() : Duration.ZERO,
             err,
             this::obeySignals,
             Server::giveUp);
-    watchdog.start();
+    watchdog = made;
+    made.start();
     obeySignals(false);
   }
 
@@ -133,10 +140,18 @@ final class Server {
   }
 
   private void terminate() {
-    watchdog.terminating();
+    watchdog().terminating();
     terminated = true;
     ending = true;
-    kernel.abort(ExitStatus.TERMINATED);
+    kernel().abort(ExitStatus.TERMINATED);
+  }
+
+  private Watchdog watchdog() {
+    return requireNonNull(watchdog, "it watches from the start of the kernel");
+  }
+
+  private Kernel kernel() {
+    return requireNonNull(kernel, "the first one has been started");
   }
 
   /** For how long the network thread has not turned, in nanoseconds. */
@@ -155,14 +170,15 @@ final class Server {
     try {
       return builder.record(Path.of(file));
     } catch (UncheckedIOException e) {
-      throw Failure.of("cannot write the recording " + file + ": " + e.getCause().getMessage());
+      throw Failure.of("cannot write the recording " + file + ": " + Failure.reason(e));
     }
   }
 
   /** Ends the process at once; only what has been printed is still shown. */
   private void halt(int status) {
-    if (console != null) {
-      console.close();
+    LocalConsole local = console;
+    if (local != null) {
+      local.close();
     }
     NativeThreads.halt(status);
   }
@@ -170,7 +186,7 @@ final class Server {
   /** Somebody wants the process to end, whatever goes on. */
   private void end() {
     ending = true;
-    kernel.requestShutdown(0);
+    kernel().requestShutdown(0);
   }
 
   /**
@@ -179,7 +195,7 @@ final class Server {
    * @param holdsTime whether a simulated time waits for the end of this client's input
    */
   private Connection connect(Client client, boolean holdsTime) {
-    Connection connection = kernel.connect(client, holdsTime);
+    Connection connection = kernel().connect(client, holdsTime);
     if (!settings.quiet()) {
       connection.send(BANNER);
     }
@@ -201,11 +217,11 @@ final class Server {
           new ConsoleServer(
               address,
               client -> connect(client, false),
-              kernel::connectRemote,
+              kernel()::connectRemote,
               limits(),
               settings.access().admission(),
               settings.trace());
-      kernel.evalAsync("System.listenPort = " + server.port() + "|");
+      kernel().evalAsync("System.listenPort = " + server.port() + "|");
       writePortFile(server.port());
       if (!settings.quiet()) {
         settings.trace().log("listening on " + settings.host() + ":" + server.port());

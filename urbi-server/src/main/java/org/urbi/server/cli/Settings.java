@@ -3,6 +3,7 @@ package org.urbi.server.cli;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.server.Trace;
 import org.urbi.server.trust.AccessOptions;
 
@@ -40,9 +41,9 @@ record Settings(
     boolean quiet,
     String host,
     int port,
-    Path portFile,
+    @Nullable Path portFile,
     AccessOptions access,
-    String record,
+    @Nullable String record,
     int maxConnections,
     long maxOutput,
     String budget,

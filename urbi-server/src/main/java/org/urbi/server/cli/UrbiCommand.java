@@ -124,7 +124,7 @@ public final class UrbiCommand {
       out.println(SearchPath.root());
       return 0;
     }
-    String replay = arguments.value("--replay", null);
+    String replay = arguments.value("--replay");
     if (replay != null) {
       if (!arguments.rest().isEmpty() || !inputs.isEmpty() || arguments.has("--record")) {
         throw Failure.usage("--replay runs what is recorded, and nothing else");
@@ -153,7 +153,7 @@ public final class UrbiCommand {
     StringBuilder text = new StringBuilder();
     modules.forEach(module -> text.append(SourceText.loadModule(module)));
     SourceText.append(text, inputs.text());
-    String portFile = arguments.value("--port-file", null);
+    String portFile = arguments.value("--port-file");
     return new Settings(
         trace(arguments),
         SearchPath.of(System.getenv("URBI_PATH"), SearchPath.standard(SearchPath.root())),
@@ -168,7 +168,7 @@ public final class UrbiCommand {
         port,
         portFile == null ? null : Path.of(portFile),
         AccessOptions.of(arguments),
-        arguments.value("--record", null),
+        arguments.value("--record"),
         arguments.number("--max-connections", 0, 0, Integer.MAX_VALUE),
         (long) arguments.number("--max-output", 0, 1, 1 << 20) << 20,
         budget(arguments),
@@ -200,7 +200,8 @@ public final class UrbiCommand {
 
   /** How much of the log is shown: of the kernel's, of urbiscript's loggers, of the libraries'. */
   private Trace trace(Arguments arguments) {
-    String level = arguments.value("--debug", System.getenv("GD_LEVEL"));
+    String level =
+        arguments.has("--debug") ? arguments.value("--debug") : System.getenv("GD_LEVEL");
     try {
       Trace trace =
           new Trace(

@@ -2,6 +2,7 @@ package org.urbi.server.console;
 
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 
@@ -11,7 +12,7 @@ public final class Console implements Client {
 
   private final Consumer<String> screen;
   private final Runnable whenClosed;
-  private volatile Thread sender;
+  private volatile @Nullable Thread sender;
   private volatile boolean open = true;
   private volatile boolean failed;
 

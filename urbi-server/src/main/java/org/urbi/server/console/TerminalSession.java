@@ -18,6 +18,7 @@ import org.jline.reader.ParsedLine;
 import org.jline.reader.UserInterruptException;
 import org.jline.terminal.Terminal;
 import org.jline.terminal.TerminalBuilder;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Connection;
 import org.urbi.server.source.SourceText;
 
@@ -33,7 +34,7 @@ public final class TerminalSession implements AutoCloseable {
 
   private final Terminal terminal;
   private final LineReader reader;
-  private volatile Connection connection;
+  private volatile @Nullable Connection connection;
   private volatile boolean closed;
 
   public TerminalSession() {

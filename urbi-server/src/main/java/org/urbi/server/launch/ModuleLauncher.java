@@ -182,8 +182,9 @@ final class ModuleLauncher {
   private int start(Arguments arguments) {
     List<String> options = new ArrayList<>();
     for (String option : List.of("--host", "--port", "--port-file", "--debug")) {
-      if (arguments.has(option)) {
-        options.addAll(List.of(option, arguments.value(option, null)));
+      String value = arguments.value(option);
+      if (value != null) {
+        options.addAll(List.of(option, value));
       }
     }
     ModulePath path = ModulePath.ofEnvironment();
@@ -192,7 +193,7 @@ final class ModuleLauncher {
       options.addAll(List.of("--module", found));
     }
     options.addAll(moduleOptions);
-    String other = arguments.value("--customize", null);
+    String other = arguments.value("--customize");
     return other == null
         ? UrbiCommand.run(options.toArray(String[]::new), out, err)
         : runProcess(other, options);
@@ -217,7 +218,8 @@ final class ModuleLauncher {
     Target server = Target.of(arguments, arguments.value("--host", "127.0.0.1"));
     List<String> words =
         new ArrayList<>(List.of("--host", server.host(), "--port", String.valueOf(server.port())));
-    String level = arguments.value("--debug", System.getenv("GD_LEVEL"));
+    String given = arguments.value("--debug");
+    String level = given == null ? System.getenv("GD_LEVEL") : given;
     if (level != null) {
       words.addAll(List.of("--debug", level));
     }

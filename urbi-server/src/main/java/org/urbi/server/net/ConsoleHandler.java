@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.log.FailureLog;
@@ -33,7 +34,7 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
   private final Trace trace;
   private ChannelHandlerContext context;
   private ClientOutput output;
-  private volatile Connection connection;
+  private volatile @Nullable Connection connection;
   private volatile boolean over = true;
 
   ConsoleHandler(
@@ -47,16 +48,16 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
   @Override
   public void handlerAdded(ChannelHandlerContext context) {
     this.context = context;
-  }
-
-  @Override
-  public void channelActive(ChannelHandlerContext context) {
     output =
         new ClientOutput(
             context.channel(),
             limits.output(),
             together,
             () -> trace.log("client does not read what it is sent, letting it go: " + name()));
+  }
+
+  @Override
+  public void channelActive(ChannelHandlerContext context) {
     over = false;
     try {
       connection = lobbies.apply(this);
@@ -70,14 +71,15 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
   @Override
   public void channelRead(ChannelHandlerContext context, Object message) {
     ByteBuf bytes = (ByteBuf) message;
+    Connection lobby = over ? null : connection;
     try {
-      if (!over) {
-        connection.send(bytes.toString(StandardCharsets.ISO_8859_1));
+      if (lobby != null) {
+        lobby.send(bytes.toString(StandardCharsets.ISO_8859_1));
       }
     } finally {
       bytes.release();
     }
-    if (!over && connection.pendingInput() > limits.input()) {
+    if (lobby != null && lobby.pendingInput() > limits.input()) {
       context.channel().config().setAutoRead(false);
       inputConsumed();
     }
@@ -85,19 +87,19 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
 
   @Override
   public void userEventTriggered(ChannelHandlerContext context, Object event) {
-    if (event instanceof OperatorRequest request && !over) {
-      String told =
-          "[00000000" + OperatorRequest.ANSWER + connection.interrupt(request.lobby()) + "\n";
+    Connection lobby = over ? null : connection;
+    if (event instanceof OperatorRequest request && lobby != null) {
+      String told = "[00000000" + OperatorRequest.ANSWER + lobby.interrupt(request.lobby()) + "\n";
       context.writeAndFlush(Unpooled.copiedBuffer(told, StandardCharsets.ISO_8859_1));
-    } else if (event instanceof Role role && !over) {
-      connection.giveRole(role);
-    } else if (event == TelnetInterrupt.INSTANCE && !over) {
-      connection.interrupt();
+    } else if (event instanceof Role role && lobby != null) {
+      lobby.giveRole(role);
+    } else if (event == TelnetInterrupt.INSTANCE && lobby != null) {
+      lobby.interrupt();
     } else if (event == ChannelInputShutdownEvent.INSTANCE) {
-      if (over) {
+      if (lobby == null) {
         context.close();
       } else {
-        connection.end();
+        lobby.end();
         NetworkThread.close(context.channel(), limits.secondsAfterEnd());
       }
     }

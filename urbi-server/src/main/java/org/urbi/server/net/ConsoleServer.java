@@ -18,6 +18,7 @@ import java.net.InetSocketAddress;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BiFunction;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.remote.RemotePeer;
@@ -90,7 +91,7 @@ public final class ConsoleServer implements AutoCloseable {
   public ConsoleServer(
       InetSocketAddress address,
       Function<Client, Connection> lobbies,
-      BiFunction<String, RemoteWire, RemotePeer> remotes,
+      @Nullable BiFunction<String, RemoteWire, RemotePeer> remotes,
       Limits limits,
       Admission admission,
       Trace trace)

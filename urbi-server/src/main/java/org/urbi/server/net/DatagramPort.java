@@ -16,6 +16,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.urbi.server.Trace;
 import urbi.rtp.RtpSession;
 
@@ -36,7 +37,7 @@ final class DatagramPort {
   private final Supplier<InetSocketAddress> server;
   private final Trace trace;
   private final Map<Long, Receiver> receivers = new HashMap<>();
-  private Channel channel;
+  private @Nullable Channel channel;
   private long refused;
 
   /**

@@ -10,6 +10,7 @@ import java.security.SecureRandom;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import urbi.rtp.RtpSession;
 import urbi.rtp.RtpTerms;
 import urbi.wire.Frame;
@@ -23,9 +24,9 @@ final class FrameDatagrams implements RtpSession.Surroundings {
   private final DatagramPort port;
   private final Consumer<byte[]> answers;
   private final Consumer<byte[]> values;
-  private volatile RtpSession session;
-  private volatile InetSocketAddress process;
-  private Channel channel;
+  private volatile @Nullable RtpSession session;
+  private volatile @Nullable InetSocketAddress process;
+  private @Nullable Channel channel;
   private long token;
   private boolean over;
 
@@ -42,7 +43,7 @@ final class FrameDatagrams implements RtpSession.Surroundings {
   }
 
   /** Null without any. */
-  RtpSession session() {
+  @Nullable RtpSession session() {
     return session;
   }
 
@@ -96,8 +97,9 @@ final class FrameDatagrams implements RtpSession.Surroundings {
   }
 
   private void end() {
-    if (session != null) {
-      session.setActive(false);
+    RtpSession ended = session;
+    if (ended != null) {
+      ended.setActive(false);
       session = null;
       process = null;
       port.remove(token);
@@ -109,7 +111,7 @@ final class FrameDatagrams implements RtpSession.Surroundings {
   @Override
   public void send(byte[] datagram) {
     InetSocketAddress to = process;
-    if (to != null) {
+    if (to != null && channel != null) {
       channel.writeAndFlush(new DatagramPacket(Unpooled.wrappedBuffer(datagram), to));
     }
   }

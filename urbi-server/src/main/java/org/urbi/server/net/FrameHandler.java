@@ -12,6 +12,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BiFunction;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.outside.SocketWatch;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.remote.RemoteWire;
@@ -370,7 +371,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
   }
 
   @Override
-  public RtpSession datagrams() {
+  public @Nullable RtpSession datagrams() {
     return datagrams.session();
   }
 

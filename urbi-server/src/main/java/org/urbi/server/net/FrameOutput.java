@@ -11,6 +11,7 @@ import java.nio.channels.SocketChannel;
 import java.util.ArrayDeque;
 import java.util.Queue;
 import java.util.concurrent.locks.ReentrantLock;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What is sent to a process with UObjects. While nothing waits, the kernel's thread itself writes
@@ -24,7 +25,7 @@ final class FrameOutput {
   private static final long MUCH = 8L << 20;
 
   private final ChannelHandlerContext context;
-  private final SocketChannel socket;
+  private final @Nullable SocketChannel socket;
   private final Runnable behind;
   private final Runnable drained;
   private final ReentrantLock lock = new ReentrantLock();
@@ -59,7 +60,7 @@ final class FrameOutput {
     try {
       int written = 0;
       if (socket != null && taken == 0 && waiting.isEmpty()) {
-        written = writeNow(frames);
+        written = writeNow(socket, frames);
       }
       if (written < frames.length) {
         unsent += frames.length - written;
@@ -78,7 +79,7 @@ final class FrameOutput {
     }
   }
 
-  private int writeNow(byte[] frames) {
+  private static int writeNow(SocketChannel socket, byte[] frames) {
     try {
       return Math.max(0, socket.write(ByteBuffer.wrap(frames)));
     } catch (IOException e) {

@@ -2,6 +2,7 @@ package org.urbi.server.net;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What an operator asks of the network thread, since the kernel may be held: {@code interrupt}, and
@@ -43,7 +44,7 @@ public record OperatorRequest(String lobby) {
   }
 
   /** Reads what stands between the beginning and the end of a subnegotiation; null if it is not. */
-  static OperatorRequest parse(String text) {
+  static @Nullable OperatorRequest parse(String text) {
     if (text.isEmpty() || text.charAt(0) != OPTION) {
       return null;
     }

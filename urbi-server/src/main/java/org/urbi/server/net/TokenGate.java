@@ -11,6 +11,7 @@ import io.netty.util.concurrent.ScheduledFuture;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.trust.Role;
 import org.urbi.server.Trace;
 import org.urbi.server.trust.Admission;
@@ -32,7 +33,7 @@ final class TokenGate extends ChannelInboundHandlerAdapter {
   private final WrongTokens wrong;
   private final Trace trace;
   private final ByteBuf first = Unpooled.buffer(128);
-  private ScheduledFuture<?> deadline;
+  private @Nullable ScheduledFuture<?> deadline;
   private boolean admitted;
   private boolean refused;
 
@@ -115,7 +116,7 @@ final class TokenGate extends ChannelInboundHandlerAdapter {
       refuse(context, "after a wrong token, no other one for " + wait + " s");
       return;
     }
-    Tokens.Holder holder = admission.tokens().holder(token);
+    Tokens.Holder holder = admission.holder(token);
     if (holder == null) {
       wrong.note(address);
       trace.log("wrong token: " + context.channel().remoteAddress());

@@ -6,4 +6,7 @@
  * from the socket of a remote process only while it has nothing to do but to wait for its answer;
  * what it reads is posted to the inbox as well.
  */
+@NullMarked
 package org.urbi.server.net;
+
+import org.jspecify.annotations.NullMarked;

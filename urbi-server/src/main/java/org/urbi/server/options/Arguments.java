@@ -1,9 +1,12 @@
 package org.urbi.server.options;
 
+import static java.util.Objects.requireNonNullElse;
+
 import java.time.Duration;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
 
 /** A command line that was understood. */
 public final class Arguments {
@@ -23,7 +26,12 @@ public final class Arguments {
 
   /** The last value of the option, or another one if it was not given. */
   public String value(String option, String otherwise) {
-    String value = otherwise;
+    return requireNonNullElse(value(option), otherwise);
+  }
+
+  /** The last value of the option; null if it was not given, or takes none. */
+  public @Nullable String value(String option) {
+    String value = null;
     for (Reading.Occurrence seen : reading.options()) {
       if (seen.option().names().contains(option)) {
         value = seen.value();
@@ -38,7 +46,7 @@ public final class Arguments {
    * @throws Failure if it is not a number from {@code least} to {@code most}
    */
   public int number(String option, int otherwise, int least, int most) {
-    String text = value(option, null);
+    String text = value(option);
     return text == null ? otherwise : number(option, text, least, most);
   }
 
@@ -71,7 +79,7 @@ public final class Arguments {
    * @throws Failure if it is none
    */
   public Duration duration(String option, Duration otherwise) {
-    String text = value(option, null);
+    String text = value(option);
     if (text == null) {
       return otherwise;
     }

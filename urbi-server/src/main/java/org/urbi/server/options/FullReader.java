@@ -1,8 +1,11 @@
 package org.urbi.server.options;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.PrintStream;
 import java.util.List;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
@@ -17,14 +20,14 @@ final class FullReader {
 
   private final CommandSpec spec = CommandSpec.create();
   private final List<Option> options;
-  private Reading reading;
+  private @Nullable Reading reading;
 
   FullReader(
       String name,
       String description,
       List<Option> options,
-      String argumentLabel,
-      String argumentDescription,
+      @Nullable String argumentLabel,
+      @Nullable String argumentDescription,
       boolean stopAtArgument) {
     this.options = options;
     spec.name(name);
@@ -74,7 +77,9 @@ final class FullReader {
                   "Missing required parameter for option '%s' (%s)"
                       .formatted(String.join("' / '", option.names()), option.label()));
             }
-            reading.options().add(new Reading.Occurrence(option, values.pop()));
+            requireNonNull(reading, "it is being read")
+                .options()
+                .add(new Reading.Occurrence(option, values.pop()));
           });
     }
     return builder.build();
@@ -100,7 +105,9 @@ final class FullReader {
       }
       for (Option option : options) {
         if (!option.hasValue() && parsed.hasMatchedOption(option.names().getFirst())) {
-          reading.options().add(new Reading.Occurrence(option, null));
+          requireNonNull(reading, "it is being read")
+              .options()
+              .add(new Reading.Occurrence(option, null));
         }
       }
       List<String> rest = parsed.matchedPositionalValue(0, List.of());

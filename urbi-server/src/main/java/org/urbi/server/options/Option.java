@@ -2,6 +2,7 @@ package org.urbi.server.options;
 
 import java.util.List;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 
 /**
  * An option of a program.
@@ -10,7 +11,8 @@ import java.util.function.Consumer;
  * @param label what stands for its value in the help, or null if it has none
  * @param taker takes each value in the order of the command line
  */
-record Option(List<String> names, String label, String description, Consumer<String> taker) {
+record Option(
+    List<String> names, @Nullable String label, String description, Consumer<String> taker) {
   boolean hasValue() {
     return label != null;
   }

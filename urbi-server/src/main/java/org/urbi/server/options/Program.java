@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.ToIntFunction;
+import org.jspecify.annotations.Nullable;
 import org.urbi.server.Version;
 
 /** A program: its name, its options, and what it does with them. */
@@ -13,8 +14,8 @@ public final class Program {
   private final String name;
   private final String description;
   private final List<Option> options = new ArrayList<>();
-  private String argumentLabel;
-  private String argumentDescription;
+  private @Nullable String argumentLabel;
+  private @Nullable String argumentDescription;
   private boolean stopAtArgument;
 
   /**

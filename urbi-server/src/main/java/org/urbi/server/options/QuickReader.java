@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Reads command lines that are plain and right. For all others (mistakes, help, several letters
@@ -61,7 +62,7 @@ final class QuickReader {
     return true;
   }
 
-  private Option find(String name) {
+  private @Nullable Option find(String name) {
     for (Option option : options) {
       if (option.names().contains(name)) {
         return option;

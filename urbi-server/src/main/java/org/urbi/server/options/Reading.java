@@ -2,6 +2,7 @@ package org.urbi.server.options;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /** What a command line says: options in their order, then the other arguments. */
 record Reading(List<Occurrence> options, List<String> rest) {
@@ -10,7 +11,7 @@ record Reading(List<Occurrence> options, List<String> rest) {
    *
    * @param value null if it has none
    */
-  record Occurrence(Option option, String value) {}
+  record Occurrence(Option option, @Nullable String value) {}
 
   Reading() {
     this(new ArrayList<>(), new ArrayList<>());

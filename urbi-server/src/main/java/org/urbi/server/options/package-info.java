@@ -3,4 +3,7 @@
  * declared by calls, and a plain command line is read without picocli: starting a script must not
  * take longer than running it.
  */
+@NullMarked
 package org.urbi.server.options;
+
+import org.jspecify.annotations.NullMarked;

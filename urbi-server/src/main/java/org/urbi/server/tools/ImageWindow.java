@@ -12,6 +12,7 @@ import java.awt.image.BufferedImage;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
+import org.jspecify.annotations.Nullable;
 import org.urbi.server.options.Failure;
 import urbi.UImage;
 
@@ -21,7 +22,7 @@ final class ImageWindow extends JComponent implements AutoCloseable {
 
   private final JFrame frame;
   private final double scale;
-  private transient BufferedImage image;
+  private transient @Nullable BufferedImage image;
   private volatile boolean open = true;
 
   private ImageWindow(String title, double scale) {

@@ -4,13 +4,14 @@ import javax.sound.sampled.AudioFormat;
 import javax.sound.sampled.AudioSystem;
 import javax.sound.sampled.LineUnavailableException;
 import javax.sound.sampled.SourceDataLine;
+import org.jspecify.annotations.Nullable;
 import org.urbi.server.options.Failure;
 import urbi.USound;
 import urbi.USoundSampleFormat;
 
 /** The sound output of this machine, if it has one. */
 final class Loudspeaker implements AutoCloseable {
-  private SourceDataLine line;
+  private @Nullable SourceDataLine line;
 
   /**
    * @throws Failure if there is no output
@@ -21,7 +22,7 @@ final class Loudspeaker implements AutoCloseable {
     }
   }
 
-  private static Failure none(String why) {
+  private static Failure none(@Nullable String why) {
     return Failure.of("no sound output (" + why + "): --output=FILE saves the sound instead");
   }
 

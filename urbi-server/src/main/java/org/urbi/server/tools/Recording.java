@@ -1,21 +1,22 @@
 package org.urbi.server.tools;
 
 import java.io.ByteArrayOutputStream;
+import org.jspecify.annotations.Nullable;
 import urbi.UConversion;
 import urbi.USound;
 import urbi.USoundFormat;
 
 /** Sounds that come one after the other, as one: all in the way of the first. */
 final class Recording implements AutoCloseable {
-  private final Loudspeaker loudspeaker;
+  private final @Nullable Loudspeaker loudspeaker;
   private final ByteArrayOutputStream samples = new ByteArrayOutputStream();
-  private USound first;
+  private @Nullable USound first;
   private int count;
 
   /**
    * @param loudspeaker what plays them, or null to keep them
    */
-  Recording(Loudspeaker loudspeaker) {
+  Recording(@Nullable Loudspeaker loudspeaker) {
     this.loudspeaker = loudspeaker;
   }
 
@@ -55,7 +56,7 @@ final class Recording implements AutoCloseable {
 
   /** All that were kept. */
   USound sound() {
-    USound all = like(first);
+    USound all = first == null ? new USound() : like(first);
     all.setSoundFormat(USoundFormat.SOUND_RAW);
     all.setData(samples.toByteArray());
     return all;

@@ -7,6 +7,7 @@ import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import org.jspecify.annotations.Nullable;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
@@ -43,8 +44,8 @@ public record Target(String host, int port) {
    * @throws Failure if they make no sense, or the port's file cannot be read
    */
   public static Target of(Arguments arguments, String host) {
-    useToken(arguments.value("--token", null));
-    String file = arguments.value("--port-file", null);
+    useToken(arguments.value("--token"));
+    String file = arguments.value("--port-file");
     if (file == null) {
       return new Target(host, arguments.number("--port", USUAL_PORT, 1, HIGHEST_PORT));
     }
@@ -60,7 +61,7 @@ public record Target(String host, int port) {
   }
 
   /** Whatever this process connects to is shown that token from now on. */
-  private static void useToken(String file) {
+  private static void useToken(@Nullable String file) {
     if (file != null) {
       try {
         System.setProperty(TokenLine.PROPERTY, Files.readString(Path.of(file)).strip());

@@ -1,5 +1,7 @@
 package org.urbi.server.tools;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Files;
@@ -7,6 +9,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
+import org.jspecify.annotations.Nullable;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
@@ -97,7 +100,7 @@ public final class UrbiImage {
         boolean asked = arguments.has("--jpeg");
         save(converted(fetch(client, device), format, asked ? quality : -1), file);
       } else {
-        show(client, device, period, window);
+        show(client, device, period, requireNonNull(window, "opened as there is no file"));
       }
       return 0;
     } catch (UClientException e) {
@@ -110,8 +113,8 @@ public final class UrbiImage {
     }
   }
 
-  private static UImageFormat format(Arguments arguments, Path file) {
-    String word = arguments.value("--format", null);
+  private static UImageFormat format(Arguments arguments, @Nullable Path file) {
+    String word = arguments.value("--format");
     if (word == null) {
       String name = file == null ? "" : file.toString().toLowerCase(Locale.ROOT);
       return name.endsWith(".ppm") ? UImageFormat.IMAGE_PPM : UImageFormat.IMAGE_JPEG;

@@ -1,5 +1,7 @@
 package org.urbi.server.tools;
 
+import static java.util.Objects.requireNonNullElse;
+
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Files;
@@ -70,7 +72,7 @@ public final class UrbiSound {
 
   private int work(Arguments arguments) {
     Target target = Target.of(arguments, arguments.value("--host", "127.0.0.1"));
-    String input = arguments.value("--input", null);
+    String input = arguments.value("--input");
     if (input != null) {
       if (arguments.has("--output")
           || arguments.has("--duration")
@@ -79,7 +81,7 @@ public final class UrbiSound {
       }
       return send(target, arguments.value("--device", LOUDSPEAKER), Path.of(input));
     }
-    String output = arguments.value("--output", null);
+    String output = arguments.value("--output");
     if (output == null && arguments.has("--no-header")) {
       throw Failure.usage("--no-header is about the file of --output");
     }
@@ -124,7 +126,7 @@ public final class UrbiSound {
       if (e.getCause() instanceof Failure failure) {
         throw failure;
       }
-      throw Failure.of(device + ".val: " + e.getCause().getMessage());
+      throw Failure.of(device + ".val: " + requireNonNullElse(e.getCause(), e).getMessage());
     } catch (TimeoutException e) {
       throw Failure.of("the server does not say when it is done");
     } catch (InterruptedException e) {

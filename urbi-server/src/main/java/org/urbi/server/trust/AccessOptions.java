@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.trust.Role;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
@@ -16,7 +17,7 @@ import org.urbi.server.options.Program;
  * @param userDirectory where users have files; null when they have none
  * @param insecure whether other machines are let in without a token
  */
-public record AccessOptions(Admission admission, Path userDirectory, boolean insecure) {
+public record AccessOptions(Admission admission, @Nullable Path userDirectory, boolean insecure) {
   private static final String NOBODY = "none";
 
   /** Adds the options to a program. */
@@ -38,11 +39,11 @@ public record AccessOptions(Admission admission, Path userDirectory, boolean ins
    * @throws Failure if they make no sense, or a file is not as it must be
    */
   public static AccessOptions of(Arguments arguments) {
-    String tokens = arguments.value("--tokens", null);
+    String tokens = arguments.value("--tokens");
     if (tokens == null && arguments.has("--default-role")) {
       throw Failure.usage("--default-role is for clients without a token: it needs --tokens");
     }
-    String directory = arguments.value("--user-directory", null);
+    String directory = arguments.value("--user-directory");
     if (directory != null && !Files.isDirectory(Path.of(directory))) {
       throw Failure.of("--user-directory: no such directory: " + directory);
     }
@@ -55,7 +56,7 @@ public record AccessOptions(Admission admission, Path userDirectory, boolean ins
         arguments.has("--insecure"));
   }
 
-  private static Role defaultRole(String name) {
+  private static @Nullable Role defaultRole(String name) {
     Role role = Role.of(name);
     if (role == null && !name.equals(NOBODY)) {
       throw Failure.usage("--default-role is owner, user, observer or none, not " + name);
@@ -77,7 +78,7 @@ public record AccessOptions(Admission admission, Path userDirectory, boolean ins
    * @return a warning; null when nothing is to be feared
    * @throws Failure if it is not wanted
    */
-  public String checkAddress(InetSocketAddress address) {
+  public @Nullable String checkAddress(InetSocketAddress address) {
     if (address.getAddress().isLoopbackAddress() || admission.asks()) {
       return null;
     }

@@ -1,5 +1,6 @@
 package org.urbi.server.trust;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.trust.Role;
 
 /**
@@ -8,9 +9,14 @@ import org.urbi.kernel.trust.Role;
  * @param tokens what clients may show; null when nobody is asked
  * @param otherwise the role of those who show none; null when they are not let in
  */
-public record Admission(Tokens tokens, Role otherwise) {
+public record Admission(@Nullable Tokens tokens, @Nullable Role otherwise) {
   /** Everybody is let in and may do everything. */
   public static final Admission ALL = new Admission(null, Role.OWNER);
+
+  /** Who shows that token; null if nobody does. */
+  public Tokens.@Nullable Holder holder(String token) {
+    return tokens == null ? null : tokens.holder(token);
+  }
 
   /** Whether clients are asked for tokens. */
   public boolean asks() {

@@ -14,6 +14,7 @@ import java.util.EnumSet;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.trust.Role;
 
 /** The tokens that a server knows: what a client shows that it is somebody, without its name. */
@@ -110,7 +111,7 @@ public final class Tokens {
   }
 
   /** Who shows that token; null if nobody does. How long it takes tells nothing of the tokens. */
-  public Holder holder(String token) {
+  public @Nullable Holder holder(String token) {
     byte[] hash = hash(token);
     Holder found = null;
     for (Known each : known) {
