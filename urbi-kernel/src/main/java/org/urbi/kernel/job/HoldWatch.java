@@ -2,7 +2,6 @@ package org.urbi.kernel.job;
 
 import java.util.function.BiConsumer;
 import org.urbi.kernel.time.Clock;
-import org.urbi.kernel.time.SystemClock;
 
 /**
  * Sees from another thread when a job has held the kernel for too long without letting others run,
@@ -14,20 +13,24 @@ public final class HoldWatch {
 
   private static final long LONGEST_PAUSE = 50;
 
-  private final Clock machine = new SystemClock();
   private final Scheduler scheduler;
+  private final Clock machine;
   private final long limit;
   private final long pause;
   private final BiConsumer<Job, String> listener;
   private volatile long heldTurn = -1;
   private volatile long heldSince;
 
+  /** Whether the job of this turn was ended; for its own thread alone. */
+  private boolean told;
+
   /**
    * @param limit in nanoseconds
    * @param listener told of the job and of the function of a component that it executes, or null
    */
-  HoldWatch(Scheduler scheduler, long limit, BiConsumer<Job, String> listener) {
+  HoldWatch(Scheduler scheduler, Clock machine, long limit, BiConsumer<Job, String> listener) {
     this.scheduler = scheduler;
+    this.machine = machine;
     this.limit = limit;
     this.pause = Math.clamp(limit / LOOKS / 1_000_000, 1, LONGEST_PAUSE);
     this.listener = listener;
@@ -52,27 +55,27 @@ public final class HoldWatch {
   }
 
   private void watch() {
-    long turn = -1;
-    long since = 0;
-    boolean told = false;
     while (!scheduler.isOver()) {
-      long seen = scheduler.turn();
-      long now = machine.now();
-      if (seen != turn || scheduler.running() == null) {
-        turn = seen;
-        since = now;
-        heldSince = now;
-        heldTurn = seen;
-        told = false;
-      } else if (!told && now - since >= limit) {
-        told = true;
-        end(turn);
-      }
+      look();
       try {
         Thread.sleep(pause);
       } catch (InterruptedException e) {
         return;
       }
+    }
+  }
+
+  /** Sees whether it is still the turn that it was, and for how long. */
+  void look() {
+    long seen = scheduler.turn();
+    long now = machine.now();
+    if (seen != heldTurn || scheduler.running() == null) {
+      heldSince = now;
+      heldTurn = seen;
+      told = false;
+    } else if (!told && now - heldSince >= limit) {
+      told = true;
+      end(seen);
     }
   }
 

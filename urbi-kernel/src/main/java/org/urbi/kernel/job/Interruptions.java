@@ -11,7 +11,6 @@ import org.urbi.kernel.journal.Ending;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.time.Clock;
-import org.urbi.kernel.time.SystemClock;
 
 /**
  * The running code that is to end although it never lets others run, so that no message can reach
@@ -29,9 +28,9 @@ public final class Interruptions {
   private static final long NONE = -1;
 
   private final Set<UrbiObject> lobbies = ConcurrentHashMap.newKeySet();
-  private final Clock machine = new SystemClock();
   private final LongSupplier turns;
   private final Journal journal;
+  private final Clock machine;
   private final boolean counted;
   private Function<Job, RuntimeException> overdueFailure = job -> new TagStop(null, null);
   private volatile boolean wanted;
@@ -50,10 +49,12 @@ public final class Interruptions {
 
   /**
    * @param turns gives the number of the turn that goes on
+   * @param machine tells how long code takes to end
    */
-  Interruptions(LongSupplier turns, Journal journal) {
+  Interruptions(LongSupplier turns, Journal journal, Clock machine) {
     this.turns = turns;
     this.journal = journal;
+    this.machine = machine;
     this.counted = journal.counts();
     this.wanted = counted;
   }

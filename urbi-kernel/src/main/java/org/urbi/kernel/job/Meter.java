@@ -5,20 +5,23 @@ import java.lang.management.ManagementFactory;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.time.Clock;
-import org.urbi.kernel.time.SystemClock;
 
 /**
  * Says what the jobs of each lobby take of the kernel's thread, its time and what it allocates.
  * Only from when somebody wants to know: then it looks whenever the turn goes to another lobby.
  */
 public final class Meter {
-  private final Clock machine = new SystemClock();
+  private final Clock machine;
   private @Nullable ThreadMXBean threads;
   private volatile boolean measuring;
   private volatile @Nullable Thread thread;
   private volatile @Nullable Budget charged;
   private volatile long since;
   private volatile long allocatedBefore;
+
+  Meter(Clock machine) {
+    this.machine = machine;
+  }
 
   /** Begins to measure, for good; from any thread. */
   public synchronized void begin() {

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import org.urbi.kernel.time.Clock;
-import org.urbi.kernel.time.SystemClock;
 
 /**
  * How a simulated time passes while something real goes on: a process runs, a connection is open.
@@ -15,8 +14,8 @@ public final class Pace {
   /** What is over sooner, in nanoseconds, takes no simulated time. */
   private static final long GRACE = 100_000_000;
 
-  private final Clock machine = new SystemClock();
   private final Clock simulated;
+  private final Clock machine;
   private final List<BooleanSupplier> conditions = new ArrayList<>();
   private int activities;
   private boolean real;
@@ -24,8 +23,9 @@ public final class Pace {
   /** How far the machine's time is ahead of the simulated one as long as they go together. */
   private long offset;
 
-  Pace(Clock simulated) {
+  Pace(Clock simulated, Clock machine) {
     this.simulated = simulated;
+    this.machine = machine;
   }
 
   /** Something real begins; on the kernel thread. */

@@ -24,6 +24,7 @@ import org.urbi.kernel.message.Outcome;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.time.Clock;
+import org.urbi.kernel.time.SystemClock;
 
 /**
  * The tick loop. A tick reads the clock, takes the inbox, fires the timers that are due, and runs
@@ -48,13 +49,14 @@ public final class Scheduler {
 
   private final World world;
   private final Clock clock;
+  private final Clock machine;
   private volatile @Nullable Thread loop;
   private final Inbox inbox;
   private final Journal journal;
   private final boolean counted;
   private final Timers timers = new Timers(this::admitTimer);
   private final Budget common = new Budget();
-  private final Meter meter = new Meter();
+  private final Meter meter;
   private final Pace pace;
   private Runnable whenQuiet = () -> {};
   private final Interruptions interruptions;
@@ -94,13 +96,28 @@ public final class Scheduler {
       Journal journal,
       JobThreads threads,
       BiConsumer<Job, Throwable> uncaught) {
+    this(world, clock, new SystemClock(), journal, threads, uncaught);
+  }
+
+  /**
+   * @param machine goes on while a simulated time stands still
+   */
+  Scheduler(
+      World world,
+      Clock clock,
+      Clock machine,
+      Journal journal,
+      JobThreads threads,
+      BiConsumer<Job, Throwable> uncaught) {
     this.world = world;
+    this.machine = machine;
     this.journal = journal;
     this.counted = journal.counts();
     this.inbox = new Inbox(journal);
-    this.interruptions = new Interruptions(this::turn, journal);
+    this.interruptions = new Interruptions(this::turn, journal, machine);
     this.clock = clock;
-    this.pace = new Pace(clock);
+    this.pace = new Pace(clock, machine);
+    this.meter = new Meter(machine);
     this.runnable = new RunQueue(clock, inbox, journal);
     this.threads = threads.factory(inbox);
     this.uncaught = uncaught;
@@ -365,7 +382,7 @@ public final class Scheduler {
    *     component that it executes, or null
    */
   public HoldWatch limitHolding(long limit, BiConsumer<Job, String> told) {
-    HoldWatch watch = new HoldWatch(this, limit, told);
+    HoldWatch watch = new HoldWatch(this, machine, limit, told);
     watch.start();
     return watch;
   }

@@ -4,17 +4,19 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Semaphore;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
-import org.urbi.kernel.journal.Ending;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.message.Message;
-import org.urbi.kernel.object.UrbiObject;
-import org.urbi.kernel.object.World;
 
-/** The one way in, and the flag for those who cannot be reached by it. */
+/** The one way in. */
 class InboxTest {
   private final Inbox inbox = new Inbox(Journal.NONE);
   private final List<Message> taken = new ArrayList<>();
@@ -81,43 +83,127 @@ class InboxTest {
         });
     inbox.post(new Message.InputEnded(number));
     inbox.take();
-    int once = taken.size();
+    assertEquals(1 << 16, taken.size());
     assertTrue(inbox.isFilled());
     inbox.take();
-    assertEquals(2 * once, taken.size());
+    assertEquals(2 << 16, taken.size());
   }
 
   @Test
-  void whoIsInterruptedIsSoOnce() {
-    AtomicLong turn = new AtomicLong();
-    Interruptions interruptions = new Interruptions(turn::get, Journal.NONE);
-    UrbiObject lobby = new World().values().object.cloned();
-    UrbiObject other = new World().values().object.cloned();
-    assertFalse(interruptions.areWanted());
-    interruptions.want(lobby);
-    interruptions.want(other);
-    assertTrue(interruptions.areWanted());
-    assertEquals(Ending.WANTED, interruptions.decide(lobby));
-    turn.incrementAndGet();
-    assertEquals(Ending.NONE, interruptions.decide(lobby));
-    assertTrue(interruptions.areWanted());
-    interruptions.clear(other);
-    assertFalse(interruptions.areWanted());
+  void inAReplayNothingComesFromOutside() {
+    Message recorded = new Message.InputEnded(Message.FIRST_FREE);
+    Deque<Message> recording = new ArrayDeque<>(List.of(recorded));
+    Inbox replayed =
+        new Inbox(
+            new Journal() {
+              @Override
+              public boolean isReplay() {
+                return true;
+              }
+
+              @Override
+              public Message next(Supplier<Message> inbox) {
+                return recording.poll();
+              }
+            });
+    replayed.register(taken::add);
+    replayed.post(new Message.ConsoleBytes(Message.FIRST_FREE, "now"));
+    assertFalse(replayed.isFilled());
+    replayed.take();
+    assertEquals(List.of(recorded), taken);
+  }
+
+  /** Nobody else would end the wait. */
+  @Test
+  void aMessageWakesWhoWaitsForOne() throws InterruptedException {
+    Thread waiting = Thread.ofPlatform().start(() -> inbox.await(Long.MAX_VALUE));
+    awaitParked(waiting);
+    inbox.post(new Message.InputEnded(0));
+    waiting.join();
   }
 
   @Test
-  void whatEndsHasAMomentToCleanUpAndNoMore() throws InterruptedException {
-    AtomicLong turn = new AtomicLong(7);
-    Interruptions interruptions = new Interruptions(turn::get, Journal.NONE);
-    UrbiObject lobby = new World().values().object.cloned();
-    interruptions.wantOverdue(7);
-    assertEquals(Ending.OVERDUE, interruptions.decide(lobby));
-    while (interruptions.decide(lobby) == Ending.NONE) {
-      Thread.sleep(1);
+  void whoHasAMessageDoesNotWait() {
+    inbox.post(new Message.InputEnded(0));
+    inbox.await(Long.MAX_VALUE);
+    inbox.listen(Long.MAX_VALUE);
+  }
+
+  @Test
+  void aWaitHasAnEnd() {
+    inbox.await(1);
+    inbox.listen(1);
+  }
+
+  private static void awaitParked(Thread thread) {
+    while (thread.getState() != Thread.State.WAITING
+        && thread.getState() != Thread.State.TIMED_WAITING) {
+      Thread.onSpinWait();
     }
-    assertEquals(Ending.OVERDUE, interruptions.decide(lobby));
-    turn.incrementAndGet();
-    assertEquals(Ending.NONE, interruptions.decide(lobby));
-    assertFalse(interruptions.areWanted());
+  }
+
+  /** Tells what it is asked to do. */
+  private static final class Ear implements Listening {
+    final List<String> asked = new CopyOnWriteArrayList<>();
+    final Semaphore woken = new Semaphore(0);
+    final CountDownLatch waits = new CountDownLatch(1);
+
+    @Override
+    public Wait begin(long nanoseconds) {
+      asked.add("begin " + nanoseconds);
+      return new Wait() {
+        @Override
+        public void await() {
+          asked.add("await");
+          waits.countDown();
+          woken.acquireUninterruptibly();
+        }
+
+        @Override
+        public void wake() {
+          asked.add("wake");
+          woken.release();
+        }
+      };
+    }
+
+    @Override
+    public void hear() {
+      asked.add("hear");
+    }
+
+    @Override
+    public void glance(long now) {
+      asked.add("glance " + now);
+    }
+
+    @Override
+    public void close() {
+      asked.add("close");
+    }
+  }
+
+  @Test
+  void whoListensElsewhereIsWokenThere() throws InterruptedException {
+    Ear ear = new Ear();
+    inbox.listenTo(ear);
+    Thread listening = Thread.ofPlatform().start(() -> inbox.listen(17));
+    ear.waits.await();
+    inbox.post(new Message.InputEnded(0));
+    listening.join();
+    assertEquals(List.of("begin 17", "await", "wake", "hear"), ear.asked);
+    inbox.post(new Message.InputEnded(0));
+    assertEquals(4, ear.asked.size());
+    inbox.listen(3);
+    assertEquals(List.of("begin 3", "hear"), ear.asked.subList(4, 6));
+  }
+
+  @Test
+  void whoIsBusyGlancesAndWhoEndsCloses() {
+    Ear ear = new Ear();
+    inbox.listenTo(ear);
+    inbox.glance(5);
+    inbox.close();
+    assertEquals(List.of("glance 5", "close"), ear.asked);
   }
 }

@@ -1,13 +1,20 @@
 package org.urbi.kernel.job;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.urbi.kernel.Dialogue;
 
-/** Jobs start, wait, are joined and end (manual, "Job", "Parallelism"). */
+/**
+ * Jobs start, wait, are joined and end (manual, "Job", "Parallelism"), the same in both ways to run
+ * them.
+ */
 class JobTest {
-  @Test
-  void aConjunctionWaitsForBoth() {
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void aConjunctionWaitsForBoth(JobThreads threads) {
     Dialogue.hold(
+        threads,
         """
         { { sleep(2s); echo("slow") } & { sleep(1s); echo("quick") } };
         [00001000] *** quick
@@ -18,9 +25,11 @@ class JobTest {
         """);
   }
 
-  @Test
-  void theFirstThatFailsEndsTheOthers() {
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void theFirstThatFailsEndsTheOthers(JobThreads threads) {
     Dialogue.hold(
+        threads,
         """
         { { sleep(1s); missing } & { sleep(2s); echo("never") } };
         [00001000:error] !!! 1.16-22: lookup failed: missing
@@ -38,9 +47,11 @@ class JobTest {
         """);
   }
 
-  @Test
-  void aScopeWaitsForWhatItStarted() {
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void aScopeWaitsForWhatItStarted(JobThreads threads) {
     Dialogue.hold(
+        threads,
         """
         { { sleep(1s); echo("inner") }, echo("end") };
         [00000000] *** end
@@ -54,9 +65,11 @@ class JobTest {
         """);
   }
 
-  @Test
-  void detachedJobsGoOn() {
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void detachedJobsGoOn(JobThreads threads) {
     Dialogue.hold(
+        threads,
         """
         { detach({ sleep(1s); echo("detached") })|; echo("end") };
         [00000000] *** end
@@ -85,9 +98,11 @@ class JobTest {
         """);
   }
 
-  @Test
-  void frozenJobsHaveATimeOfTheirOwn() {
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void frozenJobsHaveATimeOfTheirOwn(JobThreads threads) {
     Dialogue.hold(
+        threads,
         """
         var t = Tag.new("t")|;
         var j = detach({ t: { sleep(1s); echo(Job.current.timeShift) } })|;
@@ -100,9 +115,11 @@ class JobTest {
         """);
   }
 
-  @Test
-  void aFrozenJobThatIsStoppedEnds() {
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void aFrozenJobThatIsStoppedEnds(JobThreads threads) {
     Dialogue.hold(
+        threads,
         """
         var t = Tag.new("t")|;
         var s = Tag.new("s")|;
@@ -118,9 +135,11 @@ class JobTest {
         """);
   }
 
-  @Test
-  void theOuterStopWins() {
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void theOuterStopWins(JobThreads threads) {
     Dialogue.hold(
+        threads,
         """
         var a = Tag.new("a")|;
         var b = Tag.new("b")|;
@@ -137,9 +156,11 @@ class JobTest {
         """);
   }
 
-  @Test
-  void whoIsStoppedWhileItCleansUpEnds() {
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void whoIsStoppedWhileItCleansUpEnds(JobThreads threads) {
     Dialogue.hold(
+        threads,
         """
         var t = Tag.new("t")|;
         { t: { try { sleep(5s) } finally { echo("begin"); sleep(1s); echo("end") } }; echo("over") },
@@ -152,9 +173,11 @@ class JobTest {
         """);
   }
 
-  @Test
-  void nonInterruptibleCodeIsAlone() {
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void nonInterruptibleCodeIsAlone(JobThreads threads) {
     Dialogue.hold(
+        threads,
         """
         { { nonInterruptible; echo("a1"); echo("a2"); echo("a3") } & { echo("b1"); echo("b2") } };
         [00000000] *** a1
@@ -171,9 +194,11 @@ class JobTest {
         """);
   }
 
-  @Test
-  void timePassesWhenNobodyCanRun() {
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void timePassesWhenNobodyCanRun(JobThreads threads) {
     Dialogue.hold(
+        threads,
         """
         var t = time|;
         sleep(1000000s);
@@ -192,9 +217,11 @@ class JobTest {
         """);
   }
 
-  @Test
-  void allJobsAreShown() {
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void allJobsAreShown(JobThreads threads) {
     Dialogue.hold(
+        threads,
         """
         System.ps;
         [00000000] *** Job: shell_2
@@ -205,9 +232,11 @@ class JobTest {
         """);
   }
 
-  @Test
-  void aJobThatNeverWaitsLetsTimePass() {
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void aJobThatNeverWaitsLetsTimePass(JobThreads threads) {
     Dialogue.hold(
+        threads,
         """
         var n = 0|;
         timeout(5ms) { while (true) { n++ } };
@@ -216,9 +245,11 @@ class JobTest {
         """);
   }
 
-  @Test
-  void manyJobsAtATime() {
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void manyJobsAtATime(JobThreads threads) {
     Dialogue.hold(
+        threads,
         """
         var n = 0|;
         for& (var i : 1000) { sleep(1s); n++ };
@@ -229,9 +260,11 @@ class JobTest {
         """);
   }
 
+  /** Where the stack is small: the end of a large one takes seconds to reach. */
   @Test
   void recursionHasAnEndThatIsCaught() {
     Dialogue.hold(
+        JobThreads.BATON,
         """
         function f(n) { f(n + 1) }|;
         try { f(0) } catch (var e) { e.message };
@@ -241,9 +274,11 @@ class JobTest {
         """);
   }
 
-  @Test
-  void jobsAreListedWithWhatTheyDo() {
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void jobsAreListedWithWhatTheyDo(JobThreads threads) {
     Dialogue.hold(
+        threads,
         """
         var j = detach({ sleep(1s) })|;
         sleep(1ms);

@@ -1,0 +1,239 @@
+package org.urbi.kernel.job;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.locks.LockSupport;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** The two ways to run jobs do the same; only one of them lets others run while Java waits. */
+class JobThreadsTest {
+  private static final long SECOND = Loop.SECOND;
+
+  private volatile boolean released;
+  private volatile Thread waiting;
+
+  /** Waits in Java until somebody calls {@link #release}. */
+  private void await() {
+    waiting = Thread.currentThread();
+    while (!released) {
+      LockSupport.park(this);
+    }
+  }
+
+  private void release() {
+    released = true;
+    LockSupport.unpark(waiting);
+  }
+
+  @Test
+  void theFasterWayIsTheUsualOneWhereItIsOpen() {
+    Inbox inbox = new Loop().scheduler.inbox();
+    assertTrue(TickLoopThread.isAvailable());
+    assertTrue(JobThreads.AUTO.factory(inbox) instanceof TickLoopThread.Factory);
+    assertTrue(JobThreads.TICK_LOOP.factory(inbox) instanceof TickLoopThread.Factory);
+    assertTrue(JobThreads.BATON.factory(inbox) instanceof BatonThread.Factory);
+    assertEquals(200_000, new Loop(JobThreads.TICK_LOOP).scheduler.maximumDepth());
+    assertEquals(1_000, new Loop(JobThreads.BATON).scheduler.maximumDepth());
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void jobsTakeTurns(JobThreads threads) {
+    Loop loop = new Loop(threads);
+    for (String name : List.of("a", "b")) {
+      loop.start(job -> {
+        for (int i = 0; i < 3; i++) {
+          loop.say(name + i);
+          job.yieldNow();
+        }
+        job.sleepUntil(SECOND);
+        loop.say(name + " at " + loop.scheduler.now() / SECOND);
+      });
+    }
+    assertEquals(List.of("a0", "b0", "a1", "b1", "a2", "b2", "a at 1", "b at 1"), loop.run());
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void whatAJobThrowsEndsItAndTheLoopGoesOn(JobThreads threads) {
+    Loop loop = new Loop(threads);
+    Error error = new StackOverflowError();
+    loop.start(job -> {
+      throw error;
+    });
+    loop.start(job -> loop.say("on"));
+    assertThrows(AssertionError.class, loop::run);
+    assertEquals(List.of(error), loop.uncaught);
+    assertEquals(List.of("on"), loop.said);
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void whenTheLoopEndsJobsAreLeft(JobThreads threads) {
+    Loop loop = new Loop(threads);
+    loop.start(job -> {
+      try {
+        job.waitForWake();
+      } finally {
+        loop.say("left");
+      }
+    });
+    assertEquals(List.of("left"), loop.run());
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void aJobKnowsItsOwnThread(JobThreads threads) {
+    Loop loop = new Loop(threads);
+    Job idle = loop.start(job -> job.yieldNow());
+    loop.start(job -> {
+      assertTrue(job.isCurrentThread());
+      assertFalse(idle.isCurrentThread());
+      assertTrue(loop.scheduler.isKernelThread());
+      loop.say("asked");
+    });
+    assertEquals(List.of("asked"), loop.run());
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void itIsSeenWhatAJobExecutes(JobThreads threads) {
+    Loop loop = new Loop(threads);
+    Job other = loop.start(job -> job.waitForWake());
+    loop.start(job -> {
+      assertTrue(
+          List.of(other.stackTrace()).stream()
+              .anyMatch(call -> call.getMethodName().equals("waitForWake")));
+      other.wake();
+      loop.say("seen");
+    });
+    assertEquals(List.of("seen"), loop.run());
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"TICK_LOOP", "BATON"})
+  void codeOfAComponentThatWaitsIsInterrupted(JobThreads threads) {
+    Loop loop = new Loop(threads);
+    loop.start(job -> {
+      job.enterComponent("A.f");
+      job.interruptComponent(loop.scheduler.turn());
+      assertThrows(InterruptedException.class, () -> Thread.sleep(SECOND));
+      loop.say("interrupted");
+    });
+    assertEquals(List.of("interrupted"), loop.run());
+  }
+
+  // ------------------------------------------------------------------ what waits in Java
+
+  @Test
+  void whileAJobWaitsInJavaTheOthersGoOn() {
+    Loop loop = new Loop(JobThreads.TICK_LOOP);
+    loop.start(job -> {
+      await();
+      loop.say("released");
+      assertFalse(loop.scheduler.pace().isReal());
+      job.yieldNow();
+    });
+    loop.start(job -> {
+      loop.say("other");
+      assertTrue(loop.scheduler.pace().isReal());
+      release();
+    });
+    assertEquals(List.of("other", "released"), loop.run());
+  }
+
+  @Test
+  void aVirtualThreadThatAJobMakesIsNoJob() {
+    Loop loop = new Loop(JobThreads.TICK_LOOP);
+    loop.start(job -> {
+      CountDownLatch done = new CountDownLatch(1);
+      Thread.startVirtualThread(done::countDown);
+      try {
+        done.await();
+      } catch (InterruptedException e) {
+        throw new IllegalStateException(e);
+      }
+      loop.say("done");
+    });
+    assertEquals(List.of("done"), loop.run());
+  }
+
+  /** Nobody else may have the kernel meanwhile. */
+  @Test
+  void whoIsPinnedKeepsTheKernelWhileItWaits() {
+    Loop loop = new Loop(JobThreads.TICK_LOOP);
+    loop.start(job -> {
+      KernelThreadPin.pin();
+      LockSupport.parkNanos(1);
+      loop.say("pinned");
+      assertThrows(IllegalStateException.class, job::yieldNow);
+      KernelThreadPin.unpin();
+      job.sleepUntil(SECOND);
+      loop.say("slept");
+    });
+    loop.start(job -> loop.say("other"));
+    assertEquals(List.of("pinned", "other", "slept"), loop.run());
+  }
+
+  /** It must get what it waits for, and give it back; then it is left. */
+  @Test
+  void whoWaitsInJavaWhenTheLoopEndsGoesOnAndIsLeft() throws InterruptedException {
+    Loop loop = new Loop(JobThreads.TICK_LOOP);
+    CountDownLatch left = waiterWithoutEnd(loop);
+    loop.start(job -> loop.scheduler.stop());
+    loop.run();
+    release();
+    left.await();
+    assertEquals(List.of("released"), loop.said);
+  }
+
+  /** The news that the wait is over has come, but the loop ends before it takes them. */
+  @Test
+  void whoIsReleasedAsTheLoopEndsGoesOnAndIsLeft() throws InterruptedException {
+    Loop loop = new Loop(JobThreads.TICK_LOOP);
+    CountDownLatch left = waiterWithoutEnd(loop);
+    loop.start(job -> {
+      release();
+      loop.scheduler.stop();
+    });
+    loop.scheduler.startLoop(failure -> {}).join();
+    left.await();
+    assertEquals(List.of("released"), loop.said);
+    assertEquals(List.of(), loop.uncaught);
+  }
+
+  private CountDownLatch waiterWithoutEnd(Loop loop) {
+    CountDownLatch left = new CountDownLatch(1);
+    loop.start(job -> {
+      await();
+      loop.say("released");
+      try {
+        job.yieldNow();
+        loop.say("never");
+      } catch (TagStop stop) {
+        assertNull(stop.scope());
+        left.countDown();
+        throw stop;
+      }
+    });
+    return left;
+  }
+
+  @Test
+  void theThreadOfTheLoopKeepsNoProgramFromItsEnd() throws InterruptedException {
+    Loop loop = new Loop(JobThreads.TICK_LOOP);
+    loop.start(job -> {});
+    Thread thread = loop.scheduler.startLoop(failure -> {});
+    assertTrue(thread.isDaemon());
+    assertEquals("urbi-kernel", thread.getName());
+    thread.join();
+  }
+}

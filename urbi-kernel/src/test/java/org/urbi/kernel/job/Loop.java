@@ -1,0 +1,101 @@
+package org.urbi.kernel.job;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.urbi.kernel.journal.Journal;
+import org.urbi.kernel.message.Message;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
+
+/** A tick loop whose jobs are Java code. It ends when there is nothing left to do. */
+final class Loop {
+  static final long SECOND = 1_000_000_000;
+
+  final World world = new World();
+  final SetClock clock;
+
+  /** Goes on, if at all, while a simulated time stands still. */
+  final SetClock machine = SetClock.real();
+
+  final Scheduler scheduler;
+
+  /** What nobody has caught. */
+  final List<Throwable> uncaught = new ArrayList<>();
+
+  /** What the jobs say. */
+  final List<String> said = new ArrayList<>();
+
+  /** In simulated time. */
+  Loop() {
+    this(JobThreads.AUTO);
+  }
+
+  Loop(JobThreads threads) {
+    this(SetClock.simulated(), Journal.NONE, threads);
+  }
+
+  Loop(SetClock clock) {
+    this(clock, Journal.NONE, JobThreads.AUTO);
+  }
+
+  Loop(Journal journal) {
+    this(SetClock.simulated(), journal, JobThreads.AUTO);
+  }
+
+  private Loop(SetClock clock, Journal journal, JobThreads threads) {
+    this.clock = clock;
+    scheduler =
+        new Scheduler(
+            world, clock, machine, journal, threads, (job, failure) -> uncaught.add(failure));
+    scheduler.whenQuiet(scheduler::stop);
+  }
+
+  /** A message that has something done by the next tick. */
+  void post(Runnable task) {
+    Inbox inbox = scheduler.inbox();
+    int number = inbox.reserve();
+    inbox.register(
+        number,
+        message -> {
+          inbox.forget(number);
+          task.run();
+        });
+    inbox.post(new Message.InputEnded(number));
+  }
+
+  void say(String what) {
+    said.add(what);
+  }
+
+  /** An object that can be a lobby, a value, or whatever. */
+  UrbiObject object() {
+    return world.values().object.cloned();
+  }
+
+  /** A job under no tag, for no lobby. */
+  Job start(Job.Body body) {
+    return start(scheduler.rootScope(), body);
+  }
+
+  Job start(TagScope scope, Job.Body body) {
+    return scheduler.startDetached(null, scope, "job", body);
+  }
+
+  /** A job that is not to run. */
+  Job idle(UrbiObject lobby) {
+    return new Job(scheduler, job -> {}, "job", lobby, scheduler.rootScope(), null, 0);
+  }
+
+  /** Runs until nothing is left; returns what the jobs have said. */
+  List<String> run() {
+    try {
+      scheduler.startLoop(failure -> {}).join();
+    } catch (InterruptedException e) {
+      throw new IllegalStateException(e);
+    }
+    assertEquals(List.of(), uncaught);
+    return said;
+  }
+}

@@ -1,0 +1,234 @@
+package org.urbi.kernel.job;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.urbi.kernel.object.UrbiObject;
+
+/** The tree of the code under tags, and what is done to a tag (manual, "Tag"). */
+class TagScopeTest {
+  private final Loop loop = new Loop();
+  private final UrbiObject value = loop.object();
+  private final UrbiObject object = loop.object();
+  private final TagState tag = new TagState(object);
+  private final TagState other = new TagState(null);
+  private final TagScope root = new TagScope();
+  private final TagScope outer = new TagScope(tag, root, null);
+  private final TagScope inner = new TagScope(other, outer, null);
+  private final List<String> told = new ArrayList<>();
+
+  /** A handler that writes down what it is told. */
+  private TagScope.Attachment handler(String name) {
+    return by -> told.add(name + (by == outer ? " outer" : by == inner ? " inner" : " " + by));
+  }
+
+  private Job jobUnder(TagScope scope) {
+    return new Job(loop.scheduler, job -> {}, "job", null, scope, null, 0);
+  }
+
+  @Test
+  void scopesFormATree() {
+    assertSame(tag, outer.tag());
+    assertSame(outer, inner.parent());
+    assertEquals(List.of(0, 1, 2), List.of(root.depth(), outer.depth(), inner.depth()));
+    assertEquals(List.of(other, tag), inner.tags());
+    assertSame(object, tag.owner());
+    Job owner = jobUnder(root);
+    assertSame(owner, new TagScope(tag, root, owner).owner());
+    TagScope branch = owner.branch(other, outer);
+    assertSame(other, branch.tag());
+    assertSame(outer, branch.parent());
+    assertNull(branch.owner());
+  }
+
+  @Test
+  void aJobIsUnderItsScopeUntilItEnds() {
+    assertTrue(tag.isIdle());
+    Job job = jobUnder(inner);
+    assertEquals(List.of(job), root.allJobs());
+    assertFalse(tag.isIdle());
+    assertFalse(other.isIdle());
+    inner.remove(job);
+    assertEquals(List.of(), root.allJobs());
+    assertTrue(tag.isIdle());
+  }
+
+  @Test
+  void whatStartsUnderAScopeThatWasLeftKeepsItAlive() {
+    Job job = jobUnder(inner);
+    TagScope.Attachment handler = handler("never");
+    outer.close();
+    inner.add(handler);
+    inner.end();
+    assertTrue(tag.scopes.contains(outer));
+    inner.remove(job);
+    assertTrue(other.scopes.contains(inner));
+    inner.remove(handler);
+    assertFalse(other.scopes.contains(inner));
+    assertFalse(tag.scopes.contains(outer));
+    assertEquals(List.of(), root.allJobs());
+  }
+
+  @Test
+  void aScopeThatIsStillOpenStays() {
+    Job job = jobUnder(outer);
+    outer.remove(job);
+    assertTrue(tag.scopes.contains(outer));
+    outer.close();
+    assertTrue(tag.scopes.contains(outer), "the inner one is open");
+    inner.close();
+    assertFalse(tag.scopes.contains(outer));
+  }
+
+  /** A scope that is over is no more in the tree: what is added to it is of no concern. */
+  @Test
+  void aScopeThatIsOverLeavesTheTree() {
+    inner.close();
+    Job late = jobUnder(inner);
+    assertEquals(List.of(), outer.allJobs());
+    outer.close();
+    outer.add(late);
+    assertEquals(List.of(), root.allJobs());
+  }
+
+  @Test
+  void aScopeIsAsFrozenAsThoseAround() {
+    assertEquals(0, inner.frozenDepth());
+    assertFalse(inner.isFrozen());
+    tag.freeze();
+    assertEquals(1, inner.frozenDepth());
+    other.freeze();
+    assertEquals(2, inner.frozenDepth());
+    assertEquals(1, outer.frozenDepth());
+    assertEquals(0, root.frozenDepth());
+    assertTrue(inner.isFrozen());
+    tag.unfreeze();
+    assertEquals(1, inner.frozenDepth());
+    assertFalse(tag.isFrozen());
+    assertTrue(other.isFrozen());
+  }
+
+  @Test
+  void ofBlockedScopesTheOuterOneCounts() {
+    assertNull(inner.blockedScope());
+    other.block(value);
+    assertTrue(other.isBlocked());
+    assertSame(value, other.blockedValue());
+    assertSame(inner, inner.blockedScope());
+    tag.block(object);
+    assertSame(outer, inner.blockedScope());
+    assertNull(root.blockedScope());
+    tag.unblock();
+    other.unblock();
+    assertFalse(other.isBlocked());
+    assertNull(other.blockedValue());
+    assertNull(inner.blockedScope());
+  }
+
+  @Test
+  void aHandlerHearsWhichTagWasStopped() {
+    outer.add(handler("a"));
+    inner.add(handler("b"));
+    assertEquals(2, root.allAttachments().size());
+    other.stop(value);
+    assertEquals(List.of("b inner"), told);
+    tag.stop(value);
+    assertEquals(List.of("b inner", "a outer", "b outer"), told);
+    told.clear();
+    tag.dismiss();
+    assertEquals(List.of("a null", "b null"), told);
+  }
+
+  @Test
+  void aBlockedTagIsStopped() {
+    outer.add(handler("a"));
+    tag.block(value);
+    assertEquals(List.of("a outer"), told);
+  }
+
+  /** What waits for something that is gone. */
+  private static final class Gone implements TagScope.Attachment {
+    @Override
+    public void stopped(TagScope by) {}
+
+    @Override
+    public boolean isGone() {
+      return true;
+    }
+  }
+
+  @Test
+  void handlersOfWhatIsGoneAreForgottenNowAndThen() {
+    for (int i = 0; i < 10; i++) {
+      outer.add(handler("stays"));
+    }
+    for (int i = 0; i < 6; i++) {
+      outer.add(new Gone());
+    }
+    assertEquals(16, outer.allAttachments().size());
+    outer.add(handler("one more"));
+    assertEquals(11, outer.allAttachments().size());
+    for (int i = 0; i < 11; i++) {
+      outer.add(new Gone());
+    }
+    assertEquals(22, outer.allAttachments().size());
+    outer.add(new Gone());
+    assertEquals(11, outer.allAttachments().size());
+  }
+
+  @Test
+  void aWeakOneStandsForItsHandler() {
+    TagScope.Attachment handler = handler("weak");
+    WeakAttachment weak = new WeakAttachment(handler);
+    weak.keep(true);
+    assertFalse(weak.isGone());
+    weak.stopped(outer);
+    weak.keep(false);
+    weak.stopped(null);
+    assertEquals(List.of("weak outer", "weak null"), told);
+    WeakAttachment empty = new WeakAttachment(null);
+    assertTrue(empty.isGone());
+    empty.keep(true);
+    empty.stopped(outer);
+    assertEquals(2, told.size());
+  }
+
+  @Test
+  void thatTheLastJobEndsIsToldOnce() {
+    List<Job> ended = new ArrayList<>();
+    TagScope scope = new TagScope(tag, loop.scheduler.rootScope(), null);
+    for (int i = 0; i < 3; i++) {
+      loop.start(scope, job -> job.sleepUntil(Loop.SECOND)).onEnd(() -> ended.add(null));
+    }
+    tag.onIdle(() -> loop.say("idle after " + ended.size()));
+    tag.onIdle(() -> loop.say("and again"));
+    loop.run();
+    assertEquals(List.of("idle after 3", "and again"), loop.said);
+  }
+
+  @Test
+  void whatIsStoppedReturnsTheValue() {
+    loop.start(job -> {
+      TagScope scope = job.enter(tag);
+      loop.start(by -> tag.stop(value));
+      try {
+        job.sleepUntil(Loop.SECOND);
+      } catch (TagStop stop) {
+        assertSame(scope, stop.scope());
+        assertSame(value, stop.value());
+        assertFalse(stop.isInterruption());
+        loop.say("stopped");
+      }
+      job.leave(scope);
+      assertSame(loop.scheduler.rootScope(), job.scope());
+    });
+    assertEquals(List.of("stopped"), loop.run());
+    assertFalse(tag.scopes.stream().anyMatch(scope -> scope != outer));
+  }
+}
