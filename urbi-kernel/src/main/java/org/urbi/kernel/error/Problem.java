@@ -275,6 +275,8 @@ public enum Problem {
   CONTAINS_ITSELF(PART, "a container in itself"),
   CONTAINERS_TOO_DEEP(PART, "containers nested too deeply"),
   PROCESS_GONE(PART, "the remote process has gone"),
+  NOT_SENDABLE(PRIMITIVE, "this value cannot be sent to a remote process"),
+  WITHOUT_PROTOTYPE(PART, "{name} has no UObject as a prototype"),
   NOT_MADE_IN_TIME(PART, "the remote process has not made the object in {seconds} s"),
   NAME_TAKEN(PART, "there is a UObject {name} already", "one process has the class, the first"),
   NOT_ITS_OBJECT(PART, "no such remote object: {name}"),

@@ -32,7 +32,7 @@ public final class ExternalEvents {
       if (emission.payload().length == arity) {
         StringBuilder text = process.message(code, name);
         for (UrbiObject argument : emission.payload()) {
-          ValueText.append(text.append(", "), access.toJava(argument));
+          ValueText.append(text.append(", "), access.toJava(name, argument));
         }
         process.send(text);
       }

@@ -1,7 +1,5 @@
 package org.urbi.kernel.external;
 
-import static java.util.Objects.requireNonNull;
-
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -202,11 +200,14 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
   }
 
   private void makeThere(String name) {
+    String parent = access.parentOf(name);
+    if (parent == null) {
+      throw new IllegalStateException(Problem.WITHOUT_PROTOTYPE.text(name));
+    }
     var made = new CompletableFuture<Void>();
     wanted.put(name, made);
     StringBuilder text = message(NEW, name);
-    ValueText.quote(
-        text.append(", "), requireNonNull(access.parentOf(name), "it is made of another one"));
+    ValueText.quote(text.append(", "), parent);
     send(text);
     try {
       context.await(made, PATIENCE);

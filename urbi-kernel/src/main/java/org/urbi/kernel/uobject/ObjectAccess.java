@@ -2,6 +2,7 @@ package org.urbi.kernel.uobject;
 
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.Subscription;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.node.Frame;
@@ -76,8 +77,17 @@ public final class ObjectAccess {
     throw new KernelRefusal(Problem.NOT_AN_EVENT, name);
   }
 
-  /** A value as it travels; void and nil are nothing. */
-  public UValue toJava(UrbiObject value) {
-    return context.exchange().toJava(value);
+  /**
+   * A value as it travels; void and nil are nothing.
+   *
+   * @param routine for which it does
+   * @throws UrbiException if it cannot: its text, which is what travels, fails, or it has no end
+   */
+  public UValue toJava(String routine, UrbiObject value) {
+    try {
+      return context.exchange().toJava(value);
+    } catch (ConversionFailure e) {
+      throw context.interpreter().errors().primitive(routine, Problem.NOT_SENDABLE);
+    }
   }
 }

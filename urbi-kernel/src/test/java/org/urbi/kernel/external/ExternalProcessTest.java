@@ -123,6 +123,32 @@ class ExternalProcessTest {
     assertEquals("[] [1, \"q\"]", console.next());
   }
 
+  /** Neither what has no text, nor what contains itself. */
+  @Test
+  void valuesThatCannotTravel() throws InterruptedException {
+    process.send("var dumb = Object.new| do (dumb) { function asString { 1.dumb } }|;");
+    process.send("var endless = []| endless << endless|; 1;");
+    assertEquals("[] 1", process.next());
+    for (String value : new String[] {"dumb", "endless", "[dumb]"}) {
+      process.send("UObject.funCall(\"_1\", " + value + ");");
+      String error = process.next();
+      assertTrue(error.endsWith(": funCall: this value cannot be sent to a remote process"), error);
+      process.send("2;UObject.syncGet(\"" + value + "\", \"tag\"); 3;");
+      assertEquals("[] 2", skipTo("[] 2"));
+      String answer = process.next();
+      assertTrue(answer.startsWith("[:tag] !!! "), answer);
+      assertEquals("[] 3", process.next());
+    }
+  }
+
+  private String skipTo(String line) throws InterruptedException {
+    String next = process.next();
+    while (!next.equals(line)) {
+      next = process.next();
+    }
+    return next;
+  }
+
   @Test
   void theBytesOfAWriteAndOfAResult() throws InterruptedException {
     declareInBinaryMode();

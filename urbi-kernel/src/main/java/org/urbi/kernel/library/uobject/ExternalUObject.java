@@ -43,7 +43,7 @@ final class ExternalUObject {
             String text = frame.interpreter().asString(frame, result);
             process.reply(call, null, NativeText.toJava(text));
           } else {
-            UValue value = result == null ? new UValue() : objects.toJava(result);
+            UValue value = result == null ? new UValue() : objects.toJava("funCall", result);
             process.reply(call, value, null);
           }
         });
@@ -56,7 +56,7 @@ final class ExternalUObject {
     String answer;
     try {
       UrbiObject value = Evaluation.eval(frame, site, lobby, exp, null);
-      answer = ValueText.of(objects.toJava(value));
+      answer = ValueText.of(objects.toJava("syncGet", value));
     } catch (UrbiException e) {
       String text = frame.interpreter().asString(frame, e.value());
       answer = Complaint.marked(text.replace('\n', ' '));
