@@ -137,7 +137,7 @@ class DevicesTest {
 
   @Test
   void targetsOutOfRangeAreWarnedOfOncePerExcursion() {
-    kernel.eval("yaw.val = 2 | yaw.val = 2.5 | yaw.val = 9 | yaw.val = 3");
+    kernel.eval("yaw.val = 2 | yaw.val = 2.5 | yaw.val = 9 | yaw.val = 3; sleep(10ms)");
     assertEquals(1, logged.size(), logged.toString());
     String warning = logged.poll();
     assertTrue(
@@ -145,9 +145,9 @@ class DevicesTest {
             "warning: SimServo_0x[0-9a-f]+\\.val: 2.5 is more than 2.094\\d+, the rangemax:"
                 + " limited to that"),
         warning);
-    kernel.eval("yaw.val = 1 | yaw.val = -7 | yaw.val = -1");
+    kernel.eval("yaw.val = 1 | yaw.val = -7 | yaw.val = -1; sleep(10ms)");
     assertTrue(logged.poll().contains(".val: -7.0 is less than -2.094"));
-    kernel.eval("wheelL.val = 99 | wheelL.val = 0");
+    kernel.eval("wheelL.val = 99 | wheelL.val = 0; sleep(10ms)");
     assertTrue(logged.poll().contains("SimWheel_"));
     assertTrue(logged.isEmpty(), logged.toString());
     assertTrue(output.isEmpty(), "nothing is said in the session: " + output);
