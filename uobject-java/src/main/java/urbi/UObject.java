@@ -498,8 +498,8 @@ public abstract non-sealed class UObject extends UResident {
   // ------------------------------------------------------------------ the end
 
   /**
-   * Called once, when the urbiscript object has gone. Programs of Urbi 2.7 override it; {@link
-   * AutoCloseable} is for others. The launchers have the garbage collector leave it alone.
+   * Called when the urbiscript object has gone, and perhaps once more when the garbage collector
+   * comes by. Programs of Urbi 2.7 override it; {@link AutoCloseable} is for others.
    */
   @Override
   @SuppressWarnings("removal")
