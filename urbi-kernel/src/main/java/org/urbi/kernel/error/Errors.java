@@ -25,8 +25,8 @@ public final class Errors {
    * error of syntax tells its place in the source.
    */
   public boolean tellsPlace(UrbiObject exception) {
-    return exception.localSlot(world.symbol("location")) != null
-        && !is(exception, ProblemKind.SYNTAX);
+    UrbiObject place = exception.localSlot(world.symbol("location"));
+    return place != null && place != values.nil && !is(exception, ProblemKind.SYNTAX);
   }
 
   /** Whether an exception is of the type of such problems. */

@@ -207,6 +207,8 @@ public final class Library {
     script(values.stringProto, "asList", "function () { split(\"\") }");
     script(type("TrajectoryGenerator.Until"), "run", TrajectoryUntil.RUN);
     script(type("TrajectoryGenerator.Sequence"), "run", TrajectorySequence.RUN);
+    // Void has no prototype; a void that was accepted is an object like others.
+    values.acceptedVoid.setProtos(values.voidObject, type("Singleton"));
     OldNames.add(interpreter, types);
     EventType.fill(type("Event"));
     for (String name : List.of("detach", "disown", "persist", "waituntil")) {

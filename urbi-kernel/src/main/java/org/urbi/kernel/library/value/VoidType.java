@@ -9,7 +9,7 @@ import org.urbi.kernel.object.UrbiObject;
 /** No value (manual, "void"): what it lets do with itself. */
 @UrbiType(
     value = "void",
-    protos = "Singleton",
+    protos = {},
     doc = "No value: what cannot be read, nor passed on.",
     needs = Need.NOTHING)
 final class VoidType {
