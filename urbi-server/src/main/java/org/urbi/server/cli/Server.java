@@ -17,6 +17,7 @@ import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.KernelBuilder;
 import org.urbi.kernel.log.LogLevel;
+import org.urbi.kernel.time.SystemClock;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
 import org.urbi.server.options.Failure;
@@ -110,6 +111,7 @@ final class Server {
   private void watch(Kernel watched) {
     Watchdog made =
         new Watchdog(
+            new SystemClock(),
             watched,
             this::networkSilence,
             settings.hasPort() ? settings.watchdog() : Duration.ZERO,

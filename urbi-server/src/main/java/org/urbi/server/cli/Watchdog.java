@@ -1,13 +1,13 @@
 package org.urbi.server.cli;
 
 import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.function.LongSupplier;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.time.Clock;
-import org.urbi.kernel.time.SystemClock;
 
 /**
  * Ends the process when nothing else can: when it was told to terminate and does not, when the
@@ -29,7 +29,11 @@ final class Watchdog {
   /** How long all of that may take. */
   private static final long LONGEST_RELIEF = 20_000_000_000L;
 
-  private final Clock clock = new SystemClock();
+  /** Made beforehand: when it is needed, there may be no memory to make it with. */
+  private static final byte[] GIVING_UP =
+      "urbi: memory exhausted, giving up\n".getBytes(StandardCharsets.US_ASCII);
+
+  private final Clock clock;
   private final Memory memory = new Memory();
   private final Kernel kernel;
   private final LongSupplier networkSilence;
@@ -45,18 +49,21 @@ final class Watchdog {
   private boolean told;
 
   /**
+   * @param clock real time
    * @param networkSilence for how long the network thread has not turned, in nanoseconds
    * @param limit how long kernel and network may not turn; zero for as long as they like
    * @param whenTight told when memory is nearly exhausted, and when it is not any more
    * @param halt ends the process with that status, at once
    */
   Watchdog(
+      Clock clock,
       Kernel kernel,
       LongSupplier networkSilence,
       Duration limit,
       PrintStream err,
       Consumer<Boolean> whenTight,
       IntConsumer halt) {
+    this.clock = clock;
     this.kernel = kernel;
     this.networkSilence = networkSilence;
     this.limit = limit.isZero() ? Long.MAX_VALUE : limit.toNanos();
@@ -148,18 +155,26 @@ final class Watchdog {
       }
       long now = clock.now();
       if (now - relievedAt > RELIEF || now - tightSince > LONGEST_RELIEF) {
-        say("memory exhausted, giving up");
-        halt.accept(ExitStatus.MEMORY_EXHAUSTED);
+        giveUp();
       } else if ((relieved == 0 || now - relievedAt >= NEXT_RELIEF) && !isRelieved()) {
         relieve();
       }
     } catch (Error e) {
-      // Not even that can be said.
       if (clock.now() - tightSince > RELIEF) {
-        halt.accept(ExitStatus.MEMORY_EXHAUSTED);
+        giveUp();
       }
     } catch (InterruptedException e) {
       over = true;
+    }
+  }
+
+  /** Says so without making anything, and ends the process even if that fails. */
+  private void giveUp() {
+    try {
+      err.write(GIVING_UP, 0, GIVING_UP.length);
+      err.flush();
+    } finally {
+      halt.accept(ExitStatus.MEMORY_EXHAUSTED);
     }
   }
 

@@ -11,6 +11,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.Kernel;
+import org.urbi.kernel.time.SystemClock;
+import org.urbi.kernel.time.VirtualClock;
 import org.urbi.server.Patience;
 
 class WatchdogTest {
@@ -20,6 +22,7 @@ class WatchdogTest {
   private Watchdog watchdog(Kernel kernel, long silence, Duration limit) {
     Watchdog watchdog =
         new Watchdog(
+            new SystemClock(),
             kernel,
             () -> silence,
             limit,
@@ -53,6 +56,32 @@ class WatchdogTest {
       watchdog.terminating();
       assertEquals(ExitStatus.TERMINATED, status());
       watchdog.stop();
+    }
+  }
+
+  /** Nothing can be made any more: not even a sentence. */
+  @Test
+  void memoryOfWhichThereIsNoneForARescueEndsTheProcess() throws Exception {
+    VirtualClock clock = new VirtualClock();
+    try (Kernel kernel = Kernel.builder().start()) {
+      Watchdog watchdog =
+          new Watchdog(
+              clock,
+              kernel,
+              () -> {
+                clock.advanceTo(clock.now() + 5_000_000_000L);
+                throw new OutOfMemoryError();
+              },
+              Duration.ZERO,
+              new PrintStream(told, true, StandardCharsets.UTF_8),
+              tight -> {
+                throw new OutOfMemoryError();
+              },
+              end::complete);
+      watchdog.start();
+      assertEquals(ExitStatus.MEMORY_EXHAUSTED, status());
+      watchdog.stop();
+      assertEquals("urbi: memory exhausted, giving up\n", told.toString(StandardCharsets.UTF_8));
     }
   }
 }
