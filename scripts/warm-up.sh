@@ -8,5 +8,5 @@ class_path "$root/$dist"
 # shellcheck disable=SC2086
 timeout 120 "$java" $jvm_flags -XX:+UnlockDiagnosticVMOptions -XX:-AOTRecordTraining \
   -XX:AOTCacheOutput="$root/$dist/urbi.aot" -Durbi.root="$root" \
-  -cp "$cp" org.urbi.server.cli.Rehearsal "$root/scripts/warm-up.u" </dev/null >"$root/.build/warm-up.log" 2>&1
+  -cp "$cp" org.urbi.server.cli.TrainingRun "$root/scripts/warm-up.u" </dev/null >"$root/.build/warm-up.log" 2>&1
 [ -s "$root/$dist/urbi.aot" ]

@@ -12,7 +12,7 @@ import java.util.Map;
 /** Finds the methods that are bound by their names. */
 final class Methods {
   /** How many arguments a bound function may have. */
-  private static final int MOST_ARGUMENTS = 16;
+  private static final int MAX_ARGUMENTS = 16;
 
   private static final Map<String, Class<?>> NAMES =
       Map.ofEntries(
@@ -116,13 +116,13 @@ final class Methods {
    * @throws IllegalArgumentException if it has too many arguments
    */
   static UCallback callback(String name, Object target, Method method) {
-    if (method.getParameterCount() > MOST_ARGUMENTS) {
+    if (method.getParameterCount() > MAX_ARGUMENTS) {
       throw new IllegalArgumentException(
           name
               + " has "
               + method.getParameterCount()
               + " arguments, "
-              + MOST_ARGUMENTS
+              + MAX_ARGUMENTS
               + " is the most that a function can be bound with");
     }
     MethodHandle handle = handle(method);

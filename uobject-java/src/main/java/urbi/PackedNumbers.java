@@ -34,7 +34,7 @@ record PackedNumbers(int rows, int columns, double[] numbers) {
     }
     double[] numbers = new double[data.length / Double.BYTES];
     ByteBuffer.wrap(data).order(ByteOrder.LITTLE_ENDIAN).asDoubleBuffer().get(numbers);
-    var words = new BinaryWords(binary.getMessage().substring("packed ".length()));
+    var words = new BinaryHeaderReader(binary.getMessage().substring("packed ".length()));
     words.skip();
     return new PackedNumbers(words.number(), words.number(), numbers);
   }

@@ -74,7 +74,7 @@ public final class UBinary {
     if (message.isEmpty()) {
       return given != null ? given : getSize() == 0 ? UBinaryType.BINARY_NONE : UNKNOWN;
     }
-    String word = BinaryWords.first(message);
+    String word = BinaryHeaderReader.first(message);
     if (UImageFormat.parse(word) != UImageFormat.IMAGE_UNKNOWN) {
       return UBinaryType.BINARY_IMAGE;
     }

@@ -32,7 +32,7 @@ public class UClient extends UAbstractClient implements AutoCloseable {
   /** How long the constructors wait for a connection. */
   public static final Duration CONNECT_TIMEOUT = Duration.ofSeconds(10);
 
-  private static final int MOST_WAITING = 64 << 20;
+  private static final int MAX_WAITING = 64 << 20;
   private static final int BUFFER = 1 << 16;
 
   private final Socket socket = new Socket();
@@ -138,7 +138,7 @@ public class UClient extends UAbstractClient implements AutoCloseable {
     lock.lock();
     try {
       // The thread that calls callbacks never waits: what it would wait for might need it.
-      while (!ended && waitingBytes > MOST_WAITING && Thread.currentThread() != readerThread) {
+      while (!ended && waitingBytes > MAX_WAITING && Thread.currentThread() != readerThread) {
         changed.awaitUninterruptibly();
       }
       if (ended) {

@@ -5,7 +5,7 @@ import urbi.media.Colours;
 import urbi.media.ImageFormat;
 import urbi.media.MediaException;
 import urbi.media.Picture;
-import urbi.media.Recording;
+import urbi.media.SoundData;
 
 /**
  * Converts images and sounds (manual, "Binary conversion").
@@ -53,7 +53,7 @@ public final class UConversion {
    * destination gets new data.
    */
   public static void convert(USound source, USound destination) {
-    Recording made = guarded(() -> recording(source).converted(recording(destination)));
+    SoundData made = guarded(() -> recording(source).converted(recording(destination)));
     destination.setChannels(made.channels());
     destination.setRate(made.rate());
     destination.setSampleSize(made.sampleSize());
@@ -61,9 +61,9 @@ public final class UConversion {
     destination.setData(made.data());
   }
 
-  private static Recording recording(USound sound) {
+  private static SoundData recording(USound sound) {
     USoundSampleFormat samples = sound.getSampleFormat();
-    return new Recording(
+    return new SoundData(
         sound.getSoundFormat().format(),
         sound.getChannels(),
         sound.getRate(),

@@ -34,11 +34,11 @@ public final class UImage {
 
   static UImage of(UBinary binary) {
     String header = binary.getMessage();
-    UImageFormat format = UImageFormat.parse(BinaryWords.first(header));
+    UImageFormat format = UImageFormat.parse(BinaryHeaderReader.first(header));
     if (format == UImageFormat.IMAGE_UNKNOWN) {
       throw UCastException.to("UImage", new UValue(binary));
     }
-    var words = new BinaryWords(header);
+    var words = new BinaryHeaderReader(header);
     return new UImage(format, words.number(), words.number(), binary.getData());
   }
 

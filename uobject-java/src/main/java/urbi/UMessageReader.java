@@ -12,8 +12,8 @@ final class UMessageReader {
     void message(int timestamp, String tag, UMessageType type, byte[] raw, boolean continuation);
   }
 
-  private static final int LONGEST_LINE = 64 << 20;
-  private static final int LONGEST_BINARY = 1 << 30;
+  private static final int MAX_LINE = 64 << 20;
+  private static final int MAX_BINARY = 1 << 30;
 
   private final Sink sink;
   private final ByteArrayOutputStream line = new ByteArrayOutputStream();
@@ -53,7 +53,7 @@ final class UMessageReader {
         stop++;
       }
       line.write(bytes, at, stop - at);
-      if (line.size() - scanned > LONGEST_LINE) {
+      if (line.size() - scanned > MAX_LINE) {
         throw new UParseException("a line has no end", line.size());
       }
       at = stop;
@@ -195,7 +195,7 @@ final class UMessageReader {
     long size = 0;
     while (digit < bytes.length && '0' <= bytes[digit] && bytes[digit] <= '9') {
       size = size * 10 + bytes[digit++] - '0';
-      if (size > LONGEST_BINARY) {
+      if (size > MAX_BINARY) {
         throw new UParseException("a binary is too large", digit);
       }
     }

@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
 // lambda
 // given to bind() either returns something or does not, which tells the overloads apart.
 @SuppressWarnings({"this-escape", "overloads"})
-public abstract non-sealed class UObject extends UResident {
+public abstract non-sealed class UObject extends UObjectBase {
   private final String name;
   private final UClass type;
   private final UTaskQueue queue = new UTaskQueue();
@@ -525,11 +525,11 @@ public abstract non-sealed class UObject extends UResident {
     }
   }
 
-  private interface Ending {
+  private interface EndAction {
     void run() throws Exception;
   }
 
-  private void ended(String how, Ending ending) {
+  private void ended(String how, EndAction ending) {
     try {
       ending.run();
     } catch (Exception e) {

@@ -9,7 +9,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
  * subclass is declared by {@link UObject#UStartHub} and has one instance in each context, with
  * which objects register by {@link UObject#URegister}.
  */
-public abstract non-sealed class UObjectHub extends UResident {
+public abstract non-sealed class UObjectHub extends UObjectBase {
   /** The objects that have registered, in the order in which they did. */
   public final List<UObject> members = new CopyOnWriteArrayList<>();
 

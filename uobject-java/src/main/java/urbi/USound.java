@@ -50,11 +50,11 @@ public final class USound {
 
   static USound of(UBinary binary) {
     String header = binary.getMessage();
-    USoundFormat format = USoundFormat.parse(BinaryWords.first(header));
+    USoundFormat format = USoundFormat.parse(BinaryHeaderReader.first(header));
     if (format == USoundFormat.SOUND_UNKNOWN) {
       throw UCastException.to("USound", new UValue(binary));
     }
-    var words = new BinaryWords(header);
+    var words = new BinaryHeaderReader(header);
     return new USound(
         format,
         words.number(),

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * shares one between threads does not call them.
  */
 public final class UValue {
-  private static final int LONGEST_BRIEF = 60;
+  private static final int MAX_BRIEF = 60;
 
   private UDataType type = UDataType.DATA_VOID;
   private double number;
@@ -316,6 +316,6 @@ public final class UValue {
       return ("BIN " + binary.getSize() + " " + binary.getMessage()).strip();
     }
     String text = toString();
-    return text.length() <= LONGEST_BRIEF ? text : text.substring(0, LONGEST_BRIEF) + "…";
+    return text.length() <= MAX_BRIEF ? text : text.substring(0, MAX_BRIEF) + "…";
   }
 }

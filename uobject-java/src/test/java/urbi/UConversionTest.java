@@ -176,7 +176,7 @@ class UConversionTest {
   }
 
   /** What {@link #withoutDesktop} runs. */
-  static final class Desktopless {
+  static final class WithoutDesktop {
     public static void main(String[] arguments) {
       UImage grey = converted(gradient(4, 4), UImageFormat.IMAGE_GREY8);
       try {
@@ -196,7 +196,7 @@ class UConversionTest {
                 "java.base",
                 "-cp",
                 System.getProperty("java.class.path"),
-                Desktopless.class.getName())
+                WithoutDesktop.class.getName())
             .redirectErrorStream(true)
             .start();
     String said = new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8);

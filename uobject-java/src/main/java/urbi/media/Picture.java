@@ -8,7 +8,7 @@ package urbi.media;
  * @param data not copied
  */
 public record Picture(ImageFormat format, int width, int height, byte[] data) {
-  private static final int USUAL_QUALITY = 90;
+  private static final int DEFAULT_QUALITY = 90;
 
   /**
    * The same image in another format and size.
@@ -26,7 +26,7 @@ public record Picture(ImageFormat format, int width, int height, byte[] data) {
     byte[] bytes =
         same
             ? data.clone()
-            : ImageEncoder.encode(pixels.scaled(wide, high), newFormat, USUAL_QUALITY);
+            : ImageEncoder.encode(pixels.scaled(wide, high), newFormat, DEFAULT_QUALITY);
     return new Picture(newFormat, wide, high, bytes);
   }
 

@@ -14,7 +14,7 @@ record SampleCoding(int size, SampleFormat meaning) {
   }
 
   /** How a raw sound keeps them; one that does not tell has bytes without a sign, others with. */
-  static SampleCoding of(Recording raw) {
+  static SampleCoding of(SoundData raw) {
     SampleFormat meaning = raw.samples();
     if (meaning == null) {
       meaning = raw.sampleSize() == 8 ? SampleFormat.UNSIGNED : SampleFormat.SIGNED;

@@ -4,12 +4,12 @@ package urbi.media;
 final class SoundConversion {
   private SoundConversion() {}
 
-  static Recording convert(Recording source, Recording wanted) {
+  static SoundData convert(SoundData source, SoundData wanted) {
     SoundFormat format = wanted.format();
     if (format != SoundFormat.RAW && format != SoundFormat.WAV) {
       throw new MediaException("sounds are converted to raw and wav, not to " + format.keyword());
     }
-    Recording raw = raw(source);
+    SoundData raw = raw(source);
     SampleCoding from = SampleCoding.of(raw);
     int size = or(wanted.sampleSize(), raw.sampleSize());
     SampleFormat meaning = wanted.samples();
@@ -30,7 +30,7 @@ final class SoundConversion {
       double[][] samples = mixed(samples(raw, from), channels);
       data = bytes(resampled(samples, raw.rate(), rate), to);
     }
-    Recording result = new Recording(format, channels, rate, size, meaning, data);
+    SoundData result = new SoundData(format, channels, rate, size, meaning, data);
     return format == SoundFormat.WAV ? WavCodec.encode(result) : result;
   }
 
@@ -38,8 +38,8 @@ final class SoundConversion {
     return wanted == 0 ? otherwise : wanted;
   }
 
-  private static Recording raw(Recording source) {
-    Recording raw =
+  private static SoundData raw(SoundData source) {
+    SoundData raw =
         switch (source.format()) {
           case RAW -> source;
           case WAV -> WavCodec.decode(source.data());
@@ -54,7 +54,7 @@ final class SoundConversion {
   }
 
   /** One array for each channel. */
-  private static double[][] samples(Recording sound, SampleCoding coding) {
+  private static double[][] samples(SoundData sound, SampleCoding coding) {
     int channels = sound.channels();
     int frames = sound.data().length / (coding.bytes() * channels);
     double[][] samples = new double[channels][frames];

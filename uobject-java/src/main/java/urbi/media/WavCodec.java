@@ -19,7 +19,7 @@ final class WavCodec {
   private WavCodec() {}
 
   /** A file of the samples that the recording has. */
-  static Recording encode(Recording sound) {
+  static SoundData encode(SoundData sound) {
     byte[] samples = sound.data();
     int frame = sound.channels() * sound.sampleSize() / 8;
     boolean floats = sound.samples() == SampleFormat.FLOAT;
@@ -31,7 +31,7 @@ final class WavCodec {
     out.putInt(sound.rate()).putInt(sound.rate() * frame);
     out.putShort((short) frame).putShort((short) sound.sampleSize());
     out.putInt(DATA).putInt(samples.length).put(samples);
-    return new Recording(
+    return new SoundData(
         SoundFormat.WAV,
         sound.channels(),
         sound.rate(),
@@ -41,7 +41,7 @@ final class WavCodec {
   }
 
   /** The raw sound in a file. */
-  static Recording decode(byte[] file) {
+  static SoundData decode(byte[] file) {
     ByteBuffer in = ByteBuffer.wrap(file).order(ByteOrder.LITTLE_ENDIAN);
     try {
       if (in.getInt() != RIFF || in.getInt() == 0 || in.getInt() != WAVE) {
@@ -53,8 +53,8 @@ final class WavCodec {
     }
   }
 
-  private static Recording chunks(ByteBuffer in) {
-    Recording format = null;
+  private static SoundData chunks(ByteBuffer in) {
+    SoundData format = null;
     while (true) {
       int name = in.getInt();
       long size = in.getInt() & 0xffffffffL;
@@ -67,7 +67,7 @@ final class WavCodec {
         }
         int end = (int) Math.min(in.limit(), start + size);
         byte[] data = Arrays.copyOfRange(in.array(), start, end);
-        return new Recording(
+        return new SoundData(
             SoundFormat.RAW,
             format.channels(),
             format.rate(),
@@ -80,7 +80,7 @@ final class WavCodec {
   }
 
   /** A recording that has no data yet. */
-  private static Recording format(ByteBuffer in) {
+  private static SoundData format(ByteBuffer in) {
     int code = in.getShort() & 0xffff;
     int channels = in.getShort() & 0xffff;
     int rate = in.getInt();
@@ -99,6 +99,6 @@ final class WavCodec {
           case FLOATS -> SampleFormat.FLOAT;
           default -> throw new MediaException("a WAV file is compressed: format " + code);
         };
-    return new Recording(SoundFormat.RAW, channels, rate, size, samples, new byte[0]);
+    return new SoundData(SoundFormat.RAW, channels, rate, size, samples, new byte[0]);
   }
 }

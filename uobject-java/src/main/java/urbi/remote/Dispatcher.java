@@ -19,12 +19,12 @@ final class Dispatcher {
   private static final long LONG_NANOSECONDS = 5_000_000;
 
   /** Reads one frame: executes it, or hands it to {@link Dispatcher#run}. */
-  interface Reading {
+  interface FrameReader {
     /** False at the end. */
     boolean next();
   }
 
-  private final Reading reading;
+  private final FrameReader reading;
   private final Consumer<Runnable> guard;
   private final Runnable wake;
 
@@ -57,7 +57,7 @@ final class Dispatcher {
    * @param guard executes a task, and never throws
    * @param wake has something sent soon that can be read
    */
-  Dispatcher(Reading reading, Consumer<Runnable> guard, Runnable wake) {
+  Dispatcher(FrameReader reading, Consumer<Runnable> guard, Runnable wake) {
     this.reading = reading;
     this.guard = guard;
     this.wake = wake;

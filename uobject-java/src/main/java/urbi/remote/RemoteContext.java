@@ -30,9 +30,9 @@ import urbi.UObjectHub;
 import urbi.UObjectMode;
 import urbi.USlot;
 import urbi.UValue;
-import urbi.rtp.RtpCounts;
 import urbi.rtp.RtpMode;
 import urbi.rtp.RtpOptions;
+import urbi.rtp.RtpStatistics;
 import urbi.spi.Failure;
 import urbi.spi.FailureLog;
 import urbi.spi.ThreadPool;
@@ -52,9 +52,9 @@ import urbi.wire.WireOutput;
 public final class RemoteContext implements UContext, AutoCloseable {
   private static final int CONNECT_MILLISECONDS = 10_000;
 
-  private final Link link;
+  private final Connection link;
   private final Dispatcher dispatcher = new Dispatcher(this::readOne, this::execute, this::ping);
-  private final Requests requests = new Requests();
+  private final PendingRequests requests = new PendingRequests();
   private final ThreadPool threads = new ThreadPool("urbi-remote-function-");
   private final RemoteTimers timers = new RemoteTimers(dispatcher);
   private final Map<String, UClass> classes = new ConcurrentHashMap<>();
@@ -69,9 +69,9 @@ public final class RemoteContext implements UContext, AutoCloseable {
   private final KernelTime time = new KernelTime();
   private volatile @Nullable Consumer<String> trace;
   private final FailureLog failureLog = new FailureLog(Log::error);
-  private final LongTurn turn = new LongTurn(this::complain);
+  private final SlowCallMonitor turn = new SlowCallMonitor(this::complain);
   private final RemoteFunctions functions = new RemoteFunctions(this, failureLog, turn);
-  private final LinkWatch watch;
+  private final ConnectionMonitor watch;
   private final RemoteDatagrams datagrams;
 
   /**
@@ -87,9 +87,9 @@ public final class RemoteContext implements UContext, AutoCloseable {
    * @param silence measures that of the server
    */
   RemoteContext(String host, int port, Stopwatch silence) {
-    link = new Link(host, port, CONNECT_MILLISECONDS);
+    link = new Connection(host, port, CONNECT_MILLISECONDS);
     watch =
-        new LinkWatch(
+        new ConnectionMonitor(
             silence, turn::complain, this::ping, () -> end("the server does not answer any more"));
     datagrams = new RemoteDatagrams(this, link.address());
     dispatcher.start();
@@ -293,12 +293,12 @@ public final class RemoteContext implements UContext, AutoCloseable {
     inTurn(() -> hubs.put(type.name(), type.create()));
   }
 
-  private interface Making {
+  private interface Construction {
     Object make() throws Exception;
   }
 
   /** Makes something while no function of a UObject is called. */
-  private void inTurn(Making making) {
+  private void inTurn(Construction making) {
     var done = new CompletableFuture<Void>();
     Runnable task =
         () -> {
@@ -445,7 +445,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   }
 
   /** What became of the datagrams; null if there were none. */
-  public @Nullable RtpCounts rtpCounts() {
+  public @Nullable RtpStatistics rtpCounts() {
     return datagrams.counts();
   }
 

@@ -18,10 +18,10 @@ import org.jspecify.annotations.Nullable;
 import urbi.UClientException;
 import urbi.UDataType;
 import urbi.UValue;
-import urbi.rtp.RtpCounts;
 import urbi.rtp.RtpOptions;
+import urbi.rtp.RtpParameters;
 import urbi.rtp.RtpSession;
-import urbi.rtp.RtpTerms;
+import urbi.rtp.RtpStatistics;
 import urbi.time.Stopwatch;
 import urbi.wire.Frame;
 import urbi.wire.WireException;
@@ -31,14 +31,14 @@ import urbi.wire.WireOutput;
 /** The datagrams of a remote process: agrees upon them with the kernel, sends and receives them. */
 final class RemoteDatagrams implements AutoCloseable {
   private static final int BUFFER = 4 << 20;
-  private static final int LARGEST = 1 << 16;
+  private static final int MAX_SIZE = 1 << 16;
   private static final long PROBE_MILLISECONDS = 50;
 
   private final RemoteContext context;
   private final InetAddress server;
   private @Nullable RtpOptions options;
   private CompletableFuture<Boolean> works = new CompletableFuture<>();
-  private volatile @Nullable Path path;
+  private volatile @Nullable DatagramSocketThreads path;
   private boolean closed;
 
   RemoteDatagrams(RemoteContext context, InetAddress server) {
@@ -61,9 +61,9 @@ final class RemoteDatagrams implements AutoCloseable {
   private void offer(RtpOptions wanted) {
     end();
     try {
-      var offered = new Path(new DatagramSocket(), wanted);
+      var offered = new DatagramSocketThreads(new DatagramSocket(), wanted);
       path = offered;
-      RtpTerms own = offered.own;
+      RtpParameters own = offered.own;
       context.sendNow(out -> own.write(out.begin(Frame.RTP_OFFER)).end());
     } catch (IOException e) {
       fails("no datagrams: " + e.getMessage());
@@ -74,13 +74,13 @@ final class RemoteDatagrams implements AutoCloseable {
   void take(int type, WireInput frame) {
     switch (type) {
       case Frame.LEFT -> {
-        Path present = path;
+        DatagramSocketThreads present = path;
         if (present != null && present.session != null) {
           present.session.left(frame);
         }
       }
       case Frame.RTP_LOADED -> loaded();
-      case Frame.RTP_TERMS -> accepted(frame.number(), RtpTerms.read(frame));
+      case Frame.RTP_TERMS -> accepted(frame.number(), RtpParameters.read(frame));
       default -> refused(frame.text());
     }
   }
@@ -99,8 +99,8 @@ final class RemoteDatagrams implements AutoCloseable {
    *
    * @param token that of the offer: it may be another one than the last
    */
-  private synchronized void accepted(long token, RtpTerms other) {
-    Path present = path;
+  private synchronized void accepted(long token, RtpParameters other) {
+    DatagramSocketThreads present = path;
     if (present != null && present.own.token() == token && present.session == null && !closed) {
       present.begin(other);
     }
@@ -120,7 +120,7 @@ final class RemoteDatagrams implements AutoCloseable {
   }
 
   private void end() {
-    Path old = path;
+    DatagramSocketThreads old = path;
     path = null;
     if (old != null) {
       old.close();
@@ -131,7 +131,7 @@ final class RemoteDatagrams implements AutoCloseable {
 
   /** Sends the value of a variable; false if it has to go over the connection. */
   boolean set(int variable, UValue value) {
-    Path present = path;
+    DatagramSocketThreads present = path;
     if (present == null || present.session == null || !present.session.isActive()) {
       return false;
     }
@@ -142,21 +142,21 @@ final class RemoteDatagrams implements AutoCloseable {
 
   /** The next value of a variable goes over the connection, in this output. */
   void leave(int variable, WireOutput out) {
-    Path present = path;
+    DatagramSocketThreads present = path;
     if (present != null && present.session != null) {
       present.session.leave(variable, out, Frame.LEFT);
     }
   }
 
   void forget(int variable) {
-    Path present = path;
+    DatagramSocketThreads present = path;
     if (present != null && present.session != null) {
       present.session.close(variable);
     }
   }
 
-  @Nullable RtpCounts counts() {
-    Path present = path;
+  @Nullable RtpStatistics counts() {
+    DatagramSocketThreads present = path;
     return present == null || present.session == null ? null : present.session.counts();
   }
 
@@ -170,26 +170,28 @@ final class RemoteDatagrams implements AutoCloseable {
   // ------------------------------------------------------------------ one agreement
 
   /** A socket, and the threads that it needs. */
-  private final class Path implements RtpSession.Surroundings, AutoCloseable {
+  private final class DatagramSocketThreads implements RtpSession.Environment, AutoCloseable {
     private final DatagramSocket socket;
     private final RtpOptions options;
-    private final RtpTerms own;
+    private final RtpParameters own;
     private final ScheduledThreadPoolExecutor clock;
     private final Map<Integer, byte[]> arrived = new LinkedHashMap<>();
     private volatile @Nullable RtpSession session;
     private @Nullable Thread delivery;
     private long probes;
 
-    Path(DatagramSocket socket, RtpOptions options) throws SocketException {
+    DatagramSocketThreads(DatagramSocket socket, RtpOptions options) throws SocketException {
       this.socket = socket;
       this.options = options;
       socket.setReceiveBufferSize(BUFFER);
       socket.setSendBufferSize(BUFFER);
       int suitable =
-          server.isLoopbackAddress() ? RtpTerms.LOOPBACK_DATAGRAM : RtpTerms.USUAL_DATAGRAM;
+          server.isLoopbackAddress()
+              ? RtpParameters.LOOPBACK_DATAGRAM
+              : RtpParameters.DEFAULT_DATAGRAM;
       SecureRandom random = new SecureRandom();
       own =
-          new RtpTerms(
+          new RtpParameters(
               socket.getLocalPort(),
               random.nextInt(),
               random.nextLong(),
@@ -201,7 +203,7 @@ final class RemoteDatagrams implements AutoCloseable {
       clock.setRemoveOnCancelPolicy(true);
     }
 
-    void begin(RtpTerms other) {
+    void begin(RtpParameters other) {
       socket.connect(server, options.port() == 0 ? other.port() : options.port());
       var begun = new RtpSession(own, other, this);
       session = begun;
@@ -225,7 +227,7 @@ final class RemoteDatagrams implements AutoCloseable {
     }
 
     private void receive(RtpSession session) {
-      byte[] bytes = new byte[LARGEST];
+      byte[] bytes = new byte[MAX_SIZE];
       while (!socket.isClosed()) {
         try {
           DatagramPacket packet = new DatagramPacket(bytes, bytes.length);

@@ -22,14 +22,14 @@ import urbi.wire.Frame;
 final class RemoteFunctions {
   private final RemoteContext context;
   private final FailureLog failureLog;
-  private final LongTurn turn;
+  private final SlowCallMonitor turn;
   private final Map<String, Map<String, UCallback>> functions = new ConcurrentHashMap<>();
 
   /**
    * @param failureLog where the stack traces of what they throw go
    * @param turn measures those that are called in turn
    */
-  RemoteFunctions(RemoteContext context, FailureLog failureLog, LongTurn turn) {
+  RemoteFunctions(RemoteContext context, FailureLog failureLog, SlowCallMonitor turn) {
     this.context = context;
     this.failureLog = failureLog;
     this.turn = turn;

@@ -12,7 +12,7 @@ import java.util.function.Consumer;
 /** What UObjects of a remote process have called periodically. */
 final class RemoteTimers implements AutoCloseable {
   /** The shortest period, in microseconds. */
-  private static final long SHORTEST = 1000;
+  private static final long MIN_LENGTH = 1000;
 
   private record Timer(Object owner, ScheduledFuture<?> future) {}
 
@@ -35,7 +35,7 @@ final class RemoteTimers implements AutoCloseable {
    */
   Runnable every(Object owner, double milliseconds, Runnable action, Consumer<Runnable> guard) {
     dispatcher.expectTasks();
-    long period = Math.max(SHORTEST, (long) (milliseconds * 1000));
+    long period = Math.max(MIN_LENGTH, (long) (milliseconds * 1000));
     var waiting = new AtomicBoolean();
     ScheduledFuture<?> future =
         clock.scheduleAtFixedRate(

@@ -26,7 +26,7 @@ record RtcpPacket(Kind kind, int ssrc, long token, Map<Integer, Integer> highest
   }
 
   /** A report tells of so many streams at most. */
-  static final int MOST_BLOCKS = 31;
+  static final int MAX_BLOCKS = 31;
 
   private static final int VERSION = 0x80;
   private static final int RECEIVER_REPORT = 201;

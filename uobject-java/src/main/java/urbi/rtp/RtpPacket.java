@@ -28,7 +28,7 @@ record RtpPacket(
   static final int HEADER = 28;
 
   /** More parts than this a frame has not: they have to be a small part of the numbers. */
-  static final int MOST_PARTS = 1 << 14;
+  static final int MAX_PARTS = 1 << 14;
 
   private static final int VERSION = 0x80;
   private static final int PAYLOAD_TYPE = 96;
@@ -68,7 +68,7 @@ record RtpPacket(
     if (first != VERSION
         || second != (last ? PAYLOAD_TYPE | MARKER : PAYLOAD_TYPE)
         || index >= count
-        || count > MOST_PARTS) {
+        || count > MAX_PARTS) {
       return null;
     }
     byte[] data = new byte[in.remaining()];

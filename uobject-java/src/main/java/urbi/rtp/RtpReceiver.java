@@ -13,15 +13,15 @@ import org.jspecify.annotations.Nullable;
  */
 final class RtpReceiver {
   /** So many frames of a variable may be incomplete at a time: that much disorder is healed. */
-  private static final int MOST_INCOMPLETE = 4;
+  private static final int MAX_INCOMPLETE = 4;
 
   /** Nor more of all variables, or more bytes of them. */
-  private static final int MOST_FRAMES = 256;
+  private static final int MAX_FRAMES = 256;
 
-  private static final long MOST_BYTES = 64L << 20;
+  private static final long MAX_BYTES = 64L << 20;
 
   /** Of so many streams and variables the order is remembered. */
-  private static final int MOST_REMEMBERED = 4096;
+  private static final int MAX_REMEMBERED = 4096;
 
   private static final class Assembly {
     private final Variable variable;
@@ -57,7 +57,7 @@ final class RtpReceiver {
 
   private static final class Stream {
     private long highest;
-    private final Map<Integer, Variable> variables = new Latest<>();
+    private final Map<Integer, Variable> variables = new RecentlyUsed<>();
 
     Stream(int sequence) {
       // Whatever comes before the first one has a number above 0, too.
@@ -71,30 +71,30 @@ final class RtpReceiver {
   }
 
   /** Forgets what was not used for longest. */
-  private static final class Latest<V> extends LinkedHashMap<Integer, V> {
+  private static final class RecentlyUsed<V> extends LinkedHashMap<Integer, V> {
     private static final long serialVersionUID = 1;
 
-    Latest() {
+    RecentlyUsed() {
       super(16, 0.75f, true);
     }
 
     @Override
     protected boolean removeEldestEntry(Map.Entry<Integer, V> eldest) {
-      return size() > MOST_REMEMBERED;
+      return size() > MAX_REMEMBERED;
     }
   }
 
-  private final RtpTerms own;
-  private final RtpTerms other;
-  private final RtpCounts counts;
+  private final RtpParameters own;
+  private final RtpParameters other;
+  private final RtpStatistics counts;
   private final int reportAfter;
-  private final Map<Integer, Stream> streams = new Latest<>();
+  private final Map<Integer, Stream> streams = new RecentlyUsed<>();
   private final Set<Assembly> assemblies = new LinkedHashSet<>();
   private final Map<Integer, Integer> unreported = new LinkedHashMap<>();
   private long bytes;
   private int unreportedBytes;
 
-  RtpReceiver(RtpTerms own, RtpTerms other, RtpCounts counts) {
+  RtpReceiver(RtpParameters own, RtpParameters other, RtpStatistics counts) {
     this.own = own;
     this.other = other;
     this.counts = counts;
@@ -148,10 +148,10 @@ final class RtpReceiver {
       counts.received.increment();
       return assembly.whole();
     }
-    if (variable.incomplete.size() > MOST_INCOMPLETE) {
+    if (variable.incomplete.size() > MAX_INCOMPLETE) {
       giveUp(variable.incomplete.firstEntry().getValue());
     }
-    while (assemblies.size() > MOST_FRAMES || bytes > MOST_BYTES) {
+    while (assemblies.size() > MAX_FRAMES || bytes > MAX_BYTES) {
       giveUp(assemblies.iterator().next());
     }
     return null;
@@ -179,7 +179,7 @@ final class RtpReceiver {
   }
 
   /** The other side sends the variable otherwise: what it has sent before is out of date. */
-  synchronized void past(int variable, RtpSender.Past past) {
+  synchronized void past(int variable, RtpSender.Superseded past) {
     Stream stream = streams.computeIfAbsent(past.ssrc(), key -> new Stream(past.sequence()));
     forget(
         stream.variables.computeIfAbsent(variable, key -> new Variable()),
@@ -193,7 +193,7 @@ final class RtpReceiver {
    * @return null if it is not time yet, or there is nothing
    */
   synchronized @Nullable RtcpPacket report(boolean now) {
-    boolean much = unreportedBytes >= reportAfter || unreported.size() >= RtcpPacket.MOST_BLOCKS;
+    boolean much = unreportedBytes >= reportAfter || unreported.size() >= RtcpPacket.MAX_BLOCKS;
     if (unreported.isEmpty() || !much && !now) {
       return null;
     }

@@ -16,13 +16,13 @@ import org.jspecify.annotations.Nullable;
  */
 final class RtpSender {
   /** How long a report may take, in milliseconds, until what it should tell of is thought lost. */
-  private static final long PATIENCE_MILLISECONDS = 50;
+  private static final long TIMEOUT_MILLISECONDS = 50;
 
   /** After so many reports that did not come nothing gets through any more. */
-  private static final int MOST_SILENT = 20;
+  private static final int MAX_SILENT = 20;
 
   /** Where the datagrams go. */
-  interface Out {
+  interface DatagramOutput {
     void send(byte[] datagram);
 
     /** Has something done after a while. */
@@ -35,7 +35,7 @@ final class RtpSender {
   }
 
   /** What was sent of a variable before a number in a stream is out of date. */
-  record Past(int ssrc, int sequence) {}
+  record Superseded(int ssrc, int sequence) {}
 
   private static final class Stream {
     private final int ssrc;
@@ -65,10 +65,10 @@ final class RtpSender {
     }
   }
 
-  private final RtpTerms own;
-  private final RtpTerms other;
-  private final RtpCounts counts;
-  private final Out out;
+  private final RtpParameters own;
+  private final RtpParameters other;
+  private final RtpStatistics counts;
+  private final DatagramOutput out;
   private final int part;
   private final int window;
   private final Map<Integer, Stream> streams = new HashMap<>();
@@ -84,7 +84,7 @@ final class RtpSender {
   private int silent;
   private boolean broken;
 
-  RtpSender(RtpTerms own, RtpTerms other, RtpCounts counts, Out out) {
+  RtpSender(RtpParameters own, RtpParameters other, RtpStatistics counts, DatagramOutput out) {
     this.own = own;
     this.other = other;
     this.counts = counts;
@@ -95,7 +95,7 @@ final class RtpSender {
 
   /** Takes a frame, which {@link #pump} will send; false if it has to go another way. */
   synchronized boolean offer(int variable, boolean binary, byte[] frame) {
-    if (broken || frame.length > (long) part * RtpPacket.MOST_PARTS) {
+    if (broken || frame.length > (long) part * RtpPacket.MAX_PARTS) {
       return false;
     }
     int timestamp = (int) (out.microseconds() * 9 / 100);
@@ -116,13 +116,13 @@ final class RtpSender {
   }
 
   /** The variable goes another way from now on; null if it has not gone this one. */
-  synchronized @Nullable Past past(int variable) {
+  synchronized @Nullable Superseded past(int variable) {
     Stream stream = used.remove(variable);
     if (stream == null) {
       return null;
     }
     forget(variable);
-    return new Past(stream.ssrc, stream.next & 0xffff);
+    return new Superseded(stream.ssrc, stream.next & 0xffff);
   }
 
   /** The variable is not used any more. */
@@ -160,7 +160,7 @@ final class RtpSender {
     if (!broken && !watching && inFlight > 0) {
       watching = true;
       reported = false;
-      out.after(PATIENCE_MILLISECONDS, this::watch);
+      out.after(TIMEOUT_MILLISECONDS, this::watch);
     }
   }
 
@@ -199,7 +199,7 @@ final class RtpSender {
         inFlight = 0;
         streams.values().forEach(stream -> stream.unreported.clear());
       }
-      broken |= silent >= MOST_SILENT;
+      broken |= silent >= MAX_SILENT;
       over = broken;
     }
     if (over) {

@@ -12,7 +12,7 @@ import urbi.wire.WireOutput;
  */
 public final class RtpSession {
   /** What surrounds an end. Its methods may be called from any thread, and must not wait. */
-  public interface Surroundings {
+  public interface Environment {
     /** Sends a datagram to the other end; it may get lost. */
     void send(byte[] datagram);
 
@@ -38,10 +38,10 @@ public final class RtpSession {
   /** What has come is reported after that time, if it is not much before. */
   private static final long REPORT_MILLISECONDS = 20;
 
-  private final RtpTerms own;
-  private final RtpTerms other;
-  private final Surroundings around;
-  private final RtpCounts counts = new RtpCounts();
+  private final RtpParameters own;
+  private final RtpParameters other;
+  private final Environment around;
+  private final RtpStatistics counts = new RtpStatistics();
   private final RtpSender sender;
   private final RtpReceiver receiver;
   private final AtomicBoolean reporting = new AtomicBoolean();
@@ -51,15 +51,15 @@ public final class RtpSession {
    * @param own what this end has told the other
    * @param other what the other has told this one
    */
-  public RtpSession(RtpTerms own, RtpTerms other, Surroundings around) {
+  public RtpSession(RtpParameters own, RtpParameters other, Environment around) {
     this.own = own;
     this.other = other;
     this.around = around;
-    this.sender = new RtpSender(own, other, counts, new ToOther());
+    this.sender = new RtpSender(own, other, counts, new PeerOutput());
     this.receiver = new RtpReceiver(own, other, counts);
   }
 
-  private final class ToOther implements RtpSender.Out {
+  private final class PeerOutput implements RtpSender.DatagramOutput {
     @Override
     public void send(byte[] datagram) {
       around.send(datagram);
@@ -83,7 +83,7 @@ public final class RtpSession {
   }
 
   /** What became of the frames. */
-  public RtpCounts counts() {
+  public RtpStatistics counts() {
     return counts;
   }
 
@@ -124,7 +124,7 @@ public final class RtpSession {
    * that says so, if the last one was not.
    */
   public void leave(int variable, WireOutput out, int frame) {
-    RtpSender.Past past = sender.past(variable);
+    RtpSender.Superseded past = sender.past(variable);
     if (past != null) {
       out.begin(frame).size(variable).size(past.ssrc()).size(past.sequence()).end();
     }
@@ -140,7 +140,7 @@ public final class RtpSession {
   /** What {@link #leave} has written at the other end has come: the fields of the frame. */
   public void left(WireInput in) {
     int variable = in.size();
-    receiver.past(variable, new RtpSender.Past(in.size(), in.size() & 0xffff));
+    receiver.past(variable, new RtpSender.Superseded(in.size(), in.size() & 0xffff));
   }
 
   /** The token of a datagram; 0 if it has none. */

@@ -15,7 +15,7 @@ import java.util.function.Consumer;
  */
 public final class FailureLog {
   /** So many places are remembered; the oldest is forgotten first. */
-  private static final int MOST_PLACES = 1000;
+  private static final int MAX_PLACES = 1000;
 
   private final Consumer<String> log;
   private final Set<Integer> told =
@@ -26,7 +26,7 @@ public final class FailureLog {
 
                 @Override
                 protected boolean removeEldestEntry(Map.Entry<Integer, Boolean> eldest) {
-                  return size() > MOST_PLACES;
+                  return size() > MAX_PLACES;
                 }
               }));
 

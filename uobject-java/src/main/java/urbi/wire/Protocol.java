@@ -9,25 +9,25 @@ public final class Protocol {
   public static final String CHANNEL = "uobject";
 
   /** The lowest version that this implementation speaks. */
-  public static final int LOWEST_VERSION = 1;
+  public static final int MIN_VERSION = 1;
 
   /** The highest version that this implementation speaks. */
-  public static final int HIGHEST_VERSION = 1;
+  public static final int MAX_VERSION = 1;
 
   /** No frame is longer. */
-  public static final int LONGEST_FRAME = 256 << 20;
+  public static final int MAX_FRAME = 256 << 20;
 
   /** Seconds of silence after which a side asks the other for a sign of life. */
   public static final int SILENCE_SECONDS = 5;
 
   /** Seconds of silence after which the other side is given up. */
-  public static final int PATIENCE_SECONDS = 15;
+  public static final int TIMEOUT_SECONDS = 15;
 
   private Protocol() {}
 
   /** The line with which a client asks for the protocol. */
   public static String request() {
-    return REQUEST + LOWEST_VERSION + " " + HIGHEST_VERSION + "\";\n";
+    return REQUEST + MIN_VERSION + " " + MAX_VERSION + "\";\n";
   }
 
   /**
@@ -42,7 +42,7 @@ public final class Protocol {
         || !versions[1].matches("\\d{1,6}")) {
       return 0;
     }
-    int highest = Math.min(HIGHEST_VERSION, Integer.parseInt(versions[1]));
-    return highest >= Math.max(LOWEST_VERSION, Integer.parseInt(versions[0])) ? highest : 0;
+    int highest = Math.min(MAX_VERSION, Integer.parseInt(versions[1]));
+    return highest >= Math.max(MIN_VERSION, Integer.parseInt(versions[0])) ? highest : 0;
   }
 }

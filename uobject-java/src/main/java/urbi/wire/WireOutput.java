@@ -36,7 +36,7 @@ public final class WireOutput extends ValueEncoder {
   /** Ends the frame. */
   public WireOutput end() {
     int length = size - start - 4;
-    if (length > Protocol.LONGEST_FRAME) {
+    if (length > Protocol.MAX_FRAME) {
       size = start;
       throw new WireException("a value is too large: " + length + " bytes");
     }

@@ -24,26 +24,26 @@ class SilentServerTest {
   private final AtomicLong time = new AtomicLong(Long.MAX_VALUE - 1000);
   private final List<String> done = new ArrayList<>();
 
-  private LinkWatch watch() {
-    return new LinkWatch(
+  private ConnectionMonitor watch() {
+    return new ConnectionMonitor(
         new Stopwatch(time::get),
         () -> done.add("look"),
         () -> done.add("ask"),
         () -> done.add("give up"));
   }
 
-  private boolean after(int seconds, LinkWatch watch) {
+  private boolean after(int seconds, ConnectionMonitor watch) {
     time.addAndGet(TimeUnit.SECONDS.toNanos(seconds));
     return watch.goesOn();
   }
 
   @Test
   void isAskedAndThenGivenUp() {
-    LinkWatch watch = watch();
+    ConnectionMonitor watch = watch();
     assertTrue(after(Protocol.SILENCE_SECONDS - 1, watch));
     assertEquals(List.of("look"), done);
     assertTrue(after(1, watch));
-    assertTrue(after(Protocol.PATIENCE_SECONDS - Protocol.SILENCE_SECONDS - 1, watch));
+    assertTrue(after(Protocol.TIMEOUT_SECONDS - Protocol.SILENCE_SECONDS - 1, watch));
     assertEquals(List.of("look", "look", "ask", "look", "ask"), done);
     assertFalse(after(1, watch));
     assertEquals("give up", done.getLast());
@@ -51,9 +51,9 @@ class SilentServerTest {
 
   @Test
   void isNotGivenUpIfItAnswers() {
-    LinkWatch watch = watch();
+    ConnectionMonitor watch = watch();
     for (int i = 0; i < 10; i++) {
-      assertTrue(after(Protocol.PATIENCE_SECONDS - 1, watch));
+      assertTrue(after(Protocol.TIMEOUT_SECONDS - 1, watch));
       watch.alive();
     }
     assertFalse(done.contains("give up"));
@@ -73,7 +73,7 @@ class SilentServerTest {
             .getOutputStream()
             .write("[00000000:uobject] 1 test\n".getBytes(StandardCharsets.US_ASCII));
         RemoteContext context = connected.get();
-        time.addAndGet(TimeUnit.SECONDS.toNanos(Protocol.PATIENCE_SECONDS));
+        time.addAndGet(TimeUnit.SECONDS.toNanos(Protocol.TIMEOUT_SECONDS));
         assertEquals("the server does not answer any more", context.onClosed().get());
       }
     }

@@ -20,7 +20,7 @@ enum Language {
   /** Virtual threads of the JDK, without any language. */
   BARE("bare JVM", "", "", List.of());
 
-  private static final int PATIENCE_SECONDS = 20;
+  private static final int TIMEOUT_SECONDS = 20;
 
   private final String label;
   private final String suffix;
@@ -88,7 +88,7 @@ enum Language {
     process.getOutputStream().close();
     String text = new String(process.getInputStream().readAllBytes());
     try {
-      return process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS) && process.exitValue() == 0
+      return process.waitFor(TIMEOUT_SECONDS, TimeUnit.SECONDS) && process.exitValue() == 0
           ? text
           : "";
     } catch (InterruptedException e) {

@@ -42,7 +42,7 @@ public final class Startup {
     }
 
     private double median(java.util.function.ToLongFunction<Run> what) {
-      return Contest.median(runs.stream().map(run -> (double) what.applyAsLong(run)).toList());
+      return Comparison.median(runs.stream().map(run -> (double) what.applyAsLong(run)).toList());
     }
   }
 

@@ -59,7 +59,7 @@ public final class WholePrograms {
       }
       if (wanted(only, "sleepers") && !arguments.has("--profile")) {
         progress.println("sleepers ...");
-        results.addAll(new Sleepers(machine).run(""));
+        results.addAll(new SleepingJobs(machine).run(""));
       }
       if (wanted(only, "startup") && !arguments.has("--profile")) {
         results.addAll(new Startup(machine, progress).run(quick ? 5 : STARTUP_RUNS));
@@ -80,13 +80,16 @@ public final class WholePrograms {
   }
 
   private Result compare(Row row, boolean quick) {
-    return new Contest(machine, quick ? Contest.Pace.QUICK : Contest.Pace.THOROUGH).run(row, "");
+    return new Comparison(
+            machine, quick ? Comparison.Thoroughness.QUICK : Comparison.Thoroughness.THOROUGH)
+        .run(row, "");
   }
 
   private Result record(Row row) throws IOException {
-    Recording recording = new Recording(machine, row.program());
+    FlightRecording recording = new FlightRecording(machine, row.program());
     Result result =
-        new Contest(machine, Contest.Pace.RECORDED).run(row.alone(), recording.options());
+        new Comparison(machine, Comparison.Thoroughness.RECORDED)
+            .run(row.alone(), recording.options());
     System.out.println("== " + row.program());
     recording.print(System.out);
     return result;

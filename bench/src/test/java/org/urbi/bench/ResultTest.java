@@ -39,8 +39,8 @@ class ResultTest {
 
   @Test
   void medianOfEvenAndOddNumbers() {
-    assertEquals(3, Contest.median(List.of(9.0, 1.0, 3.0)));
-    assertEquals(2.5, Contest.median(List.of(4.0, 1.0, 3.0, 2.0)));
+    assertEquals(3, Comparison.median(List.of(9.0, 1.0, 3.0)));
+    assertEquals(2.5, Comparison.median(List.of(4.0, 1.0, 3.0, 2.0)));
   }
 
   @Test

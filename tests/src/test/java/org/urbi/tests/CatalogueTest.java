@@ -30,7 +30,7 @@ import org.urbi.lang.problem.Template;
 class CatalogueTest {
   /** A new message as it should not be: {@link MessageUses} must find each. */
   @SuppressWarnings("unused")
-  private static final class Offences {
+  private static final class Violations {
     String sentence() {
       return Problem.UNKNOWN_HOST.text("that is not there");
     }
@@ -141,7 +141,7 @@ class CatalogueTest {
   @Test
   void offencesAreFound() throws IOException {
     MessageUses uses = new MessageUses();
-    uses.read(Offences.class);
+    uses.read(Violations.class);
     assertEquals(8, uses.literals().size(), uses.literals().toString());
     assertEquals(2, uses.misfilled().size(), uses.misfilled().toString());
     assertEquals(1, uses.thrownTexts().size(), uses.thrownTexts().toString());

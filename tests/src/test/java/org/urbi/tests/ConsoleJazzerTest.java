@@ -13,12 +13,12 @@ import org.urbi.tests.KernelSession.Console;
  * folder; {@code mvn -Pfuzz test} goes on from there for as long as {@code -Dfuzz.duration} says.
  */
 class ConsoleJazzerTest {
-  private static final int LONGEST_INPUT = 4_000;
+  private static final int MAX_INPUT = 4_000;
 
   @FuzzTest(maxDuration = "5m")
   void consoleSurvives(byte[] bytes) throws Exception {
     String program = new String(bytes, StandardCharsets.ISO_8859_1);
-    if (LONGEST_INPUT < program.length() || ConsoleFuzzTest.UNFIT.matcher(program).find()) {
+    if (MAX_INPUT < program.length() || ConsoleFuzzTest.UNFIT.matcher(program).find()) {
       return;
     }
     try (KernelSession session = KernelSession.inRealTime(BackEnd.BATON)) {

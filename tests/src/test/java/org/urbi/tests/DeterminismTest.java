@@ -12,7 +12,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.urbi.tests.KernelSession.BackEnd;
-import org.urbi.tests.KernelSession.Feeding;
+import org.urbi.tests.KernelSession.InputMode;
 
 /**
  * In virtual time a run is a pure function of its input: the same bytes, time stamps included, a
@@ -32,12 +32,12 @@ class DeterminismTest {
   @MethodSource("programs")
   void everyRunGivesTheSameBytes(Path file) throws IOException {
     String program = Files.readString(file, StandardCharsets.ISO_8859_1);
-    String first = KernelSession.run(BackEnd.TICK_LOOP, Feeding.WHOLE, program);
+    String first = KernelSession.run(BackEnd.TICK_LOOP, InputMode.WHOLE, program);
     assertFalse(first.contains(":error]"), first);
     assertTrue(LEAST_LINES <= first.lines().count(), first);
     for (int run = 0; run < RUNS; run++) {
       for (BackEnd backEnd : BackEnd.values()) {
-        String output = KernelSession.run(backEnd, Feeding.WHOLE, program);
+        String output = KernelSession.run(backEnd, InputMode.WHOLE, program);
         assertEquals(first, output, backEnd + ", run " + run);
       }
     }

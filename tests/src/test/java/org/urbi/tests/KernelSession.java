@@ -31,7 +31,7 @@ final class KernelSession implements AutoCloseable {
   }
 
   /** How a program reaches the kernel; it must not matter. */
-  enum Feeding {
+  enum InputMode {
     WHOLE,
     BYTE_BY_BYTE
   }
@@ -81,11 +81,11 @@ final class KernelSession implements AutoCloseable {
    *
    * @return everything that the kernel has sent
    */
-  static String run(BackEnd backEnd, Feeding feeding, String program) {
+  static String run(BackEnd backEnd, InputMode feeding, String program) {
     String input = program + EPILOGUE;
     try (KernelSession session = inVirtualTime(backEnd)) {
       Console console = session.connect();
-      if (feeding == Feeding.WHOLE) {
+      if (feeding == InputMode.WHOLE) {
         console.send(input);
       } else {
         session.sendByteByByte(console, input);

@@ -13,7 +13,7 @@ import org.urbi.tests.KernelSession.Console;
  * that they are read and, by and large, not run. One kernel serves many of them.
  */
 class ParserJazzerTest {
-  private static final int LONGEST_INPUT = 4_000;
+  private static final int MAX_INPUT = 4_000;
   private static final int PROGRAMS_PER_KERNEL = 1_000;
 
   private static KernelSession session;
@@ -22,7 +22,7 @@ class ParserJazzerTest {
   @FuzzTest(maxDuration = "5m")
   void parserSurvives(byte[] bytes) throws Exception {
     String program = new String(bytes, StandardCharsets.ISO_8859_1);
-    if (LONGEST_INPUT < program.length() || ConsoleFuzzTest.UNFIT.matcher(program).find()) {
+    if (MAX_INPUT < program.length() || ConsoleFuzzTest.UNFIT.matcher(program).find()) {
       return;
     }
     if (fed++ % PROGRAMS_PER_KERNEL == 0) {

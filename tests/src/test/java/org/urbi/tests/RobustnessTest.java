@@ -6,7 +6,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.urbi.tests.KernelSession.BackEnd;
 import org.urbi.tests.KernelSession.Console;
-import org.urbi.tests.KernelSession.Feeding;
+import org.urbi.tests.KernelSession.InputMode;
 
 /** Input beyond all measure is answered by a value or an error, and the kernel goes on. */
 class RobustnessTest {
@@ -150,7 +150,7 @@ class RobustnessTest {
   }
 
   private static void says(String what, BackEnd backEnd, String program) {
-    String output = KernelSession.run(backEnd, Feeding.WHOLE, program);
+    String output = KernelSession.run(backEnd, InputMode.WHOLE, program);
     assertTrue(output.contains(what), () -> "no “" + what + "” in:\n" + shortened(output));
   }
 

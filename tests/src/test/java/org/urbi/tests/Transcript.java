@@ -80,11 +80,11 @@ public record Transcript(
 
   /** What is expected, without what does not count. */
   List<String> expectedLines() {
-    return Answers.comparable(expected, exactTimes, exactLocations);
+    return OutputNormalizer.comparable(expected, exactTimes, exactLocations);
   }
 
   /** What was answered, without what does not count. */
   List<String> answeredLines(String output) {
-    return Answers.comparable(output.lines().toList(), exactTimes, exactLocations);
+    return OutputNormalizer.comparable(output.lines().toList(), exactTimes, exactLocations);
   }
 }

@@ -103,10 +103,10 @@ class TranscriptFormatTest {
           c
         + d
         """,
-        Difference.of(List.of("a", "b", "c"), List.of("a", "x", "c", "d")));
+        LineDifference.of(List.of("a", "b", "c"), List.of("a", "x", "c", "d")));
   }
 
   private static List<String> plain(String... lines) {
-    return Answers.comparable(String.join("\n", lines).lines().toList(), false, false);
+    return OutputNormalizer.comparable(String.join("\n", lines).lines().toList(), false, false);
   }
 }

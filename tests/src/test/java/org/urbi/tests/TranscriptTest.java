@@ -19,7 +19,7 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 import org.urbi.tests.KernelSession.BackEnd;
-import org.urbi.tests.KernelSession.Feeding;
+import org.urbi.tests.KernelSession.InputMode;
 
 /**
  * Holds every dialogue of {@code src/test/resources/transcripts} with a kernel in virtual time, on
@@ -88,7 +88,7 @@ class TranscriptTest {
     assertTrue(transcript.hasInput(), "nothing is fed");
     assertFalse(transcript.expected().isEmpty(), "nothing is expected");
     for (BackEnd backEnd : BackEnd.values()) {
-      for (Feeding feeding : Feeding.values()) {
+      for (InputMode feeding : InputMode.values()) {
         String mode = backEnd + ", " + feeding;
         String output =
             assertTimeoutPreemptively(
@@ -98,7 +98,7 @@ class TranscriptTest {
         List<String> expected = transcript.expectedLines();
         List<String> answered = transcript.answeredLines(output);
         if (!expected.equals(answered)) {
-          fail(mode + "\n" + Difference.of(expected, answered));
+          fail(mode + "\n" + LineDifference.of(expected, answered));
         }
       }
     }

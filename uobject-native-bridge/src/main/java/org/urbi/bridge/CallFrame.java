@@ -7,7 +7,7 @@ import java.util.concurrent.atomic.AtomicReference;
 /** An exchange with its buffers, for calls into C++ code. Frames are used again. */
 final class CallFrame {
   private static final int BUFFER = 1024;
-  private static final int MOST_SPARE = 32;
+  private static final int MAX_SPARE = 32;
 
   /** The one that was given back last, which is nearly always enough, and the others. */
   private static final AtomicReference<CallFrame> LAST = new AtomicReference<>();
@@ -67,7 +67,7 @@ final class CallFrame {
    */
   RuntimeException failure() {
     RuntimeException passed =
-        Exchange.operation(exchange) == Exchange.PASSED ? Requests.passed() : null;
+        Exchange.operation(exchange) == Exchange.PASSED ? RequestHandler.passed() : null;
     return passed == null ? new NativeException(error()) : passed;
   }
 
@@ -78,7 +78,7 @@ final class CallFrame {
   }
 
   /** The call is over. */
-  void release(ModuleEntries entries) {
+  void release(ModuleFunctions entries) {
     long reply = Exchange.reply(exchange);
     if (reply != answer) {
       entries.free(reply);
@@ -89,7 +89,7 @@ final class CallFrame {
       return;
     }
     synchronized (SPARE) {
-      if (SPARE.size() < MOST_SPARE) {
+      if (SPARE.size() < MAX_SPARE) {
         SPARE.push(this);
         return;
       }

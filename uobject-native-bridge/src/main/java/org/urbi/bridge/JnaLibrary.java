@@ -40,9 +40,9 @@ final class JnaLibrary implements AutoCloseable {
 
   private final NativeLibrary library;
   private final Class<?> mapped;
-  private final ModuleEntries entries;
+  private final ModuleFunctions entries;
 
-  private JnaLibrary(NativeLibrary library, Class<?> mapped, ModuleEntries entries) {
+  private JnaLibrary(NativeLibrary library, Class<?> mapped, ModuleFunctions entries) {
     this.library = library;
     this.mapped = mapped;
     this.entries = entries;
@@ -57,7 +57,7 @@ final class JnaLibrary implements AutoCloseable {
   }
 
   private static JnaHost host() {
-    JnaHost host = Requests::carryOut;
+    JnaHost host = RequestHandler::carryOut;
     // Threads of C++ stay known to the JVM: to attach one for each call takes 70 times as long. It
     // has to be said before the callback is used for the first time.
     Native.setCallbackThreadInitializer(
@@ -93,8 +93,8 @@ final class JnaLibrary implements AutoCloseable {
       }
       Class<?> mapped = new CopyLoader().copy();
       Native.register(mapped, library);
-      ModuleEntries entries =
-          (ModuleEntries) mapped.getConstructor(JnaHost.class).newInstance(HOST);
+      ModuleFunctions entries =
+          (ModuleFunctions) mapped.getConstructor(JnaHost.class).newInstance(HOST);
       return new JnaLibrary(library, mapped, entries);
     } catch (ReflectiveOperationException | IOException e) {
       library.close();
@@ -119,7 +119,7 @@ final class JnaLibrary implements AutoCloseable {
     }
   }
 
-  ModuleEntries entries() {
+  ModuleFunctions entries() {
     return entries;
   }
 
@@ -137,11 +137,11 @@ final class JnaLibrary implements AutoCloseable {
     }
 
     Class<?> copy() throws IOException {
-      String name = JnaEntries.class.getName();
+      String name = JnaFunctions.class.getName();
       try (InputStream in =
-          JnaEntries.class.getResourceAsStream(JnaEntries.class.getSimpleName() + ".class")) {
+          JnaFunctions.class.getResourceAsStream(JnaFunctions.class.getSimpleName() + ".class")) {
         byte[] bytes = in.readAllBytes();
-        return defineClass(name, bytes, 0, bytes.length, JnaEntries.class.getProtectionDomain());
+        return defineClass(name, bytes, 0, bytes.length, JnaFunctions.class.getProtectionDomain());
       }
     }
   }

@@ -34,13 +34,13 @@ final class NativeCallback {
     }
   }
 
-  private final NativeResident owner;
+  private final NativeInstance owner;
   private final String name;
   private final long address;
-  private final ModuleEntries entries;
+  private final ModuleFunctions entries;
   private final long context;
 
-  private NativeCallback(NativeResident owner, String name, long address) {
+  private NativeCallback(NativeInstance owner, String name, long address) {
     this.owner = owner;
     this.name = name;
     this.address = address;
@@ -54,7 +54,7 @@ final class NativeCallback {
    * @param name by which errors call it
    * @param what which threaded calls exclude one another, if those of one function do
    */
-  static UCallback read(ValueReader in, NativeResident owner, String name, String what) {
+  static UCallback read(ValueReader in, NativeInstance owner, String name, String what) {
     long address = in.rawLong();
     int arity = (int) in.rawLong();
     int mode = (int) in.rawLong();

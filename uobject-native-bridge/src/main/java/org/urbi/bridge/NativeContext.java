@@ -6,16 +6,16 @@ import urbi.UEmitter;
 
 /** What one module has in one context. C++ code knows it by a number. */
 final class NativeContext {
-  private static final Handles<NativeContext> ALL = new Handles<>();
+  private static final HandleTable<NativeContext> ALL = new HandleTable<>();
 
   private final NativeModule module;
   private final UContext context;
   private final long number;
 
-  final Handles<NativeResident> residents = new Handles<>();
-  final Handles<NativeVariable> variables = new Handles<>();
-  final Handles<UEmitter> events = new Handles<>();
-  final Handles<Runnable> timers = new Handles<>();
+  final HandleTable<NativeInstance> residents = new HandleTable<>();
+  final HandleTable<NativeVariable> variables = new HandleTable<>();
+  final HandleTable<UEmitter> events = new HandleTable<>();
+  final HandleTable<Runnable> timers = new HandleTable<>();
 
   NativeContext(NativeModule module, UContext context) {
     this.module = module;
@@ -42,7 +42,7 @@ final class NativeContext {
 
   /** Deletes the hubs: nobody else does. */
   void endHubs() {
-    for (NativeResident each : residents.all()) {
+    for (NativeInstance each : residents.all()) {
       if (each.javaSide() instanceof NativeHub hub) {
         hub.close();
       }

@@ -5,7 +5,7 @@ import urbi.UObjectHub;
 
 /** A hub that stands for one of C++. */
 final class NativeHub extends UObjectHub implements AutoCloseable {
-  private @Nullable NativeResident resident;
+  private @Nullable NativeInstance resident;
 
   private NativeHub(String name) {
     super(name);
@@ -14,19 +14,19 @@ final class NativeHub extends UObjectHub implements AutoCloseable {
   /** Makes one with its C++ side. */
   static NativeHub create(NativeModule module, String name) {
     NativeHub made = new NativeHub(name);
-    made.resident = NativeResident.ofHub(module.in(made.getUContext()), made);
+    made.resident = NativeInstance.ofHub(module.in(made.getUContext()), made);
     return made;
   }
 
   /** Its C++ side; null while that is being made, and when it is gone. */
-  @Nullable NativeResident resident() {
+  @Nullable NativeInstance resident() {
     return resident;
   }
 
   /** The hub is no longer used: the C++ hub is deleted. */
   @Override
   public void close() {
-    NativeResident ended = resident;
+    NativeInstance ended = resident;
     resident = null;
     if (ended != null) {
       ended.end();

@@ -31,7 +31,7 @@ public final class NativeModule implements AutoCloseable {
   /** The files that are loaded, by what identifies them to the system's loader. */
   private static final Map<Object, NativeModule> LOADED = new HashMap<>();
 
-  private static final int MOST_SPELLINGS = 500;
+  private static final int MAX_SPELLINGS = 500;
 
   private static final AtomicInteger SPELLINGS = new AtomicInteger();
 
@@ -39,7 +39,7 @@ public final class NativeModule implements AutoCloseable {
   private final NativeThreads threads = new NativeThreads();
   private final Object fileKey;
   private final JnaLibrary library;
-  private final ModuleEntries entries;
+  private final ModuleFunctions entries;
   private final UModule module;
   private final UTaskQueue queue = new UTaskQueue();
   private final Map<String, UTaskQueue> classQueues = new ConcurrentHashMap<>();
@@ -122,7 +122,7 @@ public final class NativeModule implements AutoCloseable {
    * urbi/ucontext-impl.hh}.
    */
   private static Path spelling(Path file) {
-    int own = SPELLINGS.getAndIncrement() % MOST_SPELLINGS;
+    int own = SPELLINGS.getAndIncrement() % MAX_SPELLINGS;
     return Path.of(file.getParent() + "/.".repeat(2 * own + (isPlugged() ? 1 : 2)))
         .resolve(file.getFileName());
   }
@@ -196,7 +196,7 @@ public final class NativeModule implements AutoCloseable {
     return shown;
   }
 
-  ModuleEntries entries() {
+  ModuleFunctions entries() {
     return entries;
   }
 

@@ -11,7 +11,7 @@ final class NativeObject extends UObject implements AutoCloseable {
   /** What ends notifications, by the addresses of their callbacks. */
   private final Map<Long, Runnable> notifications = new ConcurrentHashMap<>();
 
-  private @Nullable NativeResident resident;
+  private @Nullable NativeInstance resident;
   private boolean ended;
 
   private NativeObject(String name) {
@@ -24,7 +24,7 @@ final class NativeObject extends UObject implements AutoCloseable {
   static NativeObject create(NativeModule module, String className, String name) {
     NativeObject made = new NativeObject(name);
     try {
-      made.resident = NativeResident.ofObject(module.in(made.getUContext()), className, made);
+      made.resident = NativeInstance.ofObject(module.in(made.getUContext()), className, made);
     } catch (RuntimeException e) {
       made.clean();
       throw e;
@@ -35,12 +35,12 @@ final class NativeObject extends UObject implements AutoCloseable {
   /** Makes one for an object that C++ code has made by itself. */
   static NativeObject adopt(NativeContext in) {
     NativeObject made = new NativeObject();
-    made.resident = NativeResident.adopted(in, made);
+    made.resident = NativeInstance.adopted(in, made);
     return made;
   }
 
   /** Its C++ side; null while that is being made. */
-  @Nullable NativeResident resident() {
+  @Nullable NativeInstance resident() {
     return resident;
   }
 
@@ -64,7 +64,7 @@ final class NativeObject extends UObject implements AutoCloseable {
   /** The urbiscript object has gone: the C++ object is deleted. */
   @Override
   public void close() {
-    NativeResident present = resident;
+    NativeInstance present = resident;
     synchronized (this) {
       if (ended || present == null) {
         return;

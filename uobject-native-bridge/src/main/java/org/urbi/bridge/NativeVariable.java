@@ -7,7 +7,7 @@ import urbi.UValue;
 final class NativeVariable {
   private final USlot slot;
   private volatile boolean bypass;
-  private volatile SharedHeader header = SharedHeader.NONE;
+  private volatile HeaderCache header = HeaderCache.NONE;
 
   NativeVariable(USlot slot) {
     this.slot = slot;

@@ -12,7 +12,7 @@ import urbi.UBinary;
 final class SharedBinary implements Supplier<byte[]>, AutoCloseable {
   private static final int OVER = -1;
 
-  private final SharedHeader header;
+  private final HeaderCache header;
   private final long address;
   private final int size;
 
@@ -20,7 +20,7 @@ final class SharedBinary implements Supplier<byte[]>, AutoCloseable {
   private final AtomicInteger copying = new AtomicInteger();
 
   /** The data at an address, until {@link #close}. */
-  SharedBinary(SharedHeader header, long address, int size) {
+  SharedBinary(HeaderCache header, long address, int size) {
     this.header = header;
     this.address = address;
     this.size = size;
@@ -50,7 +50,7 @@ final class SharedBinary implements Supplier<byte[]>, AutoCloseable {
         : null;
   }
 
-  SharedHeader header() {
+  HeaderCache header() {
     return header;
   }
 

@@ -99,22 +99,22 @@ final class ValueReader extends ValueDecoder {
    *
    * @param before the header of the one before
    */
-  @Nullable SharedBinary shared(SharedHeader before) {
+  @Nullable SharedBinary shared(HeaderCache before) {
     if (ended() || RawMemory.getByte(at) != ValueWriter.POINTER) {
       return null;
     }
     take(1);
-    SharedHeader header = header(before);
+    HeaderCache header = header(before);
     int size = Math.toIntExact(rawLong());
     return new SharedBinary(header, rawLong(), size);
   }
 
-  private SharedHeader header(SharedHeader before) {
+  private HeaderCache header(HeaderCache before) {
     int length = takeInt();
     long start = take(length);
     return before.isAt(start, length)
         ? before
-        : new SharedHeader(RawMemory.getBytes(start, length), RawMemory.getText(start, length));
+        : new HeaderCache(RawMemory.getBytes(start, length), RawMemory.getText(start, length));
   }
 
   UValue value() {

@@ -68,7 +68,7 @@ class BoundaryTest {
   void operations() throws Exception {
     Map<String, Long> asked = constants(header("boundary.h"), "enum urbi_request", "URBI_");
     assertTrue(asked.size() > 30, asked::toString);
-    assertEquals(asked, constants(Requests.class, "", int.class));
+    assertEquals(asked, constants(RequestHandler.class, "", int.class));
   }
 
   @Test

@@ -12,7 +12,7 @@ import urbi.UObject;
  * A kernel in real time with one connection, on which a statement is sent and its value awaited.
  */
 final class Session implements AutoCloseable {
-  private static final int PATIENCE_SECONDS = 60;
+  private static final int TIMEOUT_SECONDS = 60;
 
   private final Kernel kernel = Kernel.builder().start();
   private final BlockingQueue<String> output = new LinkedBlockingQueue<>();
@@ -34,7 +34,7 @@ final class Session implements AutoCloseable {
   String evaluate(String code) {
     connection.send(code);
     try {
-      String answer = output.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+      String answer = output.poll(TIMEOUT_SECONDS, TimeUnit.SECONDS);
       if (answer == null || answer.contains("!!!")) {
         throw new IllegalStateException(code + " gives " + answer);
       }

@@ -65,7 +65,7 @@ public class UObjectBenchmark {
   @Setup(Level.Trial)
   public void open() throws ReflectiveOperationException {
     session = new Session();
-    session.start(Gauge.class);
+    session.start(MeasuredObject.class);
     session.defineTurns(
         "var x = 0|; var l = [1, 2, 3]|; class A { function same(n) { n } }|; var a = A.new|;",
         turn.body);

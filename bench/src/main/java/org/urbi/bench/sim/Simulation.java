@@ -24,8 +24,8 @@ import org.urbi.sim.physics.PhysicsWorld;
 import org.urbi.sim.vision.BlobFinder;
 import org.urbi.sim.vision.ColourRange;
 import org.urbi.sim.vision.OpenCv;
-import org.urbi.sim.world.Engines;
 import org.urbi.sim.world.Mount;
+import org.urbi.sim.world.PhysicsEngines;
 import org.urbi.sim.world.SimulatedWorld;
 import org.urbi.sim.world.WorldReader;
 
@@ -79,8 +79,9 @@ public final class Simulation {
     double inC = bare == null ? Double.NaN : bareSteps(bare, solver);
     for (String engine : List.of("ode", "ode4j")) {
       try (PhysicsWorld world =
-          new PhysicsWorld(Engines.named(engine), PhysicsSettings.DEFAULT.withSolver(solver, 20))) {
-        Crowd.fill(world);
+          new PhysicsWorld(
+              PhysicsEngines.named(engine), PhysicsSettings.DEFAULT.withSolver(solver, 20))) {
+        ManyBodies.fill(world);
         double step = measure(STEPS, world::step);
         OUT.printf(
             Locale.ROOT,

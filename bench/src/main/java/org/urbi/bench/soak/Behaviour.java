@@ -8,7 +8,7 @@ enum Behaviour {
   /** Sensible statements, typed by hand, whose answers are checked. */
   TYPE {
     @Override
-    void act(Visit visit, Random random) throws IOException {
+    void act(SoakConnection visit, Random random) throws IOException {
       int n = random.nextInt(1000);
       visit.type("{ var a = " + n + ";\nfunction twice(x) { x * 2 };\ntwice(a) };\n", random);
       visit.expect("] " + 2 * n);
@@ -19,7 +19,7 @@ enum Behaviour {
   /** Mistakes of every kind. */
   ERR {
     @Override
-    void act(Visit visit, Random random) throws IOException {
+    void act(SoakConnection visit, Random random) throws IOException {
       visit.send("nobody.home;\n1 +;\n\"open\n\";\n)]};\n");
       visit.send("try { throw [1, 2] } catch (var e) { e };\n1 / 0;\nthrow \"ball\";\n");
       visit.send("function deep(n) { deep(n + 1) };\n");
@@ -32,7 +32,7 @@ enum Behaviour {
   /** Handlers, loops and timers that are left behind when the client goes. */
   REACT {
     @Override
-    void act(Visit visit, Random random) throws IOException {
+    void act(SoakConnection visit, Random random) throws IOException {
       visit.send(
           """
           var e = Event.new;
@@ -51,7 +51,7 @@ enum Behaviour {
   /** A loop that never ends, in the background. */
   SPIN {
     @Override
-    void act(Visit visit, Random random) throws IOException {
+    void act(SoakConnection visit, Random random) throws IOException {
       visit.send("loop {},\n");
       Soak.pause(random.nextInt(50));
       visit.check();
@@ -60,7 +60,7 @@ enum Behaviour {
   /** Much input at once, all of whose answers are read. */
   FLOOD {
     @Override
-    void act(Visit visit, Random random) throws IOException {
+    void act(SoakConnection visit, Random random) throws IOException {
       int lines = 200 + random.nextInt(2000);
       visit.send("1 + 2 * 3;\n".repeat(lines));
       visit.check();
@@ -69,7 +69,7 @@ enum Behaviour {
   /** Much output that nobody reads. */
   DEAF {
     @Override
-    void act(Visit visit, Random random) throws IOException {
+    void act(SoakConnection visit, Random random) throws IOException {
       visit.send("var text = \"x\" * 1000|;\nfor (var i : 1000) { echo(text) },\n");
       Soak.pause(random.nextInt(200));
       visit.glance();
@@ -78,7 +78,7 @@ enum Behaviour {
   /** A statement that is never finished, and is long. */
   UNFINISHED {
     @Override
-    void act(Visit visit, Random random) throws IOException {
+    void act(SoakConnection visit, Random random) throws IOException {
       visit.send("{ var list = [" + "1, ".repeat(random.nextInt(20_000)));
       Soak.pause(random.nextInt(20));
     }
@@ -86,7 +86,7 @@ enum Behaviour {
   /** Bytes that are no text. */
   NOISE {
     @Override
-    void act(Visit visit, Random random) throws IOException {
+    void act(SoakConnection visit, Random random) throws IOException {
       StringBuilder noise = new StringBuilder();
       int length = random.nextInt(5_000);
       for (int i = 0; i < length; i++) {
@@ -97,5 +97,5 @@ enum Behaviour {
     }
   };
 
-  abstract void act(Visit visit, Random random) throws IOException;
+  abstract void act(SoakConnection visit, Random random) throws IOException;
 }

@@ -10,7 +10,7 @@ import org.urbi.bench.JavaProcess;
 
 /** A process of {@code ./urbi} that listens on a free port. */
 final class ServerProcess implements AutoCloseable {
-  private static final int PATIENCE_MILLISECONDS = 60_000;
+  private static final int TIMEOUT_MILLISECONDS = 60_000;
 
   private final Process process;
   private final JavaProcess java;
@@ -38,7 +38,7 @@ final class ServerProcess implements AutoCloseable {
             .start();
     process.getOutputStream().close();
     java = new JavaProcess(process.pid());
-    long end = System.nanoTime() + PATIENCE_MILLISECONDS * 1_000_000L;
+    long end = System.nanoTime() + TIMEOUT_MILLISECONDS * 1_000_000L;
     while (!Files.exists(portFile)) {
       if (!process.isAlive() || System.nanoTime() > end) {
         process.destroyForcibly();
@@ -65,7 +65,7 @@ final class ServerProcess implements AutoCloseable {
   /** Collects its garbage and looks at what is left. */
   Sample sample() throws IOException {
     int jobs;
-    try (Visit visit = new Visit(port)) {
+    try (SoakConnection visit = new SoakConnection(port)) {
       jobs = visit.askNumber("Job.jobs.size");
     }
     long heap = java.usedHeap();

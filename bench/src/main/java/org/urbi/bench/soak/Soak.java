@@ -27,7 +27,7 @@ public final class Soak {
 
   private final int clients;
   private final long seed;
-  private final SoakClient.Tally tally = new SoakClient.Tally();
+  private final SoakClient.SoakTotals tally = new SoakClient.SoakTotals();
 
   private Soak(int clients, long seed) {
     this.clients = clients;
@@ -110,7 +110,7 @@ public final class Soak {
   }
 
   private static long answerTime(ServerProcess server) throws IOException {
-    try (Visit visit = new Visit(server.port())) {
+    try (SoakConnection visit = new SoakConnection(server.port())) {
       long start = System.nanoTime();
       visit.check();
       return (System.nanoTime() - start) / 1_000_000;

@@ -7,16 +7,16 @@ import org.jspecify.annotations.Nullable;
 
 /** Connects, does something, leaves in one way or another, and comes again; seeded. */
 final class SoakClient implements Runnable {
-  private static final int LONGEST_STAY = 4;
-  private static final int LONGEST_PAUSE = 300;
+  private static final int MAX_STAY = 4;
+  private static final int MAX_PAUSE = 300;
 
   private final int port;
   private final Random random;
-  private final Tally tally;
+  private final SoakTotals tally;
   private volatile boolean leaving;
 
   /** What all clients have done. */
-  static final class Tally {
+  static final class SoakTotals {
     final AtomicLong visits = new AtomicLong();
     final AtomicLong acts = new AtomicLong();
     final AtomicLong bytes = new AtomicLong();
@@ -40,7 +40,7 @@ final class SoakClient implements Runnable {
     }
   }
 
-  SoakClient(int port, long seed, Tally tally) {
+  SoakClient(int port, long seed, SoakTotals tally) {
     this.port = port;
     this.random = new Random(seed);
     this.tally = tally;
@@ -56,8 +56,8 @@ final class SoakClient implements Runnable {
     while (!leaving) {
       Behaviour behaviour = null;
       tally.visits.incrementAndGet();
-      try (Visit visit = new Visit(port)) {
-        for (int left = 1 + random.nextInt(LONGEST_STAY); left > 0 && !leaving; left--) {
+      try (SoakConnection visit = new SoakConnection(port)) {
+        for (int left = 1 + random.nextInt(MAX_STAY); left > 0 && !leaving; left--) {
           behaviour = Behaviour.values()[random.nextInt(Behaviour.values().length)];
           tally.acts.incrementAndGet();
           behaviour.act(visit, random);
@@ -70,11 +70,11 @@ final class SoakClient implements Runnable {
       } catch (IOException e) {
         tally.failed(behaviour, e);
       }
-      Soak.pause(random.nextInt(LONGEST_PAUSE));
+      Soak.pause(random.nextInt(MAX_PAUSE));
     }
   }
 
-  private void goodbye(Visit visit, @Nullable Behaviour last) throws IOException {
+  private void goodbye(SoakConnection visit, @Nullable Behaviour last) throws IOException {
     switch (random.nextInt(4)) {
       case 0 -> visit.vanish();
       case 1 -> {

@@ -4,9 +4,9 @@ import static org.urbi.sim.SimulationException.ready;
 
 import org.jspecify.annotations.Nullable;
 import org.urbi.sim.SimulationException;
-import org.urbi.sim.page.Moment;
 import org.urbi.sim.page.PageServer;
-import org.urbi.sim.page.Setting;
+import org.urbi.sim.page.Snapshot;
+import org.urbi.sim.page.WorldDescription;
 import urbi.UImage;
 import urbi.UObject;
 import urbi.UStart;
@@ -48,7 +48,7 @@ public final class SimPage extends UObject implements AutoCloseable {
    */
   public void init(String worldName, int wanted) {
     SimWorld found = SimWorld.named(this, worldName);
-    server = new PageServer(THIS_MACHINE, wanted, Setting.of(found.world(), null));
+    server = new PageServer(THIS_MACHINE, wanted, WorldDescription.of(found.world(), null));
     simulation = found;
     found.add(this);
     UBindVars(port, "port", host, "host", url, "url", viewers, "viewers");
@@ -89,7 +89,7 @@ public final class SimPage extends UObject implements AutoCloseable {
   }
 
   private String setting() {
-    return Setting.of(ready(simulation).world(), camera == null ? null : camera.mount());
+    return WorldDescription.of(ready(simulation).world(), camera == null ? null : camera.mount());
   }
 
   /**
@@ -143,15 +143,15 @@ public final class SimPage extends UObject implements AutoCloseable {
   void show() {
     PageServer present = ready(server);
     if (present.isWaiting()) {
-      present.show(Moment.of(ready(simulation).world(), sight()));
+      present.show(Snapshot.of(ready(simulation).world(), sight()));
     }
   }
 
-  private Moment.@Nullable Sight sight() {
+  private Snapshot.@Nullable CameraView sight() {
     if (camera == null) {
       return null;
     }
-    return new Moment.Sight(
+    return new Snapshot.CameraView(
         camera.mount().worldPose(),
         image,
         imageNumber,

@@ -17,8 +17,8 @@ import org.urbi.sim.render.Lens;
 import org.urbi.sim.render.Renderer;
 import org.urbi.sim.time.ProcessTime;
 import org.urbi.sim.world.Drive;
-import org.urbi.sim.world.Engines;
 import org.urbi.sim.world.Mount;
+import org.urbi.sim.world.PhysicsEngines;
 import org.urbi.sim.world.SimulatedWorld;
 import org.urbi.sim.world.WorldReader;
 import urbi.UImage;
@@ -36,7 +36,7 @@ import urbi.UVar;
 @UStart
 public final class SimWorld extends UObject implements AutoCloseable {
   /** What it makes up for at a time, in seconds of simulated time, beyond two periods. */
-  private static final double LONGEST_CATCH_UP = 0.5;
+  private static final double MAX_CATCH_UP = 0.5;
 
   private static final double MICROSECONDS = 1e6;
   private static final double MILLISECONDS = 1e3;
@@ -176,7 +176,7 @@ public final class SimWorld extends UObject implements AutoCloseable {
     try {
       double step = world().physics().settings().step();
       double behind = now() - origin - lost - world().physics().time();
-      double most = Math.max(LONGEST_CATCH_UP, 2 * usedPeriod);
+      double most = Math.max(MAX_CATCH_UP, 2 * usedPeriod);
       if (behind > most) {
         lost += behind - most;
         late.setValue(lost);
@@ -317,7 +317,7 @@ public final class SimWorld extends UObject implements AutoCloseable {
 
   /** Why the native engine cannot be used; empty if it can. */
   public String whyNotNative() {
-    String reason = Engines.whyNotNative();
+    String reason = PhysicsEngines.whyNotNative();
     return reason == null ? "" : reason;
   }
 

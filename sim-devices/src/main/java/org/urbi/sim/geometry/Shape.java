@@ -13,7 +13,7 @@ public sealed interface Shape {
 
   record Sphere(double radius) implements Shape {
     public Sphere {
-      Size.check(radius);
+      SizeLimits.check(radius);
     }
 
     @Override
@@ -36,7 +36,7 @@ public sealed interface Shape {
   /** A box with these edges. */
   record Box(double x, double y, double z) implements Shape {
     public Box {
-      Size.check(x, y, z);
+      SizeLimits.check(x, y, z);
     }
 
     @Override
@@ -58,7 +58,7 @@ public sealed interface Shape {
   /** Along the z axis. */
   record Cylinder(double radius, double length) implements Shape {
     public Cylinder {
-      Size.check(radius, length);
+      SizeLimits.check(radius, length);
     }
 
     @Override
@@ -81,7 +81,7 @@ public sealed interface Shape {
   /** A cylinder along the z axis with half a sphere at each end; the length is without these. */
   record Capsule(double radius, double length) implements Shape {
     public Capsule {
-      Size.check(radius, length);
+      SizeLimits.check(radius, length);
     }
 
     @Override

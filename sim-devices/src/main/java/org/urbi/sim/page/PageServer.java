@@ -31,12 +31,12 @@ public final class PageServer implements AutoCloseable {
   /** What of a browser has not been sent yet, in bytes: beyond it, moments are left out. */
   private static final WriteBufferWaterMark BACKLOG = new WriteBufferWaterMark(1 << 16, 1 << 18);
 
-  private static final int LONGEST_REQUEST = 1 << 13;
-  private static final int LONGEST_MESSAGE = 1 << 10;
+  private static final int MAX_REQUEST = 1 << 13;
+  private static final int MAX_MESSAGE = 1 << 10;
   private static final int HANDSHAKE_MILLISECONDS = 5000;
   private static final int IDLE_SECONDS = 20;
   private static final int CLOSE_SECONDS = 2;
-  private static final int HIGHEST_PORT = 65_535;
+  private static final int MAX_PORT = 65_535;
 
   private final String host;
   private final EventLoopGroup thread;
@@ -49,13 +49,13 @@ public final class PageServer implements AutoCloseable {
    *
    * @param host the address to listen on: {@code localhost} for this machine alone
    * @param port 0 for any that is free
-   * @param setting what {@link Setting#of} says of the world
+   * @param setting what {@link WorldDescription#of} says of the world
    * @throws SimulationException if it cannot listen there
    */
   public PageServer(String host, int port, String setting) {
-    if (port < 0 || port > HIGHEST_PORT) {
+    if (port < 0 || port > MAX_PORT) {
       throw new SimulationException(
-          "page: port: between 0 and " + HIGHEST_PORT + " expected, not " + port);
+          "page: port: between 0 and " + MAX_PORT + " expected, not " + port);
     }
     InetSocketAddress address = new InetSocketAddress(host, port);
     if (address.isUnresolved()) {
@@ -96,7 +96,7 @@ public final class PageServer implements AutoCloseable {
     WebSocketServerProtocolConfig stream =
         WebSocketServerProtocolConfig.newBuilder()
             .websocketPath(PageFiles.STREAM)
-            .maxFramePayloadLength(LONGEST_MESSAGE)
+            .maxFramePayloadLength(MAX_MESSAGE)
             .handshakeTimeoutMillis(HANDSHAKE_MILLISECONDS)
             .dropPongFrames(false)
             .build();
@@ -105,7 +105,7 @@ public final class PageServer implements AutoCloseable {
         .addLast(
             new IdleStateHandler(IDLE_SECONDS, 0, 0),
             new HttpServerCodec(),
-            new HttpObjectAggregator(LONGEST_REQUEST),
+            new HttpObjectAggregator(MAX_REQUEST),
             new PageFiles(local),
             new WebSocketServerProtocolHandler(stream),
             new ViewerHandler(viewers));
@@ -151,7 +151,7 @@ public final class PageServer implements AutoCloseable {
   }
 
   /** Shows a moment. Returns at once. */
-  public void show(Moment moment) {
+  public void show(Snapshot moment) {
     viewers.show(moment);
   }
 

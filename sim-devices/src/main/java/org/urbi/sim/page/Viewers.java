@@ -27,7 +27,7 @@ final class Viewers {
   /** Moments in a second, at most. */
   private static final int RATE = 30;
 
-  private static final int MOST_CONNECTIONS = 64;
+  private static final int MAX_CONNECTIONS = 64;
   private static final int QUALITY = 80;
 
   private final EventExecutor thread;
@@ -62,7 +62,7 @@ final class Viewers {
 
   /** A connection; beyond what is reasonable it is closed. */
   void connected(Channel channel) {
-    if (connections.size() >= MOST_CONNECTIONS) {
+    if (connections.size() >= MAX_CONNECTIONS) {
       channel.close();
     } else {
       connections.add(channel);
@@ -82,7 +82,7 @@ final class Viewers {
     viewer.flush();
   }
 
-  void show(Moment next) {
+  void show(Snapshot next) {
     waiting.set(false);
     execute(() -> send(next));
   }
@@ -112,7 +112,7 @@ final class Viewers {
     }
   }
 
-  private void send(Moment next) {
+  private void send(Snapshot next) {
     moment = next.json();
     byte[] fresh = freshImage(next.sight());
     for (Channel viewer : viewers) {
@@ -127,7 +127,7 @@ final class Viewers {
   }
 
   /** The image of a moment as a file, if it is another one than that of the moment before. */
-  private byte @Nullable [] freshImage(Moment.@Nullable Sight sight) {
+  private byte @Nullable [] freshImage(Snapshot.@Nullable CameraView sight) {
     if (sight == null || sight.image() == null || sight.number() == imageNumber) {
       return null;
     }

@@ -123,7 +123,7 @@ public final class Body {
     if (!newPose.isFinite()) {
       throw new SimulationException(name + ": the place is not finite");
     }
-    Bounds.within(newPose.position(), Bounds.FARTHEST, name + ": the place");
+    EngineLimits.within(newPose.position(), EngineLimits.FARTHEST, name + ": the place");
     if (isFixed()) {
       for (int i = 0; i < parts.size(); i++) {
         BodyDescription.Part part = parts.get(i);
@@ -143,8 +143,8 @@ public final class Body {
    * @throws SimulationException if one is not finite or too fast, or if the body is fixed
    */
   public void move(Vec3 velocity, Vec3 spin) {
-    Bounds.within(velocity, Bounds.FASTEST, name + ": the velocity");
-    Bounds.within(spin, Bounds.FASTEST, name + ": the spin");
+    EngineLimits.within(velocity, EngineLimits.FASTEST, name + ": the velocity");
+    EngineLimits.within(spin, EngineLimits.FASTEST, name + ": the spin");
     requireFree();
     world.dynamics().moveBody(number, velocity, spin);
     world.changed();
@@ -156,8 +156,8 @@ public final class Body {
    * @throws SimulationException if it is not finite or too strong, or if the body is fixed
    */
   public void push(Vec3 force, Vec3 point) {
-    Bounds.within(force, Bounds.STRONGEST, name + ": the force");
-    Bounds.within(point, 2 * Bounds.FARTHEST, name + ": the point");
+    EngineLimits.within(force, EngineLimits.STRONGEST, name + ": the force");
+    EngineLimits.within(point, 2 * EngineLimits.FARTHEST, name + ": the point");
     requireFree();
     world.dynamics().addForce(number, force, point);
   }
@@ -187,13 +187,13 @@ public final class Body {
   void requireSane() {
     update();
     for (int i = FIRST_SPEED; i < state.length; i++) {
-      if (!(Math.abs(state[i]) < Bounds.FASTEST)) {
-        throw diverged("moves or turns faster than " + Bounds.FASTEST + " m/s or rad/s");
+      if (!(Math.abs(state[i]) < EngineLimits.FASTEST)) {
+        throw diverged("moves or turns faster than " + EngineLimits.FASTEST + " m/s or rad/s");
       }
     }
     for (int i = 0; i < FIRST_SPEED; i++) {
-      if (!(Math.abs(state[i]) < 2 * Bounds.FARTHEST)) {
-        throw diverged("is farther away than " + 2 * Bounds.FARTHEST + " m");
+      if (!(Math.abs(state[i]) < 2 * EngineLimits.FARTHEST)) {
+        throw diverged("is farther away than " + 2 * EngineLimits.FARTHEST + " m");
       }
     }
   }

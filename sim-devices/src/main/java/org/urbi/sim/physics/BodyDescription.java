@@ -24,22 +24,23 @@ public record BodyDescription(String name, Pose pose, double mass, List<Part> pa
     if (!pose.isFinite()) {
       throw new SimulationException(name + ": the place is not finite");
     }
-    Bounds.within(pose.position(), Bounds.FARTHEST, name + ": the place");
+    EngineLimits.within(pose.position(), EngineLimits.FARTHEST, name + ": the place");
     if (!(mass >= 0) || Double.isInfinite(mass)) {
       throw new SimulationException(name + ": mass: 0 or more expected, not " + mass);
     }
-    if (mass > 0 && (mass < Bounds.LIGHTEST || mass > Bounds.HEAVIEST)) {
+    if (mass > 0 && (mass < EngineLimits.LIGHTEST || mass > EngineLimits.HEAVIEST)) {
       throw new SimulationException(
           name
               + ": mass: between "
-              + Bounds.LIGHTEST
+              + EngineLimits.LIGHTEST
               + " and "
-              + Bounds.HEAVIEST
+              + EngineLimits.HEAVIEST
               + " kg expected, not "
               + mass);
     }
     for (Part part : parts) {
-      Bounds.within(part.pose().position(), Bounds.FARTHEST, name + ": the place of a part");
+      EngineLimits.within(
+          part.pose().position(), EngineLimits.FARTHEST, name + ": the place of a part");
     }
     if (mass > 0 && parts.isEmpty()) {
       throw new SimulationException(name + ": has a mass, but no shape");

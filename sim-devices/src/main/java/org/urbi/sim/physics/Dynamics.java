@@ -28,7 +28,7 @@ public interface Dynamics extends AutoCloseable {
 
   /** Takes pairs of shapes that may touch. */
   @FunctionalInterface
-  interface PairSink {
+  interface PairConsumer {
     void near(int firstGeom, int secondGeom);
   }
 
@@ -73,7 +73,7 @@ public interface Dynamics extends AutoCloseable {
   double jointLoad(int joint);
 
   /** Tells all pairs whose bounding boxes meet, of which one at least belongs to a body. */
-  void findNearPairs(PairSink sink);
+  void findNearPairs(PairConsumer sink);
 
   /**
    * Where two shapes touch.
@@ -87,7 +87,7 @@ public interface Dynamics extends AutoCloseable {
   void keepContacts(int firstBody, int secondBody, int count, Material material);
 
   /** Tells all shapes that a ray may meet, as the second ones of the pairs. */
-  void findOnRay(Vec3 from, Vec3 direction, double length, PairSink sink);
+  void findOnRay(Vec3 from, Vec3 direction, double length, PairConsumer sink);
 
   /**
    * Where the ray of the last {@link #findOnRay} meets a shape.

@@ -79,8 +79,8 @@ public final class Joint {
    */
   public void drive(double velocity, double force) {
     requireAxis();
-    Bounds.within(velocity, Bounds.FASTEST, name() + ": velocity");
-    if (!(Bounds.within(force, Bounds.STRONGEST, name() + ": force") >= 0)) {
+    EngineLimits.within(velocity, EngineLimits.FASTEST, name() + ": velocity");
+    if (!(EngineLimits.within(force, EngineLimits.STRONGEST, name() + ": force") >= 0)) {
       throw new SimulationException(name() + ": force: 0 or more expected, not " + force);
     }
     world.dynamics().setMotor(number, velocity, force);
@@ -91,7 +91,8 @@ public final class Joint {
     requireAxis();
     world
         .dynamics()
-        .addJointForce(number, Bounds.within(force, Bounds.STRONGEST, name() + ": force"));
+        .addJointForce(
+            number, EngineLimits.within(force, EngineLimits.STRONGEST, name() + ": force"));
   }
 
   private void requireAxis() {

@@ -45,7 +45,7 @@ public record JointDescription(
     if (!anchor.isFinite() || !axis.isFinite() || !(axis.length() > 0)) {
       throw new SimulationException(name + ": anchor and axis have to be finite, the axis not 0");
     }
-    Bounds.within(anchor, 2 * Bounds.FARTHEST, name + ": anchor");
+    EngineLimits.within(anchor, 2 * EngineLimits.FARTHEST, name + ": anchor");
     axis = axis.normalized();
     if (!(low <= high)) {
       throw new SimulationException(name + ": limits: " + low + " is more than " + high);

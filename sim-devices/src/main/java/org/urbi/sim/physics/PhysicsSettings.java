@@ -26,7 +26,7 @@ public record PhysicsSettings(Vec3 gravity, double step, Solver solver, int iter
     if (!gravity.isFinite()) {
       throw new SimulationException("gravity: not finite: " + gravity);
     }
-    Bounds.within(gravity, Bounds.FASTEST, "gravity");
+    EngineLimits.within(gravity, EngineLimits.FASTEST, "gravity");
     if (!(step > 0 && step <= 0.1)) {
       throw new SimulationException("step: between 0 and 0.1 s expected, not " + step);
     }

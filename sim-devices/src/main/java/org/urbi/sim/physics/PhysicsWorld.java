@@ -273,8 +273,8 @@ public final class PhysicsWorld implements AutoCloseable {
    * @param seen which bodies count
    */
   public Optional<RayHit> castRay(Vec3 from, Vec3 direction, double length, Predicate<Body> seen) {
-    Bounds.within(from, 4 * Bounds.FARTHEST, "a ray");
-    Bounds.within(length, 4 * Bounds.FARTHEST, "the length of a ray");
+    EngineLimits.within(from, 4 * EngineLimits.FARTHEST, "a ray");
+    EngineLimits.within(length, 4 * EngineLimits.FARTHEST, "the length of a ray");
     Vec3 unit = direction.normalized();
     List<Integer> candidates = new ArrayList<>();
     dynamics()

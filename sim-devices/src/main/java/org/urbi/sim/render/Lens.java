@@ -12,12 +12,12 @@ import org.urbi.sim.SimulationException;
  * @param far what is farther than that is not seen
  */
 public record Lens(int width, int height, double xfov, double near, double far) {
-  private static final int LARGEST = 4096;
+  private static final int MAX_SIZE = 4096;
 
   public Lens {
-    if (width < 1 || width > LARGEST || height < 1 || height > LARGEST) {
+    if (width < 1 || width > MAX_SIZE || height < 1 || height > MAX_SIZE) {
       throw new SimulationException(
-          "size: between 1 and " + LARGEST + " pixels expected, not " + width + "x" + height);
+          "size: between 1 and " + MAX_SIZE + " pixels expected, not " + width + "x" + height);
     }
     if (!(xfov > 0.01 && xfov < 3.1)) {
       throw new SimulationException("xfov: between 0.01 and 3.1 rad expected, not " + xfov);

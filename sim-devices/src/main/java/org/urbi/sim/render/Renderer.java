@@ -27,17 +27,17 @@ public final class Renderer {
     }
     Arrays.fill(depths, lens.far());
     Arrays.fill(numbers, -1);
-    List<DrawnThing> drawn = new ArrayList<>(scene.things().size());
-    for (Thing thing : scene.things()) {
-      DrawnThing next = new DrawnThing(thing, camera, lens, scene.lights());
+    List<ProjectedObject> drawn = new ArrayList<>(scene.things().size());
+    for (SceneObject thing : scene.things()) {
+      ProjectedObject next = new ProjectedObject(thing, camera, lens, scene.lights());
       next.drawDepth(drawn.size(), lens, depths, numbers);
       drawn.add(next);
     }
     byte[] rgb = new byte[3 * pixels];
     byte[] background = {
-      DrawnThing.level(scene.background().red()),
-      DrawnThing.level(scene.background().green()),
-      DrawnThing.level(scene.background().blue())
+      ProjectedObject.level(scene.background().red()),
+      ProjectedObject.level(scene.background().green()),
+      ProjectedObject.level(scene.background().blue())
     };
     for (int row = 0, at = 0; row < lens.height(); row++) {
       for (int column = 0; column < lens.width(); column++, at++) {

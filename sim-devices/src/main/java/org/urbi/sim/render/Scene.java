@@ -7,7 +7,8 @@ import java.util.List;
  *
  * @param ambient the light that comes from everywhere, from 0 to 1
  */
-public record Scene(List<Thing> things, List<Light> lights, double ambient, Colour background) {
+public record Scene(
+    List<SceneObject> things, List<Light> lights, double ambient, Colour background) {
   public Scene {
     things = List.copyOf(things);
     lights = List.copyOf(lights);

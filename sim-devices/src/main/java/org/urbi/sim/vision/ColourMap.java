@@ -16,7 +16,7 @@ import org.urbi.sim.render.Colour;
  * that was named last counts.
  */
 public final class ColourMap {
-  private static final int MOST = 255;
+  private static final int MAX = 255;
 
   private record Entry(ColourRange range, Colour shown) {}
 
@@ -37,8 +37,8 @@ public final class ColourMap {
    * @param shown how {@link #paint} shows it
    */
   public void define(String name, ColourRange range, Colour shown) {
-    if (entries.size() == MOST && !entries.containsKey(name)) {
-      throw new SimulationException("more than " + MOST + " colours");
+    if (entries.size() == MAX && !entries.containsKey(name)) {
+      throw new SimulationException("more than " + MAX + " colours");
     }
     entries.put(name, new Entry(range, shown));
   }
@@ -72,7 +72,7 @@ public final class ColourMap {
 
   /** The share of each colour in the image, from 0 to 1. */
   public Map<String, Double> shares(byte[] rgb, int width, int height) {
-    int[] counts = new int[MOST + 1];
+    int[] counts = new int[MAX + 1];
     for (byte each : classify(rgb, width, height)) {
       counts[each & 255]++;
     }

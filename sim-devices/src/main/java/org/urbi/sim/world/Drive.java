@@ -1,7 +1,7 @@
 package org.urbi.sim.world;
 
 import org.urbi.sim.SimulationException;
-import org.urbi.sim.physics.Bounds;
+import org.urbi.sim.physics.EngineLimits;
 import org.urbi.sim.physics.Joint;
 import org.urbi.sim.physics.JointDescription;
 
@@ -32,7 +32,7 @@ public final class Drive {
   Drive(Joint joint, Control control, double maxForce, double maxSpeed, double[] gains) {
     this.joint = joint;
     this.control = control;
-    this.maxForce = Bounds.within(maxForce, Bounds.STRONGEST, name() + ": force");
+    this.maxForce = EngineLimits.within(maxForce, EngineLimits.STRONGEST, name() + ": force");
     setMaxSpeed(maxSpeed);
     setGains(gains[0], gains[1], gains[2]);
   }
@@ -63,7 +63,7 @@ public final class Drive {
    * @throws SimulationException if it is negative or not finite
    */
   public void setMaxSpeed(double speed) {
-    if (!(Bounds.within(speed, Bounds.FASTEST, name() + ": speed") >= 0)) {
+    if (!(EngineLimits.within(speed, EngineLimits.FASTEST, name() + ": speed") >= 0)) {
       throw new SimulationException(name() + ": speed: 0 or more expected, not " + speed);
     }
     maxSpeed = speed;
@@ -88,7 +88,7 @@ public final class Drive {
    */
   public void setGains(double newP, double newI, double newD) {
     for (double gain : new double[] {newP, newI, newD}) {
-      if (!(Bounds.within(gain, Bounds.STRONGEST, name() + ": gain") >= 0)) {
+      if (!(EngineLimits.within(gain, EngineLimits.STRONGEST, name() + ": gain") >= 0)) {
         throw new SimulationException(name() + ": gain: 0 or more expected, not " + gain);
       }
     }
@@ -139,7 +139,7 @@ public final class Drive {
    * @throws SimulationException if it is not a finite number
    */
   public double setTarget(double wanted) {
-    Bounds.within(wanted, Bounds.FARTHEST, name() + ": target");
+    EngineLimits.within(wanted, EngineLimits.FARTHEST, name() + ": target");
     double low = control == Control.POSITION ? joint.low() : -maxSpeed;
     double high = control == Control.POSITION ? joint.high() : maxSpeed;
     target = Math.clamp(wanted, low, high);

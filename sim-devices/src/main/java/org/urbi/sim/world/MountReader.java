@@ -29,9 +29,9 @@ final class MountReader {
     if (world.has(block.name())) {
       throw block.wrong("there is something else of that name");
     }
-    Body body = Places.body(block, "on", world);
+    Body body = GeometryReader.body(block, "on", world);
     if (block.kind().equals("camera")) {
-      world.addMount(new Mount.Camera(block.name(), body, Places.pose(block), lens(block)));
+      world.addMount(new Mount.Camera(block.name(), body, GeometryReader.pose(block), lens(block)));
     } else if (body == null) {
       throw block.wrong("on is missing: the body that carries it");
     } else {
@@ -46,8 +46,9 @@ final class MountReader {
     return switch (block.kind()) {
       case "distance" -> distance(block, body);
       case "bumper" -> new Mount.Bumper(name, body, part(block, body, -1));
-      case "accelerometer" -> new Mount.Accelerometer(name, body, Places.pose(block), axis(block));
-      case "gyrometer" -> new Mount.Gyrometer(name, body, Places.pose(block), axis(block));
+      case "accelerometer" ->
+          new Mount.Accelerometer(name, body, GeometryReader.pose(block), axis(block));
+      case "gyrometer" -> new Mount.Gyrometer(name, body, GeometryReader.pose(block), axis(block));
       default -> new Mount.Led(name, body, part(block, body, 0));
     };
   }
@@ -71,7 +72,8 @@ final class MountReader {
     if (!(range[0] >= 0 && range[0] < range[1])) {
       throw block.wrong("range", "the nearest and the farthest distance expected");
     }
-    return new Mount.DistanceSensor(block.name(), body, Places.pose(block), range[0], range[1]);
+    return new Mount.DistanceSensor(
+        block.name(), body, GeometryReader.pose(block), range[0], range[1]);
   }
 
   private static Vec3 axis(Block block) {

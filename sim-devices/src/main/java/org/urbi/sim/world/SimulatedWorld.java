@@ -21,7 +21,7 @@ import org.urbi.sim.render.Colour;
 import org.urbi.sim.render.Light;
 import org.urbi.sim.render.Renderer;
 import org.urbi.sim.render.Scene;
-import org.urbi.sim.render.Thing;
+import org.urbi.sim.render.SceneObject;
 
 /**
  * A world file come to life: bodies that move and can be looked at, drives, and what is mounted on
@@ -37,7 +37,7 @@ public final class SimulatedWorld implements AutoCloseable {
   private final Map<String, Joint> joints = new LinkedHashMap<>();
   private final Map<String, Drive> drives = new LinkedHashMap<>();
   private final Map<String, Mount> mounts = new LinkedHashMap<>();
-  private final Map<String, Motion> motions = new LinkedHashMap<>();
+  private final Map<String, AccelerationEstimate> motions = new LinkedHashMap<>();
   private final Map<Body, List<Appearance>> appearances = new LinkedHashMap<>();
   private final List<Light> lights = new ArrayList<>();
   private double ambient = 0.4;
@@ -72,7 +72,7 @@ public final class SimulatedWorld implements AutoCloseable {
   void addMount(Mount mount) {
     mounts.put(mount.name(), mount);
     if (mount instanceof Mount.Accelerometer sensor) {
-      motions.put(mount.name(), new Motion(sensor, physics.settings()));
+      motions.put(mount.name(), new AccelerationEstimate(sensor, physics.settings()));
     }
   }
 
@@ -167,7 +167,7 @@ public final class SimulatedWorld implements AutoCloseable {
       drive.beforeStep(step);
     }
     physics.step();
-    for (Motion motion : motions.values()) {
+    for (AccelerationEstimate motion : motions.values()) {
       motion.afterStep();
     }
   }
@@ -215,13 +215,13 @@ public final class SimulatedWorld implements AutoCloseable {
 
   /** What there is to be seen, now. */
   public Scene scene() {
-    List<Thing> things = new ArrayList<>();
+    List<SceneObject> things = new ArrayList<>();
     for (Body body : bodies.values()) {
       Pose pose = body.pose();
       List<Appearance> looks = looksOf(body);
       for (int part = 0; part < looks.size(); part++) {
         things.add(
-            new Thing(
+            new SceneObject(
                 body.parts().get(part).shape(),
                 pose.apply(body.parts().get(part).pose()),
                 looks.get(part)));

@@ -38,9 +38,9 @@ public final class WorldReader {
    * With more bodies that move, a world has the quick solver unless it says otherwise: the time of
    * the exact one grows with the cube of what touches.
    */
-  private static final int MOST_EXACT = 40;
+  private static final int MAX_EXACT = 40;
 
-  private final Map<String, Substance> substances = new HashMap<>();
+  private final Map<String, WorldMaterial> substances = new HashMap<>();
   private final Map<String, Map<String, Integer>> partNames = new HashMap<>();
   private final SimulatedWorld world;
 
@@ -51,7 +51,7 @@ public final class WorldReader {
   /**
    * Reads a file.
    *
-   * @param engine as {@link Engines#named} knows it, or null for what the file says
+   * @param engine as {@link PhysicsEngines#named} knows it, or null for what the file says
    * @throws SimulationException if it cannot be read, or has a mistake
    */
   public static SimulatedWorld read(Path file, @Nullable String engine) {
@@ -83,7 +83,7 @@ public final class WorldReader {
     }
     long moving =
         blocks.stream().filter(block -> block.kind().equals("body") && block.has("mass")).count();
-    Solver usual = moving > MOST_EXACT ? Solver.QUICK : Solver.EXACT;
+    Solver usual = moving > MAX_EXACT ? Solver.QUICK : Solver.EXACT;
     var world = emptyWorld(head == null ? new Block("world", null, start) : head, engine, usual);
     var reader = new WorldReader(world);
     try {
@@ -148,12 +148,12 @@ public final class WorldReader {
     PhysicsSettings defaults = PhysicsSettings.DEFAULT;
     double[] gravity = block.numbers("gravity", 3, Unit.NONE);
     double step = block.number("step", Unit.TIME, defaults.step());
-    String word = block.has("solver") ? block.requiredWord("solver") : Engines.ANY;
+    String word = block.has("solver") ? block.requiredWord("solver") : PhysicsEngines.ANY;
     Solver solver =
         switch (word) {
           case "exact" -> Solver.EXACT;
           case "quick" -> Solver.QUICK;
-          case Engines.ANY -> usual;
+          case PhysicsEngines.ANY -> usual;
           default ->
               throw block.wrong("solver", "auto, exact or quick expected, not '" + word + "'");
         };
@@ -165,8 +165,9 @@ public final class WorldReader {
     PhysicsSettings settings =
         new PhysicsSettings(
             gravity == null ? defaults.gravity() : vector(gravity), step, solver, iterations);
-    String chosen = engine != null ? engine : named != null ? named : Engines.ANY;
-    SimulatedWorld world = new SimulatedWorld(new PhysicsWorld(Engines.named(chosen), settings));
+    String chosen = engine != null ? engine : named != null ? named : PhysicsEngines.ANY;
+    SimulatedWorld world =
+        new SimulatedWorld(new PhysicsWorld(PhysicsEngines.named(chosen), settings));
     world.setLook(ambient, background);
     return world;
   }
@@ -185,12 +186,12 @@ public final class WorldReader {
             block.number("friction", Unit.NONE, d.friction()),
             block.number("bounce", Unit.NONE, d.bounce()),
             block.number("rolling", Unit.LENGTH, d.rolling()));
-    substances.put(name, new Substance(material, appearance(block, Appearance.PLAIN)));
+    substances.put(name, new WorldMaterial(material, appearance(block, Appearance.PLAIN)));
     block.finish();
   }
 
-  private Substance substance(Block block, Substance otherwise) {
-    Substance substance = otherwise;
+  private WorldMaterial substance(Block block, WorldMaterial otherwise) {
+    WorldMaterial substance = otherwise;
     if (block.has("material")) {
       String name = block.requiredWord("material");
       substance = substances.get(name);
@@ -198,7 +199,7 @@ public final class WorldReader {
         throw block.wrong("material", "no material '" + name + "' before this line");
       }
     }
-    return new Substance(substance.material(), appearance(block, substance.appearance()));
+    return new WorldMaterial(substance.material(), appearance(block, substance.appearance()));
   }
 
   private static Appearance appearance(Block block, Appearance otherwise) {
@@ -218,15 +219,17 @@ public final class WorldReader {
 
   private void addBody(Block block) {
     String name = newName(block);
-    Body from = Places.body(block, "from", world);
+    Body from = GeometryReader.body(block, "from", world);
     double mass = block.number("mass", Unit.MASS, 0);
-    Substance substance = substance(block, Substance.DEFAULT);
+    WorldMaterial substance = substance(block, WorldMaterial.DEFAULT);
     List<BodyDescription.Part> parts = new ArrayList<>();
     List<Appearance> looks = new ArrayList<>();
     Map<String, Integer> names = new HashMap<>();
     for (Block shape : block.blocks()) {
-      Substance own = substance(shape, substance);
-      parts.add(new BodyDescription.Part(Places.shape(shape), Places.pose(shape), own.material()));
+      WorldMaterial own = substance(shape, substance);
+      parts.add(
+          new BodyDescription.Part(
+              GeometryReader.shape(shape), GeometryReader.pose(shape), own.material()));
       looks.add(own.appearance());
       String partName = shape.optionalName();
       if (partName != null && names.put(partName, parts.size() - 1) != null) {
@@ -237,7 +240,9 @@ public final class WorldReader {
     BodyDescription description =
         new BodyDescription(
             name,
-            from == null ? Places.pose(block) : from.pose().apply(Places.pose(block)),
+            from == null
+                ? GeometryReader.pose(block)
+                : from.pose().apply(GeometryReader.pose(block)),
             mass,
             parts);
     double[] velocity = block.numbers("velocity", 3, Unit.NONE);
@@ -270,8 +275,10 @@ public final class WorldReader {
       throw block.wrong("of is missing: the two bodies that it joins");
     }
     Body first =
-        of.getFirst().equals("world") ? null : Places.known(block, "of", of.getFirst(), world);
-    Body second = Places.known(block, "of", of.get(1), world);
+        of.getFirst().equals("world")
+            ? null
+            : GeometryReader.known(block, "of", of.getFirst(), world);
+    Body second = GeometryReader.known(block, "of", of.get(1), world);
     Vec3 anchor = Vec3.ZERO;
     Vec3 axis = Vec3.Z;
     if (kind != Kind.FIXED) {

@@ -60,7 +60,7 @@ class PageServerTest {
   @BeforeEach
   void serve() {
     Mount.Camera eye = world.mount(Mount.Camera.class, "eye");
-    server = new PageServer(LOCAL, 0, Setting.of(world, eye));
+    server = new PageServer(LOCAL, 0, WorldDescription.of(world, eye));
   }
 
   @AfterEach
@@ -70,10 +70,10 @@ class PageServerTest {
     world.close();
   }
 
-  private Moment moment(long imageNumber, byte[] jpeg) {
+  private Snapshot moment(long imageNumber, byte[] jpeg) {
     UImage image = new UImage(UImageFormat.IMAGE_JPEG, 80, 60, jpeg);
     Blob blob = new Blob(0.25, -0.125, 0.5, 1, 0, 3);
-    return Moment.of(world, new Moment.Sight(Pose.ORIGIN, image, imageNumber, true, blob));
+    return Snapshot.of(world, new Snapshot.CameraView(Pose.ORIGIN, image, imageNumber, true, blob));
   }
 
   /** What a browser has been sent: texts, and the bytes of images. */
@@ -233,7 +233,7 @@ class PageServerTest {
     Stream stream = watch();
     stream.next();
     UImage wrong = new UImage(UImageFormat.IMAGE_RGB, 80, 60, new byte[5]);
-    server.show(Moment.of(world, new Moment.Sight(Pose.ORIGIN, wrong, 1, false, null)));
+    server.show(Snapshot.of(world, new Snapshot.CameraView(Pose.ORIGIN, wrong, 1, false, null)));
     List<String> texts = List.of((String) stream.next(), (String) stream.next());
     assertTrue(texts.stream().anyMatch(text -> text.contains("no image: ")), texts.toString());
     server.show(moment(2, JPEG));

@@ -20,13 +20,13 @@ class RendererTest {
   private static final Colour GREEN = new Colour(0, 1, 0);
 
   /** Full ambient light: every surface has its own colour. */
-  private static byte[] flat(Pose camera, Lens lens, Thing... things) {
+  private static byte[] flat(Pose camera, Lens lens, SceneObject... things) {
     return new Renderer()
         .render(new Scene(List.of(things), List.of(), 1, Colour.BLACK), camera, lens);
   }
 
-  private static Thing thing(Shape shape, Pose pose, Colour colour) {
-    return new Thing(shape, pose, Appearance.of(colour));
+  private static SceneObject thing(Shape shape, Pose pose, Colour colour) {
+    return new SceneObject(shape, pose, Appearance.of(colour));
   }
 
   /** Where the pixels of a channel are: mean column, mean row, how many. */
@@ -74,8 +74,8 @@ class RendererTest {
 
   @Test
   void nearerHidesFarther() {
-    Thing near = thing(new Shape.Box(0.1, 1, 1), Pose.at(2, 0, 0), RED);
-    Thing far = thing(new Shape.Box(0.1, 2, 2), Pose.at(3, 0, 0), GREEN);
+    SceneObject near = thing(new Shape.Box(0.1, 1, 1), Pose.at(2, 0, 0), RED);
+    SceneObject far = thing(new Shape.Box(0.1, 2, 2), Pose.at(3, 0, 0), GREEN);
     byte[] one = flat(Pose.ORIGIN, LENS, near, far);
     assertArrayEquals(one, flat(Pose.ORIGIN, LENS, far, near));
     int middle = 3 * (120 * 320 + 160);
@@ -118,7 +118,7 @@ class RendererTest {
 
   @Test
   void groundEndsAtTheHorizon() {
-    Thing ground = thing(new Shape.Plane(), Pose.ORIGIN, GREEN);
+    SceneObject ground = thing(new Shape.Plane(), Pose.ORIGIN, GREEN);
     byte[] picture = flat(Pose.at(0, 0, 1), LENS, ground);
     // Down to 100 m the slope is 0.01, of 160 pixels: 1.6 below the middle.
     assertEquals(0, picture[3 * (120 * 320) + 1]);
@@ -128,16 +128,16 @@ class RendererTest {
 
   @Test
   void whatReachesBehindTheCameraIsDrawn() {
-    Thing wall = thing(new Shape.Box(20, 0.1, 20), Pose.at(0, 1, 0), RED);
+    SceneObject wall = thing(new Shape.Box(20, 0.1, 20), Pose.at(0, 1, 0), RED);
     double[] blob = blob(flat(Pose.ORIGIN, LENS, wall), 320, 0);
     assertTrue(blob[0] < 100 && blob[2] > 5000, "the wall on the left");
-    Thing behind = thing(new Shape.Sphere(0.5), Pose.at(-3, 0, 0), RED);
+    SceneObject behind = thing(new Shape.Sphere(0.5), Pose.at(-3, 0, 0), RED);
     assertEquals(0, blob(flat(Pose.ORIGIN, LENS, behind), 320, 0)[2]);
   }
 
   @Test
   void lightFollowsTheCosine() {
-    Thing plate = thing(new Shape.Box(0.1, 2, 2), Pose.at(2, 0, 0), Colour.WHITE);
+    SceneObject plate = thing(new Shape.Box(0.1, 2, 2), Pose.at(2, 0, 0), Colour.WHITE);
     for (double angle : new double[] {0, 0.5, 1, 2}) {
       Vec3 direction = new Vec3(Math.cos(angle), Math.sin(angle), 0);
       Scene scene =
@@ -160,11 +160,11 @@ class RendererTest {
     Scene scene =
         new Scene(
             List.of(
-                new Thing(
+                new SceneObject(
                     new Shape.Plane(),
                     Pose.ORIGIN,
                     new Appearance(Colour.WHITE, Colour.GREY, 0.3, 0, 0)),
-                new Thing(
+                new SceneObject(
                     new Shape.Sphere(0.4),
                     Pose.at(2, 0.3, 0.4),
                     new Appearance(RED, null, 1, 0.5, 0)),

@@ -25,7 +25,7 @@ import org.urbi.sim.render.Lens;
 import org.urbi.sim.render.Light;
 import org.urbi.sim.render.Renderer;
 import org.urbi.sim.render.Scene;
-import org.urbi.sim.render.Thing;
+import org.urbi.sim.render.SceneObject;
 import urbi.UConversion;
 import urbi.UImage;
 import urbi.UImageFormat;
@@ -45,7 +45,7 @@ class VisionTest {
     }
   }
 
-  private static byte[] picture(Thing... things) {
+  private static byte[] picture(SceneObject... things) {
     return new Renderer()
         .render(
             new Scene(
@@ -57,8 +57,8 @@ class VisionTest {
             LENS);
   }
 
-  private static Thing ball(double x, double y, double z, double radius, Colour colour) {
-    return new Thing(
+  private static SceneObject ball(double x, double y, double z, double radius, Colour colour) {
+    return new SceneObject(
         new Shape.Sphere(radius), Pose.at(x, y, z), new Appearance(colour, null, 1, 0.3, 0));
   }
 
@@ -98,7 +98,7 @@ class VisionTest {
   @Test
   void barHasADirection() {
     Pose pose = new Pose(new Vec3(1, 0, 0), Rotation.about(Vec3.X, Math.PI / 6));
-    byte[] rgb = picture(new Thing(new Shape.Box(0.02, 0.4, 0.1), pose, Appearance.of(RED)));
+    byte[] rgb = picture(new SceneObject(new Shape.Box(0.02, 0.4, 0.1), pose, Appearance.of(RED)));
     Blob blob = new BlobFinder().find(rgb, WIDTH, HEIGHT, ColourRange.RED, 0).orElseThrow();
     assertEquals(4, blob.elongation(), 0.3);
     // Turned about the axis away from the camera: its left end, which is +y, went up.

@@ -28,8 +28,8 @@ class ComponentFailureTest {
   private Kernel kernel;
 
   /** Fails in every way. */
-  public static class Breaker extends UObject {
-    public Breaker(String name) {
+  public static class FailingObject extends UObject {
+    public FailingObject(String name) {
       super(name);
       UBindFunctions("assertion", "missing", "exception");
       UBindThreadedFunction("later", LockMode.LOCK_NONE);
@@ -62,7 +62,7 @@ class ComponentFailureTest {
   void start() {
     System.setErr(new PrintStream(log, true, StandardCharsets.UTF_8));
     kernel = Kernel.builder().output(output::add).start();
-    kernel.start(Breaker.class);
+    kernel.start(FailingObject.class);
   }
 
   @AfterEach
@@ -92,7 +92,7 @@ class ComponentFailureTest {
   void errorOfAComponentIsInternal(String function) {
     String told = thrownBy("Breaker." + function);
     assertTrue(told.endsWith("internal error: java.lang.AssertionError: broken"), told);
-    assertLogged("java.lang.AssertionError: broken", "\tat " + Breaker.class.getName());
+    assertLogged("java.lang.AssertionError: broken", "\tat " + FailingObject.class.getName());
   }
 
   @Test
@@ -102,7 +102,7 @@ class ComponentFailureTest {
     assertLogged(
         "exception caught while calling Breaker.exception",
         "java.lang.UnsupportedOperationException: no arm",
-        "\tat " + Breaker.class.getName());
+        "\tat " + FailingObject.class.getName());
   }
 
   @Test
@@ -110,7 +110,7 @@ class ComponentFailureTest {
     String told = thrownBy("Breaker.missing");
     assertTrue(
         told.endsWith("internal error: java.lang.NoClassDefFoundError: org/nowhere/Thing"), told);
-    assertLogged("\tat " + Breaker.class.getName());
+    assertLogged("\tat " + FailingObject.class.getName());
   }
 
   @Test
@@ -118,7 +118,7 @@ class ComponentFailureTest {
     kernel.eval("var Global.breaker = Breaker.new; breaker.begin");
     String told = output.take();
     assertTrue(told.contains("internal error: java.lang.AssertionError: broken"), told);
-    assertLogged("java.lang.AssertionError: broken", "\tat " + Breaker.class.getName());
+    assertLogged("java.lang.AssertionError: broken", "\tat " + FailingObject.class.getName());
     assertEquals(3.0, kernel.eval("1 + 2"));
   }
 

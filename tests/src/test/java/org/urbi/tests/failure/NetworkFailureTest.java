@@ -85,13 +85,13 @@ class NetworkFailureTest {
 
   @Test
   void clientWithoutLobbyIsToldAndTheServerGoesOn() throws Exception {
-    CompletableFuture<Programs.Run> server = server("org.urbi.server.net.BinaryMark");
+    CompletableFuture<Programs.Run> server = server("org.urbi.server.net.BinaryLiteralDetector");
     for (int i = 0; i < 2; i++) {
       try (Socket socket = connect();
           BufferedReader in = reader(socket)) {
         endsWith(
             in,
-            "!!! internal error: java.lang.NoClassDefFoundError: org/urbi/server/net/BinaryMark");
+            "!!! internal error: java.lang.NoClassDefFoundError: org.urbi.server.net.BinaryLiteralDetector");
         assertEquals(null, in.readLine());
       }
     }

@@ -26,10 +26,10 @@ final class Programs {
   record Run(int status, String out, String log) {}
 
   /** Classes as they are on the class path, but for some. */
-  private static final class Incomplete extends URLClassLoader {
+  private static final class PartialClassPath extends URLClassLoader {
     private final Set<String> missing;
 
-    Incomplete(Set<String> missing) {
+    PartialClassPath(Set<String> missing) {
       super(classPath(), ClassLoader.getPlatformClassLoader());
       this.missing = missing;
     }
@@ -37,7 +37,7 @@ final class Programs {
     private static URL[] classPath() {
       return Arrays.stream(System.getProperty("java.class.path").split(":"))
           .map(entry -> Path.of(entry).toUri())
-          .map(Incomplete::url)
+          .map(PartialClassPath::url)
           .toArray(URL[]::new);
     }
 
@@ -68,7 +68,7 @@ final class Programs {
     var out = new ByteArrayOutputStream();
     var log = new ByteArrayOutputStream();
     PrintStream before = System.err;
-    try (Incomplete loader = new Incomplete(missing)) {
+    try (PartialClassPath loader = new PartialClassPath(missing)) {
       System.setErr(new PrintStream(log, true, StandardCharsets.UTF_8));
       System.setProperty("urbi.root", Path.of("..").toRealPath().toString());
       int status =

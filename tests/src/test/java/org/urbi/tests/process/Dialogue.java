@@ -6,8 +6,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import org.urbi.tests.Answers;
-import org.urbi.tests.Difference;
+import org.urbi.tests.LineDifference;
+import org.urbi.tests.OutputNormalizer;
 import org.urbi.tests.Transcript;
 
 /**
@@ -71,10 +71,10 @@ record Dialogue(
 
   /** Compares at once what has been answered so far: nobody waits for what cannot come any more. */
   private void check(List<String> expected, List<String> answered, int count) {
-    List<String> wanted = Answers.comparable(expected.subList(0, count), false, false);
-    List<String> got = Answers.comparable(answered, false, false);
+    List<String> wanted = OutputNormalizer.comparable(expected.subList(0, count), false, false);
+    List<String> got = OutputNormalizer.comparable(answered, false, false);
     if (!wanted.equals(got)) {
-      throw new AssertionError(name + ":\n" + Difference.of(wanted, got));
+      throw new AssertionError(name + ":\n" + LineDifference.of(wanted, got));
     }
   }
 }

@@ -55,7 +55,7 @@ class UObjectDialogueTest {
   }
 
   /** A dialogue, the program that runs its modules remote, and how they are made. */
-  private record Play(Dialogue dialogue, String launcher, Function<String, Path> maker) {
+  private record DialogueCase(Dialogue dialogue, String launcher, Function<String, Path> maker) {
     List<Path> modules() {
       return dialogue.modules().stream().map(maker).toList();
     }
@@ -76,7 +76,8 @@ class UObjectDialogueTest {
     List<DynamicTest> tests = new ArrayList<>();
     try (Stream<Path> files = Files.list(folder)) {
       for (Path file : files.filter(Files::isRegularFile).sorted().toList()) {
-        Play play = new Play(Dialogue.read(file), "org.urbi.server.launch." + launcher, maker);
+        DialogueCase play =
+            new DialogueCase(Dialogue.read(file), "org.urbi.server.launch." + launcher, maker);
         Dialogue dialogue = play.dialogue();
         if (dialogue.plugged()) {
           tests.add(dynamicTest(dialogue.name() + ", plugged", () -> holdPlugged(play)));
@@ -90,7 +91,7 @@ class UObjectDialogueTest {
     return tests.stream();
   }
 
-  private static void holdPlugged(Play play) throws IOException {
+  private static void holdPlugged(DialogueCase play) throws IOException {
     List<Path> files = play.modules();
     try (ConsoleClient manager = plugged.connect()) {
       for (Path file : files) {
@@ -110,7 +111,7 @@ class UObjectDialogueTest {
     assertEquals(List.of(), manager.answers("%s(\"%s\");".formatted(function, file)));
   }
 
-  private static void holdRemote(Play play) throws Exception {
+  private static void holdRemote(DialogueCase play) throws Exception {
     List<String> arguments = new ArrayList<>(List.of("--port", String.valueOf(remote.port())));
     play.modules().forEach(file -> arguments.add(file.toString()));
     try (JavaProcess launch =

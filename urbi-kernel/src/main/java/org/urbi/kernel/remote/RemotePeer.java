@@ -28,8 +28,8 @@ import urbi.UObject;
 import urbi.UValue;
 import urbi.rtp.RtpMode;
 import urbi.rtp.RtpOptions;
+import urbi.rtp.RtpParameters;
 import urbi.rtp.RtpSession;
-import urbi.rtp.RtpTerms;
 import urbi.wire.Frame;
 import urbi.wire.WireInput;
 import urbi.wire.WireOutput;
@@ -464,7 +464,7 @@ public final class RemotePeer implements RemoteProcess {
   }
 
   /** The process would like values to be sent in datagrams. */
-  void openDatagrams(RtpTerms terms) {
+  void openDatagrams(RtpParameters terms) {
     if (context.rtp().isOn()) {
       wire.openDatagrams(terms);
     } else {

@@ -5,7 +5,7 @@ import java.util.function.Supplier;
 import org.urbi.kernel.log.FailureLog;
 import urbi.UProperty;
 import urbi.UValue;
-import urbi.rtp.RtpTerms;
+import urbi.rtp.RtpParameters;
 import urbi.wire.Frame;
 import urbi.wire.WireException;
 import urbi.wire.WireInput;
@@ -41,7 +41,7 @@ final class RemoteRequests {
         yield () -> peer.variable(id).slot().useRtp(on);
       }
       case Frame.RTP_OFFER -> {
-        RtpTerms terms = RtpTerms.read(in);
+        RtpParameters terms = RtpParameters.read(in);
         yield () -> peer.openDatagrams(terms);
       }
       case Frame.FENCE -> answering(in.size(), peer::showClasses);

@@ -2,8 +2,8 @@ package org.urbi.kernel.remote;
 
 import java.nio.ByteBuffer;
 import org.jspecify.annotations.Nullable;
+import urbi.rtp.RtpParameters;
 import urbi.rtp.RtpSession;
-import urbi.rtp.RtpTerms;
 
 /** The way to a remote process. Its methods may be called from any thread, and never wait. */
 public interface RemoteWire {
@@ -18,7 +18,7 @@ public interface RemoteWire {
    *
    * @param terms those of the process
    */
-  void openDatagrams(RtpTerms terms);
+  void openDatagrams(RtpParameters terms);
 
   /** The datagrams that were agreed upon; null without. */
   @Nullable RtpSession datagrams();

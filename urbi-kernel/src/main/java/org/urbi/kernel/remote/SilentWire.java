@@ -2,8 +2,8 @@ package org.urbi.kernel.remote;
 
 import java.nio.ByteBuffer;
 import org.jspecify.annotations.Nullable;
+import urbi.rtp.RtpParameters;
 import urbi.rtp.RtpSession;
-import urbi.rtp.RtpTerms;
 
 /** The way to a process that is only a recording. */
 public final class SilentWire implements RemoteWire {
@@ -14,7 +14,7 @@ public final class SilentWire implements RemoteWire {
   public void close(String reason) {}
 
   @Override
-  public void openDatagrams(RtpTerms terms) {}
+  public void openDatagrams(RtpParameters terms) {}
 
   @Override
   public @Nullable RtpSession datagrams() {

@@ -14,8 +14,8 @@ import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
 import org.urbi.server.console.Console;
+import org.urbi.server.console.ConsoleOutput;
 import org.urbi.server.console.PipeInput;
-import org.urbi.server.console.Screen;
 import org.urbi.server.console.StandardOutput;
 import org.urbi.server.console.TerminalSession;
 
@@ -34,7 +34,7 @@ final class LocalConsole implements AutoCloseable {
   private final Kernel kernel;
   private final BiFunction<Client, Boolean, Connection> lobbies;
   private final Runnable end;
-  private final Screen screen;
+  private final ConsoleOutput consoleOutput;
   private final @Nullable TerminalSession terminal;
   private final Console console;
   private final PrintStream err;
@@ -55,9 +55,11 @@ final class LocalConsole implements AutoCloseable {
     this.end = end;
     boolean session = settings.input() == Settings.Input.SESSION;
     terminal = session && Terminal.isBoth() ? new TerminalSession() : null;
-    screen =
-        terminal != null ? terminal.screen() : new StandardOutput(stream(out), this::outputLost);
-    console = new Console(screen::add, this::lobbyClosed);
+    consoleOutput =
+        terminal != null
+            ? terminal.consoleOutput()
+            : new StandardOutput(stream(out), this::outputLost);
+    console = new Console(consoleOutput::add, this::lobbyClosed);
   }
 
   /** A print stream keeps its failures to itself. */
@@ -81,8 +83,8 @@ final class LocalConsole implements AutoCloseable {
 
   /** Opens the lobby, sends what there is to send, and reads on in a thread of its own. */
   void start() {
-    Interrupts interrupts =
-        new Interrupts(this::isSession, () -> opened().interrupt(), this::shutDown);
+    InterruptHandler interrupts =
+        new InterruptHandler(this::isSession, () -> opened().interrupt(), this::shutDown);
     if (terminal == null) {
       interrupts.install();
     }
@@ -139,7 +141,7 @@ final class LocalConsole implements AutoCloseable {
     inputEnded();
   }
 
-  private void converse(Interrupts interrupts) {
+  private void converse(InterruptHandler interrupts) {
     requireNonNull(terminal, "a conversation has one")
         .run(console, opened(), interrupts::interrupted);
     if (console.isOpen()) {
@@ -167,7 +169,7 @@ final class LocalConsole implements AutoCloseable {
 
   @Override
   public void close() {
-    screen.close();
+    consoleOutput.close();
     if (terminal != null) {
       terminal.close();
     }

@@ -27,7 +27,7 @@ final class ReplayedRun {
   int run() {
     Kernel kernel;
     try {
-      kernel = Kernel.builder().replay(Path.of(file), number -> new Shown()).start();
+      kernel = Kernel.builder().replay(Path.of(file), number -> new ReplayClient()).start();
     } catch (RecordingException e) {
       throw Failure.of(file + " " + e.getMessage());
     } catch (UncheckedIOException e) {
@@ -43,7 +43,7 @@ final class ReplayedRun {
     return DIFFERS;
   }
 
-  private final class Shown implements Client {
+  private final class ReplayClient implements Client {
     @Override
     public void output(String bytes) {
       out.writeBytes(bytes.getBytes(StandardCharsets.ISO_8859_1));

@@ -221,7 +221,7 @@ final class Server {
               client -> connect(client, false),
               kernel()::connectRemote,
               limits(),
-              settings.access().admission(),
+              settings.access().accessPolicy(),
               settings.trace());
       kernel().evalAsync("System.listenPort = " + server.port() + "|");
       writePortFile(server.port());
@@ -237,7 +237,7 @@ final class Server {
   private Limits limits() {
     Limits limits =
         Limits.DEFAULT.withConnections(settings.maxConnections()).withBudget(settings.budget());
-    return settings.maxOutput() == 0 ? limits : limits.withOutputOfAll(settings.maxOutput());
+    return settings.maxOutput() == 0 ? limits : limits.withTotalOutput(settings.maxOutput());
   }
 
   /** At once and whole: whoever sees the file can read the number. */

@@ -15,7 +15,7 @@ import org.urbi.server.source.SourceText;
  */
 final class StartFiles {
   /** How long the others wait for a {@code global.u} that does not come to its end. */
-  private static final int PATIENCE_SECONDS = 5;
+  private static final int TIMEOUT_SECONDS = 5;
 
   private static final String LOADED = "urbi-global-loaded";
 
@@ -34,7 +34,7 @@ final class StartFiles {
   void loadGlobal(Kernel kernel, PrintStream err) {
     path.find("global.u", "URBI.INI", "CLIENT.INI")
         .ifPresent(file -> {
-          System system = new System(err);
+          GlobalLobbyClient system = new GlobalLobbyClient(err);
           Connection connection = kernel.connect(system, false);
           connection.send(SourceText.file(file.toString()));
           connection.send("lobby.send(\"\", \"" + LOADED + "\");\n");
@@ -45,16 +45,16 @@ final class StartFiles {
   }
 
   /** The lobby of {@code global.u}, which stays for as long as the kernel. */
-  private static final class System implements Client {
+  private static final class GlobalLobbyClient implements Client {
     private final PrintStream err;
     private final CompletableFuture<Boolean> loaded = new CompletableFuture<>();
 
-    System(PrintStream err) {
+    GlobalLobbyClient(PrintStream err) {
       this.err = err;
     }
 
     boolean awaitLoaded() {
-      return loaded.completeOnTimeout(false, PATIENCE_SECONDS, TimeUnit.SECONDS).join();
+      return loaded.completeOnTimeout(false, TIMEOUT_SECONDS, TimeUnit.SECONDS).join();
     }
 
     @Override

@@ -17,7 +17,7 @@ import org.urbi.server.trust.AccessOptions;
 
 /** The program {@code urbi}: runs an Urbi server (manual, section 21.3). */
 public final class UrbiCommand {
-  private static final int HIGHEST_PORT = 65_535;
+  private static final int MAX_PORT = 65_535;
 
   private static final Duration WATCHDOG = Duration.ofSeconds(60);
 
@@ -136,7 +136,7 @@ public final class UrbiCommand {
 
   private Settings settings(Arguments arguments) {
     List<String> rest = arguments.rest();
-    int port = arguments.number("--port", Settings.NO_PORT, Settings.NO_PORT, HIGHEST_PORT);
+    int port = arguments.number("--port", Settings.NO_PORT, Settings.NO_PORT, MAX_PORT);
     if (port == Settings.NO_PORT && arguments.has("--port-file")) {
       throw Failure.usage("--port-file needs --port (--port 0 takes any free one)");
     }

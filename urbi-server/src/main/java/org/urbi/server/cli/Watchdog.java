@@ -27,14 +27,14 @@ final class Watchdog {
   private static final long NEXT_RELIEF = 1_000_000_000;
 
   /** How long all of that may take. */
-  private static final long LONGEST_RELIEF = 20_000_000_000L;
+  private static final long MAX_RELIEF = 20_000_000_000L;
 
   /** Made beforehand: when it is needed, there may be no memory to make it with. */
   private static final byte[] GIVING_UP =
       "urbi: memory exhausted, giving up\n".getBytes(StandardCharsets.US_ASCII);
 
   private final Clock clock;
-  private final Memory memory = new Memory();
+  private final HeapUsage memory = new HeapUsage();
   private final Kernel kernel;
   private final LongSupplier networkSilence;
   private final long limit;
@@ -154,7 +154,7 @@ final class Watchdog {
         whenTight.accept(true);
       }
       long now = clock.now();
-      if (now - relievedAt > RELIEF || now - tightSince > LONGEST_RELIEF) {
+      if (now - relievedAt > RELIEF || now - tightSince > MAX_RELIEF) {
         giveUp();
       } else if ((relieved == 0 || now - relievedAt >= NEXT_RELIEF) && !isRelieved()) {
         relieve();

@@ -10,18 +10,18 @@ import org.urbi.kernel.Connection;
 public final class Console implements Client {
   private static final int PENDING_INPUT = 1 << 20;
 
-  private final Consumer<String> screen;
+  private final Consumer<String> consoleOutput;
   private final Runnable whenClosed;
   private volatile @Nullable Thread sender;
   private volatile boolean open = true;
   private volatile boolean failed;
 
   /**
-   * @param screen takes the lobby's output, a byte in each character
+   * @param consoleOutput takes the lobby's output, a byte in each character
    * @param whenClosed called once when the lobby is over
    */
-  public Console(Consumer<String> screen, Runnable whenClosed) {
-    this.screen = screen;
+  public Console(Consumer<String> consoleOutput, Runnable whenClosed) {
+    this.consoleOutput = consoleOutput;
     this.whenClosed = whenClosed;
   }
 
@@ -56,7 +56,7 @@ public final class Console implements Client {
 
   @Override
   public void output(String bytes) {
-    screen.accept(bytes);
+    consoleOutput.accept(bytes);
   }
 
   @Override

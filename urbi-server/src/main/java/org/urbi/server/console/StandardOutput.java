@@ -18,7 +18,7 @@ import org.urbi.kernel.log.FailureLog;
  * <p>There is no lock in it: the kernel may be within a job when it adds, and a job that waits for
  * a lock would let others run.
  */
-public final class StandardOutput implements Screen {
+public final class StandardOutput implements ConsoleOutput {
   private static final long LIMIT = 16L << 20;
   private static final long PAUSE_NANOSECONDS = 50_000;
 

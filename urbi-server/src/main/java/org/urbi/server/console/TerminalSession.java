@@ -30,7 +30,7 @@ public final class TerminalSession implements AutoCloseable {
   private static final String CONTINUED = "  ";
 
   /** Who has hit the key waits no longer than that for a kernel that is busy. */
-  private static final int PATIENCE_MS = 500;
+  private static final int TIMEOUT_MS = 500;
 
   private final Terminal terminal;
   private final LineReader reader;
@@ -51,13 +51,13 @@ public final class TerminalSession implements AutoCloseable {
             .variable(LineReader.BLINK_MATCHING_PAREN, 0)
             // An exclamation mark is an operator here, and a backslash stands for itself.
             .option(LineReader.Option.DISABLE_EVENT_EXPANSION, true)
-            .parser(new WholeLine())
+            .parser(new SingleWordParser())
             .completer((from, line, candidates) -> complete(line, candidates))
             .build();
   }
 
   /** Shows output above the line that is being typed. */
-  public Screen screen() {
+  public ConsoleOutput consoleOutput() {
     return new StandardOutput(
         new OutputStream() {
           @Override
@@ -107,7 +107,7 @@ public final class TerminalSession implements AutoCloseable {
     }
     try {
       String typed = SourceText.bytes(line.line().substring(0, line.cursor()));
-      for (String name : asked.complete(typed).get(PATIENCE_MS, TimeUnit.MILLISECONDS)) {
+      for (String name : asked.complete(typed).get(TIMEOUT_MS, TimeUnit.MILLISECONDS)) {
         candidates.add(new Candidate(name, name, null, null, null, null, false));
       }
     } catch (InterruptedException e) {

@@ -11,7 +11,7 @@ import org.urbi.server.cli.UrbiCommand;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
-import org.urbi.server.tools.Target;
+import org.urbi.server.tools.ServerAddress;
 import urbi.UModule;
 import urbi.UModuleException;
 import urbi.remote.RemoteProgram;
@@ -89,7 +89,7 @@ final class ModuleLauncher {
         .option(
             "PORT",
             "Port of the server (default: %d); with --start where it listens, if anywhere."
-                .formatted(Target.USUAL_PORT),
+                .formatted(ServerAddress.DEFAULT_PORT),
             "-P",
             "--port")
         .option(
@@ -215,7 +215,7 @@ final class ModuleLauncher {
 
   private int remote(Arguments arguments) {
     ModulePath path = ModulePath.ofEnvironment();
-    Target server = Target.of(arguments, arguments.value("--host", "127.0.0.1"));
+    ServerAddress server = ServerAddress.of(arguments, arguments.value("--host", "127.0.0.1"));
     List<String> words =
         new ArrayList<>(List.of("--host", server.host(), "--port", String.valueOf(server.port())));
     String given = arguments.value("--debug");

@@ -10,7 +10,7 @@ import java.util.List;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
 import org.urbi.server.source.SourceText;
-import org.urbi.server.tools.Target;
+import org.urbi.server.tools.ServerAddress;
 
 /** Asks a running server to load modules, and tells what it says to that. */
 final class PluginRequest {
@@ -36,7 +36,7 @@ final class PluginRequest {
    * @return the exit status: 1 if one of them could not be loaded
    */
   int load(Arguments arguments) {
-    Target server = Target.of(arguments, arguments.value("--host", "127.0.0.1"));
+    ServerAddress server = ServerAddress.of(arguments, arguments.value("--host", "127.0.0.1"));
     try (Socket socket = server.connect()) {
       StringBuilder text = new StringBuilder();
       boolean here = InetAddress.getByName(server.host()).isLoopbackAddress();

@@ -19,7 +19,7 @@ import org.urbi.server.options.Program;
 public final class UmakeJava {
   private static final String FLAGS = "EXTRA_JAVACFLAGS";
   private static final String SOURCE_PATH = "VPATH";
-  private static final String USUAL_OUTPUT = "uobject.jar";
+  private static final String DEFAULT_OUTPUT = "uobject.jar";
 
   private final PrintStream out;
   private final PrintStream err;
@@ -47,7 +47,7 @@ public final class UmakeJava {
     program
         .option(
             "FILE",
-            "The jar to make (default: " + USUAL_OUTPUT + "); without a suffix .jar is added.",
+            "The jar to make (default: " + DEFAULT_OUTPUT + "); without a suffix .jar is added.",
             "-o",
             "--output")
         .option(
@@ -82,7 +82,7 @@ public final class UmakeJava {
     assign(SOURCE_PATH, System.getenv(SOURCE_PATH));
     Path output = output(arguments);
     List<String> names = arguments.rest().stream().filter(word -> !isAssignment(word)).toList();
-    Ingredients ingredients = Ingredients.gather(names, sourcePath, output);
+    ModuleInputs ingredients = ModuleInputs.gather(names, sourcePath, output);
 
     ModuleJar jar = new ModuleJar();
     compile(ingredients, arguments, jar);
@@ -93,7 +93,7 @@ public final class UmakeJava {
     return 0;
   }
 
-  private void compile(Ingredients ingredients, Arguments arguments, ModuleJar jar) {
+  private void compile(ModuleInputs ingredients, Arguments arguments, ModuleJar jar) {
     if (ingredients.sources().isEmpty()) {
       return;
     }
@@ -160,7 +160,7 @@ public final class UmakeJava {
   }
 
   private static Path output(Arguments arguments) {
-    String name = arguments.value("--output", USUAL_OUTPUT);
+    String name = arguments.value("--output", DEFAULT_OUTPUT);
     if (name.isBlank() || name.endsWith(File.separator)) {
       throw Failure.usage("invalid --output: " + name + " (the name of a file)");
     }

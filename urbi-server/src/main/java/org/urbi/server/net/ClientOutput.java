@@ -27,7 +27,7 @@ final class ClientOutput {
 
   private final Channel channel;
   private volatile long limit;
-  private final OutputOfAll together;
+  private final TotalOutput together;
   private final Runnable overflow;
   private final Queue<String> waiting = new ConcurrentLinkedQueue<>();
   private final AtomicLong unsent = new AtomicLong();
@@ -39,7 +39,7 @@ final class ClientOutput {
    * @param together what waits for all clients
    * @param overflow called once, in the kernel's thread, when there is too much
    */
-  ClientOutput(Channel channel, long limit, OutputOfAll together, Runnable overflow) {
+  ClientOutput(Channel channel, long limit, TotalOutput together, Runnable overflow) {
     this.channel = channel;
     this.limit = limit;
     this.together = together;

@@ -30,7 +30,7 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
 
   private final Function<Client, Connection> lobbies;
   private final Limits limits;
-  private final OutputOfAll together;
+  private final TotalOutput together;
   private final Trace trace;
   private ChannelHandlerContext context;
   private ClientOutput output;
@@ -38,7 +38,7 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
   private volatile boolean over = true;
 
   ConsoleHandler(
-      Function<Client, Connection> lobbies, Limits limits, OutputOfAll together, Trace trace) {
+      Function<Client, Connection> lobbies, Limits limits, TotalOutput together, Trace trace) {
     this.lobbies = lobbies;
     this.limits = limits;
     this.together = together;
@@ -184,7 +184,7 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
 
   @Override
   public Role role() {
-    return TokenGate.role(context);
+    return TokenAuthenticator.role(context);
   }
 
   @Override

@@ -27,8 +27,8 @@ import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
 import org.urbi.server.Trace;
 import org.urbi.server.Version;
-import org.urbi.server.trust.Admission;
-import org.urbi.server.trust.WrongTokens;
+import org.urbi.server.trust.AccessPolicy;
+import org.urbi.server.trust.TokenThrottle;
 
 /**
  * Listens for telnet-like clients and gives each its lobby (options {@code --host} and {@code
@@ -59,7 +59,7 @@ public final class ConsoleServer implements AutoCloseable {
   public ConsoleServer(
       InetSocketAddress address, Function<Client, Connection> lobbies, Limits limits, Trace trace)
       throws IOException {
-    this(address, lobbies, null, limits, Admission.ALL, trace);
+    this(address, lobbies, null, limits, AccessPolicy.ALL, trace);
   }
 
   /**
@@ -74,7 +74,7 @@ public final class ConsoleServer implements AutoCloseable {
       Limits limits,
       Trace trace)
       throws IOException {
-    this(address, lobbies, remotes, limits, Admission.ALL, trace);
+    this(address, lobbies, remotes, limits, AccessPolicy.ALL, trace);
   }
 
   /**
@@ -85,7 +85,7 @@ public final class ConsoleServer implements AutoCloseable {
    *     thread
    * @param remotes makes the kernel's side of a process with UObjects, given its name for people
    *     and the way to it; null if there are to be none
-   * @param admission who is let in, and as what
+   * @param accessPolicy who is let in, and as what
    * @throws IOException if the address cannot be listened to; the message says which and why
    */
   public ConsoleServer(
@@ -93,7 +93,7 @@ public final class ConsoleServer implements AutoCloseable {
       Function<Client, Connection> lobbies,
       @Nullable BiFunction<String, RemoteWire, RemotePeer> remotes,
       Limits limits,
-      Admission admission,
+      AccessPolicy accessPolicy,
       Trace trace)
       throws IOException {
     loop =
@@ -101,9 +101,9 @@ public final class ConsoleServer implements AutoCloseable {
             1, new DefaultThreadFactory("urbi-network", true), NioIoHandler.newFactory());
     datagrams =
         new DatagramPort(loop, () -> new InetSocketAddress(address.getAddress(), port()), trace);
-    WrongTokens wrong = new WrongTokens(new SystemClock());
-    OutputOfAll together = new OutputOfAll(limits.outputOfAll());
-    CrowdLimit crowd = new CrowdLimit(clients, limits.connections(), trace);
+    TokenThrottle wrong = new TokenThrottle(new SystemClock());
+    TotalOutput together = new TotalOutput(limits.totalOutput());
+    ConnectionLimit crowd = new ConnectionLimit(clients, limits.connections(), trace);
     ChannelFuture bound =
         new ServerBootstrap()
             .group(loop)
@@ -120,15 +120,15 @@ public final class ConsoleServer implements AutoCloseable {
                     if (!crowd.admits(client)) {
                       return;
                     }
-                    client.pipeline().addLast(new ProtocolRefusal(trace));
-                    if (admission.asks()) {
-                      client.pipeline().addLast(new TokenGate(admission, wrong, trace));
+                    client.pipeline().addLast(new ForeignProtocolFilter(trace));
+                    if (accessPolicy.asks()) {
+                      client.pipeline().addLast(new TokenAuthenticator(accessPolicy, wrong, trace));
                     }
                     if (remotes != null) {
                       client
                           .pipeline()
                           .addLast(
-                              new ProtocolSwitch(
+                              new ProtocolDetector(
                                   () -> new FrameHandler(remotes, datagrams, trace),
                                   Version.number()));
                     }

@@ -30,7 +30,7 @@ final class DatagramPort {
     void receive(byte[] datagram, InetSocketAddress sender);
   }
 
-  private static final int LARGEST = 1 << 16;
+  private static final int MAX_SIZE = 1 << 16;
   private static final int BUFFER = 4 << 20;
 
   private final EventLoopGroup loop;
@@ -67,7 +67,7 @@ final class DatagramPort {
             .channel(NioDatagramChannel.class)
             .option(ChannelOption.SO_RCVBUF, BUFFER)
             .option(ChannelOption.SO_SNDBUF, BUFFER)
-            .option(ChannelOption.RECVBUF_ALLOCATOR, new FixedRecvByteBufAllocator(LARGEST))
+            .option(ChannelOption.RECVBUF_ALLOCATOR, new FixedRecvByteBufAllocator(MAX_SIZE))
             .handler(new Incoming())
             .bind(where);
     bound.addListener(done -> {

@@ -11,15 +11,15 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import urbi.rtp.RtpParameters;
 import urbi.rtp.RtpSession;
-import urbi.rtp.RtpTerms;
 import urbi.wire.Frame;
 import urbi.wire.WireOutput;
 
 /**
  * The datagrams of one connection. They are sent to where the last one that is its own came from.
  */
-final class FrameDatagrams implements RtpSession.Surroundings {
+final class FrameDatagrams implements RtpSession.Environment {
   private final EventExecutor thread;
   private final DatagramPort port;
   private final Consumer<byte[]> answers;
@@ -48,11 +48,11 @@ final class FrameDatagrams implements RtpSession.Surroundings {
   }
 
   /** Takes up an offer; by any thread. */
-  void open(RtpTerms other) {
+  void open(RtpParameters other) {
     NetworkThread.execute(thread, () -> port.open(opened -> begin(opened, other), this::refuse));
   }
 
-  private void begin(Channel opened, RtpTerms other) {
+  private void begin(Channel opened, RtpParameters other) {
     end();
     if (over) {
       return;
@@ -60,8 +60,8 @@ final class FrameDatagrams implements RtpSession.Surroundings {
     channel = opened;
     SecureRandom random = new SecureRandom();
     token = random.nextLong();
-    RtpTerms own =
-        new RtpTerms(
+    RtpParameters own =
+        new RtpParameters(
             ((InetSocketAddress) opened.localAddress()).getPort(),
             random.nextInt(),
             token,

@@ -17,8 +17,8 @@ import org.urbi.kernel.outside.SocketWatch;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.remote.RemoteWire;
 import org.urbi.server.Trace;
+import urbi.rtp.RtpParameters;
 import urbi.rtp.RtpSession;
-import urbi.rtp.RtpTerms;
 import urbi.wire.Frame;
 import urbi.wire.Protocol;
 import urbi.wire.WireException;
@@ -31,9 +31,9 @@ import urbi.wire.WireInput;
  */
 final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
   private static final int HEADER = 4;
-  private static final int MOST_AHEAD = 4 << 20;
-  private static final int MOST_INPUT = 8 << 20;
-  private static final long MOST_OUTPUT = 512L << 20;
+  private static final int MAX_AHEAD = 4 << 20;
+  private static final int MAX_INPUT = 8 << 20;
+  private static final long MAX_OUTPUT = 512L << 20;
 
   private static final byte[] PING = {0, 0, 0, 1, Frame.PING};
   private static final byte[] PONG = {0, 0, 0, 1, Frame.PONG};
@@ -78,7 +78,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
 
   private void watch() {
     long silence = TimeUnit.NANOSECONDS.toSeconds(context.executor().ticker().nanoTime() - heard);
-    if (silence >= Protocol.PATIENCE_SECONDS) {
+    if (silence >= Protocol.TIMEOUT_SECONDS) {
       close("the remote process does not answer any more");
     } else if (silence >= Protocol.SILENCE_SECONDS) {
       output.writeAndFlush(PING);
@@ -110,7 +110,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
     } finally {
       keep(in);
     }
-    if (unconsumed.get() > MOST_INPUT) {
+    if (unconsumed.get() > MAX_INPUT) {
       from.channel().config().setAutoRead(false);
       consumed(0);
     }
@@ -124,7 +124,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
   private void read(ByteBuf in) {
     while (!over && in.readableBytes() > HEADER) {
       int length = in.getInt(in.readerIndex());
-      if (length < 1 || length > Protocol.LONGEST_FRAME) {
+      if (length < 1 || length > Protocol.MAX_FRAME) {
         throw new WireException("a frame of " + length + " bytes");
       }
       if (in.readableBytes() < HEADER + length) {
@@ -241,7 +241,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
         heard = context.executor().ticker().nanoTime();
         space.flip();
         receiveAll(space);
-        if (size < 0 || space.hasRemaining() || unconsumed.get() > MOST_INPUT) {
+        if (size < 0 || space.hasRemaining() || unconsumed.get() > MAX_INPUT) {
           byte[] rest = new byte[space.remaining()];
           space.get(rest);
           resumeReading(rest);
@@ -285,7 +285,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
 
   /** A value has come in datagrams. While the kernel has enough to do, such are dropped. */
   private void value(byte[] frame) {
-    if (over || unconsumed.get() > MOST_INPUT || frame[0] != Frame.SET) {
+    if (over || unconsumed.get() > MAX_INPUT || frame[0] != Frame.SET) {
       return;
     }
     try {
@@ -316,13 +316,13 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
       // Not more at once than may be wasted on somebody who only says that there will be more.
       long missing =
           HEADER + (long) partial.getInt(partial.readerIndex()) - partial.readableBytes();
-      partial.ensureWritable(Math.clamp(missing, 0, MOST_AHEAD));
+      partial.ensureWritable(Math.clamp(missing, 0, MAX_AHEAD));
     }
   }
 
   @Override
   public void consumed(int bytes) {
-    if (unconsumed.addAndGet(-bytes) <= MOST_INPUT / 2) {
+    if (unconsumed.addAndGet(-bytes) <= MAX_INPUT / 2) {
       var config = context.channel().config();
       if (!config.isAutoRead()) {
         config.setAutoRead(true);
@@ -358,7 +358,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
 
   @Override
   public void send(byte[] frames) {
-    if (output.unsent() > MOST_OUTPUT) {
+    if (output.unsent() > MAX_OUTPUT) {
       close("the remote process does not read what it is sent");
     } else {
       output.send(frames);
@@ -366,7 +366,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
   }
 
   @Override
-  public void openDatagrams(RtpTerms terms) {
+  public void openDatagrams(RtpParameters terms) {
     datagrams.open(terms);
   }
 

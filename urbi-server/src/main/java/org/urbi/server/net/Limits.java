@@ -7,7 +7,7 @@ package org.urbi.server.net;
  *     stops reading and TCP makes the client wait
  * @param output how many bytes may be sent by the kernel and not yet taken by the client; beyond,
  *     the client is let go
- * @param outputOfAll how many bytes may wait so for all of them together; beyond, whoever has more
+ * @param totalOutput how many bytes may wait so for all of them together; beyond, whoever has more
  *     than his share of it is let go when more comes
  * @param secondsAfterEnd how long a client that has ended its stream may wait for its jobs to end;
  *     TCP cannot tell whether it still listens or is gone
@@ -16,7 +16,7 @@ package org.urbi.server.net;
  * @param budget what the lobby of a client may have, as {@link org.urbi.kernel.Client#budget} says
  */
 public record Limits(
-    int input, long output, long outputOfAll, int secondsAfterEnd, int connections, String budget) {
+    int input, long output, long totalOutput, int secondsAfterEnd, int connections, String budget) {
   /**
    * What suits a server: 1 MiB of input, 16 MiB of output, a quarter of the memory for the output
    * of all, half a minute, any number of clients.
@@ -26,16 +26,16 @@ public record Limits(
 
   /** The same for so many clients at a time; 0 for as many as there are file descriptors. */
   public Limits withConnections(int most) {
-    return new Limits(input, output, outputOfAll, secondsAfterEnd, most, budget);
+    return new Limits(input, output, totalOutput, secondsAfterEnd, most, budget);
   }
 
   /** The same with budgets. */
   public Limits withBudget(String other) {
-    return new Limits(input, output, outputOfAll, secondsAfterEnd, connections, other);
+    return new Limits(input, output, totalOutput, secondsAfterEnd, connections, other);
   }
 
   /** The same with so much output of all. */
-  public Limits withOutputOfAll(long most) {
+  public Limits withTotalOutput(long most) {
     return new Limits(input, output, most, secondsAfterEnd, connections, budget);
   }
 }

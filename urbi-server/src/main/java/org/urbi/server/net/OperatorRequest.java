@@ -19,7 +19,7 @@ public record OperatorRequest(String lobby) {
   public static final String INTERRUPT = "interrupt";
 
   /** The longest request that is listened to, in bytes. */
-  static final int LONGEST = 256;
+  static final int MAX_LENGTH = 256;
 
   /** Stands in the line that answers, before what was done. */
   public static final String ANSWER = ":interrupt] *** ";

@@ -32,7 +32,7 @@ final class TelnetDecoder extends ChannelInboundHandlerAdapter {
     SUBNEGOTIATION_COMMAND
   }
 
-  private final BinaryMark binary = new BinaryMark();
+  private final BinaryLiteralDetector binary = new BinaryLiteralDetector();
   private State state = State.DATA;
   private final StringBuilder subnegotiation = new StringBuilder();
   private int command;
@@ -96,7 +96,7 @@ final class TelnetDecoder extends ChannelInboundHandlerAdapter {
       case SUBNEGOTIATION -> {
         if (code == IAC) {
           state = State.SUBNEGOTIATION_COMMAND;
-        } else if (subnegotiation.length() < OperatorRequest.LONGEST) {
+        } else if (subnegotiation.length() < OperatorRequest.MAX_LENGTH) {
           subnegotiation.append((char) code);
         }
       }

@@ -13,9 +13,9 @@ public final class Arguments {
   private static final Pattern DURATION =
       Pattern.compile("(\\d{1,9}(?:\\.\\d{1,9})?)(ms|s|min|h|)");
 
-  private final Reading reading;
+  private final ParsedCommandLine reading;
 
-  Arguments(Reading reading) {
+  Arguments(ParsedCommandLine reading) {
     this.reading = reading;
   }
 
@@ -32,7 +32,7 @@ public final class Arguments {
   /** The last value of the option; null if it was not given, or takes none. */
   public @Nullable String value(String option) {
     String value = null;
-    for (Reading.Occurrence seen : reading.options()) {
+    for (ParsedCommandLine.Occurrence seen : reading.options()) {
       if (seen.option().names().contains(option)) {
         value = seen.value();
       }

@@ -67,7 +67,7 @@ public final class Program {
    */
   public int run(String[] args, PrintStream out, PrintStream err, ToIntFunction<Arguments> body) {
     try {
-      Optional<Reading> reading = readQuickly(args).or(() -> readFully(args, out));
+      Optional<ParsedCommandLine> reading = readQuickly(args).or(() -> readFully(args, out));
       if (reading.isEmpty()) {
         return 0;
       }
@@ -83,15 +83,15 @@ public final class Program {
   }
 
   /** The common way to read a command line; nothing if it is not as plain as that. */
-  Optional<Reading> readQuickly(String... args) {
-    return new QuickReader(options, stopAtArgument)
+  Optional<ParsedCommandLine> readQuickly(String... args) {
+    return new FastParser(options, stopAtArgument)
         .read(args)
         .filter(reading -> argumentLabel != null || reading.rest().isEmpty());
   }
 
   /** The thorough way to read a command line; nothing if it has been answered already. */
-  Optional<Reading> readFully(String[] args, PrintStream out) {
-    return new FullReader(
+  Optional<ParsedCommandLine> readFully(String[] args, PrintStream out) {
+    return new PicocliParser(
             name, description, options, argumentLabel, argumentDescription, stopAtArgument)
         .read(args, out, Version.text(name));
   }

@@ -26,12 +26,12 @@ import urbi.USyncClient;
  * in a window or saves one (manual, section 21.4).
  */
 public final class UrbiImage {
-  private static final String USUAL_DEVICE = "camera";
-  private static final int USUAL_PERIOD = 100;
-  private static final int USUAL_QUALITY = 70;
+  private static final String DEFAULT_DEVICE = "camera";
+  private static final int DEFAULT_PERIOD = 100;
+  private static final int DEFAULT_QUALITY = 70;
   private static final int BEST_QUALITY = 100;
-  private static final double LARGEST_SCALE = 16;
-  private static final Duration PATIENCE = Duration.ofSeconds(20);
+  private static final double MAX_SCALE = 16;
+  private static final Duration TIMEOUT = Duration.ofSeconds(20);
   private static final List<String> FORMATS = List.of("rgb", "ycrcb", "jpeg", "ppm");
 
   private final PrintStream err;
@@ -47,10 +47,10 @@ public final class UrbiImage {
   /** Runs the program and returns its exit status. */
   public static int run(String[] args, PrintStream out, PrintStream err) {
     Program program = new Program("urbi-image", "Shows or saves images of a running Urbi server.");
-    return Target.options(program)
+    return ServerAddress.options(program)
         .option(
             "PERIOD",
-            "Milliseconds from one image to the next (default: " + USUAL_PERIOD + ").",
+            "Milliseconds from one image to the next (default: " + DEFAULT_PERIOD + ").",
             "-p",
             "--period")
         .option(
@@ -61,12 +61,12 @@ public final class UrbiImage {
         .flag("Have the device reconstruct its images (Aibo).", "-r", "--reconstruct")
         .option(
             "FACTOR",
-            "JPEG compression factor, 0 to 100 (default: " + USUAL_QUALITY + ").",
+            "JPEG compression factor, 0 to 100 (default: " + DEFAULT_QUALITY + ").",
             "-j",
             "--jpeg")
         .option(
             "DEVICE",
-            "Query images on DEVICE.val (default: " + USUAL_DEVICE + ").",
+            "Query images on DEVICE.val (default: " + DEFAULT_DEVICE + ").",
             "-d",
             "--device")
         .option("FILE", "Query one image and save it to FILE.", "-o", "--output")
@@ -76,19 +76,19 @@ public final class UrbiImage {
   }
 
   private int work(Arguments arguments) {
-    String device = arguments.value("--device", USUAL_DEVICE);
+    String device = arguments.value("--device", DEFAULT_DEVICE);
     Path file = arguments.has("--output") ? Path.of(arguments.value("--output", "")) : null;
     UImageFormat format = format(arguments, file);
-    int quality = arguments.number("--jpeg", USUAL_QUALITY, 0, BEST_QUALITY);
-    int period = arguments.number("--period", USUAL_PERIOD, 1, Integer.MAX_VALUE);
+    int quality = arguments.number("--jpeg", DEFAULT_QUALITY, 0, BEST_QUALITY);
+    int period = arguments.number("--period", DEFAULT_PERIOD, 1, Integer.MAX_VALUE);
     double scale = scale(arguments);
     int resolution = arguments.number("--resolution", 0, 0, Integer.MAX_VALUE);
-    Target target = Target.of(arguments, arguments.value("--host", "127.0.0.1"));
+    ServerAddress target = ServerAddress.of(arguments, arguments.value("--host", "127.0.0.1"));
     try (ImageWindow window =
             file == null ? ImageWindow.open(device + " – " + target, scale) : null;
         USyncClient client = target.client()) {
       if (arguments.has("--resolution")) {
-        client.syncGet(PATIENCE, device + ".resolution = " + resolution);
+        client.syncGet(TIMEOUT, device + ".resolution = " + resolution);
       }
       if (arguments.has("--reconstruct")) {
         setIfThere(client, device, "reconstruct", 1);
@@ -130,13 +130,13 @@ public final class UrbiImage {
     String text = arguments.value("--scale", "1");
     try {
       double scale = Double.parseDouble(text);
-      if (scale > 0 && scale <= LARGEST_SCALE) {
+      if (scale > 0 && scale <= MAX_SCALE) {
         return scale;
       }
     } catch (NumberFormatException e) {
       // Answered below, like a number that is out of range.
     }
-    throw Failure.usage("invalid --scale: " + text + " (a number, up to " + LARGEST_SCALE + ")");
+    throw Failure.usage("invalid --scale: " + text + " (a number, up to " + MAX_SCALE + ")");
   }
 
   /** Not every camera has everything that a tool may ask for. */
@@ -144,14 +144,14 @@ public final class UrbiImage {
     String code =
         "if (%1$s.hasSlot(\"%2$s\")) { %1$s.%2$s = %3$d | 1 } else 0"
             .formatted(device, slot, value);
-    if (client.syncGet(PATIENCE, code).getValue().intValue() == 0) {
+    if (client.syncGet(TIMEOUT, code).getValue().intValue() == 0) {
       err.println("urbi-image: " + device + " has no slot " + slot + ", left as it is");
     }
   }
 
   private static UImage fetch(USyncClient client, String device) {
     try {
-      return client.syncEval(device + ".val", PATIENCE).uimageValue();
+      return client.syncEval(device + ".val", TIMEOUT).uimageValue();
     } catch (UCastException e) {
       throw Failure.of(device + ".val is no image: " + e.getMessage());
     }
@@ -175,7 +175,7 @@ public final class UrbiImage {
     }
     int width = converted.getWidth();
     int height = converted.getHeight();
-    int used = quality >= 0 ? quality : USUAL_QUALITY;
+    int used = quality >= 0 ? quality : DEFAULT_QUALITY;
     return new UImage(
         format,
         width,

@@ -24,13 +24,13 @@ import org.urbi.server.options.Program;
  * answer (manual, section 21.7).
  */
 public final class UrbiPing {
-  private static final int USUAL_INTERVAL = 1000;
-  private static final int PATIENCE_MILLISECONDS = 10_000;
+  private static final int DEFAULT_INTERVAL = 1000;
+  private static final int TIMEOUT_MILLISECONDS = 10_000;
   private static final Pattern PONG = Pattern.compile("\\[\\d+:ping\\] (\\d+)\\s*");
 
   private final PrintStream out;
   private final Clock clock = new SystemClock();
-  private final Delays delays = new Delays();
+  private final DelayStatistics delayStatistics = new DelayStatistics();
 
   private UrbiPing(PrintStream out) {
     this.out = out;
@@ -44,7 +44,7 @@ public final class UrbiPing {
   public static int run(String[] args, PrintStream out, PrintStream err) {
     Program program =
         new Program("urbi-ping", "Measures how long a running Urbi server takes to answer.");
-    return Target.options(program)
+    return ServerAddress.options(program)
         .option("COUNT", "How many pings to send; 0, the default: no limit.", "-c", "--count")
         .option(
             "INTERVAL",
@@ -60,14 +60,15 @@ public final class UrbiPing {
     if (rest.size() > 3) {
       throw Failure.usage("too many arguments: " + String.join(" ", rest.subList(3, rest.size())));
     }
-    Target target =
-        Target.of(arguments, arguments.value("--host", rest.isEmpty() ? "127.0.0.1" : rest.get(0)));
-    int interval = number(arguments, "--interval", rest, 1, USUAL_INTERVAL);
+    ServerAddress target =
+        ServerAddress.of(
+            arguments, arguments.value("--host", rest.isEmpty() ? "127.0.0.1" : rest.get(0)));
+    int interval = number(arguments, "--interval", rest, 1, DEFAULT_INTERVAL);
     int count = number(arguments, "--count", rest, 2, 0);
-    Thread summary = new Thread(() -> out.println(delays));
+    Thread summary = new Thread(() -> out.println(delayStatistics));
     try (Socket socket = target.connect()) {
       Runtime.getRuntime().addShutdownHook(summary);
-      socket.setSoTimeout(PATIENCE_MILLISECONDS);
+      socket.setSoTimeout(TIMEOUT_MILLISECONDS);
       out.println("Pinging " + target.host() + ":" + target.port());
       exchange(socket, interval, count);
     } catch (IOException e) {
@@ -76,10 +77,10 @@ public final class UrbiPing {
       Thread.currentThread().interrupt();
     } finally {
       if (Runtime.getRuntime().removeShutdownHook(summary)) {
-        out.println(delays);
+        out.println(delayStatistics);
       }
     }
-    return delays.received() > 0 ? 0 : 1;
+    return delayStatistics.received() > 0 ? 0 : 1;
   }
 
   private static int number(
@@ -101,12 +102,12 @@ public final class UrbiPing {
       long start = clock.now();
       to.write("lobby.send(\"" + i + "\", \"ping\");\n");
       to.flush();
-      delays.sent();
+      delayStatistics.sent();
       if (awaitPong(in, i)) {
         long delay = clock.now() - start;
-        delays.add(delay);
+        delayStatistics.add(delay);
         if (interval > 0) {
-          out.println(i + ": " + Delays.milliseconds(delay));
+          out.println(i + ": " + DelayStatistics.milliseconds(delay));
         }
       } else {
         out.println(i + ": no answer");

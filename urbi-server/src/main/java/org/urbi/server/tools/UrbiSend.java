@@ -42,7 +42,7 @@ public final class UrbiSend {
   private int run(String[] args) {
     Program program = new Program("urbi-send", "Sends urbiscript to a running Urbi server.");
     inputs.declare(program);
-    Target.options(program)
+    ServerAddress.options(program)
         .each("MODULE", "Load the UObject MODULE.", inputs::addModule, "-m", "--module")
         .flag(
             "Disconnect once the commands have been executed, like -e 'quit;' at the end.",
@@ -57,7 +57,7 @@ public final class UrbiSend {
   }
 
   private int send(Arguments arguments) {
-    Target target = Target.of(arguments, arguments.value("--host", "127.0.0.1"));
+    ServerAddress target = ServerAddress.of(arguments, arguments.value("--host", "127.0.0.1"));
     if (arguments.has("--interrupt")) {
       return interrupt(target, arguments.rest());
     }
@@ -81,7 +81,7 @@ public final class UrbiSend {
   }
 
   /** The network thread of the server answers; the kernel need not. */
-  private int interrupt(Target target, List<String> lobby) {
+  private int interrupt(ServerAddress target, List<String> lobby) {
     if (lobby.size() > 1) {
       throw Failure.usage("--interrupt takes one lobby");
     }

@@ -32,9 +32,9 @@ import urbi.UValue;
 public final class UrbiSound {
   private static final String MICROPHONE = "micro";
   private static final String LOUDSPEAKER = "speaker";
-  private static final int USUAL_SECONDS = 10;
-  private static final int MOST_SECONDS = 24 * 3600;
-  private static final Duration PATIENCE = Duration.ofSeconds(20);
+  private static final int DEFAULT_SECONDS = 10;
+  private static final int MAX_SECONDS = 24 * 3600;
+  private static final Duration TIMEOUT = Duration.ofSeconds(20);
 
   private final PrintStream err;
 
@@ -49,7 +49,7 @@ public final class UrbiSound {
   /** Runs the program and returns its exit status. */
   public static int run(String[] args, PrintStream out, PrintStream err) {
     Program program = new Program("urbi-sound", "Records sounds of a running Urbi server.");
-    return Target.options(program)
+    return ServerAddress.options(program)
         .option(
             "DEVICE",
             "Query sounds on DEVICE.val (default: "
@@ -61,7 +61,7 @@ public final class UrbiSound {
             "--device")
         .option(
             "DURATION",
-            "How many seconds are recorded (default: " + USUAL_SECONDS + ").",
+            "How many seconds are recorded (default: " + DEFAULT_SECONDS + ").",
             "-D",
             "--duration")
         .flag("Save samples alone, without the header of a WAV file.", "-n", "--no-header")
@@ -71,7 +71,7 @@ public final class UrbiSound {
   }
 
   private int work(Arguments arguments) {
-    Target target = Target.of(arguments, arguments.value("--host", "127.0.0.1"));
+    ServerAddress target = ServerAddress.of(arguments, arguments.value("--host", "127.0.0.1"));
     String input = arguments.value("--input");
     if (input != null) {
       if (arguments.has("--output")
@@ -86,8 +86,8 @@ public final class UrbiSound {
       throw Failure.usage("--no-header is about the file of --output");
     }
     String device = arguments.value("--device", MICROPHONE);
-    int seconds = arguments.number("--duration", USUAL_SECONDS, 1, MOST_SECONDS);
-    Recording recording = new Recording(output == null ? new Loudspeaker() : null);
+    int seconds = arguments.number("--duration", DEFAULT_SECONDS, 1, MAX_SECONDS);
+    SoundRecorder recording = new SoundRecorder(output == null ? new Loudspeaker() : null);
     try (recording;
         USyncClient client = target.client()) {
       record(client, device, seconds, recording);
@@ -104,14 +104,15 @@ public final class UrbiSound {
   }
 
   /** Has each new value of the device sent, for some time. */
-  private static void record(USyncClient client, String device, int seconds, Recording recording) {
+  private static void record(
+      USyncClient client, String device, int seconds, SoundRecorder recording) {
     String tag = client.fresh();
     CompletableFuture<Void> done = new CompletableFuture<>();
     client.setCallback(message -> take(message, device, recording, done), tag);
     // Asking for the value is how a device that is not there is noticed at once.
-    client.syncGet(PATIENCE, device + ".val | 0");
+    client.syncGet(TIMEOUT, device + ".val | 0");
     client.syncGet(
-        PATIENCE.plusSeconds(seconds),
+        TIMEOUT.plusSeconds(seconds),
         """
         var '$sounds' = Channel.new("%s") |
         '$sounds'.quote = true |
@@ -121,7 +122,7 @@ public final class UrbiSound {
         """
             .formatted(tag, seconds, device, device));
     try {
-      done.get(PATIENCE.toSeconds() + seconds, TimeUnit.SECONDS);
+      done.get(TIMEOUT.toSeconds() + seconds, TimeUnit.SECONDS);
     } catch (ExecutionException e) {
       if (e.getCause() instanceof Failure failure) {
         throw failure;
@@ -135,7 +136,7 @@ public final class UrbiSound {
   }
 
   private static UCallbackAction take(
-      UMessage message, String device, Recording recording, CompletableFuture<Void> done) {
+      UMessage message, String device, SoundRecorder recording, CompletableFuture<Void> done) {
     UValue value = message.getValue();
     try {
       if (value.getType() == UDataType.DATA_STRING) {
@@ -168,7 +169,7 @@ public final class UrbiSound {
             .formatted(file, seconds, raw.getRate(), raw.getSampleSize(), raw.getChannels()));
   }
 
-  private int send(Target target, String device, Path file) {
+  private int send(ServerAddress target, String device, Path file) {
     USound wav = new USound();
     try {
       wav.setSoundFormat(USoundFormat.SOUND_WAV);
@@ -183,9 +184,9 @@ public final class UrbiSound {
       throw Failure.of("cannot play " + file + ": " + e.getMessage());
     }
     try (USyncClient client = target.client()) {
-      client.syncGet(PATIENCE, device + ".hasSlot(\"val\")");
+      client.syncGet(TIMEOUT, device + ".hasSlot(\"val\")");
       client.sendSound(device, wav);
-      client.syncGet(PATIENCE, "0");
+      client.syncGet(TIMEOUT, "0");
       return 0;
     } catch (UClientException e) {
       throw Failure.of(e.getMessage());

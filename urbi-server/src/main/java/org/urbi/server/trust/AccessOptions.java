@@ -13,11 +13,12 @@ import org.urbi.server.options.Program;
 /**
  * The options of {@code urbi} that say who is let in, and as what.
  *
- * @param admission of clients of the network
+ * @param accessPolicy of clients of the network
  * @param userDirectory where users have files; null when they have none
  * @param insecure whether other machines are let in without a token
  */
-public record AccessOptions(Admission admission, @Nullable Path userDirectory, boolean insecure) {
+public record AccessOptions(
+    AccessPolicy accessPolicy, @Nullable Path userDirectory, boolean insecure) {
   private static final String NOBODY = "none";
 
   /** Adds the options to a program. */
@@ -49,8 +50,8 @@ public record AccessOptions(Admission admission, @Nullable Path userDirectory, b
     }
     return new AccessOptions(
         tokens == null
-            ? Admission.ALL
-            : new Admission(
+            ? AccessPolicy.ALL
+            : new AccessPolicy(
                 read(Path.of(tokens)), defaultRole(arguments.value("--default-role", NOBODY))),
         directory == null ? null : Path.of(directory),
         arguments.has("--insecure"));
@@ -79,7 +80,7 @@ public record AccessOptions(Admission admission, @Nullable Path userDirectory, b
    * @throws Failure if it is not wanted
    */
   public @Nullable String checkAddress(InetSocketAddress address) {
-    if (address.getAddress().isLoopbackAddress() || admission.asks()) {
+    if (address.getAddress().isLoopbackAddress() || accessPolicy.asks()) {
       return null;
     }
     if (!insecure) {

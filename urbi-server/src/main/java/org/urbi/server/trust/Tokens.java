@@ -20,7 +20,7 @@ import org.urbi.kernel.trust.Role;
 /** The tokens that a server knows: what a client shows that it is somebody, without its name. */
 public final class Tokens {
   /** Shorter ones can be guessed. */
-  static final int SHORTEST = 16;
+  static final int MIN_LENGTH = 16;
 
   private static final String HASHED = "sha256:";
   private static final Set<PosixFilePermission> OTHERS =
@@ -35,11 +35,11 @@ public final class Tokens {
    *
    * @param name for people
    */
-  public record Holder(Role role, String name) {}
+  public record TokenHolder(Role role, String name) {}
 
-  private record Known(byte[] hash, Holder holder) {}
+  private record KnownToken(byte[] hash, TokenHolder holder) {}
 
-  private final List<Known> known = new ArrayList<>();
+  private final List<KnownToken> known = new ArrayList<>();
 
   private Tokens() {}
 
@@ -83,15 +83,15 @@ public final class Tokens {
     if (words.length < 2) {
       throw new IllegalArgumentException("the token is missing");
     }
-    Holder holder = new Holder(role, words.length < 3 ? role.text() : words[2]);
-    known.add(new Known(stored(words[1]), holder));
+    TokenHolder holder = new TokenHolder(role, words.length < 3 ? role.text() : words[2]);
+    known.add(new KnownToken(stored(words[1]), holder));
   }
 
   private static byte[] stored(String word) {
     if (!word.startsWith(HASHED)) {
-      if (word.length() < SHORTEST) {
+      if (word.length() < MIN_LENGTH) {
         throw new IllegalArgumentException(
-            "a token has " + SHORTEST + " characters at least: others can be guessed");
+            "a token has " + MIN_LENGTH + " characters at least: others can be guessed");
       }
       return hash(word);
     }
@@ -111,10 +111,10 @@ public final class Tokens {
   }
 
   /** Who shows that token; null if nobody does. How long it takes tells nothing of the tokens. */
-  public @Nullable Holder holder(String token) {
+  public @Nullable TokenHolder holder(String token) {
     byte[] hash = hash(token);
-    Holder found = null;
-    for (Known each : known) {
+    TokenHolder found = null;
+    for (KnownToken each : known) {
       if (MessageDigest.isEqual(each.hash, hash)) {
         found = each.holder;
       }

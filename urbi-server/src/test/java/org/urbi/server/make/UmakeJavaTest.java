@@ -14,7 +14,7 @@ import java.util.zip.ZipEntry;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.urbi.server.tools.Captured;
+import org.urbi.server.tools.ToolResult;
 import urbi.UClass;
 import urbi.spi.ModuleFiles;
 
@@ -46,12 +46,12 @@ class UmakeJavaTest {
     return Files.writeString(file, text);
   }
 
-  private static Captured make(Object... words) {
+  private static ToolResult make(Object... words) {
     String[] args = new String[words.length];
     for (int i = 0; i < words.length; i++) {
       args[i] = words[i].toString();
     }
-    return Captured.of(UmakeJava::run, args);
+    return ToolResult.of(UmakeJava::run, args);
   }
 
   private static List<String> entries(Path file) throws IOException {
@@ -62,9 +62,9 @@ class UmakeJavaTest {
 
   @Test
   void aFolderBecomesAJarThatCanBeLoaded() throws Exception {
-    Captured run = make(sources, "-o", jar);
+    ToolResult run = make(sources, "-o", jar);
     assertEquals(
-        new Captured(
+        new ToolResult(
             0,
             "umake-java: compiling 2 files\numake-java: made %s: 3 classes, UObjects: UMachine\n"
                 .formatted(jar),
@@ -83,12 +83,13 @@ class UmakeJavaTest {
 
   @Test
   void quietSaysNothing() {
-    assertEquals(new Captured(0, "", ""), make("-q", "--output", jar, sources));
+    assertEquals(new ToolResult(0, "", ""), make("-q", "--output", jar, sources));
   }
 
   @Test
   void filesAreTakenAsTheyAreNamed() throws Exception {
-    assertEquals(new Captured(0, "", ""), make("-q", sources.resolve("UMachine.java"), "-o", jar));
+    assertEquals(
+        new ToolResult(0, "", ""), make("-q", sources.resolve("UMachine.java"), "-o", jar));
     assertEquals(List.of("META-INF/MANIFEST.MF", "UMachine.class"), entries(jar));
   }
 
@@ -149,7 +150,7 @@ class UmakeJavaTest {
   @Test
   void errorsTellFileAndLine() throws Exception {
     Path wrong = write("Wrong.java", "class Wrong {\n  int x = \"a\";\n}\n");
-    Captured run = make("-q", wrong, "-o", jar);
+    ToolResult run = make("-q", wrong, "-o", jar);
     assertEquals(1, run.status());
     assertTrue(run.err().startsWith(wrong + ":2: error: incompatible types"), run.err());
     assertTrue(run.err().endsWith("umake-java: compilation failed: 1 error\n"), run.err());
@@ -158,7 +159,7 @@ class UmakeJavaTest {
 
   @Test
   void aModuleWithoutUObjectIsWarnedOf() throws Exception {
-    Captured run = make("-q", sources.resolve("parts"), "-o", jar);
+    ToolResult run = make("-q", sources.resolve("parts"), "-o", jar);
     assertEquals(0, run.status());
     assertTrue(run.err().contains("warning: no class in " + jar + " calls UStart"), run.err());
   }
@@ -168,7 +169,7 @@ class UmakeJavaTest {
     write("User.java", "class User { java.util.List raw; }");
     String where = "VPATH=" + sources;
     assertEquals(0, make("-q", where, "-o", jar, "User.java").status());
-    Captured run = make("EXTRA_JAVACFLAGS=-Xlint:all -Werror", where, "-o", jar, "User.java");
+    ToolResult run = make("EXTRA_JAVACFLAGS=-Xlint:all -Werror", where, "-o", jar, "User.java");
     assertEquals(1, run.status(), run.err());
     assertTrue(run.err().contains("[rawtypes]"), run.err());
     assertEquals(2, make("OTHER=1", sources).status());
@@ -178,21 +179,21 @@ class UmakeJavaTest {
   void whatMakesNoSenseIsSaid() throws Exception {
     Path empty = Files.createDirectory(folder.resolve("empty"));
     assertEquals(
-        new Captured(1, "", "umake-java: no Java sources in %s\n".formatted(empty)), make(empty));
+        new ToolResult(1, "", "umake-java: no Java sources in %s\n".formatted(empty)), make(empty));
     assertEquals(
-        new Captured(1, "", "umake-java: no such file: no/such.java\n"), make("no/such.java"));
+        new ToolResult(1, "", "umake-java: no such file: no/such.java\n"), make("no/such.java"));
     Path text = Files.createFile(folder.resolve("notes.txt"));
     assertEquals(2, make(text).status());
     assertEquals(2, make("--bogus").status());
     assertTrue(make("--help").out().contains("--output"));
     assertTrue(make("-V").out().startsWith("umake-java version "));
     assertTrue(make("--version").out().startsWith("umake-java version "));
-    assertEquals(new Captured(0, "", ""), make("--deep-clean"));
+    assertEquals(new ToolResult(0, "", ""), make("--deep-clean"));
   }
 
   @Test
   void anOutputThatCannotBeWrittenIsSaid() {
-    Captured run = make("-q", sources, "-o", folder.resolve("none/machine.jar"));
+    ToolResult run = make("-q", sources, "-o", folder.resolve("none/machine.jar"));
     assertEquals(1, run.status());
     assertTrue(run.err().startsWith("umake-java: cannot write "), run.err());
   }

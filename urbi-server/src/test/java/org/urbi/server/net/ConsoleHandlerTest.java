@@ -29,7 +29,7 @@ class ConsoleHandlerTest {
       new ConsoleHandler(
           client -> lobby,
           LIMITS,
-          new OutputOfAll(LIMITS.outputOfAll()),
+          new TotalOutput(LIMITS.totalOutput()),
           new Trace(Trace.Level.LOG, new PrintStream(log, true, StandardCharsets.UTF_8)));
 
   private static ByteBuf bytes(String text) {

@@ -77,7 +77,7 @@ class SilentProcessTest {
     assertNull(sent());
     pass(1);
     assertArrayEquals(PING, sent());
-    pass(Protocol.PATIENCE_SECONDS - Protocol.SILENCE_SECONDS - 1);
+    pass(Protocol.TIMEOUT_SECONDS - Protocol.SILENCE_SECONDS - 1);
     assertTrue(channel.isActive());
     pass(1);
     assertFalse(channel.isActive());
@@ -86,7 +86,7 @@ class SilentProcessTest {
   @Test
   void isNotGivenUpIfItAnswers() {
     for (int i = 0; i < 10; i++) {
-      pass(Protocol.PATIENCE_SECONDS - 1);
+      pass(Protocol.TIMEOUT_SECONDS - 1);
       channel.writeInbound(Unpooled.wrappedBuffer(PONG));
     }
     assertTrue(channel.isActive());

@@ -132,9 +132,9 @@ class ProgramTest {
   void bothReadersAgree(String line) {
     String[] args = line.isEmpty() ? new String[0] : line.split(" ");
     Program program = program();
-    Optional<Reading> quick = program.readQuickly(args);
+    Optional<ParsedCommandLine> quick = program.readQuickly(args);
     if (quick.isPresent()) {
-      Reading full = program.readFully(args, System.out).orElseThrow();
+      ParsedCommandLine full = program.readFully(args, System.out).orElseThrow();
       assertEquals(values(full), values(quick.get()));
       assertEquals(full.rest(), quick.get().rest());
     } else {
@@ -142,7 +142,7 @@ class ProgramTest {
     }
   }
 
-  private static List<String> values(Reading reading) {
+  private static List<String> values(ParsedCommandLine reading) {
     return reading.options().stream()
         .filter(seen -> seen.option().hasValue())
         .map(seen -> seen.option().names() + seen.value())

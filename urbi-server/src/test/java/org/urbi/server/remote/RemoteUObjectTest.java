@@ -26,10 +26,10 @@ import urbi.UVar;
 /** UObjects that are connected to a kernel, and not plugged into it. */
 class RemoteUObjectTest extends RemoteSession {
   /** Binds so many functions when it is initialized that others could have their turn meanwhile. */
-  static class Talented extends UObject {
+  static class ManyFunctions extends UObject {
     static final int TALENTS = 1000;
 
-    Talented(String name) {
+    ManyFunctions(String name) {
       super(name);
       UBindFunction("init");
     }
@@ -47,9 +47,9 @@ class RemoteUObjectTest extends RemoteSession {
 
   @Test
   void whatAFunctionHasBoundIsThereWhenItReturns() {
-    remote.start(type("Talented", Talented::new));
+    remote.start(type("Talented", ManyFunctions::new));
     for (int i = 0; i < 10; i++) {
-      assertEquals("1", eval("Talented.new.talent" + (Talented.TALENTS - 1)));
+      assertEquals("1", eval("Talented.new.talent" + (ManyFunctions.TALENTS - 1)));
     }
   }
 

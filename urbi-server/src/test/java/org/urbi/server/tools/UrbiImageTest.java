@@ -31,11 +31,11 @@ class UrbiImageTest {
   private static final int HEIGHT = 16;
 
   @TempDir Path folder;
-  private LiveServer server;
+  private TestServer server;
 
   @BeforeEach
   void serve() throws Exception {
-    server = new LiveServer();
+    server = new TestServer();
     server
         .kernel()
         .eval(
@@ -78,16 +78,16 @@ class UrbiImageTest {
                 .formatted(image.format_string(), image.getWidth(), image.getHeight(), bytes));
   }
 
-  private Captured fetch(String... options) {
+  private ToolResult fetch(String... options) {
     String[] all = Arrays.copyOf(options, options.length + 1);
     all[options.length] = server.port();
-    return Captured.of(UrbiImage::run, all);
+    return ToolResult.of(UrbiImage::run, all);
   }
 
   private byte[] saved(String file, String... options) throws Exception {
     String[] all = Arrays.copyOf(options, options.length + 1);
     all[options.length] = "--output=" + folder.resolve(file);
-    Captured run = fetch(all);
+    ToolResult run = fetch(all);
     assertEquals(0, run.status(), run.err());
     assertEquals("", run.out());
     return Files.readAllBytes(folder.resolve(file));
@@ -138,7 +138,7 @@ class UrbiImageTest {
 
   @Test
   void whatTheDeviceDoesNotHaveIsTold() throws Exception {
-    Captured run = fetch("--reconstruct", "-o", folder.resolve("a.jpg").toString());
+    ToolResult run = fetch("--reconstruct", "-o", folder.resolve("a.jpg").toString());
     assertEquals(0, run.status());
     assertTrue(run.err().contains("camera has no slot reconstruct"), run.err());
     server.kernel().eval("var camera.reconstruct = 0");
@@ -147,7 +147,7 @@ class UrbiImageTest {
   }
 
   private void fails(int status, String message, String... options) {
-    Captured run = fetch(options);
+    ToolResult run = fetch(options);
     assertEquals(status, run.status(), run.err());
     assertTrue(run.err().startsWith("urbi-image: ") && run.err().contains(message), run.err());
   }
@@ -172,10 +172,10 @@ class UrbiImageTest {
   @Test
   void aServerThatIsNotThereIsTold() throws Exception {
     server.close();
-    Captured run = fetch("-o", folder.resolve("x.jpg").toString());
+    ToolResult run = fetch("-o", folder.resolve("x.jpg").toString());
     assertEquals(1, run.status());
     assertTrue(run.err().contains("cannot connect to 127.0.0.1:"), run.err());
-    server = new LiveServer();
+    server = new TestServer();
   }
 
   @Test
@@ -188,7 +188,7 @@ class UrbiImageTest {
   void imagesAreShownUntilTheWindowIsClosed() throws Exception {
     assumeTrue(!GraphicsEnvironment.isHeadless(), "skipped: this machine has no display");
     CompletableFuture<Integer> width = CompletableFuture.supplyAsync(UrbiImageTest::closeWindow);
-    Captured run = fetch("--scale=2", "--period=20");
+    ToolResult run = fetch("--scale=2", "--period=20");
     assertEquals(0, run.status(), run.err());
     assertEquals(2 * WIDTH, width.join());
   }

@@ -11,14 +11,14 @@ class UrbiPingTest {
   private static final UnaryOperator<String> PONG =
       line -> "[00000001] *** noise\n[00000001:ping] " + line.split("\"")[1] + "\n";
 
-  private static Captured ping(String... args) {
-    return Captured.of(UrbiPing::run, args);
+  private static ToolResult ping(String... args) {
+    return ToolResult.of(UrbiPing::run, args);
   }
 
   @Test
   void everyPingIsReportedAndSummedUp() throws Exception {
     try (ScriptedServer server = new ScriptedServer(PONG)) {
-      Captured run = ping("-P" + server.port(), "--count=3", "--interval=1");
+      ToolResult run = ping("-P" + server.port(), "--count=3", "--interval=1");
       assertEquals(0, run.status());
       assertTrue(
           run.out()
@@ -34,7 +34,7 @@ class UrbiPingTest {
   @Test
   void argumentsMayDoWithoutOptionNames() throws Exception {
     try (ScriptedServer server = new ScriptedServer(PONG)) {
-      Captured run = ping("-P" + server.port(), "localhost", "0", "2");
+      ToolResult run = ping("-P" + server.port(), "localhost", "0", "2");
       assertTrue(run.out().startsWith("Pinging localhost:"), run.out());
       assertEquals(2, run.out().lines().count(), run.out());
       assertTrue(run.out().contains("2 sent, 2 received"), run.out());
@@ -44,7 +44,7 @@ class UrbiPingTest {
   @Test
   void aServerThatHangsUpIsSaid() throws Exception {
     try (ScriptedServer server = new ScriptedServer(line -> null)) {
-      Captured run = ping("-P" + server.port(), "-c1");
+      ToolResult run = ping("-P" + server.port(), "-c1");
       assertEquals(1, run.status());
       assertTrue(run.out().contains("1 sent, 0 received"), run.out());
       assertTrue(run.err().contains("the server hung up"), run.err());

@@ -21,15 +21,15 @@ import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
 
 class UrbiSendTest {
-  private static Captured send(String... args) {
-    return Captured.of(UrbiSend::run, args);
+  private static ToolResult send(String... args) {
+    return ToolResult.of(UrbiSend::run, args);
   }
 
   @Test
   void everythingIsSentInOrder(@TempDir Path folder) throws Exception {
     Path file = Files.writeString(folder.resolve("two.u"), "var two = 2;");
     try (ScriptedServer server = new ScriptedServer(line -> line.equals("quit;") ? null : "")) {
-      Captured run =
+      ToolResult run =
           send(
               "-P" + server.port(),
               "--expression=var one = 1;\n",
@@ -40,7 +40,7 @@ class UrbiSendTest {
               "-e",
               "one + two;\n",
               "--quit");
-      assertEquals(new Captured(0, "", ""), run);
+      assertEquals(new ToolResult(0, "", ""), run);
       assertEquals("var one = 1;", server.received());
       assertEquals("//#push 1 \"" + file + "\"", server.received());
       assertEquals("var two = 2;", server.received());
@@ -55,7 +55,7 @@ class UrbiSendTest {
   void answersAreShownUntilTheServerHangsUp() throws Exception {
     try (ScriptedServer server =
         new ScriptedServer(line -> line.startsWith("1") ? "[00000001] 1\n" : null)) {
-      Captured run = send("-P" + server.port(), "-e", "1;\n2;\n");
+      ToolResult run = send("-P" + server.port(), "-e", "1;\n2;\n");
       assertEquals(0, run.status());
       assertEquals("[00000001] 1\n", run.out());
       assertTrue(run.err().contains("Ctrl-C"), run.err());
@@ -66,7 +66,7 @@ class UrbiSendTest {
   void thePortMayBeInAFile(@TempDir Path folder) throws Exception {
     try (ScriptedServer server = new ScriptedServer(line -> null)) {
       Path file = Files.writeString(folder.resolve("port"), server.port() + "\n");
-      assertEquals(new Captured(0, "", ""), send("--port-file", file.toString(), "-Q"));
+      assertEquals(new ToolResult(0, "", ""), send("--port-file", file.toString(), "-Q"));
     }
   }
 
@@ -76,22 +76,22 @@ class UrbiSendTest {
     try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
       port = free.getLocalPort();
     }
-    Captured run = send("-P" + port, "-e", "1;");
+    ToolResult run = send("-P" + port, "-e", "1;");
     assertEquals(1, run.status());
     assertTrue(run.err().contains("cannot connect to 127.0.0.1:" + port), run.err());
   }
 
   @Test
   void aPortFileThatIsNotThereIsSaid() {
-    Captured run = send("--port-file", "no/such/file");
+    ToolResult run = send("--port-file", "no/such/file");
     assertEquals(1, run.status());
     assertTrue(run.err().contains("no/such/file"), run.err());
   }
 
   @Test
   void aMissingFileIsSaidBeforeAnythingIsSent() {
-    Captured run = send("-P1", "-f", "no/such.u");
-    assertEquals(new Captured(1, "", "urbi-send: no such file: no/such.u\n"), run);
+    ToolResult run = send("-P1", "-f", "no/such.u");
+    assertEquals(new ToolResult(1, "", "urbi-send: no such file: no/such.u\n"), run);
   }
 
   @Test
@@ -104,19 +104,19 @@ class UrbiSendTest {
                 Limits.DEFAULT,
                 new Trace(Trace.Level.NONE, System.err));
         Socket client = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
-      Captured nobody = send("-P" + server.port(), "--interrupt");
-      assertEquals(new Captured(1, "nobody holds the kernel\n", ""), nobody);
+      ToolResult nobody = send("-P" + server.port(), "--interrupt");
+      assertEquals(new ToolResult(1, "nobody holds the kernel\n", ""), nobody);
       for (String lobby : List.of("", "Lobby_1")) {
         client.getOutputStream().write("while| (true) {};\n".getBytes(US_ASCII));
         client.getOutputStream().flush();
-        Captured run;
+        ToolResult run;
         do {
           run = send("-P" + server.port(), "--interrupt", lobby);
         } while (run.out().startsWith("nobody"));
         assertEquals(0, run.status(), run.out());
         assertTrue(run.out().matches("interrupted: .*Lobby_1 \\(127.0.0.1\\).*\n"), run.out());
       }
-      Captured unknown = send("-P" + server.port(), "--interrupt", "Lobby_0");
+      ToolResult unknown = send("-P" + server.port(), "--interrupt", "Lobby_0");
       assertEquals(1, unknown.status());
       assertTrue(unknown.out().contains("no such lobby: Lobby_0; there are Lobby_1 ("));
     } finally {

@@ -23,11 +23,11 @@ class UrbiSoundTest {
   private static final String SAMPLES = "0123456789abcdefghijklmnopqrstuv";
 
   @TempDir Path folder;
-  private LiveServer server;
+  private TestServer server;
 
   @BeforeEach
   void serve() throws Exception {
-    server = new LiveServer();
+    server = new TestServer();
     server
         .kernel()
         .eval(
@@ -45,17 +45,17 @@ class UrbiSoundTest {
     server.close();
   }
 
-  private Captured run(String... options) {
+  private ToolResult run(String... options) {
     String[] all = Arrays.copyOf(options, options.length + 1);
     all[options.length] = server.port();
-    return Captured.of(UrbiSound::run, all);
+    return ToolResult.of(UrbiSound::run, all);
   }
 
   private File wav(String... options) {
     File file = folder.resolve("heard.wav").toFile();
     String[] all = Arrays.copyOf(options, options.length + 1);
     all[options.length] = "--output=" + file;
-    Captured run = run(all);
+    ToolResult run = run(all);
     assertEquals(0, run.status(), run.err());
     assertTrue(run.err().startsWith("urbi-sound: " + file), run.err());
     return file;
@@ -126,13 +126,13 @@ class UrbiSoundTest {
     hearAgainAndAgain("raw 1 16000 16 1");
     File file = wav("-D1");
     long samples = Files.size(file.toPath()) - 44;
-    assertEquals(new Captured(0, "", ""), run("--input=" + file));
+    assertEquals(new ToolResult(0, "", ""), run("--input=" + file));
     assertEquals("raw 1 16000 16 1", server.kernel().eval("speaker.val.keywords"));
     assertEquals(samples, server.kernel().eval("speaker.val.data.size", double.class));
   }
 
   private void fails(int status, String message, String... options) {
-    Captured run = run(options);
+    ToolResult run = run(options);
     assertEquals(status, run.status(), run.err());
     assertTrue(run.err().startsWith("urbi-sound: ") && run.err().contains(message), run.err());
   }

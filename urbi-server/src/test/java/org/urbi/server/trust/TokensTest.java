@@ -39,9 +39,9 @@ class TokensTest {
             file(
                 "# who\n\nowner 0123456789abcdef the boss\nobserver sha256:" + hash + " screen\n",
                 "rw-------"));
-    assertEquals(new Tokens.Holder(Role.OWNER, "the boss"), tokens.holder("0123456789abcdef"));
+    assertEquals(new Tokens.TokenHolder(Role.OWNER, "the boss"), tokens.holder("0123456789abcdef"));
     assertEquals(
-        new Tokens.Holder(Role.OBSERVER, "screen"), tokens.holder("correct-horse-battery"));
+        new Tokens.TokenHolder(Role.OBSERVER, "screen"), tokens.holder("correct-horse-battery"));
     assertNull(tokens.holder("0123456789abcdeF"));
     assertNull(tokens.holder(""));
     // The hash itself is no token.
@@ -77,7 +77,7 @@ class TokensTest {
   @Test
   void eachWrongTokenMakesItsAddressWaitTwiceAsLong() {
     VirtualClock clock = new VirtualClock();
-    WrongTokens wrong = new WrongTokens(clock);
+    TokenThrottle wrong = new TokenThrottle(clock);
     assertEquals(0, wrong.secondsToWait("a"));
     long expected = 1;
     for (int i = 0; i < 10; i++) {
@@ -101,18 +101,18 @@ class TokensTest {
   void otherMachinesAreNotLetInWithoutATokenUnlessThatIsWanted() throws IOException {
     InetSocketAddress everywhere = new InetSocketAddress("0.0.0.0", 0);
     InetSocketAddress here = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
-    AccessOptions open = new AccessOptions(Admission.ALL, null, false);
+    AccessOptions open = new AccessOptions(AccessPolicy.ALL, null, false);
     assertNull(open.checkAddress(here));
     assertTrue(
         assertThrows(Failure.class, () -> open.checkAddress(everywhere))
             .getMessage()
             .contains("--insecure"));
     assertTrue(
-        new AccessOptions(Admission.ALL, null, true)
+        new AccessOptions(AccessPolicy.ALL, null, true)
             .checkAddress(everywhere)
             .contains("without a token"));
     Tokens tokens = Tokens.read(file("user 0123456789abcdef\n", "rw-------"));
     assertNull(
-        new AccessOptions(new Admission(tokens, null), null, false).checkAddress(everywhere));
+        new AccessOptions(new AccessPolicy(tokens, null), null, false).checkAddress(everywhere));
   }
 }

@@ -62,7 +62,7 @@ final class NativeDynamics implements Dynamics {
   // Held here since the library keeps but their addresses.
   private final NearCallback pairCallback = new NearCallback(this::foundPair);
   private final NearCallback rayCallback = new NearCallback(this::foundOnRay);
-  private @Nullable PairSink sink;
+  private @Nullable PairConsumer sink;
 
   NativeDynamics(PhysicsSettings settings) {
     this.settings = settings;
@@ -285,13 +285,13 @@ final class NativeDynamics implements Dynamics {
   // ------------------------------------------------------------------ collisions
 
   @Override
-  public void findNearPairs(PairSink pairs) {
+  public void findNearPairs(PairConsumer pairs) {
     sink = pairs;
     dSpaceCollide(space, 0, pairCallback.address());
     pairCallback.check();
   }
 
-  private PairSink sink() {
+  private PairConsumer sink() {
     return requireNonNull(sink, "the library calls back while it looks for pairs");
   }
 
@@ -329,7 +329,7 @@ final class NativeDynamics implements Dynamics {
   }
 
   @Override
-  public void findOnRay(Vec3 from, Vec3 direction, double length, PairSink pairs) {
+  public void findOnRay(Vec3 from, Vec3 direction, double length, PairConsumer pairs) {
     sink = pairs;
     dGeomRaySetLength(ray, length);
     dGeomRaySet(ray, from.x(), from.y(), from.z(), direction.x(), direction.y(), direction.z());

@@ -252,7 +252,7 @@ final class JavaDynamics implements Dynamics {
   }
 
   @Override
-  public void findNearPairs(PairSink pairs) {
+  public void findNearPairs(PairConsumer pairs) {
     space.collide(null, (data, first, second) -> pairs.near(number(first), number(second)));
   }
 
@@ -297,7 +297,7 @@ final class JavaDynamics implements Dynamics {
   }
 
   @Override
-  public void findOnRay(Vec3 from, Vec3 d, double length, PairSink pairs) {
+  public void findOnRay(Vec3 from, Vec3 d, double length, PairConsumer pairs) {
     ray.setLength(length);
     ray.set(from.x(), from.y(), from.z(), d.x(), d.y(), d.z());
     ray.collide2(

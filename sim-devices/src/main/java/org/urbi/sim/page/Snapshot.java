@@ -1,0 +1,79 @@
+package org.urbi.sim.page;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.urbi.sim.geometry.Pose;
+import org.urbi.sim.vision.Blob;
+import org.urbi.sim.world.Drive;
+import org.urbi.sim.world.SimulatedWorld;
+import urbi.UImage;
+
+/**
+ * What a page shows of a moment. It is taken where the simulation runs, and nothing in it changes
+ * afterwards.
+ *
+ * @param time of the simulation, in seconds
+ * @param bodies where each is, in the order of the world
+ * @param drives for each its sensed position or speed, and its target
+ * @param sight what the camera that is shown sees; null without one
+ */
+public record Snapshot(
+    double time, List<Pose> bodies, List<double[]> drives, @Nullable CameraView sight) {
+  /**
+   * What a camera sees.
+   *
+   * @param camera where it is
+   * @param image its last image; null if there is none yet
+   * @param number of the image, from 1
+   * @param detector whether there is one
+   * @param blob what the detector has found in that image; null if nothing
+   */
+  public record CameraView(
+      Pose camera, @Nullable UImage image, long number, boolean detector, @Nullable Blob blob) {}
+
+  /** The moment at which a world is now. */
+  public static Snapshot of(SimulatedWorld world, @Nullable CameraView sight) {
+    List<Pose> bodies = new ArrayList<>();
+    world.bodies().forEach(body -> bodies.add(body.pose()));
+    List<double[]> drives = new ArrayList<>();
+    for (Drive drive : world.drives()) {
+      drives.add(new double[] {drive.sensed(), drive.target()});
+    }
+    return new Snapshot(world.physics().time(), bodies, drives, sight);
+  }
+
+  String json() {
+    Map<String, Object> all = new LinkedHashMap<>();
+    all.put("type", "moment");
+    all.put("time", time);
+    all.put("bodies", bodies.stream().map(Snapshot::numbers).toList());
+    all.put("drives", drives);
+    if (sight != null) {
+      Map<String, Object> seen = new LinkedHashMap<>();
+      seen.put("camera", numbers(sight.camera()));
+      seen.put("image", sight.number());
+      seen.put("detector", sight.detector());
+      if (sight.blob() != null) {
+        Blob blob = sight.blob();
+        seen.put("blob", new double[] {blob.x(), blob.y(), blob.ratio()});
+      }
+      all.put("sight", seen);
+    }
+    return Json.text(all);
+  }
+
+  static double[] numbers(Pose pose) {
+    return new double[] {
+      pose.position().x(),
+      pose.position().y(),
+      pose.position().z(),
+      pose.rotation().w(),
+      pose.rotation().x(),
+      pose.rotation().y(),
+      pose.rotation().z()
+    };
+  }
+}

@@ -1,9 +1,0 @@
-package org.urbi.sim.world;
-
-import org.urbi.sim.physics.Material;
-import org.urbi.sim.render.Appearance;
-
-/** A material of a world file: how it behaves, and how it looks. */
-record Substance(Material material, Appearance appearance) {
-  static final Substance DEFAULT = new Substance(Material.DEFAULT, Appearance.PLAIN);
-}

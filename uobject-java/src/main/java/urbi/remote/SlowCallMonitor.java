@@ -1,0 +1,40 @@
+package urbi.remote;
+
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import urbi.time.Stopwatch;
+
+/** Who has the turn to be executed; says so of a function that does not return for long. */
+final class SlowCallMonitor {
+  private static final long LONG_SECONDS = 10;
+
+  private final Consumer<String> told;
+  private volatile @Nullable String function;
+  private final Stopwatch since = new Stopwatch();
+  private boolean said;
+
+  SlowCallMonitor(Consumer<String> told) {
+    this.told = told;
+  }
+
+  void begin(String name) {
+    since.restart();
+    function = name;
+  }
+
+  void end() {
+    function = null;
+  }
+
+  /** Complains, once, if the same function has had the turn for too long; by one thread. */
+  void complain() {
+    String name = function;
+    boolean isLong = name != null && since.elapsed(TimeUnit.SECONDS) >= LONG_SECONDS;
+    if (isLong && !said) {
+      told.accept(
+          name + " has not returned for " + LONG_SECONDS + " s; calls that are not threaded wait");
+    }
+    said = isLong;
+  }
+}

@@ -1,0 +1,32 @@
+package org.urbi.server.cli;
+
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+
+/**
+ * What the build runs once to make the start-up cache: short scripts, in real and in simulated
+ * time. The JDK keeps the classes that they load. Nothing is rehearsed that a short script does not
+ * do, the network for instance: the larger the cache the slower the start of everything.
+ */
+public final class TrainingRun {
+  private final PrintStream nowhere =
+      new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
+
+  private TrainingRun() {}
+
+  /**
+   * @param args a script to be run, which must not end the server
+   */
+  public static void main(String[] args) {
+    String script = args[0];
+    TrainingRun trainingRun = new TrainingRun();
+    trainingRun.urbi("-q", "-e", "echo(\"Hello, World!\");", "-e", "shutdown;");
+    trainingRun.urbi("--quiet", "--fast", script);
+    System.exit(0);
+  }
+
+  private void urbi(String... args) {
+    new UrbiCommand(nowhere, System.err).run(args);
+  }
+}

@@ -1,0 +1,97 @@
+package org.urbi.server.net;
+
+import io.netty.buffer.ByteBuf;
+import io.netty.buffer.Unpooled;
+import io.netty.channel.ChannelFutureListener;
+import io.netty.channel.ChannelHandlerContext;
+import io.netty.channel.ChannelInboundHandlerAdapter;
+import io.netty.channel.socket.ChannelInputShutdownEvent;
+import java.nio.charset.StandardCharsets;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.urbi.server.Trace;
+
+/**
+ * Looks at the first bytes of a client, and lets go of one that speaks HTTP, TLS or STUN: these are
+ * what a web page can have a browser send to any port of this machine, with text of its choice
+ * inside, which would run as urbiscript. Not a byte of it reaches the lobby. What anybody else
+ * sends goes on as it is, at the latest when the first line has ended.
+ */
+final class ForeignProtocolFilter extends ChannelInboundHandlerAdapter {
+  /** A request line of HTTP (RFC 9112, section 3), as far as its version. */
+  private static final Pattern HTTP =
+      Pattern.compile(
+          "(?:GET|HEAD|POST|PUT|DELETE|OPTIONS|PATCH|CONNECT|TRACE|PRI) [^ \r\n]+ HTTP/");
+
+  /** The record of a TLS handshake, or of a STUN request, begins so (RFC 8446; RFC 8489). */
+  private static final Pattern BINARY = Pattern.compile("\\x16\\x03|\\x00[\\x01\\x03]");
+
+  /** No statement goes on for so long without a second space or an end of its line. */
+  private static final int MAX_DOUBT = 1 << 16;
+
+  private final Trace trace;
+  private final ByteBuf first = Unpooled.buffer(256);
+  private boolean refused;
+
+  ForeignProtocolFilter(Trace trace) {
+    this.trace = trace;
+  }
+
+  @Override
+  public void channelRead(ChannelHandlerContext context, Object message) {
+    ByteBuf in = (ByteBuf) message;
+    if (refused) {
+      in.release();
+      return;
+    }
+    first.writeBytes(in);
+    in.release();
+    String text =
+        first.toString(0, Math.min(first.readableBytes(), MAX_DOUBT), StandardCharsets.ISO_8859_1);
+    Matcher http = HTTP.matcher(text);
+    Matcher binary = BINARY.matcher(text);
+    if (http.lookingAt()) {
+      refuse(context, "HTTP");
+    } else if (binary.lookingAt()) {
+      refuse(context, "TLS or STUN");
+    } else if (!http.hitEnd() && !binary.hitEnd()) {
+      passOn(context);
+    } else if (text.length() == MAX_DOUBT) {
+      refuse(context, "HTTP");
+    }
+  }
+
+  private void passOn(ChannelHandlerContext context) {
+    ByteBuf rest = first.retainedSlice();
+    context.pipeline().remove(this);
+    context.fireChannelRead(rest);
+  }
+
+  /** A client that has nothing more to say has said what is in doubt. */
+  @Override
+  public void userEventTriggered(ChannelHandlerContext context, Object event) {
+    if (event == ChannelInputShutdownEvent.INSTANCE && !refused) {
+      passOn(context);
+    }
+    context.fireUserEventTriggered(event);
+  }
+
+  private void refuse(ChannelHandlerContext context, String protocol) {
+    trace.log("client refused, it speaks " + protocol + ": " + context.channel().remoteAddress());
+    context.channel().config().setAutoRead(false);
+    String line =
+        "[00000000:error] !!! this is the console of an Urbi server, which does not speak "
+            + protocol
+            + ": closing\n";
+    context
+        .writeAndFlush(Unpooled.copiedBuffer(line, StandardCharsets.ISO_8859_1))
+        .addListener(ChannelFutureListener.CLOSE);
+    first.clear();
+    refused = true;
+  }
+
+  @Override
+  public void handlerRemoved(ChannelHandlerContext context) {
+    first.release();
+  }
+}

@@ -1,0 +1,91 @@
+package org.urbi.server.net;
+
+import io.netty.buffer.ByteBuf;
+import io.netty.buffer.Unpooled;
+import io.netty.channel.ChannelFuture;
+import io.netty.channel.ChannelFutureListener;
+import io.netty.channel.ChannelHandlerContext;
+import io.netty.channel.ChannelInboundHandlerAdapter;
+import java.nio.charset.StandardCharsets;
+import java.util.function.Supplier;
+import org.urbi.kernel.trust.Role;
+import urbi.wire.Protocol;
+
+/**
+ * Looks at the first bytes of a client: whether it is a process with UObjects, which asks for their
+ * protocol (docs/protocol.md), or anybody else, whose bytes go on as they are.
+ */
+final class ProtocolDetector extends ChannelInboundHandlerAdapter {
+  private static final int MAX_REQUEST = 64;
+
+  private final Supplier<FrameHandler> frames;
+  private final String version;
+  private final ByteBuf first = Unpooled.buffer(MAX_REQUEST);
+
+  /**
+   * @param frames makes the one who speaks the protocol
+   * @param version of the server, for people
+   */
+  ProtocolDetector(Supplier<FrameHandler> frames, String version) {
+    this.frames = frames;
+    this.version = version;
+  }
+
+  @Override
+  public void channelRead(ChannelHandlerContext context, Object message) {
+    ByteBuf in = (ByteBuf) message;
+    first.writeBytes(in);
+    in.release();
+    String text = first.toString(StandardCharsets.ISO_8859_1);
+    int common = Math.min(text.length(), Protocol.REQUEST.length());
+    int end = text.indexOf('\n');
+    if (!text.startsWith(Protocol.REQUEST.substring(0, common))
+        || end < 0 && text.length() > MAX_REQUEST) {
+      leave(context, 0);
+    } else if (end >= 0) {
+      agree(context, text.substring(Protocol.REQUEST.length(), end), end + 1);
+    }
+  }
+
+  private void agree(ChannelHandlerContext context, String request, int length) {
+    int agreed = Protocol.agree(request);
+    if (agreed == 0) {
+      line(
+              context,
+              "!!! this server speaks versions "
+                  + Protocol.MIN_VERSION
+                  + " to "
+                  + Protocol.MAX_VERSION
+                  + " of the UObject protocol")
+          .addListener(ChannelFutureListener.CLOSE);
+      return;
+    }
+    if (TokenAuthenticator.role(context) != Role.OWNER) {
+      line(context, "!!! to bring UObjects needs the role owner")
+          .addListener(ChannelFutureListener.CLOSE);
+      return;
+    }
+    line(context, agreed + " " + version);
+    FrameHandler handler = frames.get();
+    context.pipeline().remove(TelnetDecoder.class);
+    context.pipeline().addAfter(context.name(), null, handler);
+    leave(context, length);
+  }
+
+  /** Has what it has read, from an offset on, go on, and everything that will come. */
+  private void leave(ChannelHandlerContext context, int offset) {
+    ByteBuf rest = first.retainedSlice(offset, first.writerIndex() - offset);
+    context.pipeline().remove(this);
+    context.fireChannelRead(rest);
+  }
+
+  private static ChannelFuture line(ChannelHandlerContext context, String text) {
+    String line = "[00000000:" + Protocol.CHANNEL + "] " + text + "\n";
+    return context.writeAndFlush(Unpooled.copiedBuffer(line, StandardCharsets.ISO_8859_1));
+  }
+
+  @Override
+  public void handlerRemoved(ChannelHandlerContext context) {
+    first.release();
+  }
+}

@@ -1,0 +1,176 @@
+package org.urbi.server.net;
+
+import io.netty.buffer.ByteBuf;
+import io.netty.buffer.Unpooled;
+import io.netty.channel.ChannelFutureListener;
+import io.netty.channel.ChannelHandlerContext;
+import io.netty.channel.ChannelInboundHandlerAdapter;
+import io.netty.channel.socket.ChannelInputShutdownEvent;
+import io.netty.util.AttributeKey;
+import io.netty.util.concurrent.ScheduledFuture;
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.trust.Role;
+import org.urbi.server.Trace;
+import org.urbi.server.trust.AccessPolicy;
+import org.urbi.server.trust.TokenThrottle;
+import org.urbi.server.trust.Tokens;
+
+/**
+ * Looks at the first line of a client for a token, a comment of urbiscript: {@code //token TOKEN}.
+ * Whoever shows one gets its role, whoever shows none that of all others, if they have one. Until
+ * then nobody else hears of a client that is not let in without.
+ */
+final class TokenAuthenticator extends ChannelInboundHandlerAdapter {
+  private static final String LINE = "//token ";
+  private static final int MAX_LINE = 512;
+  private static final int SECONDS_TO_SHOW_IT = 10;
+  private static final AttributeKey<Role> ROLE =
+      AttributeKey.valueOf(TokenAuthenticator.class, "role");
+
+  private final AccessPolicy accessPolicy;
+  private final TokenThrottle wrong;
+  private final Trace trace;
+  private final ByteBuf first = Unpooled.buffer(128);
+  private @Nullable ScheduledFuture<?> deadline;
+  private boolean admitted;
+  private boolean refused;
+
+  TokenAuthenticator(AccessPolicy accessPolicy, TokenThrottle wrong, Trace trace) {
+    this.accessPolicy = accessPolicy;
+    this.wrong = wrong;
+    this.trace = trace;
+  }
+
+  /** What the client of a channel may do; everything, where nobody has asked. */
+  static Role role(ChannelHandlerContext context) {
+    Role role = context.channel().attr(ROLE).get();
+    return role == null ? Role.OWNER : role;
+  }
+
+  @Override
+  public void channelActive(ChannelHandlerContext context) {
+    if (accessPolicy.otherwise() != null) {
+      admit(context, accessPolicy.otherwise());
+    } else {
+      deadline =
+          context
+              .executor()
+              .schedule(() -> refuse(context, asked()), SECONDS_TO_SHOW_IT, TimeUnit.SECONDS);
+    }
+  }
+
+  private void admit(ChannelHandlerContext context, Role role) {
+    context.channel().attr(ROLE).set(role);
+    if (admitted) {
+      context.fireUserEventTriggered(role);
+    } else {
+      admitted = true;
+      context.fireChannelActive();
+    }
+  }
+
+  @Override
+  public void channelRead(ChannelHandlerContext context, Object message) {
+    ByteBuf in = (ByteBuf) message;
+    if (!refused) {
+      first.writeBytes(in);
+    }
+    in.release();
+    if (!refused) {
+      look(context, false);
+    }
+  }
+
+  private void look(ChannelHandlerContext context, boolean over) {
+    String text = first.toString(StandardCharsets.ISO_8859_1);
+    int common = Math.min(text.length(), LINE.length());
+    int end = text.indexOf('\n');
+    boolean shows = text.startsWith(LINE.substring(0, common)) && !(over && end < 0);
+    if (!shows) {
+      without(context);
+    } else if (end >= 0) {
+      shown(context, text.substring(LINE.length(), end).strip(), end + 1);
+    } else if (text.length() > MAX_LINE) {
+      refuse(context, "this token is too long");
+    }
+  }
+
+  private void without(ChannelHandlerContext context) {
+    if (admitted) {
+      passOn(context, 0);
+    } else {
+      refuse(context, asked());
+    }
+  }
+
+  private static String asked() {
+    return "this server asks for a token (--token FILE)";
+  }
+
+  private void shown(ChannelHandlerContext context, String token, int length) {
+    String address = address(context);
+    long wait = wrong.secondsToWait(address);
+    if (wait > 0) {
+      refuse(context, "after a wrong token, no other one for " + wait + " s");
+      return;
+    }
+    Tokens.TokenHolder holder = accessPolicy.holder(token);
+    if (holder == null) {
+      wrong.note(address);
+      trace.log("wrong token: " + context.channel().remoteAddress());
+      refuse(context, "wrong token");
+      return;
+    }
+    wrong.forgive(address);
+    trace.debug("token of " + holder.name() + ": " + context.channel().remoteAddress());
+    admit(context, holder.role());
+    passOn(context, length);
+  }
+
+  private static String address(ChannelHandlerContext context) {
+    return context.channel().remoteAddress() instanceof InetSocketAddress address
+        ? address.getAddress().getHostAddress()
+        : String.valueOf(context.channel().remoteAddress());
+  }
+
+  private void passOn(ChannelHandlerContext context, int offset) {
+    ByteBuf rest = first.retainedSlice(offset, first.writerIndex() - offset);
+    context.pipeline().remove(this);
+    if (rest.isReadable()) {
+      context.fireChannelRead(rest);
+    } else {
+      rest.release();
+    }
+  }
+
+  @Override
+  public void userEventTriggered(ChannelHandlerContext context, Object event) {
+    if (event == ChannelInputShutdownEvent.INSTANCE && !refused) {
+      look(context, true);
+    }
+    context.fireUserEventTriggered(event);
+  }
+
+  private void refuse(ChannelHandlerContext context, String reason) {
+    if (refused) {
+      return;
+    }
+    refused = true;
+    context.channel().config().setAutoRead(false);
+    String line = "[00000000:error] !!! " + reason + ": closing\n";
+    context
+        .writeAndFlush(Unpooled.copiedBuffer(line, StandardCharsets.ISO_8859_1))
+        .addListener(ChannelFutureListener.CLOSE);
+  }
+
+  @Override
+  public void handlerRemoved(ChannelHandlerContext context) {
+    if (deadline != null) {
+      deadline.cancel(false);
+    }
+    first.release();
+  }
+}

@@ -1,0 +1,124 @@
+package org.urbi.server.options;
+
+import static java.util.Objects.requireNonNull;
+
+import java.io.PrintStream;
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Model.PositionalParamSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.UnmatchedArgumentException;
+
+/** Reads any command line, prints the help, and says what is wrong; the only user of picocli. */
+final class PicocliParser {
+  private static final int HELP_WIDTH = 100;
+
+  private final CommandSpec spec = CommandSpec.create();
+  private final List<Option> options;
+  private @Nullable ParsedCommandLine reading;
+
+  PicocliParser(
+      String name,
+      String description,
+      List<Option> options,
+      @Nullable String argumentLabel,
+      @Nullable String argumentDescription,
+      boolean stopAtArgument) {
+    this.options = options;
+    spec.name(name);
+    spec.usageMessage()
+        .description(description)
+        .sortOptions(false)
+        .abbreviateSynopsis(true)
+        .width(HELP_WIDTH);
+    spec.parser().stopAtPositional(stopAtArgument).overwrittenOptionsAllowed(true);
+    spec.addOption(
+        OptionSpec.builder("-h", "--help")
+            .usageHelp(true)
+            .description("Show this help and exit.")
+            .build());
+    spec.addOption(
+        OptionSpec.builder("--version")
+            .versionHelp(true)
+            .description("Show the version and exit.")
+            .build());
+    options.forEach(option -> spec.addOption(specOf(option)));
+    if (argumentLabel != null) {
+      spec.addPositional(
+          PositionalParamSpec.builder()
+              .index("0..*")
+              .arity("0..*")
+              .type(List.class)
+              .auxiliaryTypes(String.class)
+              .paramLabel(argumentLabel)
+              .hideParamSyntax(true)
+              .description(argumentDescription)
+              .build());
+    }
+  }
+
+  private OptionSpec specOf(Option option) {
+    OptionSpec.Builder builder =
+        OptionSpec.builder(option.names().toArray(String[]::new)).description(option.description());
+    if (option.hasValue()) {
+      builder
+          .arity("1")
+          .type(String.class)
+          .paramLabel(option.label())
+          .parameterConsumer((values, self, command) -> {
+            if (values.isEmpty()) {
+              throw new ParameterException(
+                  command.commandLine(),
+                  "Missing required parameter for option '%s' (%s)"
+                      .formatted(String.join("' / '", option.names()), option.label()));
+            }
+            requireNonNull(reading, "it is being read")
+                .options()
+                .add(new ParsedCommandLine.Occurrence(option, values.pop()));
+          });
+    }
+    return builder.build();
+  }
+
+  /**
+   * What the command line says, or nothing if it asked for the help or the version and got it.
+   *
+   * @throws Failure if it makes no sense
+   */
+  Optional<ParsedCommandLine> read(String[] args, PrintStream out, String version) {
+    reading = new ParsedCommandLine();
+    CommandLine line = new CommandLine(spec);
+    try {
+      ParseResult parsed = line.parseArgs(args);
+      if (parsed.isUsageHelpRequested()) {
+        line.usage(out);
+        return Optional.empty();
+      }
+      if (parsed.isVersionHelpRequested()) {
+        out.print(version);
+        return Optional.empty();
+      }
+      for (Option option : options) {
+        if (!option.hasValue() && parsed.hasMatchedOption(option.names().getFirst())) {
+          requireNonNull(reading, "it is being read")
+              .options()
+              .add(new ParsedCommandLine.Occurrence(option, null));
+        }
+      }
+      List<String> rest = parsed.matchedPositionalValue(0, List.of());
+      reading.rest().addAll(rest);
+      return Optional.of(reading);
+    } catch (UnmatchedArgumentException e) {
+      String unmatched = e.getUnmatched().getFirst();
+      throw Failure.usage(
+          unmatched.startsWith("-") ? "invalid option: " + unmatched : e.getMessage());
+    } catch (ParameterException e) {
+      throw Failure.usage(e.getMessage());
+    }
+  }
+}

@@ -1,0 +1,116 @@
+package org.urbi.server.tools;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.net.UnknownHostException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import org.jspecify.annotations.Nullable;
+import org.urbi.server.options.Arguments;
+import org.urbi.server.options.Failure;
+import org.urbi.server.options.Program;
+import urbi.TokenLine;
+import urbi.UClientException;
+import urbi.USyncClient;
+
+/**
+ * The server that a tool is to talk to: options {@code --host}, {@code --port}, {@code
+ * --port-file}.
+ */
+public record ServerAddress(String host, int port) {
+  /** Where an Urbi server listens by custom. */
+  public static final int DEFAULT_PORT = 54000;
+
+  private static final int CONNECT_MILLISECONDS = 10_000;
+  private static final int MAX_PORT = 65_535;
+
+  /** Adds the options to a program. */
+  public static Program options(Program program) {
+    return program
+        .option("HOST", "Address to connect to (default: 127.0.0.1).", "-H", "--host")
+        .option("PORT", "Port to connect to (default: " + DEFAULT_PORT + ").", "-P", "--port")
+        .option("FILE", "Connect to the port that is written in FILE.", "--port-file")
+        .option(
+            "FILE",
+            "Show the server the token that is in FILE (default: that in URBI_TOKEN).",
+            "--token");
+  }
+
+  /**
+   * What the options say.
+   *
+   * @throws Failure if they make no sense, or the port's file cannot be read
+   */
+  public static ServerAddress of(Arguments arguments, String host) {
+    useToken(arguments.value("--token"));
+    String file = arguments.value("--port-file");
+    if (file == null) {
+      return new ServerAddress(host, arguments.number("--port", DEFAULT_PORT, 1, MAX_PORT));
+    }
+    if (arguments.has("--port")) {
+      throw Failure.usage("give either --port or --port-file");
+    }
+    try {
+      String text = Files.readString(Path.of(file));
+      return new ServerAddress(
+          host, Arguments.number("port in " + file, text.strip(), 1, MAX_PORT));
+    } catch (IOException e) {
+      throw Failure.of("cannot read the port file " + file + ": is the server running?");
+    }
+  }
+
+  /** Whatever this process connects to is shown that token from now on. */
+  private static void useToken(@Nullable String file) {
+    if (file != null) {
+      try {
+        System.setProperty(TokenLine.PROPERTY, Files.readString(Path.of(file)).strip());
+      } catch (IOException e) {
+        throw Failure.of("cannot read the token file " + file);
+      }
+    }
+  }
+
+  /**
+   * Connects as a client that asks and waits for answers.
+   *
+   * @throws Failure if nobody answers
+   */
+  public USyncClient client() {
+    try {
+      return USyncClient.connect(host, port, Duration.ofMillis(CONNECT_MILLISECONDS));
+    } catch (UClientException e) {
+      throw Failure.of(e.getMessage() + hint());
+    }
+  }
+
+  private String hint() {
+    return " (is a server running there? urbi --port " + port + " starts one)";
+  }
+
+  @Override
+  public String toString() {
+    return host + ":" + port;
+  }
+
+  /**
+   * Connects.
+   *
+   * @throws Failure if nobody answers
+   */
+  public Socket connect() {
+    Socket socket = new Socket();
+    try {
+      socket.setTcpNoDelay(true);
+      socket.connect(new InetSocketAddress(host, port), CONNECT_MILLISECONDS);
+      socket.getOutputStream().write(TokenLine.bytes());
+      return socket;
+    } catch (UnknownHostException e) {
+      throw Failure.of("unknown host: " + host);
+    } catch (IOException e) {
+      throw Failure.of(
+          "cannot connect to %s:%d: %s%s".formatted(host, port, e.getMessage(), hint()));
+    }
+  }
+}
