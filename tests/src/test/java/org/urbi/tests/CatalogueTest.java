@@ -17,7 +17,7 @@ import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.ProblemKind;
 import org.urbi.kernel.error.UrbiException;
-import org.urbi.kernel.lobby.Complaint;
+import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.problem.SyntaxProblem;
@@ -56,7 +56,7 @@ class CatalogueTest {
     }
 
     void told(Output output) {
-      Complaint.error(output, "something is wrong");
+      Diagnostics.error(output, "something is wrong");
     }
 
     String mark(String text) {

@@ -67,7 +67,7 @@ final class MessageUses {
 
   /** Who fills exceptions, and tells lobbies of errors and warnings. */
   private static final Set<String> TELLERS =
-      Set.of("org/urbi/kernel/lobby/Complaint", "org/urbi/kernel/error/Errors$Builder");
+      Set.of("org/urbi/kernel/lobby/Diagnostics", "org/urbi/kernel/error/Errors$Builder");
 
   private static final String THROWN = "org/urbi/kernel/error/UrbiException";
 
@@ -75,7 +75,7 @@ final class MessageUses {
   private static final Pattern MAY_THROW =
       Pattern.compile("org/urbi/kernel/error/.*|org/urbi/kernel/node/Jumps.*");
 
-  private static final String MARK_OWNER = "org/urbi/kernel/lobby/Complaint";
+  private static final String MARK_OWNER = "org/urbi/kernel/lobby/Diagnostics";
 
   private final List<String> literals = new ArrayList<>();
   private final List<String> misfilled = new ArrayList<>();

@@ -14,22 +14,25 @@ public interface Client {
   default void inputConsumed() {}
 
   /**
-   * Whether the run is this client's: when it has no more input, its lobby stays, and the kernel
-   * ends when nothing can wake it.
+   * Whether this client is the main program. When its input ends, its lobby stays open, and the
+   * kernel ends once nothing can wake it.
    */
   default boolean isProgram() {
     return false;
   }
 
-  /** Whether it may send something that nobody expects, so that the kernel waits for it. */
+  /**
+   * Whether it may still send input on its own initiative, so that the kernel must keep running for
+   * it.
+   */
   default boolean isAwaited() {
     return true;
   }
 
-  /** From now on each byte that it sends counts: nothing in its input is a command of telnet. */
+  /** From now on its input is raw bytes: telnet commands are no longer looked for. */
   default void binary() {}
 
-  /** It has been told of a syntax error in its input, or of an exception that nobody caught. */
+  /** The client was sent a syntax error of its input, or an uncaught exception. */
   default void failed() {}
 
   /** The Internet address at the other end; empty when there is none. */
@@ -44,13 +47,13 @@ public interface Client {
 
   /**
    * What its lobby may have at a time, as {@code jobs=100,output=1M} (docs/robustness.md); empty
-   * for as much as there is. Asked when it connects.
+   * for no limits. Asked when it connects.
    */
   default String budget() {
     return "";
   }
 
-  /** What its lobby may do in the beginning; asked when it connects. */
+  /** The role that its lobby starts with. Asked when it connects. */
   default Role role() {
     return Role.OWNER;
   }

@@ -5,26 +5,27 @@ import java.util.concurrent.CompletableFuture;
 import org.urbi.kernel.trust.Role;
 
 /**
- * A line to a lobby of its own: text goes in and is executed, output comes back to the {@link
- * Client}. Every method may be called from any thread, and none waits.
+ * A connection to a lobby of its own: text that is sent is executed, and output comes back to the
+ * {@link Client}. Every method may be called from any thread, and none waits.
  */
 public interface Connection {
-  /** Sends text, cut anywhere: every {@code char} is one byte. */
+  /** Sends a piece of input; it may end anywhere, and every {@code char} is one byte. */
   void send(String bytes);
 
   /**
-   * There will be no more input: the connection closes when all of its jobs are over; that of
-   * {@linkplain Client#isProgram the program} when nothing can wake the kernel any more.
+   * There will be no more input. The connection closes when all of its jobs have ended; the
+   * connection of {@linkplain Client#isProgram the program} closes when nothing can wake the kernel
+   * any more.
    */
   void end();
 
   /** The client has gone: all its jobs end. */
   void close();
 
-  /** For the input that is sent from now on, the lobby may do what that role may. */
+  /** Gives the lobby a role, which applies to the input sent from now on. */
   void giveRole(Role role);
 
-  /** Ends the statement being executed, and forgets the input behind it. */
+  /** Ends the statement being executed, and drops the input that waits behind it. */
   void interrupt();
 
   /**
@@ -37,8 +38,8 @@ public interface Connection {
   String interrupt(String lobby);
 
   /**
-   * What carries the text between client and lobby has failed by a fault of our own: the log keeps
-   * the stack trace, the client is told of an internal error.
+   * Reports a bug in the code that carries text between client and lobby: the log keeps the stack
+   * trace, the client is sent an internal error.
    *
    * @param where what has failed
    */
@@ -51,8 +52,8 @@ public interface Connection {
   boolean incomplete();
 
   /**
-   * The names with which that text can go on, for somebody who types it: the last name of each, in
-   * alphabetical order. Nothing is called to find them.
+   * The completions of a text that somebody is typing: for each the last name, in alphabetical
+   * order. No urbiscript function is called to find them.
    *
    * @return done as soon as the kernel has time, never if it ends before; without names when the
    *     lobby has closed

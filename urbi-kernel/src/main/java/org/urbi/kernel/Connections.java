@@ -10,32 +10,35 @@ import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.outside.Outside;
-import org.urbi.kernel.remote.AnswerReading;
+import org.urbi.kernel.remote.AnswerPoller;
 import org.urbi.kernel.remote.RemotePeer;
-import org.urbi.kernel.remote.RemoteWire;
-import org.urbi.kernel.remote.SilentWire;
+import org.urbi.kernel.remote.RemoteTransport;
+import org.urbi.kernel.remote.ReplayTransport;
 import org.urbi.kernel.trust.Role;
 
 /** Who is connected to a kernel: clients, and processes that bring UObjects. */
 final class Connections {
   private final Kernel kernel;
-  private final Operator operator;
-  private final AnswerReading answers;
+  private final OutOfBandControl outOfBand;
+  private final AnswerPoller answers;
 
-  /** Makes the clients of a recording that is run again. */
+  /** Creates the clients of a replayed run. */
   private final IntFunction<Client> replayed;
 
   private final Set<KernelConnection> open = new LinkedHashSet<>();
 
-  /** Those of which the kernel thread has not been told yet, by their numbers. */
+  /** Connections that the kernel thread does not know of yet, by number. */
   private final Map<Integer, KernelConnection> arriving = new ConcurrentHashMap<>();
 
   private final Map<Integer, RemotePeer> arrivingPeers = new ConcurrentHashMap<>();
 
   Connections(
-      Kernel kernel, Operator operator, AnswerReading answers, IntFunction<Client> replayed) {
+      Kernel kernel,
+      OutOfBandControl outOfBand,
+      AnswerPoller answers,
+      IntFunction<Client> replayed) {
     this.kernel = kernel;
-    this.operator = operator;
+    this.outOfBand = outOfBand;
     this.answers = answers;
     this.replayed = replayed;
   }
@@ -60,7 +63,7 @@ final class Connections {
   }
 
   /** Lets a process bring UObjects. */
-  RemotePeer connectRemote(String name, RemoteWire wire) {
+  RemotePeer connectRemote(String name, RemoteTransport wire) {
     int number = kernel.inbox().reserve();
     RemotePeer peer = peer(number, name, wire);
     arrivingPeers.put(number, peer);
@@ -68,7 +71,7 @@ final class Connections {
     return peer;
   }
 
-  private RemotePeer peer(int number, String name, RemoteWire wire) {
+  private RemotePeer peer(int number, String name, RemoteTransport wire) {
     return new RemotePeer(
         number,
         name,
@@ -81,7 +84,7 @@ final class Connections {
 
   // ------------------------------------------------------------------ on the kernel thread
 
-  /** A client has arrived, now or in the run that is run again. */
+  /** A client has connected, now or in the run that is replayed. */
   void open(Message.ConnectionOpened opened) {
     int number = opened.connection();
     KernelConnection connection = arriving.remove(number);
@@ -91,28 +94,28 @@ final class Connections {
     connection.open(opened.address(), Role.valueOf(opened.role()), opened.budget());
   }
 
-  /** A process has arrived. */
+  /** A remote process has connected. */
   void open(Message.RemoteOpened opened) {
     RemotePeer peer = arrivingPeers.remove(opened.peer());
-    (peer == null ? peer(opened.peer(), opened.name(), new SilentWire()) : peer).open();
+    (peer == null ? peer(opened.peer(), opened.name(), new ReplayTransport()) : peer).open();
   }
 
   void add(KernelConnection connection) {
     open.add(connection);
-    operator.add(connection);
+    outOfBand.add(connection);
   }
 
   void remove(KernelConnection connection) {
     open.remove(connection);
-    operator.remove(connection);
+    outOfBand.remove(connection);
   }
 
-  /** Those of clients that are open, oldest first. */
+  /** The open connections of clients, oldest first. */
   List<KernelConnection> all() {
     return List.copyOf(open);
   }
 
-  /** Whether one of them may bring something new. */
+  /** Whether one of the clients may still send input. */
   boolean areAwaited() {
     for (KernelConnection connection : open) {
       if (connection.isAwaited()) {
@@ -122,7 +125,7 @@ final class Connections {
     return false;
   }
 
-  /** What a message has brought about is our mistake, and no reason for the kernel to end. */
+  /** A message that cannot be handled is a bug of ours, but no reason to end the kernel. */
   void failed(Message message, Throwable failure) {
     FailureLog.internal("a message, " + message.getClass().getSimpleName(), failure);
     for (KernelConnection connection : all()) {
@@ -132,7 +135,7 @@ final class Connections {
     }
   }
 
-  /** Ends them with the kernel. */
+  /** Closes all connections when the kernel ends. */
   void finish() {
     all().forEach(KernelConnection::finish);
   }

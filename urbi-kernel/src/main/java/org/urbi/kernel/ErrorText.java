@@ -6,9 +6,9 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.ProblemKind;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
-import org.urbi.kernel.job.Unwinding;
-import org.urbi.kernel.lobby.Complaint;
+import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.log.FailureLog;
@@ -22,7 +22,7 @@ final class ErrorText {
   private ErrorText() {}
 
   /**
-   * Tells of what nobody has caught.
+   * Reports an exception that nobody has caught.
    *
    * @param job null if it was thrown between the turns of the jobs
    */
@@ -35,16 +35,16 @@ final class ErrorText {
       FailureLog.internal("job " + job.name(), failure);
     }
     if (job.lobby() instanceof UrbiLobby lobby && lobby.isInstance()) {
-      if (lobby.hasShell() && !(failure instanceof Unwinding)) {
+      if (lobby.hasShell() && !(failure instanceof ControlFlowException)) {
         lobby.shell().failed();
       }
       try {
         report(interpreter, job, lobby, failure);
-      } catch (Unwinding unwinding) {
+      } catch (ControlFlowException unwinding) {
         throw unwinding;
       } catch (Throwable unable) {
         FailureLog.internal("showing an error", unable);
-        Complaint.error(lobby.output(), FailureLog.text(unable));
+        Diagnostics.error(lobby.output(), FailureLog.text(unable));
       }
     }
   }
@@ -59,10 +59,13 @@ final class ErrorText {
     return failure.getMessage() == null ? failure.toString() : failure.getMessage();
   }
 
-  /** Whether something is a failure of our own: of nobody's code, nor of what it may use up. */
+  /**
+   * Whether a failure is a bug of ours, rather than an error of the user's code or an exhausted
+   * resource.
+   */
   private static boolean isInternal(Throwable failure) {
     return !(failure instanceof UrbiException
-        || failure instanceof Unwinding
+        || failure instanceof ControlFlowException
         || failure instanceof StackOverflowError
         || failure instanceof OutOfMemoryError);
   }
@@ -72,20 +75,23 @@ final class ErrorText {
     Output output = lobby.output();
     switch (failure) {
       case UrbiException e -> {
-        String place = isPlaced(interpreter, e.value()) ? Complaint.place(e.span()) : "";
-        Complaint.error(output, place + text(interpreter, job, lobby, e));
-        Complaint.callersOfError(output, e.backtrace());
+        String place = isPlaced(interpreter, e.value()) ? Diagnostics.place(e.span()) : "";
+        Diagnostics.error(output, place + text(interpreter, job, lobby, e));
+        Diagnostics.callersOfError(output, e.backtrace());
       }
-      case StackOverflowError e -> Complaint.error(output, Problem.STACK_EXHAUSTED.text());
-      case OutOfMemoryError e -> Complaint.error(output, Problem.MEMORY_EXHAUSTED.text());
-      case Unwinding e -> {
+      case StackOverflowError e -> Diagnostics.error(output, Problem.STACK_EXHAUSTED.text());
+      case OutOfMemoryError e -> Diagnostics.error(output, Problem.MEMORY_EXHAUSTED.text());
+      case ControlFlowException e -> {
         // A return or a break that had nothing to leave.
       }
-      default -> Complaint.error(output, FailureLog.text(failure));
+      default -> Diagnostics.error(output, FailureLog.text(failure));
     }
   }
 
-  /** What is no exception has no place; an exception may tell its own. */
+  /**
+   * Whether the error line starts with a location. A thrown value that is no Exception has none,
+   * and some exceptions show their own.
+   */
   private static boolean isPlaced(Interpreter interpreter, UrbiObject value) {
     return value.isA(interpreter.world().prototype("Exception"))
         && !interpreter.errors().is(value, ProblemKind.SYNTAX)

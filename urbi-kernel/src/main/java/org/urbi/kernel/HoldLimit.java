@@ -5,14 +5,14 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
-import org.urbi.kernel.job.HoldWatch;
+import org.urbi.kernel.job.HoldWatchdog;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.log.LogLevel;
 
-/** What becomes of a job that holds the kernel without letting others run. */
+/** Ends jobs that hold the kernel for too long without letting others run. */
 final class HoldLimit {
   private final Errors errors;
   private final KernelLog log;
@@ -28,12 +28,12 @@ final class HoldLimit {
    * Sets the limit of a kernel that has been started.
    *
    * @param limit zero for none
-   * @return who watches, or null when nobody does
+   * @return the watchdog, or null when there is no limit
    */
-  static @Nullable HoldWatch set(
+  static @Nullable HoldWatchdog set(
       Scheduler scheduler, Errors errors, KernelLog log, Duration limit) {
     HoldLimit holding = new HoldLimit(errors, log, limit);
-    // A recording may have reached a limit which its replay does not have.
+    // A replay may have no limit where the recorded run had one and reached it.
     scheduler.interruptions().setOverdueFailure(holding::failure);
     if (limit.isZero() || scheduler.journal().isReplay()) {
       return null;
@@ -45,7 +45,7 @@ final class HoldLimit {
     return errors.limit(Problem.HELD_TOO_LONG, described(job, job.component()));
   }
 
-  /** Another thread tells: it looks at nothing but names. */
+  /** Called on the watchdog's thread, so it reads nothing but names. */
   private void tell(Job job, String component) {
     if (log.shows(LogLevel.LOG)) {
       log.write(

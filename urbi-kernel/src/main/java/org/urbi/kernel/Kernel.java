@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.embed.Embedding;
 import org.urbi.kernel.embed.JavaValues;
-import org.urbi.kernel.embed.Listening;
+import org.urbi.kernel.embed.ListenerRegistration;
 import org.urbi.kernel.embed.UrbiError;
 import org.urbi.kernel.embed.UrbiValue;
 import org.urbi.kernel.error.Errors;
@@ -40,9 +40,9 @@ import org.urbi.kernel.node.CorePrototypes;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.outside.Outside;
-import org.urbi.kernel.remote.AnswerReading;
+import org.urbi.kernel.remote.AnswerPoller;
 import org.urbi.kernel.remote.RemotePeer;
-import org.urbi.kernel.remote.RemoteWire;
+import org.urbi.kernel.remote.RemoteTransport;
 import org.urbi.kernel.tag.UrbiTag;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.uobject.PluggedContext;
@@ -50,11 +50,11 @@ import urbi.UClass;
 import urbi.UObject;
 
 /**
- * An urbiscript engine. Several can run in one process, and any thread may use one: what it asks
- * for is done on the kernel's own thread.
+ * An urbiscript engine. Several can run in one process, and any thread may use one: its requests
+ * are carried out on the kernel's own thread.
  */
 public final class Kernel implements AutoCloseable {
-  /** How many nested calls a kibibyte of stack stands for. */
+  /** How many nested calls are allowed for each kibibyte of stack. */
   private static final int CALLS_PER_KIBIBYTE = 100;
 
   private final Scheduler scheduler;
@@ -64,11 +64,11 @@ public final class Kernel implements AutoCloseable {
   private final PluggedContext uobjects;
   private final Outside outside;
   private final Journal journal;
-  private final Operator operator;
+  private final OutOfBandControl outOfBand;
   private final Connections connections;
-  private final KernelLife life;
+  private final KernelLifecycle life;
 
-  /** The recording that this kernel runs again, or null. */
+  /** The recording that this kernel replays, or null. */
   private final @Nullable Replay replay;
 
   /** A kernel to be configured, then started. */
@@ -82,17 +82,18 @@ public final class Kernel implements AutoCloseable {
     Clock clock = builder.clock();
     this.journal = builder.journal(clock, builder.log);
     World world = new World();
-    world.randomness().seed(builder.seed);
+    world.randomNumbers().seed(builder.seed);
     this.scheduler = new Scheduler(world, clock, journal, builder.jobThreads, this::report);
-    this.operator = new Operator(scheduler);
+    this.outOfBand = new OutOfBandControl(scheduler);
     Inbox inbox = scheduler.inbox();
     inbox.register(Message.KERNEL, this::take);
-    var answers = new AnswerReading();
+    var answers = new AnswerPoller();
     inbox.listenTo(answers);
-    this.connections = new Connections(this, operator, answers, builder.replayed);
+    this.connections = new Connections(this, outOfBand, answers, builder.replayed);
     inbox.setFailures(connections::failed);
     this.outside = new Outside(scheduler, builder.confinement, builder.users);
-    this.life = new KernelLife(scheduler, connections::finish, builder.onHalt, builder.onReboot);
+    this.life =
+        new KernelLifecycle(scheduler, connections::finish, builder.onHalt, builder.onReboot);
     var core =
         new CorePrototypes(
             world.values(),
@@ -118,20 +119,20 @@ public final class Kernel implements AutoCloseable {
         new CommandLine(builder.programName, builder.arguments),
         new Environment(environmentAtStart()),
         new FileAccess(outside),
-        life,
         log,
         loadedFiles,
         new KernelLobbies(this),
         outside,
         uobjects,
         new SearchPath(builder.searchPath, library),
+        life,
         stackFrames,
         new WorkingDirectory(outside, builder.confinement.workingDirectory()));
   }
 
   private Map<String, String> environmentAtStart() {
     try {
-      return requireNonNull(journal.look(System::getenv), "every machine has one");
+      return requireNonNull(journal.query(System::getenv), "every machine has one");
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -140,13 +141,13 @@ public final class Kernel implements AutoCloseable {
   /** Starts to run. */
   void begin(Duration maxHold) {
     scheduler.startLoop(this::ended);
-    operator.setWatch(HoldLimit.set(scheduler, interpreter.errors(), log, maxHold));
+    outOfBand.setWatch(HoldLimit.set(scheduler, interpreter.errors(), log, maxHold));
   }
 
   // ------------------------------------------------------------------ messages
 
   private void take(Message message) {
-    // As in a connection, no switch over types: every script comes by here.
+    // No pattern switch, for the reason given in KernelConnection: every script starts here.
     if (message instanceof Message.Shutdown wish) {
       life.shutDown(wish.status());
     } else if (message instanceof Message.ConnectionOpened opened) {
@@ -166,21 +167,22 @@ public final class Kernel implements AutoCloseable {
   }
 
   /**
-   * The program has no more input, and nothing is going to happen: no job, no deadline, nothing
-   * outside, nobody connected, and no component whose variables and events somebody listens to.
+   * Ends the kernel if the program has no more input and nothing can happen any more: there is no
+   * job, no deadline, no activity outside, no connection, and no component whose variables and
+   * events somebody listens to.
    */
   private void endIfNothingCanWakeIt() {
     if (connections.areAwaited()) {
       return;
     }
-    boolean resting = scheduler.jobs().stream().allMatch(Job::isResting);
+    boolean resting = scheduler.jobs().stream().allMatch(Job::isDaemon);
     if (resting && !uobjects.isListenedTo()) {
       connections.all().forEach(KernelConnection::finishProgram);
     }
   }
 
   private void ended(Throwable failure) {
-    operator.end();
+    outOfBand.end();
     connections.finish();
     uobjects.close();
     outside.close();
@@ -261,8 +263,8 @@ public final class Kernel implements AutoCloseable {
   }
 
   /**
-   * Evaluates source text, without waiting; may be called on the kernel thread, too. What depends
-   * on the future is executed elsewhere. To cancel the future stops the job.
+   * Evaluates source text, without waiting; may be called on the kernel thread, too. Actions that
+   * depend on the future do not run on the kernel thread. Cancelling the future stops the job.
    */
   public CompletableFuture<Object> evalAsync(String source) {
     return embedding.evalAsync(source);
@@ -272,16 +274,16 @@ public final class Kernel implements AutoCloseable {
    * Calls a function with Java values, and waits.
    *
    * @param function its name in the lobby, or a path: {@code robot.arm.move}
-   * @throws IllegalArgumentException if urbiscript has nothing like an argument
+   * @throws IllegalArgumentException if an argument cannot be converted to an urbiscript value
    */
   public @Nullable Object call(String function, Object... arguments) {
     return embedding.call(function, arguments);
   }
 
   /**
-   * Gives urbiscript a function written in Java: everywhere, as a slot of {@code Global}, or by a
-   * dotted name as that of another object. It is called on the kernel thread, and the kernel waits
-   * for it. What it throws is an exception of urbiscript.
+   * Gives urbiscript a function written in Java: visible everywhere, as a slot of {@code Global},
+   * or with a dotted name as a slot of another object. It is called on the kernel thread, which
+   * waits for it. What it throws becomes an urbiscript exception.
    */
   public void define(String name, Function<? super List<Object>, ?> function) {
     embedding.define(name, function);
@@ -302,9 +304,9 @@ public final class Kernel implements AutoCloseable {
    * Listens to an event. The listener gets the payload of each emission, one after the other, on a
    * thread that it may block.
    *
-   * @param expression evaluated once, to an event or what has {@code asEvent}
+   * @param expression evaluated once; its value is an event, or an object with {@code asEvent}
    */
-  public Listening onEvent(String expression, Consumer<? super List<Object>> listener) {
+  public ListenerRegistration onEvent(String expression, Consumer<? super List<Object>> listener) {
     return embedding.onEvent(expression, listener);
   }
 
@@ -314,18 +316,18 @@ public final class Kernel implements AutoCloseable {
    *
    * @param slot its name in the lobby, a path, or any expression to watch
    */
-  public Listening onChange(String slot, Consumer<Object> listener) {
+  public ListenerRegistration onChange(String slot, Consumer<Object> listener) {
     return embedding.onChange(slot, listener);
   }
 
-  /** What the methods above stand on, for those who need more. */
+  /** The full interface for Java programs, of which the methods above are shortcuts. */
   public Embedding embedding() {
     return embedding;
   }
 
   // ------------------------------------------------------------------ connections
 
-  /** Opens a connection: the time stands still, if it is simulated, while more input is to come. */
+  /** Opens a connection. Simulated time stands still until its input has ended. */
   public Connection connect(Client client) {
     return connect(client, true);
   }
@@ -333,49 +335,55 @@ public final class Kernel implements AutoCloseable {
   /**
    * Opens a connection.
    *
-   * @param holdsTime whether a simulated time waits for the input of this connection
+   * @param holdsTime whether simulated time stands still while this connection may send input
    */
   public Connection connect(Client client, boolean holdsTime) {
     return connections.connect(client, holdsTime);
   }
 
   /**
-   * For how long a job has held the kernel, in nanoseconds; if {@link KernelBuilder#maxHold} is
-   * set.
+   * For how long the running job has held the kernel, in nanoseconds. Only measured if {@link
+   * KernelBuilder#maxHold} is set.
    */
   public long heldFor() {
-    return operator.heldFor();
+    return outOfBand.heldFor();
   }
 
   /** What holds the kernel, for people, with its Java stack. */
   public String holder() {
-    return operator.holder();
-  }
-
-  /** Memory is scarce, or is not: from when it is, it is measured whose jobs take it. */
-  public void memoryScarce(boolean scarce) {
-    operator.memoryScarce(scarce);
+    return outOfBand.holder();
   }
 
   /**
-   * Memory is nearly exhausted: ends all that the lobby does which has grown most, and tells its
-   * client; when called again, lets that go, then turns to the next one. To be called on a thread
-   * of one's own.
-   *
-   * @return what was done, for people; empty when nobody is left
+   * Says whether memory is scarce. While it is, the kernel measures which lobby's jobs allocate
+   * most.
    */
-  public String relieve() throws InterruptedException {
-    return operator.relieve();
+  public void memoryScarce(boolean scarce) {
+    outOfBand.memoryScarce(scarce);
   }
 
-  /** Ends the kernel as soon as possible, whatever its jobs do; from any thread. */
+  /**
+   * To be called when memory is nearly exhausted: ends all jobs of the lobby that has grown most,
+   * and tells its client. The next call disconnects that client; the one after that turns to the
+   * next lobby. Not to be called on the kernel thread.
+   *
+   * @return a description of what was done; empty when no lobby is left
+   */
+  public String evictLargest() throws InterruptedException {
+    return outOfBand.evictLargest();
+  }
+
+  /**
+   * Ends the kernel as soon as possible, whatever its jobs are doing. May be called from any
+   * thread.
+   */
   public void abort(int exitStatus) {
     requestShutdown(exitStatus);
-    scheduler.interruptions().wantAll();
+    scheduler.interruptions().requestAll();
   }
 
-  Operator operator() {
-    return operator;
+  OutOfBandControl outOfBand() {
+    return outOfBand;
   }
 
   Connections connections() {
@@ -413,7 +421,7 @@ public final class Kernel implements AutoCloseable {
    * @param name of the process, for people
    * @param wire the way to it
    */
-  public RemotePeer connectRemote(String name, RemoteWire wire) {
+  public RemotePeer connectRemote(String name, RemoteTransport wire) {
     return connections.connectRemote(name, wire);
   }
 

@@ -27,7 +27,7 @@ import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
 import org.urbi.kernel.time.VirtualClock;
 
-/** How a kernel is to be, and its start. */
+/** Configures a kernel and starts it. */
 public final class KernelBuilder {
   boolean virtualTime;
   JobThreads jobThreads = JobThreads.AUTO;
@@ -53,18 +53,20 @@ public final class KernelBuilder {
         throw new NoSuchElementException("nobody has opened connection " + number);
       };
 
-  /** Where the run is written down. */
+  /** The file in which the run is recorded. */
   private record Recording(String name, OutputStream file) {}
 
   KernelBuilder() {}
 
-  /** Whether time is simulated: nobody waits, and a run depends on its input alone. */
+  /**
+   * Whether time is simulated: sleeping takes no real time, and a run depends on its input alone.
+   */
   public KernelBuilder virtualTime(boolean on) {
     virtualTime = on;
     return this;
   }
 
-  /** How jobs are run; by default the fastest way that is available. */
+  /** How jobs are mapped to threads; by default the fastest way available. */
   public KernelBuilder jobThreads(JobThreads how) {
     jobThreads = how;
     return this;
@@ -76,7 +78,10 @@ public final class KernelBuilder {
     return this;
   }
 
-  /** The folder of the library's own source files: {@code Traceable} may hide their calls. */
+  /**
+   * The folder of the library's own source files. {@code Traceable} may hide calls made from them
+   * in backtraces.
+   */
   public KernelBuilder library(Path folder) {
     library = folder;
     return this;
@@ -97,13 +102,13 @@ public final class KernelBuilder {
     return this;
   }
 
-  /** The stack of a job, in KiB; 0 for as much as there is. It limits nested calls. */
+  /** The stack size of a job, in KiB, which limits nested calls; 0 for no limit of its own. */
   public KernelBuilder stackSize(int kibibytes) {
     stackSize = kibibytes;
     return this;
   }
 
-  /** Where random numbers begin. */
+  /** The seed of the random numbers. */
   public KernelBuilder seed(long number) {
     seed = number;
     return this;
@@ -122,16 +127,16 @@ public final class KernelBuilder {
     return this;
   }
 
-  /** Has {@code System.reboot} end the kernel, after it has told so. */
+  /** Lets {@code System.reboot} end the kernel, after it has called this action. */
   public KernelBuilder onReboot(Runnable action) {
     onReboot = action;
     return this;
   }
 
   /**
-   * Where goes what code evaluated by {@link Kernel#eval} and its like sends to its lobby: whole
-   * lines, in general, as a console would show them. By default {@code System.out}. It is called on
-   * a thread of its own.
+   * Receives the output of code evaluated by {@link Kernel#eval} and the like: usually whole lines,
+   * as a console would show them. By default they go to {@code System.out}. The consumer is called
+   * on a thread of its own.
    */
   public KernelBuilder output(Consumer<String> consumer) {
     output = Objects.requireNonNull(consumer);
@@ -151,12 +156,12 @@ public final class KernelBuilder {
   }
 
   /**
-   * Keeps what runs in the kernel away from the machine around it. It can use the files below that
-   * directory, links followed, which is also where relative paths start from; it can start no
-   * program and open no connection. What is refused is an exception of urbiscript that says so.
-   * Folders of the search path elsewhere are not looked into. What is {@link Kernel#define
-   * defined}, and who shares the directory, are not confined: links must not change while the
-   * kernel runs.
+   * Confines the code that the kernel runs to one directory. It can use files below that directory
+   * (symbolic links are resolved first), from which relative paths start; it can start no programs
+   * and open no connections. What is refused throws an urbiscript exception that says so. Folders
+   * of the search path outside of the directory are skipped. Functions that were {@link
+   * Kernel#define defined} by Java are not confined, nor are other users of the directory: links in
+   * it must not change while the kernel runs.
    *
    * @throws UncheckedIOException when there is no such directory
    */
@@ -186,9 +191,9 @@ public final class KernelBuilder {
 
   /**
    * Writes down the run, so that it can be {@linkplain #replay replayed}: docs/tools.md, "Recording
-   * a run". When that becomes impossible the log is told, and the run goes on.
+   * a run". If the file can no longer be written, the log says so and the run continues.
    *
-   * @param file made, or emptied
+   * @param file is created, or overwritten
    * @throws UncheckedIOException if it cannot be written
    */
   public KernelBuilder record(Path file) {
@@ -201,11 +206,11 @@ public final class KernelBuilder {
   }
 
   /**
-   * Runs a recording again instead of something new: everything that comes from the outside comes
-   * from there, and how the kernel was configured. It ends where the recording does; {@link
-   * Kernel#replayDifference} says whether it went as it did.
+   * Replays a recording: the configuration of the kernel, and all that came in from the outside,
+   * are taken from the file. The kernel ends where the recording ends; {@link
+   * Kernel#replayDifference} says whether the replay matched it.
    *
-   * @param clients makes the clients that hear the output, of the numbers of the connections
+   * @param clients creates, for the number of a connection, the client that receives its output
    * @throws UncheckedIOException if the file cannot be read
    * @throws RecordingException if it is no recording, or damaged
    */
@@ -220,7 +225,7 @@ public final class KernelBuilder {
     return this;
   }
 
-  /** Where what comes in is written down, or comes from. */
+  /** The journal that records what comes in, or replays it. */
   Journal journal(Clock clock, Consumer<String> trouble) {
     if (replay != null) {
       return replay;

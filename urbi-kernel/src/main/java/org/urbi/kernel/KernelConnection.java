@@ -12,8 +12,8 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
-import org.urbi.kernel.lobby.Complaint;
 import org.urbi.kernel.lobby.Completion;
+import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
@@ -66,7 +66,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
   @Override
   public void close() {
     if (!gone) {
-      // Nobody would take back a second interruption.
+      // A second interruption would never be cleared: one message clears only one.
       interruptRunning();
       kernel.inbox().post(new Message.ConnectionClosed(number));
     }
@@ -74,7 +74,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
 
   @Override
   public void giveRole(Role role) {
-    kernel.inbox().post(new Message.RoleGiven(number, role.name()));
+    kernel.inbox().post(new Message.RoleGranted(number, role.name()));
   }
 
   @Override
@@ -89,7 +89,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
     if ((asking == null ? client.role() : asking.role()) != Role.OWNER) {
       return Problem.MAY_NOT_INTERRUPT.text();
     }
-    return kernel.operator().interrupt(other);
+    return kernel.outOfBand().interrupt(other);
   }
 
   @Override
@@ -98,17 +98,19 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
     kernel.inbox().post(new Message.ConnectionFailed(number, FailureLog.text(failure)));
   }
 
-  /** Ends all that the lobby does, for that reason. */
+  /** Ends all jobs of the lobby, for the given reason. */
   void evict(String why) {
     interruptRunning();
     kernel.inbox().post(new Message.Evicted(number, why));
   }
 
-  /** Code that never lets others run cannot wait for the inbox. */
+  /**
+   * Code that never lets others run cannot be reached by a message, so it is interrupted at once.
+   */
   private void interruptRunning() {
     UrbiObject of = lobby;
     if (of != null) {
-      kernel.scheduler().interruptions().want(of);
+      kernel.scheduler().interruptions().request(of);
     }
   }
 
@@ -130,7 +132,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
     if (gone) {
       names.complete(List.of());
     } else {
-      kernel.inbox().post(new Message.CompletionAsked(number, question, text));
+      kernel.inbox().post(new Message.CompletionRequested(number, question, text));
     }
     return names;
   }
@@ -144,7 +146,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
       return;
     }
     kernel.inbox().register(number, this);
-    Budget budget = new Budget(kernel.operator()::watchTime);
+    Budget budget = new Budget(kernel.outOfBand()::watchTime);
     budget.setLimits(limits);
     Output output = new Output(kernel.scheduler(), this::show, () -> isBehind(budget));
     UrbiLobby made = UrbiLobby.start(kernel.interpreter(), output, this, role, budget);
@@ -168,21 +170,21 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
 
   @Override
   public void take(Message message) {
-    // No switch over types: the JDK builds those anew in each process, which a short script would
-    // feel.
+    // No pattern switch: the JDK links one anew in each process, which would slow down short
+    // scripts.
     if (message instanceof Message.ConsoleBytes sent) {
       received(sent.bytes());
     } else if (message instanceof Message.InputEnded) {
       inputEnded();
     } else if (message instanceof Message.Interrupted) {
       interrupted();
-    } else if (message instanceof Message.RoleGiven given) {
+    } else if (message instanceof Message.RoleGranted given) {
       roleGiven(Role.valueOf(given.role()));
     } else if (message instanceof Message.Evicted evicted) {
       evicted(evicted.reason());
     } else if (message instanceof Message.ConnectionFailed failed) {
       tell(failed.error());
-    } else if (message instanceof Message.CompletionAsked asked) {
+    } else if (message instanceof Message.CompletionRequested asked) {
       complete(asked.question(), asked.text());
     } else if (message instanceof Message.ConnectionClosed) {
       closed();
@@ -247,7 +249,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
   void tell(String error) {
     UrbiLobby told = lobby;
     if (!finished && told != null) {
-      Complaint.error(told.output(), error);
+      Diagnostics.error(told.output(), error);
     }
   }
 
@@ -263,7 +265,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
     return requireNonNull(lobby, "its messages come when it is open");
   }
 
-  /** A simulated time stands still while the shell waits for input that is to come now. */
+  /** Simulated time stands still while the shell waits for input that is about to arrive. */
   @Override
   public void starving(boolean begins) {
     if (begins && holdsTime && !ended) {
@@ -308,19 +310,22 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
     return client.isProgram();
   }
 
-  /** Whether more may come from it: input, or what code does for it besides its jobs. */
+  /**
+   * Whether more may happen because of it: its client may send input, or something besides its jobs
+   * is active for it.
+   */
   boolean isAwaited() {
     return client.isAwaited() && !(client.isProgram() && ended);
   }
 
   /** The end of the program's connection, once nothing can wake the kernel. */
   void finishProgram() {
-    if (client.isProgram() && ended && lobby().shell().isResting()) {
+    if (client.isProgram() && ended && lobby().shell().isDaemon()) {
       finish();
     }
   }
 
-  /** The end, whoever brought it about. */
+  /** Closes the connection, whichever side has ended it. */
   void finish() {
     if (!finished) {
       finished = true;

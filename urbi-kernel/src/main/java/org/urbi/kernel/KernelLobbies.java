@@ -7,9 +7,9 @@ import java.util.Set;
 import org.urbi.kernel.lobby.Lobbies;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
-import org.urbi.kernel.outside.Link;
+import org.urbi.kernel.outside.SocketConnection;
 
-/** The lobbies of a kernel: those of its connections, and those that programs have made. */
+/** The lobbies of a kernel: one for each connection, and those created by programs. */
 final class KernelLobbies implements Lobbies {
   private final Kernel kernel;
   private final Set<UrbiLobby> created = new LinkedHashSet<>();
@@ -60,8 +60,9 @@ final class KernelLobbies implements Lobbies {
   }
 
   @Override
-  public UrbiLobby call(UrbiLobby caller, Link link, String address) {
-    CalledClient client = new CalledClient(kernel.interpreter(), caller, link, address, this::gone);
+  public UrbiLobby call(UrbiLobby caller, SocketConnection link, String address) {
+    ReverseClient client =
+        new ReverseClient(kernel.interpreter(), caller, link, address, this::gone);
     created.add(client.lobby());
     client.open();
     return client.lobby();

@@ -6,13 +6,13 @@ import org.urbi.kernel.journal.Entry;
 import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.outside.Confinement;
 
-/** What a recording says of how its kernel was configured. */
+/** Converts the configuration of a kernel to and from the first entry of a recording. */
 final class RecordedSettings {
   private RecordedSettings() {}
 
   /** The settings of a kernel that is to be recorded. */
-  static Entry.Begun of(KernelBuilder builder, double startTime) {
-    return new Entry.Begun(
+  static Entry.RunStarted of(KernelBuilder builder, double startTime) {
+    return new Entry.RunStarted(
         String.valueOf(Kernel.class.getPackage().getImplementationVersion()),
         builder.virtualTime,
         startTime,
@@ -31,7 +31,7 @@ final class RecordedSettings {
   }
 
   /** Configures a kernel as the recorded one was. */
-  static void restore(Entry.Begun begun, KernelBuilder builder) {
+  static void restore(Entry.RunStarted begun, KernelBuilder builder) {
     builder.seed = begun.seed();
     builder.stackSize = begun.stackSize();
     builder.searchPath = paths(begun.searchPath());

@@ -45,7 +45,7 @@ class HoldLimitTest {
     public void closed() {}
 
     synchronized void await(Predicate<String> what) throws InterruptedException {
-      long end = System.nanoTime() + Patience.LONG.toNanos();
+      long end = System.nanoTime() + TestTimeout.LONG.toNanos();
       while (!what.test(text.toString())) {
         long left = end - System.nanoTime();
         assertTrue(left > 0, text::toString);

@@ -55,7 +55,7 @@ final class Visitor implements Client {
   /** The next line, null if there is none for long. */
   String next() {
     try {
-      return heard.poll(Patience.LONG.toSeconds(), TimeUnit.SECONDS);
+      return heard.poll(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return null;

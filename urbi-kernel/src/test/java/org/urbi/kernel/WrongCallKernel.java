@@ -16,10 +16,10 @@ import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.ProblemKind;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagStop;
 import org.urbi.kernel.job.Timers;
-import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.library.Library;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.UrbiLobby;
@@ -41,7 +41,7 @@ import org.urbi.lang.source.Span;
 /** A fresh kernel that makes wrong calls, each in a job of its own, and judges what comes of it. */
 final class WrongCallKernel implements AutoCloseable {
   /** Simulated: as long as anything may wait. */
-  private static final long PATIENCE = TimeUnit.HOURS.toNanos(30);
+  private static final long VIRTUAL_TIMEOUT = TimeUnit.HOURS.toNanos(30);
 
   /** Real: how long somebody waits before he looks. */
   private static final long WAIT_MS = 100;
@@ -244,7 +244,7 @@ final class WrongCallKernel implements AutoCloseable {
                         try {
                           body.run(this, job);
                           over.complete(null);
-                        } catch (Unwinding e) {
+                        } catch (ControlFlowException e) {
                           over.completeExceptionally(e);
                           throw e;
                         } catch (Throwable e) {
@@ -293,7 +293,7 @@ final class WrongCallKernel implements AutoCloseable {
       throw new Defect("no end: " + (call == null ? "not even before" : call.source()));
     }
     if (call != null && waited > WAITS_TO_INTERRUPT) {
-      kernel.scheduler().interruptions().want(lobby);
+      kernel.scheduler().interruptions().request(lobby);
     }
     if (call != null) {
       KernelThread.run(kernel, judge::wake);
@@ -328,7 +328,7 @@ final class WrongCallKernel implements AutoCloseable {
             .startDetached(lobby, kernel.scheduler().rootScope(), "call", attempt::run);
     worker.onEnd(judge::wake);
     Timers.Timer timer =
-        kernel.scheduler().timers().add(kernel.scheduler().now() + PATIENCE, judge::wake);
+        kernel.scheduler().timers().add(kernel.scheduler().now() + VIRTUAL_TIMEOUT, judge::wake);
     judge.waitForWake();
     timer.cancel();
     if (worker.state() != Job.State.ENDED) {
@@ -419,7 +419,7 @@ final class WrongCallKernel implements AutoCloseable {
     void run(Job job) {
       try {
         attempt(job);
-      } catch (Unwinding e) {
+      } catch (ControlFlowException e) {
         // Whatever it was that was to be left.
         throw e;
       } catch (UrbiException e) {

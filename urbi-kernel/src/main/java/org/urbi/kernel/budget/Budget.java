@@ -6,11 +6,12 @@ import java.util.regex.Pattern;
 import org.urbi.kernel.error.Problem;
 
 /**
- * What the code of a lobby may have at a time, and what it has. Whoever is about to take something
- * asks here. On the kernel thread, but for what is {@linkplain #nanoseconds measured}.
+ * The limits of a lobby, and how much of each resource it uses at present. Code that is about to
+ * use a limited resource takes it here first. Used on the kernel thread, except for what is
+ * {@linkplain #nanoseconds measured}.
  */
 public final class Budget {
-  /** What a job that sleeps takes of the memory, with room for as much besides, in bytes. */
+  /** Twice the memory of a sleeping job, in bytes. */
   private static final long MEMORY_OF_JOB = 4096;
 
   /** There is no limit. */
@@ -34,7 +35,8 @@ public final class Budget {
   /**
    * A budget that has no limits yet.
    *
-   * @param timeLimited told when it has one of {@link Resource#TIME}: somebody has to look after it
+   * @param timeLimited called when a limit of {@link Resource#TIME} is set, which must then be
+   *     monitored
    */
   public Budget(Runnable timeLimited) {
     this.timeLimited = timeLimited;
@@ -43,12 +45,12 @@ public final class Budget {
     }
   }
 
-  /** How much there may be; from any thread. */
+  /** The limit of a resource; from any thread. */
   public long limit(Resource what) {
     return limits.get(what.ordinal());
   }
 
-  /** Says how much there may be from now on; what there is already stays. */
+  /** Sets a limit from now on; what is in use already stays. */
   public void setLimit(Resource what, long most) {
     limits.set(what.ordinal(), most);
     if (what == Resource.TIME && most != UNLIMITED) {
@@ -82,20 +84,22 @@ public final class Budget {
   }
 
   /**
-   * The limits that options say, with what follows from the memory: so many jobs that collecting
-   * garbage does not become all that happens.
+   * Adds to the limits given by options those that follow from the size of the memory: only so many
+   * jobs that the garbage collector can keep up.
    */
   public static String fitting(long memory, String options) {
     String jobs = Resource.JOBS.word() + "=" + memory / MEMORY_OF_JOB;
     return options.isBlank() ? jobs : jobs + "," + options;
   }
 
-  /** How much there is. */
+  /** How much is in use. */
   public long used(Resource what) {
     return used[what.ordinal()];
   }
 
-  /** Takes one; false, and nothing is taken, if that would be too much. */
+  /**
+   * Takes one unit of a resource. Returns false, and takes nothing, if that would exceed the limit.
+   */
   public boolean take(Resource what) {
     if (!allows(what, used[what.ordinal()] + 1)) {
       return false;
@@ -104,12 +108,12 @@ public final class Budget {
     return true;
   }
 
-  /** There is one less. */
+  /** Returns one unit of a resource. */
   public void giveBack(Resource what) {
     used[what.ordinal()]--;
   }
 
-  /** Whether there may be so much. */
+  /** Whether that amount is within the limit. */
   public boolean allows(Resource what, long amount) {
     return amount <= limit(what);
   }
@@ -126,7 +130,7 @@ public final class Budget {
     return bytes;
   }
 
-  /** Its jobs have run for so long, and have allocated so much; on the kernel thread alone. */
+  /** Adds running time and allocated bytes of its jobs. Only called on the kernel thread. */
   public void charge(long moreNanoseconds, long moreBytes) {
     nanoseconds = nanoseconds + moreNanoseconds;
     bytes = bytes + moreBytes;

@@ -1,7 +1,7 @@
 package org.urbi.kernel.budget;
 
-/** Something for which code runs, and which has a budget. */
+/** An object (a lobby) on whose behalf code runs, and which has a budget. */
 public interface Budgeted {
-  /** What that code may have. */
+  /** The limits of that code. */
   Budget budget();
 }

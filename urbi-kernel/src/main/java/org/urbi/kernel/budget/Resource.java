@@ -3,19 +3,19 @@ package org.urbi.kernel.budget;
 import java.util.Locale;
 import org.urbi.kernel.error.Problem;
 
-/** What there is only so much of, and a lobby can take too much of. */
+/** A limited resource, of which a lobby could take too much. */
 public enum Resource {
   /** Jobs that have not ended. */
   JOBS("jobs"),
-  /** What is to happen later besides the jobs that sleep: timeouts, conditions that must hold. */
+  /** Timers other than those of sleeping jobs: timeouts, conditions that must hold for a while. */
   TIMERS("timers"),
   /** Programs that run. */
   PROCESSES("processes"),
-  /** Bytes that the client has been sent and has not taken. */
+  /** Bytes of output that the client has not read yet. */
   OUTPUT("bytes of unread output"),
   /** Bytes of input that cannot be executed, since the end of its statement is missing. */
   INPUT("bytes of unfinished input"),
-  /** Of each second of the kernel's time. */
+  /** The percentage of the kernel's time. */
   TIME("% of the kernel's time");
 
   private final String unit;
@@ -29,7 +29,7 @@ public enum Resource {
     return name().toLowerCase(Locale.ROOT);
   }
 
-  /** What is counted, for people. */
+  /** The unit as error messages show it. */
   public String unit() {
     return unit;
   }

@@ -13,9 +13,9 @@ import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.World;
 
 /**
- * From the arguments of a call in urbiscript to those of a Java method, or to the errors of the
- * manual ("Exception.Argument", "Exception.Type", "Exception.BadInteger"). The generated tables
- * call these; place 0 is the target.
+ * Converts the arguments of a call in urbiscript to those of a Java method, or throws the errors of
+ * the manual ("Exception.Argument", "Exception.Type", "Exception.BadInteger"). Called by the
+ * generated tables; index 0 is the target.
  */
 public final class Arguments {
   private static final UrbiObject[] NONE = {};

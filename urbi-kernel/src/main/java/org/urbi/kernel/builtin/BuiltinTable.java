@@ -56,12 +56,12 @@ public abstract class BuiltinTable {
     return doc;
   }
 
-  /** Whether these are more builtins of a type that another table, an earlier one, declares. */
+  /** Whether this table adds builtins to a type that an earlier table declares. */
   public final boolean isPart() {
     return protos == null;
   }
 
-  /** The names of the prototypes, first looked up first; not for a {@linkplain #isPart part}. */
+  /** The names of the prototypes, in lookup order; not for a {@linkplain #isPart part}. */
   public final String[] protos() {
     return requireNonNull(protos, "a part has none").clone();
   }
@@ -96,8 +96,8 @@ public abstract class BuiltinTable {
   }
 
   /**
-   * Whether it is not the value of a slot, but what is called when the slot of that name, which
-   * another builtin is the value of, is assigned ({@code SlotData.setter}).
+   * Whether it is a setter: called when the slot of that name is assigned ({@code
+   * SlotData.setter}), where another builtin is the value of the slot.
    */
   public final boolean isSetter(int index) {
     return entries[index].setter;

@@ -3,7 +3,7 @@ package org.urbi.kernel.builtin;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
-import org.urbi.kernel.node.Guard;
+import org.urbi.kernel.node.PermissionCheck;
 import org.urbi.kernel.node.Profiler;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
@@ -16,7 +16,7 @@ public final class Primitive extends Code {
   private final int min;
   private final int max;
 
-  /** Whether there are lobbies for which it does not do what it does. */
+  /** Whether some lobbies are not allowed to call it. */
   private final boolean guarded;
 
   public Primitive(Shape shape, BuiltinTable table, int index) {
@@ -66,9 +66,9 @@ public final class Primitive extends Code {
   }
 
   private void check(Frame caller, CallSite site, UrbiObject self) {
-    Guard.checkRole(caller, site.calledName(), table.leastRole(index));
+    PermissionCheck.checkRole(caller, site.calledName(), table.leastRole(index));
     if (table.changesTarget(index)) {
-      Guard.checkChange(caller, site.calledName(), self);
+      PermissionCheck.checkChange(caller, site.calledName(), self);
     }
   }
 
@@ -84,11 +84,14 @@ public final class Primitive extends Code {
     }
   }
 
-  /** The functions of the library are the system's, and there are too many to note it in each. */
+  /**
+   * All functions of the library belong to the system; storing that in each of them would waste
+   * memory.
+   */
   @Override
-  public UrbiObject keeper() {
-    UrbiObject keeper = super.keeper();
-    return keeper == null ? world().values().object : keeper;
+  public UrbiObject ownerLobby() {
+    UrbiObject ownerLobby = super.ownerLobby();
+    return ownerLobby == null ? world().values().object : ownerLobby;
   }
 
   @Override

@@ -3,11 +3,11 @@ package org.urbi.kernel.compile;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.urbi.kernel.node.InPlace;
+import org.urbi.kernel.node.CompoundAssignment;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.node.Literals;
 import org.urbi.kernel.node.Matching;
-import org.urbi.kernel.node.Message;
+import org.urbi.kernel.node.MessageSend;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Pattern;
 import org.urbi.kernel.node.Properties;
@@ -29,15 +29,15 @@ final class Assignments {
     return compilation.interpreter();
   }
 
-  private Node operand(Ast ast, Block block) {
+  private Node operand(Ast ast, LexicalScope block) {
     return compilation.operand(ast, block);
   }
 
-  private Node target(@Nullable Ast target, Span span, Block block) {
+  private Node target(@Nullable Ast target, Span span, LexicalScope block) {
     return compilation.expressions.target(target, span, block);
   }
 
-  Node assignment(Ast.Assignment assignment, Block block) {
+  Node assignment(Ast.Assignment assignment, LexicalScope block) {
     Span span = assignment.span();
     return switch (assignment.target()) {
       case Ast.Message message when message.arguments() == null || message.name().equals("[]") ->
@@ -51,7 +51,7 @@ final class Assignments {
               operand(assignment.value(), block));
       case Ast pattern -> {
         Node value = operand(assignment.value(), block);
-        // A call that is assigned to fails, if it does, where the assignment is.
+        // An error in assigning to a call is reported at the location of the assignment.
         Ast assigned =
             pattern instanceof Ast.Message call
                 ? new Ast.Message(
@@ -62,19 +62,19 @@ final class Assignments {
     };
   }
 
-  private Node toMessage(Span span, Ast.Message message, Ast value, Block block) {
+  private Node toMessage(Span span, Ast.Message message, Ast value, LexicalScope block) {
     if (message.arguments() != null) {
       // a[i] = v is a.'[]='(i, v).
       List<Ast> arguments = new ArrayList<>(message.arguments());
       arguments.add(value);
-      return new Message(
+      return new MessageSend(
           span,
           Slots.lookup(interpreter(), message.name() + "="),
           message.target() == null ? null : operand(message.target(), block),
           compilation.all(arguments, block));
     }
     if (message.target() == null) {
-      Variable variable = block.find(message.name());
+      LocalVariable variable = block.find(message.name());
       if (variable != null) {
         return new Variables.Assign(
             message.span(), compilation.place(variable, block), operand(value, block));
@@ -93,11 +93,11 @@ final class Assignments {
         : plain;
   }
 
-  /** In a pattern that is assigned, a local variable is assigned, not compared. */
-  private Pattern destructuring(Ast pattern, Block block) {
+  /** A local variable in a pattern on the left of an assignment is assigned, not compared. */
+  private Pattern destructuring(Ast pattern, LexicalScope block) {
     return switch (pattern) {
       case Ast.Message name when name.target() == null && name.arguments() == null -> {
-        Variable variable = block.find(name.name());
+        LocalVariable variable = block.find(name.name());
         yield variable == null
             ? compilation.expressions.pattern(name, block)
             : new Matching.AssignedPlace(compilation.place(variable, block));
@@ -108,13 +108,13 @@ final class Assignments {
     };
   }
 
-  private Pattern elements(List<Ast> elements, Block block, boolean tuple) {
+  private Pattern elements(List<Ast> elements, LexicalScope block, boolean tuple) {
     return new Pattern.Elements(
         elements.stream().map(each -> destructuring(each, block)).toArray(Pattern[]::new), tuple);
   }
 
   /** {@code a += b} is {@code a = a.'+='(b)}, with the parts of a evaluated once. */
-  Node inPlace(Ast.OperatorAssignment assignment, Block block) {
+  Node inPlace(Ast.OperatorAssignment assignment, LexicalScope block) {
     return inPlace(
         assignment.span(),
         assignment.target(),
@@ -124,48 +124,48 @@ final class Assignments {
   }
 
   /** {@code a++} gives the value of {@code a}, and sets it to {@code a.'++'}. */
-  Node postfix(Ast.Postfix postfix, Block block) {
+  Node postfix(Ast.Postfix postfix, LexicalScope block) {
     return inPlace(postfix.span(), postfix.target(), postfix.operator(), null, block);
   }
 
   private Node inPlace(
-      Span span, Ast target, String operator, @Nullable Node operand, Block block) {
-    InPlace.Access access =
+      Span span, Ast target, String operator, @Nullable Node operand, LexicalScope block) {
+    CompoundAssignment.Access access =
         switch (target) {
           case Ast.Message message when message.arguments() != null ->
-              new InPlace.Element(
+              new CompoundAssignment.Element(
                   target(message.target(), span, block),
                   compilation.all(message.arguments(), block),
                   interpreter().world().symbol(message.name()),
                   interpreter().world().symbol(message.name() + "="));
           case Ast.Message message -> {
-            Variable variable = message.target() == null ? block.find(message.name()) : null;
+            LocalVariable variable = message.target() == null ? block.find(message.name()) : null;
             yield variable == null
-                ? new InPlace.Slot(
+                ? new CompoundAssignment.Slot(
                     compilation.receivers.target(
                         message.target(), message.name(), message.span(), block),
                     Slots.lookup(interpreter(), message.name()),
                     message.span())
-                : new InPlace.OfVariable(
+                : new CompoundAssignment.OfVariable(
                     compilation.read(span, variable, block), compilation.place(variable, block));
           }
           case Ast.Property property ->
-              new InPlace.OfProperty(
+              new CompoundAssignment.OfProperty(
                   compilation.receivers.target(property.target(), property.slot(), span, block),
                   interpreter().world().symbol(property.slot()),
                   property.name());
-          default -> new InPlace.Constant(operand(target, block));
+          default -> new CompoundAssignment.Constant(operand(target, block));
         };
-    return new InPlace(span, interpreter(), access, operator, operand);
+    return new CompoundAssignment(span, interpreter(), access, operator, operand);
   }
 
   /** {@code x = 10 time: 5s}: a function to read, one to write, and the attributes. */
-  Node trajectory(Ast.Trajectory trajectory, Block block) {
+  Node trajectory(Ast.Trajectory trajectory, LexicalScope block) {
     Span span = trajectory.span();
     Node target = operand(trajectory.target(), block);
     var body = new Ast.Message(span, null, "<value>", null, span);
-    Block writer = block.construct();
-    Variable value = compilation.declare(writer, "<value>", trajectory);
+    LexicalScope writer = block.construct();
+    LocalVariable value = compilation.declare(writer, "<value>", trajectory);
     Node write = assignment(new Ast.Assignment(span, trajectory.target(), body), writer);
     String[] names = trajectory.modifiers().stream().map(Ast.Modifier::name).toArray(String[]::new);
     Node[] values =

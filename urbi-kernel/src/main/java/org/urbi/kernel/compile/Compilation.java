@@ -14,7 +14,8 @@ import org.urbi.lang.ast.Ast;
 import org.urbi.lang.source.Span;
 
 /**
- * Compiles a tree to executable nodes: local names become places in frames, sugar goes.
+ * Compiles a syntax tree to executable nodes: local names become indices in frames, and syntactic
+ * sugar is removed.
  *
  * <p>A variable stands in the frame when only the job that declares it can reach it, and in a cell
  * when a closure or another job can. That is known only when the whole code has been seen; so the
@@ -28,10 +29,10 @@ public final class Compilation {
   private int regions;
   final Statements statements;
   final Expressions expressions;
-  final Claims claims;
-  final Receivers receivers;
+  final Assertions claims;
+  final ImplicitReceivers receivers;
   final Functions functions;
-  final Handlers handlers;
+  final EventHandlers handlers;
   final Definitions definitions;
   final Assignments assignments;
 
@@ -40,10 +41,10 @@ public final class Compilation {
     this.imports = imports;
     this.statements = new Statements(this);
     this.expressions = new Expressions(this);
-    this.claims = new Claims(this);
-    this.receivers = new Receivers(this);
+    this.claims = new Assertions(this);
+    this.receivers = new ImplicitReceivers(this);
     this.functions = new Functions(this);
-    this.handlers = new Handlers(this);
+    this.handlers = new EventHandlers(this);
     this.definitions = new Definitions(this);
     this.assignments = new Assignments(this);
   }
@@ -59,15 +60,15 @@ public final class Compilation {
   /**
    * Compiles a statement of the top level.
    *
-   * @param imports what the statements before have imported; this one may add to it
+   * @param imports the imports of earlier statements; this one may add to them
    */
   public static Compiled compile(Interpreter interpreter, Ast statement, Imports imports) {
     var compilation = new Compilation(interpreter, imports);
     while (true) {
       compilation.learned = false;
       compilation.regions = 0;
-      Unit unit = new Unit();
-      Node code = compilation.compile(statement, Block.top(unit), Seen.ALL);
+      CompilationUnit unit = new CompilationUnit();
+      Node code = compilation.compile(statement, LexicalScope.top(unit), HandledJumps.ALL);
       if (!compilation.learned) {
         return new Compiled(code, unit.layout());
       }
@@ -77,29 +78,29 @@ public final class Compilation {
   /**
    * Compiles a tree.
    *
-   * @param seen whether the statements around look at how this one ended, so that {@code return}
-   *     and {@code break} need not be thrown
+   * @param seen which jumps the surrounding statements check for when this one has ended, so that
+   *     {@code return} and {@code break} need not be thrown as exceptions
    */
-  Node compile(Ast ast, Block block, Seen seen) {
+  Node compile(Ast ast, LexicalScope block, HandledJumps seen) {
     interpreter.checkInterrupted();
-    return ast.accept(new Translation(this, block, seen));
+    return ast.accept(new TranslationVisitor(this, block, seen));
   }
 
-  /** Compiles what is asked for its value. */
-  Node operand(Ast ast, Block block) {
-    return compile(ast, block, Seen.NOTHING);
+  /** Compiles an expression whose value is used. */
+  Node operand(Ast ast, LexicalScope block) {
+    return compile(ast, block, HandledJumps.NOTHING);
   }
 
-  /** Like {@link #operand}, of what may be absent; null when it is. */
-  @Nullable Node optional(@Nullable Ast ast, Block block) {
+  /** Like {@link #operand}, but for an optional expression: null if there is none. */
+  @Nullable Node optional(@Nullable Ast ast, LexicalScope block) {
     return ast == null ? null : operand(ast, block);
   }
 
-  Node[] all(List<Ast> asts, Block block) {
+  Node[] all(List<Ast> asts, LexicalScope block) {
     return asts.stream().map(ast -> operand(ast, block)).toArray(Node[]::new);
   }
 
-  /** What is imported at the top level. */
+  /** The imports of the top level. */
   Imports imports() {
     return imports;
   }
@@ -113,43 +114,49 @@ public final class Compilation {
   }
 
   /** Declares a variable in a block. */
-  Variable declare(Block block, String name, Object key) {
+  LocalVariable declare(LexicalScope block, String name, Object key) {
     boolean shared = sharedKeys.contains(key);
     FrameLayout layout = block.unit().layout();
     int index = shared ? layout.addCell() : layout.addLocal();
-    Variable variable = new Variable(block.unit(), block.region(), key, shared, index);
+    LocalVariable variable = new LocalVariable(block.unit(), block.region(), key, shared, index);
     block.add(name, variable);
     return variable;
   }
 
-  /** Whether a declaration has turned out to be shared. */
+  /**
+   * Whether the variable of a declaration must be kept in a cell, because a closure or another job
+   * uses it.
+   */
   boolean isShared(Object key) {
     return sharedKeys.contains(key);
   }
 
-  /** Where a variable is, seen from a block. */
-  Variables.Place place(Variable variable, Block block) {
+  /** Where code of a block finds a variable. */
+  Variables.Place place(LocalVariable variable, LexicalScope block) {
     return place(variable, block, false);
   }
 
-  /** Where a variable is that has been begun elsewhere, seen from the block that declares it. */
-  Variables.Place placeBegun(Variable variable, Block block) {
+  /**
+   * Where a block finds the variable that it declares, if a surrounding block has created it
+   * already.
+   */
+  Variables.Place placeBegun(LocalVariable variable, LexicalScope block) {
     return place(variable, block, true);
   }
 
-  private Variables.Place place(Variable variable, Block block, boolean begun) {
+  private Variables.Place place(LocalVariable variable, LexicalScope block, boolean begun) {
     boolean constant =
         variable.key() instanceof Ast.Declaration declaration && declaration.constant();
     return new Variables.Place(indexFrom(variable, block), variable.shared(), begun, constant);
   }
 
   /** Reads a variable from a block. */
-  Node read(Span span, Variable variable, Block block) {
+  Node read(Span span, LocalVariable variable, LexicalScope block) {
     int index = indexFrom(variable, block);
     return variable.shared() ? new Variables.Shared(span, index) : new Variables.Local(span, index);
   }
 
-  private int indexFrom(Variable variable, Block block) {
+  private int indexFrom(LocalVariable variable, LexicalScope block) {
     boolean elsewhere = variable.unit() != block.unit() || variable.region() != block.region();
     if (elsewhere && !variable.shared()) {
       sharedKeys.add(variable.key());

@@ -14,7 +14,7 @@ import org.urbi.kernel.object.Symbol;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.source.Span;
 
-/** Compiles what gives names: variables, functions, classes, enumerations, packages. */
+/** Compiles definitions: variables, functions, classes, enumerations, packages. */
 final class Definitions {
   private final Compilation compilation;
 
@@ -30,13 +30,13 @@ final class Definitions {
     return interpreter().world().symbol(name);
   }
 
-  private Node target(@Nullable Ast target, Span span, Block block) {
+  private Node target(@Nullable Ast target, Span span, LexicalScope block) {
     return compilation.expressions.target(target, span, block);
   }
 
-  Node declaration(Ast.Declaration declaration, Block block) {
+  Node declaration(Ast.Declaration declaration, LexicalScope block) {
     Span span = declaration.span();
-    // The value is evaluated before the name is known: var x = x + 1 reads another x.
+    // The value is compiled before the name is declared: var x = x + 1 reads an outer x.
     Node value = compilation.optional(declaration.value(), block);
     Node type = compilation.optional(declaration.type(), block);
     if (declaration.target() != null || block.declaresSlots()) {
@@ -57,15 +57,15 @@ final class Definitions {
         type);
   }
 
-  private Variables.Place declare(Block block, String name, Ast key) {
-    Variable begun = block.begun(key);
+  private Variables.Place declare(LexicalScope block, String name, Ast key) {
+    LocalVariable begun = block.begun(key);
     return begun == null
         ? compilation.place(compilation.declare(block, name, key), block)
         : compilation.placeBegun(begun, block);
   }
 
-  /** Gives a name, a slot or a local variable, to a value. */
-  private Node named(Ast.Message name, Ast key, Span span, Block block, Node value) {
+  /** Binds a value to a name: a slot or a local variable. */
+  private Node named(Ast.Message name, Ast key, Span span, LexicalScope block, Node value) {
     if (name.target() != null || block.declaresSlots()) {
       return new Slots.Declare(
           span,
@@ -79,7 +79,7 @@ final class Definitions {
     return new Variables.Declare(span, name.name(), declare(block, name.name(), key), value, null);
   }
 
-  Node function(Ast.FunctionDefinition definition, Block block) {
+  Node function(Ast.FunctionDefinition definition, LexicalScope block) {
     Ast.Message name = definition.name();
     Span span = definition.span();
     if (name.target() != null || block.declaresSlots()) {
@@ -90,20 +90,20 @@ final class Definitions {
           block,
           compilation.functions.compile(definition.function(), block));
     }
-    // A local function can call itself: it must see its own name.
+    // A local function can call itself, so its name is declared before its body is compiled.
     Variables.Place place = declare(block, name.name(), definition);
     Node function = compilation.functions.compile(definition.function(), block);
     return new Variables.DeclareRecursive(span, place, function);
   }
 
-  Node classDefinition(Ast.ClassDefinition definition, Block block) {
+  Node classDefinition(Ast.ClassDefinition definition, LexicalScope block) {
     Node[] protos = compilation.all(definition.protos(), block);
     Node object =
         new ClassNodes.New(definition.span(), protos, interpreter(), definition.name().name());
     return withBody(definition.name(), definition, definition.body(), block, object);
   }
 
-  Node packageDefinition(Ast.PackageDefinition definition, Block block) {
+  Node packageDefinition(Ast.PackageDefinition definition, LexicalScope block) {
     Span span = definition.span();
     List<Symbol> path = new ArrayList<>();
     for (Ast at = definition.name(); at instanceof Ast.Message name; at = name.target()) {
@@ -112,20 +112,22 @@ final class Definitions {
     return new ClassNodes.WithBody(
         span,
         new Imports.Package(span, path),
-        compilation.statements.scopeIn(definition.body(), block.target(), Seen.NOTHING));
+        compilation.statements.scopeIn(definition.body(), block.target(), HandledJumps.NOTHING));
   }
 
   private Node withBody(
-      Ast.Message name, Ast key, Ast.@Nullable Scope body, Block block, Node object) {
+      Ast.Message name, Ast key, Ast.@Nullable Scope body, LexicalScope block, Node object) {
     Node declared = named(name, key, key.span(), block, object);
     if (body == null) {
       return declared;
     }
     return new ClassNodes.WithBody(
-        key.span(), declared, compilation.statements.scopeIn(body, block.target(), Seen.NOTHING));
+        key.span(),
+        declared,
+        compilation.statements.scopeIn(body, block.target(), HandledJumps.NOTHING));
   }
 
-  Node enumDefinition(Ast.EnumDefinition definition, Block block) {
+  Node enumDefinition(Ast.EnumDefinition definition, LexicalScope block) {
     Ast.Message name = definition.name();
     Node object =
         new ClassNodes.Enumeration(
@@ -133,7 +135,7 @@ final class Definitions {
     return named(name, definition, definition.span(), block, object);
   }
 
-  Node accessor(Ast.Accessor accessor, Block block) {
+  Node accessor(Ast.Accessor accessor, LexicalScope block) {
     Ast.Message name = accessor.name();
     return new Properties.Accessor(
         accessor.span(),

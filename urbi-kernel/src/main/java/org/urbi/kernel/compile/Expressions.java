@@ -9,10 +9,10 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.CallMessageNode;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.node.Literals;
-import org.urbi.kernel.node.Message;
+import org.urbi.kernel.node.MessageSend;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Normalized;
-import org.urbi.kernel.node.Operator;
+import org.urbi.kernel.node.NumericOperator;
 import org.urbi.kernel.node.Pattern;
 import org.urbi.kernel.node.Sequences;
 import org.urbi.kernel.node.Slots;
@@ -22,15 +22,16 @@ import org.urbi.lang.source.Span;
 
 /** Compiles expressions. */
 final class Expressions {
-  // Names are hints only, for what costs something: what a message does is what it finds.
+  // Names below are only hints, to prepare what costs something: what a message does depends on the
+  // slot that it finds.
 
-  /** Functions that execute their argument in another job are likely to be called so. */
+  /** Functions that execute their argument in another job are likely to have these names. */
   private static final Set<String> DETACHING = Set.of("detach", "disown");
 
-  /** What changes the way in which a scope is executed is likely to be called so. */
+  /** Functions that change how the surrounding scope is executed are likely to have these names. */
   private static final Set<String> MODES = Set.of("redefinitionMode", "nonInterruptible");
 
-  /** What asks for a tag that is stopped with the scope is likely to be called so. */
+  /** Functions that need a tag stopped at the end of the scope are likely to have these names. */
   private static final Set<String> SCOPE_TAGS = Set.of("scope", "scopeTag");
 
   private final Compilation compilation;
@@ -47,22 +48,22 @@ final class Expressions {
     return interpreter().world().symbol(name);
   }
 
-  private Node operand(Ast ast, Block block) {
+  private Node operand(Ast ast, LexicalScope block) {
     return compilation.operand(ast, block);
   }
 
-  private Node[] all(List<Ast> asts, Block block) {
+  private Node[] all(List<Ast> asts, LexicalScope block) {
     return compilation.all(asts, block);
   }
 
   /** The target of a message; {@code this} when it is implicit. */
-  Node target(@Nullable Ast target, Span span, Block block) {
+  Node target(@Nullable Ast target, Span span, LexicalScope block) {
     return target == null ? new Literals.This(span) : operand(target, block);
   }
 
   // ------------------------------------------------------------------ messages
 
-  Node message(Ast.Message message, Block block) {
+  Node message(Ast.Message message, LexicalScope block) {
     if (isNormalized(message, block)) {
       return normalized(message, plain(message, block), null, block);
     }
@@ -70,7 +71,7 @@ final class Expressions {
   }
 
   /** Whether it is {@code o.x'n}, for a slot x. */
-  static boolean isNormalized(Ast.Message message, Block block) {
+  static boolean isNormalized(Ast.Message message, LexicalScope block) {
     return message.name().equals("'n")
         && message.arguments() == null
         && message.target() instanceof Ast.Message slot
@@ -79,7 +80,7 @@ final class Expressions {
   }
 
   /** {@code o.x'n}, or an assignment to it. */
-  Node normalized(Ast.Message message, Node plain, @Nullable Node value, Block block) {
+  Node normalized(Ast.Message message, Node plain, @Nullable Node value, LexicalScope block) {
     Ast.Message slot =
         (Ast.Message) requireNonNull(message.target(), "what is normalized is a slot");
     return new Normalized(
@@ -90,9 +91,9 @@ final class Expressions {
         value);
   }
 
-  private Node plain(Ast.Message message, Block block) {
+  private Node plain(Ast.Message message, LexicalScope block) {
     Span span = message.span();
-    Block scope = block.nearestScope();
+    LexicalScope scope = block.nearestScope();
     if (scope != null && MODES.contains(message.name())) {
       scope.setRedefines();
     }
@@ -100,12 +101,12 @@ final class Expressions {
       scope.setTagged();
     }
     if (message.target() == null) {
-      Variable variable = block.find(message.name());
+      LocalVariable variable = block.find(message.name());
       if (variable != null) {
         Node read = compilation.read(span, variable, block);
         return message.arguments() == null
             ? read
-            : new Message.OfLocal(span, message.name(), read, all(message.arguments(), block));
+            : new MessageSend.OfLocal(span, message.name(), read, all(message.arguments(), block));
       }
     }
     Node target =
@@ -114,9 +115,10 @@ final class Expressions {
             : operand(spread(message, message.target()), block);
     Node[] arguments =
         message.arguments() == null ? null : all(message, message.arguments(), block);
-    var sent = new Message(span, Slots.lookup(interpreter(), message.name()), target, arguments);
+    var sent =
+        new MessageSend(span, Slots.lookup(interpreter(), message.name()), target, arguments);
     if (target != null && arguments != null && arguments.length == 1) {
-      Node computed = Operator.make(span, target, arguments[0], sent, interpreter());
+      Node computed = NumericOperator.make(span, target, arguments[0], sent, interpreter());
       if (computed != null) {
         return computed;
       }
@@ -124,7 +126,7 @@ final class Expressions {
     return sent;
   }
 
-  /** The target of a message; a name that is subscripted is told of with its subscript. */
+  /** The target of a message. Errors about a subscripted name show the subscript, too. */
   private static Ast spread(Ast.Message message, Ast target) {
     return message.name().equals("[]")
             && target instanceof Ast.Message name
@@ -135,23 +137,23 @@ final class Expressions {
   }
 
   /**
-   * The arguments; those which may become jobs share the variables that they use. Who is given a
-   * scope evaluates it later, or elsewhere.
+   * Compiles arguments. Arguments that may be executed as jobs share their variables with the
+   * caller; an argument that is a scope is assumed to be evaluated later, or by another job.
    */
-  private Node[] all(Ast.Message message, List<Ast> arguments, Block block) {
+  private Node[] all(Ast.Message message, List<Ast> arguments, LexicalScope block) {
     boolean detaching = DETACHING.contains(message.name());
     return arguments.stream()
         .map(argument ->
             argument instanceof Ast.Scope
-                ? new Sequences.Placed(
+                ? new Sequences.Located(
                     argument.span(), operand(argument, block.job(compilation.newRegion())))
                 : operand(argument, detaching ? block.job(compilation.newRegion()) : block))
         .toArray(Node[]::new);
   }
 
-  Node slotAccess(Ast.SlotAccess access, Block block) {
+  Node slotAccess(Ast.SlotAccess access, LexicalScope block) {
     if (access.target() == null) {
-      Variable variable = block.find(access.name());
+      LocalVariable variable = block.find(access.name());
       if (variable != null) {
         return compilation.read(access.span(), variable, block);
       }
@@ -162,12 +164,12 @@ final class Expressions {
         Slots.lookup(interpreter(), access.name()));
   }
 
-  Node callMessage(Ast.CallMessage call, Block block) {
-    Block function = block.nearestFunction();
+  Node callMessage(Ast.CallMessage call, LexicalScope block) {
+    LexicalScope function = block.nearestFunction();
     if (function == null) {
       return new CallMessageNode(call.span());
     }
-    Variable variable = function.local(Functions.CALL);
+    LocalVariable variable = function.local(Functions.CALL);
     if (variable == null) {
       variable =
           compilation.declare(
@@ -179,20 +181,20 @@ final class Expressions {
     return compilation.read(call.span(), variable, block);
   }
 
-  Node doScope(Ast.Do scope, Block block) {
+  Node doScope(Ast.Do scope, LexicalScope block) {
     if (scope.target() == null) {
       return compilation.operand(scope.body(), block);
     }
     return new Sequences.Do(
         scope.span(),
         operand(scope.target(), block),
-        compilation.statements.scopeIn(scope.body(), block.target(), Seen.NOTHING));
+        compilation.statements.scopeIn(scope.body(), block.target(), HandledJumps.NOTHING));
   }
 
   // ------------------------------------------------------------------ patterns, claims
 
   /** A pattern; the variables that it declares are added to the block. */
-  Pattern pattern(Ast ast, Block block) {
+  Pattern pattern(Ast ast, LexicalScope block) {
     return switch (ast) {
       case Ast.Declaration binding when binding.value() == null && binding.target() == null ->
           block.declaresSlots()
@@ -214,7 +216,7 @@ final class Expressions {
     };
   }
 
-  private Pattern elements(List<Ast> elements, Block block, boolean tuple) {
+  private Pattern elements(List<Ast> elements, LexicalScope block, boolean tuple) {
     return new Pattern.Elements(
         elements.stream().map(element -> pattern(element, block)).toArray(Pattern[]::new), tuple);
   }

@@ -11,7 +11,7 @@ import org.urbi.lang.ast.Ast;
 
 /** Compiles functions and closures. */
 final class Functions {
-  /** The variable of the call message: no identifier, so nobody else has it. */
+  /** The variable of the call message. It is not a valid identifier, so no program can use it. */
   static final String CALL = "<call>";
 
   private final Compilation compilation;
@@ -20,22 +20,23 @@ final class Functions {
     this.compilation = compilation;
   }
 
-  Node compile(Ast.Function function, Block block) {
-    Unit unit = new Unit(block.unit());
-    // In a closure, "call" is that of the function around, as "this" is.
+  Node compile(Ast.Function function, LexicalScope block) {
+    CompilationUnit unit = new CompilationUnit(block.unit());
+    // In a closure, "call" is the one of the surrounding function, as is "this".
     unit.callKey = function.closure() ? null : function.body();
     unit.closure = function.closure();
-    Block parameters = block.function(unit, compilation.newRegion());
+    LexicalScope parameters = block.function(unit, compilation.newRegion());
     Formals formals = null;
     int[] cells = null;
     if (function.formals() != null) {
       cells = declare(function.formals(), parameters, unit);
       formals = formals(function.formals(), parameters, cells);
     }
-    // The variables of the body must not clash with the parameters: they may hide them.
+    // The body gets a scope of its own: its variables may hide the parameters.
     Node code =
-        compilation.statements.scopeIn(function.body(), parameters.construct().scope(), Seen.ALL);
-    Variable call = parameters.local(CALL);
+        compilation.statements.scopeIn(
+            function.body(), parameters.construct().scope(), HandledJumps.ALL);
+    LocalVariable call = parameters.local(CALL);
     if (call != null) {
       code = new CallMessageNode.Declared(code, compilation.place(call, parameters));
     }
@@ -51,8 +52,10 @@ final class Functions {
     return new Literals.Closure(function.span(), body, unit.capturedFrom(), function.closure());
   }
 
-  /** Gives each parameter its place among the locals, in order; then the shared ones a cell. */
-  private int[] declare(List<Ast.Formal> formals, Block block, Unit unit) {
+  /**
+   * Gives each parameter its index among the locals, in order; then gives the shared ones a cell.
+   */
+  private int[] declare(List<Ast.Formal> formals, LexicalScope block, CompilationUnit unit) {
     for (int i = 0; i < formals.size(); i++) {
       unit.layout().addLocal();
     }
@@ -62,12 +65,13 @@ final class Functions {
       boolean shared = compilation.isShared(formal);
       cells[i] = shared ? unit.layout().addCell() : -1;
       block.add(
-          formal.name(), new Variable(unit, block.region(), formal, shared, shared ? cells[i] : i));
+          formal.name(),
+          new LocalVariable(unit, block.region(), formal, shared, shared ? cells[i] : i));
     }
     return cells;
   }
 
-  private Formals formals(List<Ast.Formal> formals, Block block, int[] cells) {
+  private Formals formals(List<Ast.Formal> formals, LexicalScope block, int[] cells) {
     int count = formals.size();
     String[] names = new String[count];
     Node[] defaults = new Node[count];

@@ -10,7 +10,7 @@ import org.urbi.kernel.node.ForEach;
 import org.urbi.kernel.node.Loops;
 import org.urbi.kernel.node.Matching;
 import org.urbi.kernel.node.Node;
-import org.urbi.kernel.node.Redefinition;
+import org.urbi.kernel.node.RedefinitionScope;
 import org.urbi.kernel.node.ScopeEnd;
 import org.urbi.kernel.node.Sequences;
 import org.urbi.kernel.node.Try;
@@ -28,25 +28,26 @@ final class Statements {
     this.compilation = compilation;
   }
 
-  private Node compile(Ast ast, Block block, Seen seen) {
+  private Node compile(Ast ast, LexicalScope block, HandledJumps seen) {
     return compilation.compile(ast, block, seen);
   }
 
   /** Code for another job, with variables of its own. */
-  Node job(Ast ast, Block block) {
-    return compile(ast, block.job(compilation.newRegion()), Seen.ALL);
+  Node job(Ast ast, LexicalScope block) {
+    return compile(ast, block.job(compilation.newRegion()), HandledJumps.ALL);
   }
 
   // ------------------------------------------------------------------ composition
 
-  Node sequence(Ast.Sequence sequence, Block block, Seen seen) {
+  Node sequence(Ast.Sequence sequence, LexicalScope block, HandledJumps seen) {
     return sequence(sequence, block, seen, UnaryOperator.identity());
   }
 
   /**
-   * @param around what surrounds the statements, but not the wait for those in the background
+   * @param around wraps the compiled statements, but not the wait for the background statements
    */
-  private Node sequence(Ast.Sequence sequence, Block block, Seen seen, UnaryOperator<Node> around) {
+  private Node sequence(
+      Ast.Sequence sequence, LexicalScope block, HandledJumps seen, UnaryOperator<Node> around) {
     List<Node> statements = new ArrayList<>();
     List<Boolean> yields = new ArrayList<>();
     if (sequence.separators().contains(Flavor.AND)) {
@@ -80,15 +81,15 @@ final class Statements {
   }
 
   /**
-   * A statement for a job of its own. What it declares belongs to the scope around: so the
-   * variables are begun there, before the job is.
+   * A statement that runs in a job of its own. Its declarations belong to the surrounding scope, so
+   * the variables are created there before the job starts.
    */
-  private Node branch(Ast ast, Block block, List<Node> before, List<Boolean> yields) {
-    Block inner = block.jobOf(compilation.newRegion());
+  private Node branch(Ast ast, LexicalScope block, List<Node> before, List<Boolean> yields) {
+    LexicalScope inner = block.jobOf(compilation.newRegion());
     if (!block.declaresSlots()) {
       for (LocalNames.Named named : LocalNames.in(ast)) {
         if (block.begun(named.declaration()) == null) {
-          Variable variable = compilation.declare(block, named.name(), named.declaration());
+          LocalVariable variable = compilation.declare(block, named.name(), named.declaration());
           inner.addBegun(named.declaration(), variable);
           before.add(
               new Variables.Declare(
@@ -97,7 +98,7 @@ final class Statements {
         }
       }
     }
-    return compile(ast, inner, Seen.ALL);
+    return compile(ast, inner, HandledJumps.ALL);
   }
 
   private static Node chain(Ast.Sequence sequence, List<Node> statements, List<Boolean> yields) {
@@ -114,28 +115,28 @@ final class Statements {
     return new Sequences.Chain(sequence.span(), statements.toArray(Node[]::new), after);
   }
 
-  Node scope(Ast.Scope scope, Block block, Seen seen) {
+  Node scope(Ast.Scope scope, LexicalScope block, HandledJumps seen) {
     return scopeIn(scope, block.scope(), seen);
   }
 
-  /** The statements of a scope, in a block made for them. */
-  Node scopeIn(Ast.Scope scope, Block inner, Seen seen) {
+  /** The statements of a scope, in the block given for them. */
+  Node scopeIn(Ast.Scope scope, LexicalScope inner, HandledJumps seen) {
     Node code =
         sequence(
             scope.body(),
             inner,
             seen,
             body -> inner.isTagged() ? new ScopeEnd.Marked(scope.span(), body) : body);
-    return inner.redefines() ? new Redefinition(scope.span(), code) : code;
+    return inner.redefines() ? new RedefinitionScope(scope.span(), code) : code;
   }
 
   // ------------------------------------------------------------------ control flow
 
-  Node ifElse(Ast.If statement, Block block, Seen seen) {
-    Block inner = block.construct();
+  Node ifElse(Ast.If statement, LexicalScope block, HandledJumps seen) {
+    LexicalScope inner = block.construct();
     return new Conditionals.If(
         statement.span(),
-        compile(statement.condition(), inner, Seen.NOTHING),
+        compile(statement.condition(), inner, HandledJumps.NOTHING),
         compile(statement.thenClause(), inner, seen),
         statement.elseClause() == null ? null : compile(statement.elseClause(), inner, seen));
   }
@@ -147,12 +148,12 @@ final class Statements {
       @Nullable Ast condition,
       @Nullable Ast step,
       Ast body,
-      Block block,
-      Seen seen) {
-    Block inner = block.construct();
-    Node first = init == null ? null : compile(init, inner, Seen.NOTHING);
-    Node test = condition == null ? null : compile(condition, inner, Seen.NOTHING);
-    Node next = step == null ? null : compile(step, inner, Seen.NOTHING);
+      LexicalScope block,
+      HandledJumps seen) {
+    LexicalScope inner = block.construct();
+    Node first = init == null ? null : compile(init, inner, HandledJumps.NOTHING);
+    Node test = condition == null ? null : compile(condition, inner, HandledJumps.NOTHING);
+    Node next = step == null ? null : compile(step, inner, HandledJumps.NOTHING);
     if (flavor == Flavor.COMMA || flavor == Flavor.AND) {
       return new Loops.Concurrent(span, first, test, next, job(body, inner));
     }
@@ -160,13 +161,13 @@ final class Statements {
     return new Loops.Sequential(span, flavor, first, test, next, code);
   }
 
-  Node forEach(Ast.ForEach loop, Block block, Seen seen) {
-    Node range = compile(loop.range(), block, Seen.NOTHING);
+  Node forEach(Ast.ForEach loop, LexicalScope block, HandledJumps seen) {
+    Node range = compile(loop.range(), block, HandledJumps.NOTHING);
     boolean concurrent = loop.flavor() == Flavor.AND || loop.flavor() == Flavor.COMMA;
-    Block inner = concurrent ? block.job(compilation.newRegion()) : block.construct();
-    Variable variable =
+    LexicalScope inner = concurrent ? block.job(compilation.newRegion()) : block.construct();
+    LocalVariable variable =
         compilation.declare(inner, loop.name() == null ? "<turn>" : loop.name(), loop);
-    Node body = compile(loop.body(), inner, concurrent ? Seen.ALL : seen.inLoop());
+    Node body = compile(loop.body(), inner, concurrent ? HandledJumps.ALL : seen.inLoop());
     return new ForEach(
         loop.span(),
         compilation.interpreter(),
@@ -176,15 +177,15 @@ final class Statements {
         body);
   }
 
-  Node switchCase(Ast.Switch statement, Block block, Seen seen) {
-    Node value = compile(statement.value(), block, Seen.NOTHING);
+  Node switchCase(Ast.Switch statement, LexicalScope block, HandledJumps seen) {
+    Node value = compile(statement.value(), block, HandledJumps.NOTHING);
     Matching.Case[] cases =
         statement.cases().stream()
             .map(one -> {
-              Block inner = block.construct();
+              LexicalScope inner = block.construct();
               return new Matching.Case(
                   compilation.expressions.pattern(one.pattern(), inner),
-                  one.guard() == null ? null : compile(one.guard(), inner, Seen.NOTHING),
+                  one.guard() == null ? null : compile(one.guard(), inner, HandledJumps.NOTHING),
                   sequence(one.body(), inner.scope(), seen));
             })
             .toArray(Matching.Case[]::new);
@@ -195,17 +196,17 @@ final class Statements {
     return new Matching.Switch(statement.span(), value, cases, otherwise);
   }
 
-  Node tryCatch(Ast.Try statement, Block block, Seen seen) {
+  Node tryCatch(Ast.Try statement, LexicalScope block, HandledJumps seen) {
     Node body = scope(statement.body(), block, seen);
     Try.Clause[] clauses =
         statement.catches().stream()
             .map(one -> {
-              Block inner = block.construct();
+              LexicalScope inner = block.construct();
               return new Try.Clause(
                   one.pattern() == null
                       ? null
                       : compilation.expressions.pattern(one.pattern(), inner),
-                  one.guard() == null ? null : compile(one.guard(), inner, Seen.NOTHING),
+                  one.guard() == null ? null : compile(one.guard(), inner, HandledJumps.NOTHING),
                   scope(one.body(), inner, seen));
             })
             .toArray(Try.Clause[]::new);
@@ -217,16 +218,17 @@ final class Statements {
         statement.finallyClause() == null ? null : scope(statement.finallyClause(), block, seen));
   }
 
-  Node assertion(Ast.Assert statement, Block block) {
+  Node assertion(Ast.Assert statement, LexicalScope block) {
     List<Node> claims = new ArrayList<>();
     List<Boolean> yields = new ArrayList<>();
-    Block inner = block.construct();
+    LexicalScope inner = block.construct();
     for (Ast claim : statement.claims()) {
-      // What is declared in the middle of the claims is there for those that follow.
+      // A declaration among the claims is visible to the claims that follow.
       claims.add(
           LocalNames.in(claim).isEmpty()
               ? new Assertion(claim.span(), compilation.claims.claim(claim, inner))
-              : new Assertion.Declared(claim.span(), compile(claim, inner, Seen.NOTHING)));
+              : new Assertion.DeclarationClaim(
+                  claim.span(), compile(claim, inner, HandledJumps.NOTHING)));
       yields.add(true);
     }
     return chain(new Ast.Sequence(statement.span(), statement.claims(), List.of()), claims, yields);

@@ -1,4 +1,4 @@
-/** From the syntax tree to executable nodes. */
+/** Compiles syntax trees to executable nodes. */
 @NullMarked
 package org.urbi.kernel.compile;
 

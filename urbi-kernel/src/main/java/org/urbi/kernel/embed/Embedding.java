@@ -30,35 +30,36 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.tag.UrbiTag;
 
 /**
- * What the Java program around a kernel does with it, from any thread: each request becomes a job
- * of a lobby that they all share (manual, "Lobby"), and the caller waits for its end.
+ * The interface between a kernel and the Java program that embeds it. It may be used from any
+ * thread: each request becomes a job of one shared lobby (manual, "Lobby"), and the caller waits
+ * for the end of that job.
  *
- * <p>Where time is simulated, it passes only while somebody waits for the kernel: in an evaluation
- * or a call, or for its end. Between two evaluations it stands still.
+ * <p>Simulated time passes only while a thread waits for the kernel: for an evaluation, a call, or
+ * the end of the kernel. Between two evaluations it stands still.
  */
 public final class Embedding {
-  /** What a job is to do. */
+  /** The work of a job. */
   @FunctionalInterface
   interface Task<T> {
-    /** On the kernel thread; whatever it throws is what the caller gets. */
+    /** Runs on the kernel thread; what it throws is passed to the caller. */
     @Nullable T run(Frame frame);
   }
 
   private final Interpreter interpreter;
   private final Scheduler scheduler;
   private final BooleanSupplier stopping;
-  private final Mailbox<String> output;
+  private final ListenerQueue<String> output;
   private final AtomicInteger last = new AtomicInteger();
 
-  /** The threads that wait for the end of the kernel. */
+  /** The number of threads that wait for the end of the kernel. */
   private final AtomicInteger waiters = new AtomicInteger();
 
   private volatile boolean used;
 
-  /** What the program has asked for and has not got yet, by its number. */
+  /** Requests that have not been answered yet, by number. */
   private final Map<Integer, Request<?>> pending = new ConcurrentHashMap<>();
 
-  /** What ends each listening, by its number; on the kernel thread. */
+  /** The action that ends each registration of a listener, by number. Used on the kernel thread. */
   private final Map<Integer, Runnable> listenings = new HashMap<>();
 
   private volatile boolean closing;
@@ -69,14 +70,14 @@ public final class Embedding {
   private boolean holdsTime;
 
   /**
-   * @param output where the output of the lobby goes, on a thread of its own
+   * @param output receives the output of the lobby, on a thread of its own
    * @param stopping whether the kernel is about to end; asked on the kernel thread
    */
   public Embedding(Interpreter interpreter, Consumer<String> output, BooleanSupplier stopping) {
     this.interpreter = interpreter;
     this.scheduler = interpreter.scheduler();
     this.stopping = stopping;
-    this.output = new Mailbox<>(scheduler, bytes -> output.accept(JavaValues.text(bytes)));
+    this.output = new ListenerQueue<>(scheduler, bytes -> output.accept(JavaValues.text(bytes)));
     scheduler.inbox().register(Message.EMBEDDING, this::take);
   }
 
@@ -152,7 +153,7 @@ public final class Embedding {
   public CompletableFuture<Object> evalAsync(String source) {
     Request<Object> request = begin(source, evaluation(source, null, null, Object.class));
     CompletableFuture<Object> result = new CompletableFuture<>();
-    // What depends on the result is not for the kernel thread.
+    // Actions that depend on the result must not run on the kernel thread.
     request
         .future()
         .whenCompleteAsync(
@@ -163,7 +164,7 @@ public final class Embedding {
                 result.completeExceptionally(failure);
               }
             },
-            Mailbox.THREADS);
+            ListenerQueue.THREADS);
     result.whenComplete((value, failure) -> {
       if (result.isCancelled()) {
         request.cancel();
@@ -204,7 +205,7 @@ public final class Embedding {
     return found;
   }
 
-  /** Arguments read on the thread of the caller. */
+  /** Arguments that were converted on the thread of the caller. */
   record Arguments(List<JavaValues.Maker> makers) {
     UrbiObject[] make(Frame frame) {
       return makers.stream().map(maker -> maker.make(frame)).toArray(UrbiObject[]::new);
@@ -238,13 +239,13 @@ public final class Embedding {
   // ------------------------------------------------------------------ listening
 
   /** Listens to an event; see {@code Kernel.onEvent}. */
-  public Listening onEvent(String expression, Consumer<? super List<Object>> listener) {
-    return await(expression, new EventListening(this, JavaValues.bytes(expression), listener));
+  public ListenerRegistration onEvent(String expression, Consumer<? super List<Object>> listener) {
+    return await(expression, new EventRegistration(this, JavaValues.bytes(expression), listener));
   }
 
   /** Listens to the changes of an expression; see {@code Kernel.onChange}. */
-  public Listening onChange(String expression, Consumer<Object> listener) {
-    return await(expression, new ChangeListening(this, JavaValues.bytes(expression), listener));
+  public ListenerRegistration onChange(String expression, Consumer<Object> listener) {
+    return await(expression, new ChangeRegistration(this, JavaValues.bytes(expression), listener));
   }
 
   // ------------------------------------------------------------------ the lobby
@@ -255,8 +256,8 @@ public final class Embedding {
   }
 
   /**
-   * A new object to evaluate code on: it inherits from the lobby and, as a lobby does, allows its
-   * slots to be defined again.
+   * A new object on which code can be evaluated. It inherits from the lobby and, like a lobby,
+   * allows its slots to be redefined.
    */
   public UrbiValue newScope() {
     return await(
@@ -282,7 +283,7 @@ public final class Embedding {
     return requireNonNull(lobby, "made when the first request began");
   }
 
-  /** A request has been dealt with; on the kernel thread. */
+  /** A request has been completed; on the kernel thread. */
   void finished() {
     running--;
     reviewTime();
@@ -301,9 +302,9 @@ public final class Embedding {
   // ------------------------------------------------------------------ requests
 
   /**
-   * Has something done by a job, and waits.
+   * Runs a task in a job, and waits for its end.
    *
-   * @param what it is, for people
+   * @param what describes the task in messages
    * @throws UrbiError if it fails
    * @throws IllegalStateException on the kernel thread, or when the kernel has ended
    * @throws CancellationException if the job was stopped, or the waiting thread interrupted
@@ -331,7 +332,10 @@ public final class Embedding {
     }
   }
 
-  /** As {@link #await}; but at once in a Java function that urbiscript code has called. */
+  /**
+   * Like {@link #await}, but runs the task at once when called within a Java function that
+   * urbiscript code has called.
+   */
   <T> @Nullable T ask(Task<T> task) {
     Frame caller = JavaFunction.caller();
     if (caller == null || caller.interpreter() != interpreter) {
@@ -340,7 +344,7 @@ public final class Embedding {
     try {
       return task.run(caller);
     } catch (UrbiException e) {
-      throw UrbiErrors.of(this, caller, e);
+      throw UrbiErrorConverter.of(this, caller, e);
     }
   }
 
@@ -353,7 +357,7 @@ public final class Embedding {
     pending.put(request.number(), request);
     scheduler.inbox().post(new Message.EmbeddingCall(request.number(), what));
     if (over) {
-      // Nobody reads the inbox any more.
+      // The kernel no longer reads its inbox.
       request.fail(ended());
     }
     return request;
@@ -364,12 +368,12 @@ public final class Embedding {
   }
 
   /**
-   * Something to which the program listens; on the kernel thread.
+   * Registers a listener of the program; on the kernel thread.
    *
-   * @param atOnce what its end brings about, on any thread
-   * @param then what else it does, on the kernel thread
+   * @param atOnce called at once when the registration is closed, on any thread
+   * @param then called after that on the kernel thread
    */
-  Listening listening(Runnable atOnce, Runnable then) {
+  ListenerRegistration listening(Runnable atOnce, Runnable then) {
     int number = last.incrementAndGet();
     listenings.put(number, then);
     return () -> {
@@ -380,7 +384,7 @@ public final class Embedding {
 
   // ------------------------------------------------------------------ the end
 
-  /** Waits for the end of the kernel, as the given action does: simulated time may pass. */
+  /** Runs an action that waits for the end of the kernel. Meanwhile simulated time may pass. */
   public void awaitEnd(Runnable wait) {
     if (scheduler.isKernelThread()) {
       throw new IllegalStateException("the kernel thread cannot wait for its own end");
@@ -396,23 +400,26 @@ public final class Embedding {
     flushOutput();
   }
 
-  /** A kernel of which the program asks nothing has no lobby whose time could be held. */
+  /** Without any request there is no lobby yet, whose input could hold back simulated time. */
   private void postWaiters() {
     if (used) {
       scheduler.inbox().post(new Message.EmbeddingWaits(waiters.get()));
     }
   }
 
-  /** Makes way for the end of the kernel, in spite of code that never lets others run. */
+  /**
+   * Interrupts the program's code, so that the kernel can end even if that code never lets others
+   * run.
+   */
   public void close() {
     closing = true;
     UrbiLobby of = lobby;
     if (of != null) {
-      scheduler.interruptions().want(of);
+      scheduler.interruptions().request(of);
     }
   }
 
-  /** The kernel has ended: nobody waits any longer. On the kernel thread. */
+  /** The kernel has ended: fails all requests that are still waiting. On the kernel thread. */
   public void kernelEnded() {
     over = true;
     UrbiLobby of = lobby;

@@ -8,13 +8,13 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
-import org.urbi.kernel.job.Unwinding;
+import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.trust.Role;
 
-/** A function of the program around the kernel, as a builtin of its own. */
+/** A Java function of the embedding program, as a builtin. */
 final class JavaFunction extends BuiltinTable {
   /** The urbiscript code that called the Java function which this thread is executing. */
   private static final ScopedValue<Frame> CALLER = ScopedValue.newInstance();
@@ -61,7 +61,7 @@ final class JavaFunction extends BuiltinTable {
           ScopedValue.where(CALLER, caller)
               .call(() -> body.apply(Collections.unmodifiableList(values)));
       return JavaValues.fromJava(embedding, result).make(caller);
-    } catch (UrbiException | Unwinding e) {
+    } catch (UrbiException | ControlFlowException e) {
       throw e;
     } catch (UrbiError e) {
       if (e.original() != null) {

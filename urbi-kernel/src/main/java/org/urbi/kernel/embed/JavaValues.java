@@ -13,10 +13,10 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 
 /**
- * Values on their way between Java and urbiscript, as copies.
+ * Conversion of values between Java and urbiscript, as copies.
  *
  * <p>To Java: Float becomes Double, Boolean Boolean, String String, List and Tuple (with Pair and
- * Triplet) an unmodifiable List, Dictionary an unmodifiable Map, nil and void null; whatever else
+ * Triplet) an unmodifiable List, Dictionary an unmodifiable Map, nil and void null; everything else
  * becomes a {@link UrbiValue}, a handle on the object itself.
  *
  * <p>From Java, besides the same types: any Number and Duration, any CharSequence and Character,
@@ -32,29 +32,29 @@ public final class JavaValues {
 
   // ------------------------------------------------------------------ to urbiscript
 
-  /** A value that is ready to become an object, on the kernel thread. */
+  /** A value read from Java, from which the kernel thread can create an urbiscript object. */
   @FunctionalInterface
   interface Maker {
     UrbiObject make(Frame frame);
   }
 
   /**
-   * Reads a Java value, on the thread of its owner.
+   * Reads a Java value, on the calling thread.
    *
-   * @throws IllegalArgumentException if urbiscript has nothing like it
+   * @throws IllegalArgumentException if urbiscript has no corresponding type
    */
   static Maker fromJava(Embedding embedding, @Nullable Object value) {
-    return new FromJava(embedding).read(value);
+    return new FromJavaConverter(embedding).read(value);
   }
 
   // ------------------------------------------------------------------ to Java
 
   /** Copies an object; on the kernel thread. */
   static @Nullable Object toJava(Embedding embedding, UrbiObject object) {
-    return new ToJava(embedding).copy(object, 0);
+    return new ToJavaConverter(embedding).copy(object, 0);
   }
 
-  /** Copies an object for somebody who wants that type; on the kernel thread. */
+  /** Copies an object to the requested type; on the kernel thread. */
   static @Nullable Object toJava(Embedding embedding, UrbiObject object, Class<?> type) {
     if (type == UrbiValue.class && object != object.world().values().voidObject) {
       return new UrbiValue(embedding, object);
@@ -90,9 +90,9 @@ public final class JavaValues {
   // ------------------------------------------------------------------ as a certain type
 
   /**
-   * A value that came from urbiscript as another Java type: a Double as any type of number that
-   * holds it exactly, or as a Duration of so many seconds; a String of one character as that one; a
-   * List as an array.
+   * Converts a value that came from urbiscript to another Java type: a Double to any number type
+   * that holds it exactly, or to a Duration in seconds; a String of one character to a Character; a
+   * List to an array.
    *
    * @throws ClassCastException if it cannot be one
    */

@@ -3,16 +3,16 @@ package org.urbi.kernel.embed;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.TagStop;
-import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 
-/** Something that Java code waits for and a job does. */
+/** A task that a job executes and for whose result Java code waits. */
 final class Request<T> {
   private final Embedding embedding;
   private final int number;
@@ -34,7 +34,7 @@ final class Request<T> {
     return future;
   }
 
-  /** It is no longer wanted; from any thread. */
+  /** Cancels the request; from any thread. */
   void cancel() {
     future.cancel(false);
     embedding.scheduler().inbox().post(new Message.EmbeddingCancel(number));
@@ -62,7 +62,7 @@ final class Request<T> {
     }
   }
 
-  /** It is no longer wanted. */
+  /** The request was cancelled. */
   void cancelled() {
     if (job != null) {
       job.terminate();
@@ -78,11 +78,11 @@ final class Request<T> {
       over = true;
     } catch (TagStop stop) {
       throw stop;
-    } catch (Unwinding unwinding) {
-      // A return or a break that has nothing to leave: void.
+    } catch (ControlFlowException unwinding) {
+      // A return or break outside of functions and loops: the result is void.
       over = true;
     } catch (Throwable thrown) {
-      failure = UrbiErrors.of(embedding, frame, thrown);
+      failure = UrbiErrorConverter.of(embedding, frame, thrown);
       over = true;
     } finally {
       running.leave(scope);
@@ -97,7 +97,7 @@ final class Request<T> {
               ? Embedding.ended()
               : new CancellationException("the evaluation was stopped");
     }
-    // After the output of this tick, and not in the thread of the job.
+    // Complete after the output of this tick, outside of the thread of the job.
     embedding.scheduler().atEndOfTick(this::complete);
   }
 
@@ -110,7 +110,7 @@ final class Request<T> {
     }
   }
 
-  /** Ends it, whatever has become of the job. */
+  /** Fails the request, whatever the state of its job. */
   void fail(Throwable reason) {
     embedding.forget(this);
     future.completeExceptionally(reason);

@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
-import org.urbi.kernel.lobby.Complaint;
+import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.lang.source.Location;
 
 /**
@@ -47,7 +47,7 @@ public final class UrbiError extends RuntimeException {
     setStackTrace(withCalls(getStackTrace()));
   }
 
-  /** The same error, in the thread that waits for the evaluation. */
+  /** A copy of this error with the stack trace of the thread that waits for the evaluation. */
   UrbiError here() {
     UrbiError same = new UrbiError(getMessage(), location, backtrace, value, original);
     if (getCause() != null) {
@@ -56,12 +56,12 @@ public final class UrbiError extends RuntimeException {
     return same;
   }
 
-  /** What to do about it, in a few words; empty for what a program has thrown. */
+  /** A hint at what to do about it; empty for what a program has thrown. */
   public Optional<String> hint() {
     return original == null ? Optional.empty() : original.hint();
   }
 
-  /** The exception of urbiscript that it stands for; null for an error of Java. */
+  /** The urbiscript exception that it represents; null for a Java error. */
   @Nullable UrbiException original() {
     return original;
   }
@@ -99,9 +99,9 @@ public final class UrbiError extends RuntimeException {
 
   /** The error as the console shows it: {@code !!!} lines, without time stamps. */
   public String report() {
-    var text = new StringBuilder(Complaint.marked(String.valueOf(getMessage())));
+    var text = new StringBuilder(Diagnostics.marked(String.valueOf(getMessage())));
     for (Call call : backtrace) {
-      text.append('\n').append(Complaint.marked(Problem.CALLED_FROM.text("", call)));
+      text.append('\n').append(Diagnostics.marked(Problem.CALLED_FROM.text("", call)));
     }
     return text.toString();
   }

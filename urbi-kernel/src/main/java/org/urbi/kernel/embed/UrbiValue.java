@@ -10,10 +10,10 @@ import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
- * A handle on an urbiscript object that has no like in Java: an object with slots, a function, an
- * event… Its methods may be called from any thread and wait for the kernel; within a function that
- * was given to {@link Embedding#define} they are executed at once. Two handles are equal when the
- * object is the same one.
+ * A handle on an urbiscript object that has no Java counterpart: an object with slots, a function,
+ * an event… Its methods may be called from any thread and wait for the kernel; within a function
+ * that was given to {@link Embedding#define} they are executed at once. Two handles are equal when
+ * the object is the same one.
  *
  * <p>All methods but {@link #toString}, {@code equals} and {@code hashCode} throw {@link UrbiError}
  * for errors in urbiscript, and {@link IllegalStateException} when the kernel has ended.
@@ -76,7 +76,7 @@ public final class UrbiValue {
     });
   }
 
-  /** Calls a method, and returns what it returns; may take as long as that does. */
+  /** Calls a method and waits for its result. */
   public @Nullable Object call(String method, Object... arguments) {
     Embedding.Arguments made = embedding.arguments(arguments);
     return embedding.ask(frame ->
@@ -94,7 +94,7 @@ public final class UrbiValue {
             frame.interpreter().call(frame, object, frame.job().lobby(), made.make(frame))));
   }
 
-  /** Asks for something that is never nil. */
+  /** Runs a task whose result is never nil. */
   private <T> T known(Embedding.Task<T> task) {
     return requireNonNull(embedding.ask(task), "what is asked for is there");
   }

@@ -1,6 +1,4 @@
-/**
- * The kernel as a library: evaluation, calls and subscriptions from any thread of a Java program.
- */
+/** The kernel as a library: evaluation, calls and listeners from any thread of a Java program. */
 @NullMarked
 package org.urbi.kernel.embed;
 

@@ -7,7 +7,7 @@ import org.urbi.kernel.object.World;
 import org.urbi.lang.parse.SyntaxError;
 
 /**
- * Makes exceptions of urbiscript of the {@linkplain Problem problems} of the catalogue (manual,
+ * Creates urbiscript exceptions for the {@linkplain Problem problems} of the catalogue (manual,
  * "Exception"). Each is an object cloned from the prototype of its type, so that programs can tell
  * them apart.
  */
@@ -21,27 +21,27 @@ public final class Errors {
   }
 
   /**
-   * Whether the text of an exception tells where it was thrown: it does once it has been caught. An
-   * error of syntax tells its place in the source.
+   * Whether the text of an exception includes where it was thrown, as it does once it has been
+   * caught. A syntax error includes its location in the source.
    */
   public boolean tellsPlace(UrbiObject exception) {
     UrbiObject place = exception.localSlot(world.symbol("location"));
     return place != null && place != values.nil && !is(exception, ProblemKind.SYNTAX);
   }
 
-  /** Whether an exception is of the type of such problems. */
+  /** Whether an exception has the type of that kind of problem. */
   public boolean is(UrbiObject exception, ProblemKind kind) {
     String type = kind.type();
     UrbiObject prototype = type == null ? null : world.findPrototype(type);
     return prototype != null && exception.isA(prototype);
   }
 
-  /** The exception for a problem; the values stand for the places of its text. */
+  /** Creates the exception for a problem; the values fill the placeholders of its text. */
   public Builder of(Problem problem, Object... places) {
     return untold(problem).with("message", problem.text(places));
   }
 
-  /** The same without a message; who catches it finds as its message what its asString says. */
+  /** The same without a message of its own: its message is what its asString returns. */
   private Builder untold(Problem problem) {
     return untold(problem, problem.hint().orElse(null));
   }
@@ -55,7 +55,7 @@ public final class Errors {
     return new Builder(prototype == null ? values.object.cloned() : prototype.cloned(), hint);
   }
 
-  /** An exception being filled. */
+  /** Builds an exception. */
   public final class Builder {
     private final UrbiObject exception;
     private final @Nullable String hint;
@@ -87,7 +87,7 @@ public final class Errors {
     }
   }
 
-  /** {@code lookup failed: name}; void has nothing to look for. */
+  /** {@code lookup failed: name}; for void, the error of an unexpected void. */
   public UrbiException lookup(UrbiObject target, String name) {
     if (target == values.voidObject) {
       return unexpectedVoid();
@@ -142,7 +142,7 @@ public final class Errors {
     return of(problem, places).build();
   }
 
-  /** Ends a job that has gone beyond what is allowed; it cannot be caught. */
+  /** Ends a job that has exceeded a limit; it cannot be caught. */
   public UrbiException limit(Problem problem, Object... places) {
     return scheduling(problem, places).uncatchable();
   }
@@ -219,7 +219,7 @@ public final class Errors {
   /**
    * {@code routine: argument 1: …}, with the message of another exception.
    *
-   * @param cause what was wrong with the argument
+   * @param cause the error in the argument
    */
   public UrbiException argument(String routine, int index, UrbiObject cause) {
     return untold(index == 0 ? Problem.WRONG_TARGET : Problem.WRONG_ARGUMENT)
@@ -237,7 +237,7 @@ public final class Errors {
   /**
    * The same.
    *
-   * @param shown how the number is written
+   * @param shown the text of the number
    */
   public UrbiException badNumber(
       String routine, Problem problem, UrbiObject effective, String shown) {

@@ -32,8 +32,9 @@ import org.urbi.lang.problem.Template;
 
 /**
  * The catalogue of the messages of the language, in the words of the manual; those of the parser
- * are {@link org.urbi.lang.problem.SyntaxProblem}. A message is found by its text, and every place
- * of it in the code by its name. {@code docs/messages.md} is made of it.
+ * are {@link org.urbi.lang.problem.SyntaxProblem}. To find where a message comes from, search here
+ * for its text, and in the code for its name. {@code docs/messages.md} is generated from this
+ * class.
  */
 public enum Problem {
   // ------------------------------------------------------------------ names and slots
@@ -320,22 +321,22 @@ public enum Problem {
     this.hint = hint;
   }
 
-  /** What becomes of it. */
+  /** Whether it is an exception, a warning, a line or a part of another message. */
   public ProblemKind kind() {
     return kind;
   }
 
-  /** Its text, not filled in. */
+  /** Its text, with placeholders. */
   public Template template() {
     return template;
   }
 
-  /** Its text; the values stand for its places, in their order. */
+  /** Its text, with the values in place of its placeholders, in order. */
   public String text(Object... values) {
     return template.fill(values);
   }
 
-  /** What to do about it, in a few words. */
+  /** A hint at what to do about it. */
   public Optional<String> hint() {
     return Optional.ofNullable(hint);
   }

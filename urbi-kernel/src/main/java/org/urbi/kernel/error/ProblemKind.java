@@ -2,7 +2,7 @@ package org.urbi.kernel.error;
 
 import org.jspecify.annotations.Nullable;
 
-/** What becomes of a problem: an exception of one of the manual's types, or only a text. */
+/** How a problem is reported: as an exception of one of the manual's types, or only as a text. */
 public enum ProblemKind {
   ARGUMENT("Exception.Argument"),
   ARGUMENT_TYPE("Exception.ArgumentType"),
@@ -27,10 +27,10 @@ public enum ProblemKind {
   TYPE("Exception.Type"),
   UNEXPECTED_VOID("Exception.UnexpectedVoid"),
 
-  /** Told on the channel {@code warning}. */
+  /** Sent on the channel {@code warning}. */
   WARNING(null),
 
-  /** A line by itself, on the channel {@code error} or in the log. */
+  /** A line of its own, on the channel {@code error} or in the log. */
   LINE(null),
 
   /** Part of another message, such as the reason in it. */
@@ -42,7 +42,7 @@ public enum ProblemKind {
     this.type = type;
   }
 
-  /** The type of exceptions it becomes; null when it is none. */
+  /** The type of the exception; null if it is not reported as one. */
   public @Nullable String type() {
     return type;
   }

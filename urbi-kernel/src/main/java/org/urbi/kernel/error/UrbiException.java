@@ -17,7 +17,7 @@ public final class UrbiException extends RuntimeException {
    * @param span null when it is not known
    */
   public record Call(String name, @Nullable Span span) {
-    /** What stands for that many calls which are not shown. */
+    /** A placeholder for calls that are not shown. */
     public static Call leftOut(int count) {
       return new Call(Problem.LEFT_OUT.text(count), null);
     }
@@ -44,12 +44,12 @@ public final class UrbiException extends RuntimeException {
     this.uncatchable = uncatchable;
   }
 
-  /** The same, but no code can catch it: the job is to end. */
+  /** The same exception, but one that no code can catch, because the job must end. */
   UrbiException uncatchable() {
     return new UrbiException(value, hint, true);
   }
 
-  /** Whether no {@code catch} clause is asked. */
+  /** Whether {@code catch} clauses ignore it. */
   public boolean isUncatchable() {
     return uncatchable;
   }
@@ -59,7 +59,7 @@ public final class UrbiException extends RuntimeException {
     return value;
   }
 
-  /** What to do about it, in a few words, where the catalogue of messages says so. */
+  /** A hint at what to do about it, if the catalogue of messages has one. */
   public Optional<String> hint() {
     return Optional.ofNullable(hint);
   }
@@ -69,7 +69,7 @@ public final class UrbiException extends RuntimeException {
     return backtrace != null;
   }
 
-  /** Says where it was thrown; the innermost call comes first. */
+  /** Sets where it was thrown and its calls, innermost first. */
   public void locate(@Nullable Span where, List<Call> calls) {
     span = where;
     backtrace = calls;

@@ -59,10 +59,10 @@ public final class AtCondition extends Node {
   }
 
   /** An {@code at} that has been executed and waits. */
-  private final class Armed implements Watch.Listener, TagScope.Attachment {
+  private final class Armed implements ExpressionWatcher.Listener, TagScope.Attachment {
     private final Handler handler;
     private final long hold;
-    private final Watch watch;
+    private final ExpressionWatcher watch;
     private final WeakAttachment attachment = new WeakAttachment(this);
     private boolean holds;
     private boolean entered;
@@ -76,10 +76,10 @@ public final class AtCondition extends Node {
           creator.observer() == null
               ? condition
               : Profiler.observing(creator, "at: { " + condition.span().text() + " }", condition);
-      this.watch = new Watch(handler.home(), watched, this);
+      this.watch = new ExpressionWatcher(handler.home(), watched, this);
     }
 
-    /** From its entering to its leaving, it has something to do when its tag is stopped. */
+    /** While the condition holds, stopping its tag must run the {@code onleave} clause. */
     private void setEntered(boolean on) {
       entered = on;
       attachment.keep(on);

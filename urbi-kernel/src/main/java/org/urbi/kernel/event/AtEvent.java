@@ -42,7 +42,7 @@ public final class AtEvent extends Node {
 
   @Override
   public UrbiObject execute(Frame frame) {
-    UrbiEvent source = Events.event(frame, event);
+    UrbiEvent source = EventLookup.event(frame, event);
     long hold = Durations.nanoseconds(frame, duration);
     // Later activations of the same code must not share variables with this one.
     Frame home = frame.fork(frame.job(), false);
@@ -123,7 +123,7 @@ public final class AtEvent extends Node {
     }
   }
 
-  /** An emission that may last long enough, or has been accepted. */
+  /** An emission that has been accepted, or will be if it lasts long enough. */
   private static final class Waiting {
     Timers.@Nullable Timer timer;
     @Nullable Frame entered;

@@ -8,7 +8,7 @@ public final class CallTimes {
   private long least = Long.MAX_VALUE;
   private long most;
 
-  /** One more call, which nobody has measured. */
+  /** Counts a call that was not measured. */
   public void addUnmeasured() {
     count++;
   }

@@ -2,11 +2,11 @@ package org.urbi.kernel.event;
 
 import org.urbi.kernel.node.Node;
 
-/** What code waits for. */
+/** The condition of {@code at}, {@code whenever} or {@code waituntil}. */
 public sealed interface Condition {
-  /** For an expression to be true. */
-  record Holds(Node expression) implements Condition {}
+  /** Waits for an expression to be true. */
+  record WhenTrue(Node expression) implements Condition {}
 
-  /** For an event that the filter accepts. */
-  record Emitted(Node event, EventFilter filter) implements Condition {}
+  /** Waits for an event that the filter accepts. */
+  record WhenEmitted(Node event, EventFilter filter) implements Condition {}
 }

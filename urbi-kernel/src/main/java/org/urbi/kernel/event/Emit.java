@@ -4,8 +4,8 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
-import org.urbi.kernel.node.Guard;
 import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.PermissionCheck;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
@@ -56,7 +56,7 @@ public final class Emit extends Node implements CallSite {
       return nothing;
     }
     try {
-      Guard.checkChange(frame, "emit", emitted);
+      PermissionCheck.checkChange(frame, "emit", emitted);
     } catch (UrbiException e) {
       throw frame.located(e, span());
     }

@@ -11,13 +11,13 @@ import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 
 /** Whether an expression has been true for some time (manual, "Control", {@code persist}). */
-public final class Persistence implements Watch.Listener, TagScope.Attachment {
+public final class Persistence implements ExpressionWatcher.Listener, TagScope.Attachment {
   private final Frame home;
   private final TagScope scope;
   private final UrbiObject lobby;
   private final UrbiObject shown;
   private final long hold;
-  private final Watch watch;
+  private final ExpressionWatcher watch;
   private Timers.@Nullable Timer timer;
 
   private Persistence(Frame home, Node expression, long hold, UrbiObject shown) {
@@ -26,7 +26,7 @@ public final class Persistence implements Watch.Listener, TagScope.Attachment {
     this.lobby = home.job().lobby();
     this.hold = hold;
     this.shown = shown;
-    this.watch = new Watch(home, expression, this);
+    this.watch = new ExpressionWatcher(home, expression, this);
   }
 
   /**

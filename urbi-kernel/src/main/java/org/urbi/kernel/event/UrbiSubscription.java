@@ -16,7 +16,7 @@ public class UrbiSubscription extends UrbiObject {
     Subscription listenTo(Frame frame, UrbiEvent event);
   }
 
-  private final CallGate gate = new CallGate();
+  private final CallPolicy gate = new CallPolicy();
   private @Nullable Listener listener;
   private @Nullable UrbiEvent event;
   private @Nullable Subscription subscription;
@@ -37,7 +37,7 @@ public class UrbiSubscription extends UrbiObject {
     return new UrbiSubscription(cloneShape());
   }
 
-  public final CallGate gate() {
+  public final CallPolicy gate() {
     return gate;
   }
 

@@ -28,14 +28,14 @@ public final class WaitUntil extends Node {
   public UrbiObject execute(Frame frame) {
     long hold = Durations.nanoseconds(frame, duration);
     switch (condition) {
-      case Condition.Emitted emitted -> await(frame, emitted, hold);
-      case Condition.Holds holds -> await(frame, holds, hold);
+      case Condition.WhenEmitted emitted -> await(frame, emitted, hold);
+      case Condition.WhenTrue holds -> await(frame, holds, hold);
     }
     return frame.interpreter().values().voidObject;
   }
 
-  private static void await(Frame frame, Condition.Emitted condition, long hold) {
-    UrbiEvent source = Events.event(frame, condition.event());
+  private static void await(Frame frame, Condition.WhenEmitted condition, long hold) {
+    UrbiEvent source = EventLookup.event(frame, condition.event());
     var waiting = new ForEvent(frame, condition.filter(), hold);
     source.subscribe(waiting, frame.job());
     try {
@@ -48,7 +48,7 @@ public final class WaitUntil extends Node {
     }
   }
 
-  private static void await(Frame frame, Condition.Holds condition, long hold) {
+  private static void await(Frame frame, Condition.WhenTrue condition, long hold) {
     var waiting = new ForExpression(frame, condition.expression(), hold);
     try {
       waiting.evaluated(waiting.watch.evaluate(frame.job()), frame.job());
@@ -112,12 +112,12 @@ public final class WaitUntil extends Node {
   }
 
   /** For an expression to be true. */
-  private static final class ForExpression extends Waiting implements Watch.Listener {
-    private final Watch watch;
+  private static final class ForExpression extends Waiting implements ExpressionWatcher.Listener {
+    private final ExpressionWatcher watch;
 
     ForExpression(Frame frame, Node expression, long hold) {
       super(frame, hold);
-      watch = new Watch(frame, expression, this);
+      watch = new ExpressionWatcher(frame, expression, this);
     }
 
     @Override

@@ -20,8 +20,9 @@ public final class WatchExpression extends Node {
   public UrbiObject execute(Frame frame) {
     UrbiEvent event = (UrbiEvent) frame.interpreter().prototypes().event.cloned();
     Frame home = frame.fork(frame.job(), false);
-    Watch watch =
-        new Watch(home, expression, (value, evaluator) -> event.emit(evaluator, false, value));
+    ExpressionWatcher watch =
+        new ExpressionWatcher(
+            home, expression, (value, evaluator) -> event.emit(evaluator, false, value));
     boolean ready = false;
     try {
       watch.evaluate(frame.job());

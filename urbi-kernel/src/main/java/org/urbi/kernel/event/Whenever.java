@@ -47,13 +47,14 @@ public final class Whenever extends Node {
     long hold = Durations.nanoseconds(frame, duration);
     Frame home = frame.fork(frame.job(), false);
     switch (condition) {
-      case Condition.Emitted emitted -> {
-        var armed = new OnEvent(home, Events.event(frame, emitted.event()), emitted.filter(), hold);
+      case Condition.WhenEmitted emitted -> {
+        var armed =
+            new OnEvent(home, EventLookup.event(frame, emitted.event()), emitted.filter(), hold);
         armed.scope.add(armed);
         armed.otherwise();
         armed.source.subscribe(armed, frame.job());
       }
-      case Condition.Holds holds -> {
+      case Condition.WhenTrue holds -> {
         var armed = new OnExpression(home, holds.expression(), hold);
         armed.scope.add(armed);
         boolean ready = false;
@@ -101,9 +102,9 @@ public final class Whenever extends Node {
   }
 
   /** On an expression. */
-  private final class OnExpression extends Repeating implements Watch.Listener {
+  private final class OnExpression extends Repeating implements ExpressionWatcher.Listener {
     private final Node expression;
-    private final Watch watch;
+    private final ExpressionWatcher watch;
     private final long hold;
     private boolean known;
     private boolean holds;
@@ -114,7 +115,7 @@ public final class Whenever extends Node {
       super(home);
       this.expression = expression;
       this.hold = hold;
-      this.watch = new Watch(home, expression, this);
+      this.watch = new ExpressionWatcher(home, expression, this);
     }
 
     @Override

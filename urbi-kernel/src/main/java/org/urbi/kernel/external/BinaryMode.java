@@ -61,7 +61,7 @@ final class BinaryMode implements MessageInput {
       }
     } catch (WireException e) {
       over = true;
-      Order end = frame -> broken.accept(e.getMessage());
+      Command end = frame -> broken.accept(e.getMessage());
       add(end, null);
     }
   }
@@ -115,15 +115,15 @@ final class BinaryMode implements MessageInput {
       case ExternalMessage.Code code -> add(text(code.text()), null);
       case ExternalMessage.Reply reply -> {
         Runnable answer = () -> process.reply(reply.call(), reply.value(), null);
-        Order order = frame -> answer.run();
+        Command order = frame -> answer.run();
         add(order, answer);
       }
       case ExternalMessage.Assign assign -> {
-        Order order = frame -> process.assign(frame, assign.variable(), assign.value());
+        Command order = frame -> process.assign(frame, assign.variable(), assign.value());
         add(order, null);
       }
       case ExternalMessage.Emit emit -> {
-        Order order = frame -> process.emit(frame, emit.event(), emit.payload());
+        Command order = frame -> process.emit(frame, emit.event(), emit.payload());
         add(order, null);
       }
     }

@@ -14,7 +14,7 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Scheduler;
-import org.urbi.kernel.lobby.Complaint;
+import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.RemoteObjects;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.Frame;
@@ -41,7 +41,7 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
   private static final int DELETE = 5;
 
   /** How long the process may take to make an object. */
-  private static final Duration PATIENCE = Duration.ofSeconds(10);
+  private static final Duration CREATION_TIMEOUT = Duration.ofSeconds(10);
 
   private final UrbiLobby lobby;
   private final Scheduler scheduler;
@@ -104,7 +104,7 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
   }
 
   private void broken(String why) {
-    Complaint.error(lobby.output(), Problem.PROTOCOL_BROKEN.text(why));
+    Diagnostics.error(lobby.output(), Problem.PROTOCOL_BROKEN.text(why));
     lobby.shell().close();
   }
 
@@ -210,7 +210,7 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
     ValueText.quote(text.append(", "), parent);
     send(text);
     try {
-      context.await(made, PATIENCE);
+      context.await(made, CREATION_TIMEOUT);
     } finally {
       wanted.remove(name);
     }
@@ -218,7 +218,7 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
       throw new IllegalStateException(lost);
     }
     if (made.isCancelled()) {
-      throw new IllegalStateException(Problem.NOT_MADE_IN_TIME.text(PATIENCE.toSeconds()));
+      throw new IllegalStateException(Problem.NOT_MADE_IN_TIME.text(CREATION_TIMEOUT.toSeconds()));
     }
   }
 

@@ -1,7 +1,7 @@
 package org.urbi.kernel.job;
 
 /** Reports to a job that one of the jobs it started and waits for was left by an exception. */
-final class ChildFailure extends Unwinding {
+final class ChildFailure extends ControlFlowException {
   private final transient JobGroup group;
   private final transient Throwable failure;
 

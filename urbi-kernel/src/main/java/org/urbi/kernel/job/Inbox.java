@@ -28,13 +28,13 @@ public final class Inbox {
   private final AtomicInteger reserved = new AtomicInteger();
   private volatile boolean filled;
   private volatile @Nullable Thread waiting;
-  private volatile Listening.@Nullable Wait elsewhere;
+  private volatile KernelPoller.@Nullable Wait elsewhere;
 
   private final Map<Integer, Receiver> receivers = new ConcurrentHashMap<>();
 
   // These are the kernel thread's own.
   private int registered = Message.FIRST_FREE;
-  private Listening listening = Listening.NOWHERE;
+  private KernelPoller listening = KernelPoller.NONE;
   private BiConsumer<Message, Throwable> failures = (message, failure) -> {};
 
   public Inbox(Journal journal) {
@@ -54,7 +54,7 @@ public final class Inbox {
     if (sleeper != null) {
       LockSupport.unpark(sleeper);
     }
-    Listening.Wait other = elsewhere;
+    KernelPoller.Wait other = elsewhere;
     if (other != null) {
       other.wake();
     }
@@ -88,7 +88,7 @@ public final class Inbox {
   }
 
   /** Sets another way to hear from the outside; before the kernel starts. */
-  public void listenTo(Listening how) {
+  public void listenTo(KernelPoller how) {
     listening = how;
   }
 
@@ -150,7 +150,7 @@ public final class Inbox {
 
   /** The kernel has nothing to do: hears what there is, for at most so many nanoseconds. */
   void listen(long nanoseconds) {
-    Listening.Wait wait = listening.begin(nanoseconds);
+    KernelPoller.Wait wait = listening.begin(nanoseconds);
     if (wait == null) {
       await(nanoseconds);
       return;
@@ -163,12 +163,12 @@ public final class Inbox {
     } finally {
       elsewhere = null;
     }
-    listening.hear();
+    listening.poll();
   }
 
   /** The kernel is busy: hears what there is, if it has not listened for long. */
-  void glance(long now) {
-    listening.glance(now);
+  void pollIfDue(long now) {
+    listening.pollIfDue(now);
   }
 
   /** The kernel has ended. */

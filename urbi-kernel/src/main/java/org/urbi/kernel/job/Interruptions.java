@@ -7,8 +7,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
-import org.urbi.kernel.journal.Ending;
 import org.urbi.kernel.journal.Journal;
+import org.urbi.kernel.journal.StopReason;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.time.Clock;
 
@@ -23,7 +23,7 @@ import org.urbi.kernel.time.Clock;
  */
 public final class Interruptions {
   /** How long code that ends may go on without letting others run, in nanoseconds. */
-  private static final long FAREWELL = 50_000_000;
+  private static final long GRACE_PERIOD = 50_000_000;
 
   private static final long NONE = -1;
 
@@ -40,8 +40,8 @@ public final class Interruptions {
 
   // These are the kernel thread's own: what ends right now.
   private long endingTurn = NONE;
-  private Ending ending = Ending.NONE;
-  private long farewellUntil;
+  private StopReason ending = StopReason.NONE;
+  private long graceEnd;
   private @Nullable RuntimeException failure;
 
   /** The lobbies of which code has ended, and whose message has not come yet. */
@@ -55,28 +55,28 @@ public final class Interruptions {
     this.turns = turns;
     this.journal = journal;
     this.machine = machine;
-    this.counted = journal.counts();
+    this.counted = journal.countsChecks();
     this.wanted = counted;
   }
 
   // ------------------------------------------------------------------ from any thread
 
   /** Has the job end that is running for that lobby, if there is one. */
-  public void want(UrbiObject lobby) {
+  public void request(UrbiObject lobby) {
     lobbies.add(lobby);
-    look();
+    announce();
   }
 
   /** Has every job end from now on that does not let others run. */
-  public void wantAll() {
+  public void requestAll() {
     all = true;
-    look();
+    announce();
   }
 
   /** Has the job end whose turn has that number, if it still lasts. */
-  void wantOverdue(long turn) {
+  void requestOverdue(long turn) {
     overdueTurn.set(turn);
-    look();
+    announce();
   }
 
   /**
@@ -91,11 +91,11 @@ public final class Interruptions {
    * Whether there is any, or it counts how often that is asked; code looks at this in each turn of
    * a loop, and at each call.
    */
-  public boolean areWanted() {
+  public boolean arePending() {
     return wanted;
   }
 
-  private void look() {
+  private void announce() {
     wanted = true;
     changed.run();
   }
@@ -109,10 +109,10 @@ public final class Interruptions {
 
   /** Ends the running job here, if it is to end. */
   void check(Job job) {
-    Ending decided = decide(job.lobby());
-    if (decided == Ending.WANTED) {
+    StopReason decided = decide(job.lobby());
+    if (decided == StopReason.REQUESTED) {
       throw TagStop.interruption();
-    } else if (decided == Ending.OVERDUE) {
+    } else if (decided == StopReason.OVERDUE) {
       if (failure == null) {
         failure = overdueFailure.apply(job);
       }
@@ -121,18 +121,18 @@ public final class Interruptions {
   }
 
   /** How the job is to end that runs for that lobby; it does so then. */
-  Ending decide(UrbiObject lobby) {
-    Ending decided = journal.stops(wantedOf(lobby));
-    if (decided == Ending.NONE) {
+  StopReason decide(UrbiObject lobby) {
+    StopReason decided = journal.stopReason(pendingFor(lobby));
+    if (decided == StopReason.NONE) {
       return decided;
     }
     long turn = turns.getAsLong();
     if (endingTurn != turn) {
       endingTurn = turn;
       failure = null;
-      farewellUntil = machine.now() + FAREWELL;
+      graceEnd = machine.now() + GRACE_PERIOD;
       // Not again for the same ending: its message may have come while others were let run.
-      if (decided == Ending.WANTED && lobby != null && !all) {
+      if (decided == StopReason.REQUESTED && lobby != null && !all) {
         lobbies.remove(lobby);
         interrupted.add(lobby);
       }
@@ -141,22 +141,22 @@ public final class Interruptions {
     return decided;
   }
 
-  private Ending wantedOf(UrbiObject lobby) {
+  private StopReason pendingFor(UrbiObject lobby) {
     long turn = turns.getAsLong();
     if (endingTurn != NONE) {
       if (endingTurn == turn) {
-        return machine.now() - farewellUntil < 0 ? Ending.NONE : ending;
+        return machine.now() - graceEnd < 0 ? StopReason.NONE : ending;
       }
-      settle(turn);
+      forgetEnded(turn);
     }
     if (all || lobby != null && lobbies.contains(lobby)) {
-      return Ending.WANTED;
+      return StopReason.REQUESTED;
     }
-    return overdueTurn.get() == turn ? Ending.OVERDUE : Ending.NONE;
+    return overdueTurn.get() == turn ? StopReason.OVERDUE : StopReason.NONE;
   }
 
   /** What was to end in an earlier turn has done so. */
-  private void settle(long turn) {
+  private void forgetEnded(long turn) {
     endingTurn = NONE;
     long known = overdueTurn.get();
     if (known != turn) {
@@ -166,21 +166,21 @@ public final class Interruptions {
   }
 
   /** How the running job ends, if it does. */
-  record Farewell(Ending ending, long until, @Nullable RuntimeException failure) {}
+  record Termination(StopReason ending, long until, @Nullable RuntimeException failure) {}
 
   /** The running job lets others run while it ends; null if it does not end. */
-  @Nullable Farewell pause() {
-    return endingTurn == turns.getAsLong() ? new Farewell(ending, farewellUntil, failure) : null;
+  @Nullable Termination pause() {
+    return endingTurn == turns.getAsLong() ? new Termination(ending, graceEnd, failure) : null;
   }
 
   /** It goes on to end. */
-  void resume(@Nullable Farewell paused) {
+  void resume(@Nullable Termination paused) {
     if (paused != null) {
       endingTurn = turns.getAsLong();
       ending = paused.ending;
-      farewellUntil = paused.until;
+      graceEnd = paused.until;
       failure = paused.failure;
-      look();
+      announce();
     }
   }
 

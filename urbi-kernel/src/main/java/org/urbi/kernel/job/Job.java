@@ -12,7 +12,7 @@ import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.object.Dependencies;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.trust.Role;
-import org.urbi.kernel.trust.Trusted;
+import org.urbi.kernel.trust.RoleHolder;
 
 /**
  * A light thread of urbiscript (manual, "Job"). Its stack is that of a virtual thread which the
@@ -57,10 +57,10 @@ public final class Job implements Runnable {
   private final boolean surplus;
   private final @Nullable JobGroup group;
   private final JobThread thread;
-  private boolean resting;
+  private boolean daemon;
   private TagScope scope;
   private State state = State.RUNNABLE;
-  private @Nullable Unwinding injected;
+  private @Nullable ControlFlowException injected;
   private Timers.@Nullable Timer timer;
   private int frozenDepth;
   private boolean heldByFreeze;
@@ -105,7 +105,7 @@ public final class Job implements Runnable {
     this.number = scheduler.nextNumber();
     this.name = prefix + "_" + number;
     this.lobby = lobby;
-    this.role = Trusted.roleOf(lobby);
+    this.role = RoleHolder.roleOf(lobby);
     this.budget = scheduler.budgetOf(lobby);
     this.surplus = !isAdmitted(scheduler.running());
     this.scope = scope;
@@ -159,7 +159,7 @@ public final class Job implements Runnable {
   /** From now on it runs for another lobby. */
   public void runFor(UrbiObject other) {
     lobby = other;
-    role = Trusted.roleOf(other);
+    role = RoleHolder.roleOf(other);
   }
 
   /** What it may do: the role of its lobby. */
@@ -195,7 +195,7 @@ public final class Job implements Runnable {
 
   /** Has something done for another lobby if that may do something else than its own. */
   public <T> T doFor(UrbiObject other, Supplier<T> action) {
-    if (other == lobby || role == Role.OWNER && Trusted.roleOf(other) == Role.OWNER) {
+    if (other == lobby || role == Role.OWNER && RoleHolder.roleOf(other) == Role.OWNER) {
       return action.get();
     }
     UrbiObject own = lobby;
@@ -208,13 +208,13 @@ public final class Job implements Runnable {
   }
 
   /** Whether it only waits for somebody to send something, so that it keeps no run going. */
-  public boolean isResting() {
-    return resting;
+  public boolean isDaemon() {
+    return daemon;
   }
 
-  /** See {@link #isResting}. */
-  public void setResting(boolean on) {
-    resting = on;
+  /** See {@link #isDaemon}. */
+  public void setDaemon(boolean on) {
+    daemon = on;
   }
 
   public State state() {
@@ -364,7 +364,7 @@ public final class Job implements Runnable {
 
   /** The separator {@code ;}: lets the others run, if there are any. */
   public void yield() {
-    if ((nonInterruptible | Double.doubleToRawLongBits(priority)) != 0 && goesOn()) {
+    if ((nonInterruptible | Double.doubleToRawLongBits(priority)) != 0 && mustContinue()) {
       checkInjected();
       checkInterrupted();
     } else if (scheduler.hasOthers()) {
@@ -388,23 +388,23 @@ public final class Job implements Runnable {
   }
 
   /** Leaves many calls by an exception, which takes long: lets others run if there are any. */
-  public void breathe() {
+  public void yieldWhileUnwinding() {
     if (nonInterruptible > 0) {
       return;
     }
     // The turn is another one afterwards even if there is nobody else: what ends goes on to end.
-    Interruptions.Farewell farewell = scheduler.interruptions().pause();
+    Interruptions.Termination termination = scheduler.interruptions().pause();
     try {
       if (scheduler.hasOthers()) {
         yieldNow();
       }
     } finally {
-      scheduler.interruptions().resume(farewell);
+      scheduler.interruptions().resume(termination);
     }
   }
 
   /** Whether nobody else may run now. */
-  private boolean goesOn() {
+  private boolean mustContinue() {
     return nonInterruptible > 0 || !scheduler.hasOthersFrom(priority);
   }
 
@@ -418,11 +418,11 @@ public final class Job implements Runnable {
       throw scheduler.refusal(Problem.SLEEPS_UNINTERRUPTIBLE);
     }
     state = State.SLEEPING;
-    timer = scheduler.timers().addUncounted(deadline, this::timeIsUp);
+    timer = scheduler.timers().addUncounted(deadline, this::onTimer);
     switchOut();
   }
 
-  private void timeIsUp() {
+  private void onTimer() {
     timer = null;
     makeRunnable();
   }
@@ -459,7 +459,7 @@ public final class Job implements Runnable {
   /** Throws what others want this job to be left with, if anything. */
   public void checkInjected() {
     if (injected != null) {
-      Unwinding unwinding = injected;
+      ControlFlowException unwinding = injected;
       injected = null;
       throw unwinding;
     }
@@ -467,7 +467,7 @@ public final class Job implements Runnable {
 
   /** To be called now and then by code that never switches: somebody may want it ended. */
   public void checkInterrupted() {
-    if (scheduler.interruptions().areWanted()) {
+    if (scheduler.interruptions().arePending()) {
       scheduler.interruptions().check(this);
     }
   }
@@ -485,7 +485,7 @@ public final class Job implements Runnable {
    * @param outer what {@link #enterComponent} has returned
    */
   public void leaveComponent(@Nullable String outer) {
-    if (outer != null || !scheduler.interruptions().areWanted()) {
+    if (outer != null || !scheduler.interruptions().arePending()) {
       component = outer;
       return;
     }
@@ -561,7 +561,7 @@ public final class Job implements Runnable {
   }
 
   /** Suspends this job if it has just been frozen, by itself or by the code it entered. */
-  public void holdIfFrozen() {
+  public void waitWhileFrozen() {
     if (frozenDepth > 0) {
       yieldNow();
     }
@@ -581,7 +581,8 @@ public final class Job implements Runnable {
     if (--frozenDepth == 0) {
       timeShift += scheduler.now() - frozenSince;
       if (state == State.SLEEPING) {
-        timer = scheduler.timers().moved(alarm(), scheduler.now() + sleepLeft, this::timeIsUp);
+        timer =
+            scheduler.timers().moved(runningTimer(), scheduler.now() + sleepLeft, this::onTimer);
       } else if (heldByFreeze) {
         heldByFreeze = false;
         scheduler.enqueue(this);
@@ -589,7 +590,7 @@ public final class Job implements Runnable {
     }
   }
 
-  private Timers.Timer alarm() {
+  private Timers.Timer runningTimer() {
     return requireNonNull(timer, "who sleeps has one");
   }
 
@@ -625,7 +626,7 @@ public final class Job implements Runnable {
    * Has the job left by a throwable, as soon as its turn comes; when it is the running one, at its
    * next {@link #checkInjected}. Of two stops the outer one wins.
    */
-  void inject(Unwinding unwinding) {
+  void inject(ControlFlowException unwinding) {
     if (state == State.ENDED) {
       return;
     }
@@ -644,7 +645,7 @@ public final class Job implements Runnable {
     }
   }
 
-  private boolean isOuter(Unwinding unwinding) {
+  private boolean isOuter(ControlFlowException unwinding) {
     if (!(unwinding instanceof TagStop stop)) {
       return false;
     }

@@ -16,9 +16,9 @@ public enum JobThreads {
       case AUTO ->
           TickLoopThread.isAvailable()
               ? new TickLoopThread.Factory(inbox)
-              : new BatonThread.Factory();
+              : new HandoffThread.Factory();
       case TICK_LOOP -> new TickLoopThread.Factory(inbox);
-      case BATON -> new BatonThread.Factory();
+      case BATON -> new HandoffThread.Factory();
     };
   }
 }

@@ -39,15 +39,15 @@ final class RunQueue {
   private final ArrayDeque<Job> together = new ArrayDeque<>();
 
   /** The queues of the lobbies, null when there is no rush; {@link #together} is empty then. */
-  private @Nullable Map<UrbiObject, Share> shares;
+  private @Nullable Map<UrbiObject, LobbyQueue> shares;
 
   /** Has no jobs: whose turn it is when it is nobody's. */
-  private final Share nobody = new Share(0, 0);
+  private final LobbyQueue nobody = new LobbyQueue(0, 0);
 
   /** What is left of this round in a rush, first to run last. */
-  private final List<Share> round = new ArrayList<>();
+  private final List<LobbyQueue> round = new ArrayList<>();
 
-  private Share current = nobody;
+  private LobbyQueue current = nobody;
   private int left;
   private int jobs;
   private boolean cuttable;
@@ -56,16 +56,16 @@ final class RunQueue {
   private long sharesMade;
 
   /** The jobs of one lobby. */
-  private static final class Share {
+  private static final class LobbyQueue {
     final ArrayDeque<Job> jobs = new ArrayDeque<>();
     final long number;
 
     /** How many slices have not been enough. */
-    long cuts;
+    long roundsCut;
 
-    Share(long number, long cuts) {
+    LobbyQueue(long number, long roundsCut) {
       this.number = number;
-      this.cuts = cuts;
+      this.roundsCut = roundsCut;
     }
   }
 
@@ -73,14 +73,14 @@ final class RunQueue {
     this.clock = clock;
     this.inbox = inbox;
     this.journal = journal;
-    this.counted = journal.counts();
+    this.counted = journal.countsChecks();
   }
 
   boolean isEmpty() {
     if (shares == null) {
       return together.isEmpty();
     }
-    for (Share share : shares.values()) {
+    for (LobbyQueue share : shares.values()) {
       if (!share.jobs.isEmpty()) {
         return false;
       }
@@ -112,20 +112,21 @@ final class RunQueue {
       left++;
       return;
     }
-    Share share = shareOf(shares, job);
+    LobbyQueue share = shareOf(shares, job);
     share.jobs.addFirst(job);
     if (share == current) {
       left++;
     }
   }
 
-  private Share shareOf(Map<UrbiObject, Share> all, Job job) {
-    return all.computeIfAbsent(job.lobby(), lobby -> new Share(sharesMade++, fewestCuts(all)));
+  private LobbyQueue shareOf(Map<UrbiObject, LobbyQueue> all, Job job) {
+    return all.computeIfAbsent(
+        job.lobby(), lobby -> new LobbyQueue(sharesMade++, fewestRoundsCut(all)));
   }
 
   /** Who comes later has no credit from the time before. */
-  private static long fewestCuts(Map<UrbiObject, Share> all) {
-    return all.values().stream().mapToLong(share -> share.cuts).min().orElse(0);
+  private static long fewestRoundsCut(Map<UrbiObject, LobbyQueue> all) {
+    return all.values().stream().mapToLong(share -> share.roundsCut).min().orElse(0);
   }
 
   /**
@@ -147,7 +148,7 @@ final class RunQueue {
     shares.values().removeIf(share -> share.jobs.isEmpty());
     round.addAll(shares.values());
     round.sort(
-        Comparator.comparingLong((Share share) -> share.cuts)
+        Comparator.comparingLong((LobbyQueue share) -> share.roundsCut)
             .thenComparingLong(share -> share.number)
             .reversed());
     current = nobody;
@@ -173,7 +174,7 @@ final class RunQueue {
       sliceBegan = cuttable ? clock.now() : 0;
     }
     if (isSliceOver()) {
-      current.cuts++;
+      current.roundsCut++;
       return null;
     }
     left--;
@@ -185,7 +186,7 @@ final class RunQueue {
       return false;
     }
     boolean over = (++jobs % JOBS_PER_LOOK == 0 || inbox.isFilled()) && isLate(clock.now());
-    return (over || counted) && journal.cuts(jobs, over);
+    return (over || counted) && journal.cutsRound(jobs, over);
   }
 
   private boolean isLate(long now) {
@@ -194,15 +195,15 @@ final class RunQueue {
 
   private void rush() {
     left = 0;
-    Map<UrbiObject, Share> rush = new IdentityHashMap<>();
+    Map<UrbiObject, LobbyQueue> rush = new IdentityHashMap<>();
     shares = rush;
     together.forEach(job -> shareOf(rush, job).jobs.add(job));
     together.clear();
   }
 
   /** Everybody had his turn in time. */
-  private void relax(Map<UrbiObject, Share> rush) {
-    List<Share> all = new ArrayList<>(rush.values());
+  private void relax(Map<UrbiObject, LobbyQueue> rush) {
+    List<LobbyQueue> all = new ArrayList<>(rush.values());
     all.sort(Comparator.comparingLong(share -> share.number));
     shares = null;
     current = nobody;

@@ -56,8 +56,8 @@ public final class Scheduler {
   private final boolean counted;
   private final Timers timers = new Timers(this::admitTimer);
   private final Budget common = new Budget();
-  private final Meter meter;
-  private final Pace pace;
+  private final UsageMeter meter;
+  private final SimulationPace pace;
   private Runnable whenQuiet = () -> {};
   private final Interruptions interruptions;
   private final JobThread.Factory threads;
@@ -112,12 +112,12 @@ public final class Scheduler {
     this.world = world;
     this.machine = machine;
     this.journal = journal;
-    this.counted = journal.counts();
+    this.counted = journal.countsChecks();
     this.inbox = new Inbox(journal);
     this.interruptions = new Interruptions(this::turn, journal, machine);
     this.clock = clock;
-    this.pace = new Pace(clock, machine);
-    this.meter = new Meter(machine);
+    this.pace = new SimulationPace(clock, machine);
+    this.meter = new UsageMeter(machine);
     this.runnable = new RunQueue(clock, inbox, journal);
     this.threads = threads.factory(inbox);
     this.uncaught = uncaught;
@@ -149,12 +149,12 @@ public final class Scheduler {
     if (!counted) {
       return clock.now();
     }
-    return look(clock::now);
+    return query(clock::now);
   }
 
-  private <T> T look(Outcome.Work<T> work) {
+  private <T> T query(Outcome.Work<T> work) {
     try {
-      return requireNonNull(journal.look(work), "what is looked at is there");
+      return requireNonNull(journal.query(work), "what is looked at is there");
     } catch (IOException e) {
       throw new IllegalStateException(e);
     }
@@ -179,7 +179,7 @@ public final class Scheduler {
   }
 
   /** What the jobs of each lobby take. */
-  public Meter meter() {
+  public UsageMeter meter() {
     return meter;
   }
 
@@ -204,7 +204,7 @@ public final class Scheduler {
 
   /** Whether something can be begun outside; in a replay nothing is, but it could be then. */
   public boolean attempt(BooleanSupplier beginning) {
-    return look(beginning::getAsBoolean);
+    return query(beginning::getAsBoolean);
   }
 
   /**
@@ -216,7 +216,7 @@ public final class Scheduler {
   }
 
   /** How a simulated time passes while something real goes on. */
-  public Pace pace() {
+  public SimulationPace pace() {
     return pace;
   }
 
@@ -324,7 +324,7 @@ public final class Scheduler {
         || !born.isEmpty()
         || !ahead.isEmpty()
         || !behind.isEmpty()
-        || ((inbox.isFilled() || counted) && journal.notices(spins, inbox.isFilled()))) {
+        || ((inbox.isFilled() || counted) && journal.yieldsToMessages(spins, inbox.isFilled()))) {
       spins = 0;
       return true;
     }
@@ -381,8 +381,8 @@ public final class Scheduler {
    * @param told when that has happened, on another thread, of the job and of the function of a
    *     component that it executes, or null
    */
-  public HoldWatch limitHolding(long limit, BiConsumer<Job, String> told) {
-    HoldWatch watch = new HoldWatch(this, machine, limit, told);
+  public HoldWatchdog limitHolding(long limit, BiConsumer<Job, String> told) {
+    HoldWatchdog watch = new HoldWatchdog(this, machine, limit, told);
     watch.start();
     return watch;
   }
@@ -479,7 +479,7 @@ public final class Scheduler {
     runOnce(false);
     runBehind();
     runEndOfTick();
-    inbox.glance(now);
+    inbox.pollIfDue(now);
     if (timeHolders > 0) {
       busyUntil = cycle() + BUSY_CYCLES;
     } else if (isBusyForLong()) {

@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 
 /** Unwinds a job up to the tagged code that was stopped (manual, "Tag", {@code stop}). */
-public final class TagStop extends Unwinding {
+public final class TagStop extends ControlFlowException {
   private final transient @Nullable TagScope scope;
   private final transient @Nullable UrbiObject value;
   private final boolean interruption;

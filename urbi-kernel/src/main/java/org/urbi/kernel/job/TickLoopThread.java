@@ -151,7 +151,7 @@ final class TickLoopThread implements JobThread, Executor {
 
     private static final int MAXIMUM_DEPTH = 200_000;
 
-    private static final long PATIENCE = 100_000;
+    private static final long PARK_NANOSECONDS = 100_000;
 
     private static final long SECONDS_BEFORE_LATE_THREAD_ENDS = 1;
 
@@ -201,7 +201,7 @@ final class TickLoopThread implements JobThread, Executor {
       TickLoopThread waiting;
       // In a replay it may take longer than it did.
       while ((waiting = awakened.remove(job)) == null) {
-        LockSupport.parkNanos(this, PATIENCE);
+        LockSupport.parkNanos(this, PARK_NANOSECONDS);
       }
       waiting.awaken();
     }

@@ -78,7 +78,7 @@ final class DataReader {
     } else if (type == UValue[].class) {
       return in.values();
     } else if (type == Message.class) {
-      return EntryForm.read(this);
+      return EntryCodec.read(this);
     } else if (type == Outcome.class) {
       return outcome();
     }
@@ -87,7 +87,7 @@ final class DataReader {
 
   private Outcome outcome() {
     int kind = octet();
-    return kind == 0 ? new Outcome(any(), null) : new Outcome(null, Failures.read(kind, this));
+    return kind == 0 ? new Outcome(any(), null) : new Outcome(null, FailureCodec.read(kind, this));
   }
 
   /** Reads a value of one of the types that there are. */

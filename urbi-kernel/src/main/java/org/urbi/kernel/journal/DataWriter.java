@@ -72,7 +72,7 @@ final class DataWriter {
     } else if (type == UValue[].class) {
       out.values((UValue[]) value);
     } else if (type == Message.class) {
-      EntryForm.write(this, value);
+      EntryCodec.write(this, value);
     } else if (type == Outcome.class) {
       outcome((Outcome) value);
     } else {
@@ -85,7 +85,7 @@ final class DataWriter {
       octet(0);
       any(outcome.value());
     } else {
-      Failures.write(this, outcome.failure());
+      FailureCodec.write(this, outcome.failure());
     }
   }
 

@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 
-/** One line of a recording. The number by which {@link EntryForm} writes each never changes. */
+/** One line of a recording. The number by which {@link EntryCodec} writes each never changes. */
 public sealed interface Entry {
   /**
    * How the kernel was started; always the first.
@@ -19,7 +19,7 @@ public sealed interface Entry {
    * @param userDirectory the directory whose files users may use, or null
    * @param reboots whether somebody starts another kernel after {@code System.reboot}
    */
-  record Begun(
+  record RunStarted(
       String program,
       boolean virtualTime,
       double startTime,
@@ -41,22 +41,22 @@ public sealed interface Entry {
   record Tick(long now) implements Entry {}
 
   /** A message is taken. */
-  record Taken(Message message) implements Entry {}
+  record MessageTaken(Message message) implements Entry {}
 
   /** A look at the outside. */
-  record Looked(Outcome outcome) implements Entry {}
+  record QueryAnswered(Outcome outcome) implements Entry {}
 
   /** A job gives way to news, after having gone on so often. */
-  record Noticed(int turns) implements Entry {}
+  record YieldedToMessages(int turns) implements Entry {}
 
   /** A job that never lets others run is ended, at that safepoint of the tick. */
-  record Stopped(long safepoint) implements Entry {}
+  record JobInterrupted(long safepoint) implements Entry {}
 
   /** A job that has held the kernel for too long is ended, at that safepoint of the tick. */
-  record Overdue(long safepoint) implements Entry {}
+  record JobOverdue(long safepoint) implements Entry {}
 
   /** A round of jobs is cut short before that one of the tick. */
-  record Cut(int jobs) implements Entry {}
+  record RoundCut(int jobs) implements Entry {}
 
   /**
    * Bytes went out.
@@ -65,8 +65,8 @@ public sealed interface Entry {
    * @param head the bytes, or the first of many
    * @param checksum CRC-32C of all
    */
-  record Sent(int from, int length, byte[] head, int checksum) implements Entry {}
+  record BytesSent(int from, int length, byte[] head, int checksum) implements Entry {}
 
   /** The kernel has ended as it should; always the last. */
-  record Ended() implements Entry {}
+  record RunEnded() implements Entry {}
 }

@@ -25,8 +25,8 @@ public interface Journal {
     return false;
   }
 
-  /** Whether {@link #notices} and {@link #stops} are to be called always. */
-  default boolean counts() {
+  /** Whether {@link #yieldsToMessages} and {@link #stopReason} are to be called always. */
+  default boolean countsChecks() {
     return false;
   }
 
@@ -47,7 +47,7 @@ public interface Journal {
 
   /** What a look at the outside shows, which does not wait. */
   @SuppressWarnings("unchecked")
-  default <T> @Nullable T look(Outcome.Work<T> work) throws IOException {
+  default <T> @Nullable T query(Outcome.Work<T> work) throws IOException {
     return (T) Outcome.of(work).get();
   }
 
@@ -57,12 +57,12 @@ public interface Journal {
    * @param turns how often it has not, lately
    * @param news whether there are any
    */
-  default boolean notices(int turns, boolean news) {
+  default boolean yieldsToMessages(int turns, boolean news) {
     return news;
   }
 
   /** Whether a job that never lets others run ends here, as somebody may want. */
-  default Ending stops(Ending wanted) {
+  default StopReason stopReason(StopReason wanted) {
     return wanted;
   }
 
@@ -71,7 +71,7 @@ public interface Journal {
    *
    * @param jobs how many jobs of this tick could have run, with the one that does not
    */
-  default boolean cuts(int jobs, boolean wanted) {
+  default boolean cutsRound(int jobs, boolean wanted) {
     return wanted;
   }
 

@@ -17,13 +17,13 @@ public final class Recorder implements Journal {
   private long safepoints;
   private boolean ended;
 
-  public Recorder(Entry.Begun beginning, RecordingWriter file) {
+  public Recorder(Entry.RunStarted beginning, RecordingWriter file) {
     this.file = file;
     file.write(beginning);
   }
 
   @Override
-  public boolean counts() {
+  public boolean countsChecks() {
     return true;
   }
 
@@ -38,41 +38,41 @@ public final class Recorder implements Journal {
   public Message next(Supplier<Message> inbox) {
     Message message = inbox.get();
     if (message != null) {
-      file.write(new Entry.Taken(message));
+      file.write(new Entry.MessageTaken(message));
     }
     return message;
   }
 
   @Override
-  public <T> @Nullable T look(Outcome.Work<T> work) throws IOException {
+  public <T> @Nullable T query(Outcome.Work<T> work) throws IOException {
     Outcome outcome = Outcome.of(work);
-    file.write(new Entry.Looked(outcome));
+    file.write(new Entry.QueryAnswered(outcome));
     return outcome.get();
   }
 
   @Override
-  public boolean notices(int turns, boolean news) {
+  public boolean yieldsToMessages(int turns, boolean news) {
     if (news) {
-      file.write(new Entry.Noticed(turns));
+      file.write(new Entry.YieldedToMessages(turns));
     }
     return news;
   }
 
   @Override
-  public Ending stops(Ending wanted) {
+  public StopReason stopReason(StopReason wanted) {
     safepoints++;
-    if (wanted == Ending.WANTED) {
-      file.write(new Entry.Stopped(safepoints));
-    } else if (wanted == Ending.OVERDUE) {
-      file.write(new Entry.Overdue(safepoints));
+    if (wanted == StopReason.REQUESTED) {
+      file.write(new Entry.JobInterrupted(safepoints));
+    } else if (wanted == StopReason.OVERDUE) {
+      file.write(new Entry.JobOverdue(safepoints));
     }
     return wanted;
   }
 
   @Override
-  public boolean cuts(int jobs, boolean wanted) {
+  public boolean cutsRound(int jobs, boolean wanted) {
     if (wanted) {
-      file.write(new Entry.Cut(jobs));
+      file.write(new Entry.RoundCut(jobs));
     }
     return wanted;
   }
@@ -82,10 +82,10 @@ public final class Recorder implements Journal {
     file.write(sending(from, bytes));
   }
 
-  static Entry.Sent sending(int from, byte[] bytes) {
+  static Entry.BytesSent sending(int from, byte[] bytes) {
     CRC32C checksum = new CRC32C();
     checksum.update(bytes);
-    return new Entry.Sent(
+    return new Entry.BytesSent(
         from,
         bytes.length,
         Arrays.copyOf(bytes, Math.min(bytes.length, HEAD)),
@@ -101,7 +101,7 @@ public final class Recorder implements Journal {
   public void end() {
     if (!ended) {
       ended = true;
-      file.write(new Entry.Ended());
+      file.write(new Entry.RunEnded());
       file.close();
     }
   }

@@ -111,7 +111,7 @@ public final class RecordingReader implements AutoCloseable {
     DataReader data = new DataReader(block);
     try {
       while (data.hasMore()) {
-        entries.add((Entry) EntryForm.read(data));
+        entries.add((Entry) EntryCodec.read(data));
       }
     } catch (WireException | ClassCastException e) {
       throw damaged();

@@ -57,7 +57,7 @@ public final class RecordingWriter implements AutoCloseable {
   /** Writes an entry, soon; by one thread. */
   public void write(Entry entry) {
     if (!failed) {
-      EntryForm.write(entries, entry);
+      EntryCodec.write(entries, entry);
       if (entries.length() > LARGE) {
         flush();
       }

@@ -14,16 +14,16 @@ import org.urbi.kernel.message.Outcome;
  */
 public final class Replay implements Journal {
   /** Ends a job of a run that has left its recording. */
-  private static final class Left extends RuntimeException {
+  private static final class Diverged extends RuntimeException {
     private static final long serialVersionUID = 1;
 
-    Left() {
+    Diverged() {
       super("the run has left its recording", null, false, false);
     }
   }
 
   private final RecordingReader recording;
-  private final Entry.Begun beginning;
+  private final Entry.RunStarted beginning;
   private @Nullable Entry next;
   private long now;
   private long ticks;
@@ -36,7 +36,7 @@ public final class Replay implements Journal {
    */
   public Replay(RecordingReader recording) {
     this.recording = recording;
-    if (!(recording.next() instanceof Entry.Begun begun)) {
+    if (!(recording.next() instanceof Entry.RunStarted begun)) {
       throw new RecordingException("has no beginning");
     }
     beginning = begun;
@@ -44,7 +44,7 @@ public final class Replay implements Journal {
   }
 
   /** How the recorded kernel was started. */
-  public Entry.Begun beginning() {
+  public Entry.RunStarted beginning() {
     return beginning;
   }
 
@@ -72,7 +72,7 @@ public final class Replay implements Journal {
     }
   }
 
-  private Left differs(String how) {
+  private Diverged differs(String how) {
     if (!over) {
       over = true;
       difference =
@@ -85,18 +85,18 @@ public final class Replay implements Journal {
               + "; recorded: "
               + described(next);
     }
-    return new Left();
+    return new Diverged();
   }
 
   private static String described(@Nullable Entry entry) {
     return switch (entry) {
       case null -> "nothing";
-      case Entry.Sent sent -> "sent " + text(sent);
+      case Entry.BytesSent sent -> "sent " + text(sent);
       default -> entry.toString();
     };
   }
 
-  private static String text(Entry.Sent sent) {
+  private static String text(Entry.BytesSent sent) {
     return "from " + sent.from() + ": " + new String(sent.head(), StandardCharsets.ISO_8859_1);
   }
 
@@ -119,7 +119,7 @@ public final class Replay implements Journal {
   }
 
   @Override
-  public boolean counts() {
+  public boolean countsChecks() {
     return true;
   }
 
@@ -140,7 +140,7 @@ public final class Replay implements Journal {
 
   @Override
   public @Nullable Message next(Supplier<Message> unused) {
-    if (next instanceof Entry.Taken taken && !over) {
+    if (next instanceof Entry.MessageTaken taken && !over) {
       advance();
       return taken.message();
     }
@@ -149,20 +149,20 @@ public final class Replay implements Journal {
 
   @Override
   @SuppressWarnings("unchecked")
-  public <T> @Nullable T look(Outcome.Work<T> unused) throws IOException {
+  public <T> @Nullable T query(Outcome.Work<T> unused) throws IOException {
     if (ranOut()) {
-      throw new Left();
+      throw new Diverged();
     }
-    if (next instanceof Entry.Looked looked) {
+    if (next instanceof Entry.QueryAnswered answered) {
       advance();
-      return (T) looked.outcome().get();
+      return (T) answered.outcome().get();
     }
     throw differs("the run looks at the outside");
   }
 
   @Override
-  public boolean notices(int turns, boolean news) {
-    if (next instanceof Entry.Noticed noticed && noticed.turns() == turns) {
+  public boolean yieldsToMessages(int turns, boolean news) {
+    if (next instanceof Entry.YieldedToMessages yielded && yielded.turns() == turns) {
       advance();
       return true;
     }
@@ -170,22 +170,22 @@ public final class Replay implements Journal {
   }
 
   @Override
-  public Ending stops(Ending wanted) {
+  public StopReason stopReason(StopReason wanted) {
     safepoints++;
-    if (next instanceof Entry.Stopped stopped && stopped.safepoint() == safepoints) {
+    if (next instanceof Entry.JobInterrupted stopped && stopped.safepoint() == safepoints) {
       advance();
-      return Ending.WANTED;
+      return StopReason.REQUESTED;
     }
-    if (next instanceof Entry.Overdue overdue && overdue.safepoint() == safepoints) {
+    if (next instanceof Entry.JobOverdue overdue && overdue.safepoint() == safepoints) {
       advance();
-      return Ending.OVERDUE;
+      return StopReason.OVERDUE;
     }
-    return over ? Ending.WANTED : Ending.NONE;
+    return over ? StopReason.REQUESTED : StopReason.NONE;
   }
 
   @Override
-  public boolean cuts(int jobs, boolean wanted) {
-    if (next instanceof Entry.Cut cut && cut.jobs() == jobs) {
+  public boolean cutsRound(int jobs, boolean wanted) {
+    if (next instanceof Entry.RoundCut cut && cut.jobs() == jobs) {
       advance();
       return true;
     }
@@ -197,8 +197,8 @@ public final class Replay implements Journal {
     if (ranOut()) {
       return;
     }
-    Entry.Sent made = Recorder.sending(from, bytes);
-    if (next instanceof Entry.Sent sent
+    Entry.BytesSent made = Recorder.sending(from, bytes);
+    if (next instanceof Entry.BytesSent sent
         && sent.from() == from
         && sent.length() == bytes.length
         && sent.checksum() == made.checksum()
@@ -216,7 +216,7 @@ public final class Replay implements Journal {
 
   @Override
   public void end() {
-    if (!over && next != null && !(next instanceof Entry.Ended)) {
+    if (!over && next != null && !(next instanceof Entry.RunEnded)) {
       differs("the run ends");
     }
     over = true;

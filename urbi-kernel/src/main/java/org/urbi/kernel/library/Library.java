@@ -100,11 +100,11 @@ public final class Library {
   /** All this belongs to the system: the prototypes, and what their slots hold. */
   private void keep() {
     for (UrbiObject type : types.values()) {
-      type.setKeeper(values.object);
+      type.setOwnerLobby(values.object);
       for (Symbol name : type.localSlotNames()) {
         UrbiObject value = type.existingSlot(name);
         if (!(value instanceof Code)) {
-          value.setKeeper(values.object);
+          value.setOwnerLobby(values.object);
         }
       }
     }
@@ -209,7 +209,7 @@ public final class Library {
     script(type("TrajectoryGenerator.Sequence"), "run", TrajectorySequence.RUN);
     // Void has no prototype; a void that was accepted is an object like others.
     values.acceptedVoid.setProtos(values.voidObject, type("Singleton"));
-    OldNames.add(interpreter, types);
+    LegacyNames.add(interpreter, types);
     EventType.fill(type("Event"));
     for (String name : List.of("detach", "disown", "persist", "waituntil")) {
       global.addSlot(world.symbol(name), type("Control").existingSlot(world.symbol(name)));

@@ -1,7 +1,7 @@
 package org.urbi.kernel.lobby;
 
 import java.util.List;
-import org.urbi.kernel.outside.Link;
+import org.urbi.kernel.outside.SocketConnection;
 
 /** The lobbies of one kernel (manual, "Lobby"). */
 public interface Lobbies {
@@ -18,7 +18,7 @@ public interface Lobbies {
    * @param link not open yet
    * @param address of the client
    */
-  UrbiLobby call(UrbiLobby caller, Link link, String address);
+  UrbiLobby call(UrbiLobby caller, SocketConnection link, String address);
 
   /** The lobby of code that belongs to no connection. */
   UrbiLobby system();

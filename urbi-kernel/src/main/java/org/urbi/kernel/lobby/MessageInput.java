@@ -20,7 +20,7 @@ public interface MessageInput {
 
   /** Something else. */
   @FunctionalInterface
-  non-sealed interface Order extends Step {
+  non-sealed interface Command extends Step {
     void perform(Frame frame);
   }
 

@@ -7,10 +7,10 @@ import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.TagStop;
-import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
@@ -145,8 +145,8 @@ public final class Shell {
   }
 
   /** Whether it has nothing to do but to wait for input, or for the end. */
-  public boolean isResting() {
-    return job().isResting();
+  public boolean isDaemon() {
+    return job().isDaemon();
   }
 
   /** Something went wrong that the lobby has been told of. */
@@ -167,7 +167,7 @@ public final class Shell {
     if (busy) {
       UrbiObject nothing = interpreter.values().voidObject;
       foregroundTag.state().stop(nothing);
-      Complaint.error(lobby.output(), Problem.INTERRUPTED.text());
+      Diagnostics.error(lobby.output(), Problem.INTERRUPTED.text());
     }
   }
 
@@ -202,7 +202,7 @@ public final class Shell {
           }
           awaitMessage(shell);
           continue;
-        } catch (Unwinding unwinding) {
+        } catch (ControlFlowException unwinding) {
           throw unwinding;
         } catch (UrbiException overdue) {
           interpreter.scheduler().beginTurn();
@@ -247,13 +247,13 @@ public final class Shell {
         return reader.unfinished();
       } else {
         waiting = true;
-        shell.setResting(true);
+        shell.setDaemon(true);
         listener.starving(true);
         try {
           shell.waitForWake();
         } finally {
           waiting = false;
-          shell.setResting(false);
+          shell.setDaemon(false);
           listener.starving(false);
         }
       }
@@ -272,7 +272,7 @@ public final class Shell {
       reader.feed(text.code());
       lookForAnswers();
     } else {
-      MessageInput.Order order = (MessageInput.Order) step;
+      MessageInput.Command order = (MessageInput.Command) step;
       inForeground(
           shell, () -> order.perform(Frame.top(interpreter, shell, lobby, new FrameLayout())));
     }
@@ -304,10 +304,10 @@ public final class Shell {
 
   private void awaitJobs(Job shell) {
     while (!closed && listener.stays()) {
-      shell.setResting(true);
+      shell.setDaemon(true);
       shell.waitForWake();
     }
-    shell.setResting(false);
+    shell.setDaemon(false);
     while (!closed && !lobby.connectionTag().state().isIdle()) {
       lobby.connectionTag().state().onIdle(shell::wake);
       shell.waitForWake();
@@ -376,7 +376,7 @@ public final class Shell {
           throw stop;
         }
         interrupted = stop.isInterruption();
-      } catch (Unwinding unwinding) {
+      } catch (ControlFlowException unwinding) {
         // A return or a break that has nothing to leave.
       } catch (Throwable failure) {
         interpreter.scheduler().beginTurn();
@@ -397,7 +397,7 @@ public final class Shell {
   /** A failure of our own, which is no code's: the client is told, and goes on. */
   public void failed(String where, Throwable failure) {
     FailureLog.internal(where, failure);
-    Complaint.error(lobby.output(), FailureLog.text(failure));
+    Diagnostics.error(lobby.output(), FailureLog.text(failure));
   }
 
   private void runAndShow(Job shell, Compilation.Compiled compiled) {
@@ -437,12 +437,12 @@ public final class Shell {
 
   private void show(SyntaxWarning warning) {
     if (!WarningChannel.isOff(interpreter.world())) {
-      Complaint.warning(lobby.output(), Complaint.place(warning.span()) + warning.message());
+      Diagnostics.warning(lobby.output(), Diagnostics.place(warning.span()) + warning.message());
     }
   }
 
   private void show(SyntaxError error) {
     listener.failed();
-    Complaint.error(lobby.output(), Complaint.place(error.span()) + error.message());
+    Diagnostics.error(lobby.output(), Diagnostics.place(error.span()) + error.message());
   }
 }

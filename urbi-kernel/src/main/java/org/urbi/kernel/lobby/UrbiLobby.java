@@ -13,10 +13,10 @@ import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.tag.UrbiTag;
 import org.urbi.kernel.trust.Role;
-import org.urbi.kernel.trust.Trusted;
+import org.urbi.kernel.trust.RoleHolder;
 
 /** The environment of one connection (manual, "Lobby"): {@code this} at its top level. */
-public final class UrbiLobby extends UrbiObject implements Trusted, Budgeted {
+public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted {
   private static final String NO_LOBBY = "the prototype of lobbies is no lobby";
 
   private final @Nullable UrbiTag connectionTag;
@@ -34,9 +34,9 @@ public final class UrbiLobby extends UrbiObject implements Trusted, Budgeted {
   public UrbiLobby(Shape shape, @Nullable UrbiTag connectionTag) {
     super(shape);
     this.connectionTag = connectionTag;
-    setKeeper(this);
+    setOwnerLobby(this);
     if (connectionTag != null) {
-      connectionTag.setKeeper(this);
+      connectionTag.setOwnerLobby(this);
     }
   }
 

@@ -70,7 +70,7 @@ public sealed interface Message {
   }
 
   /** A client has shown who it is: its lobby may do what the role of that name may. */
-  record RoleGiven(int to, String role) implements Message {}
+  record RoleGranted(int to, String role) implements Message {}
 
   /** A client has sent bytes, one in each character. */
   record ConsoleBytes(int to, String bytes) implements Message {}
@@ -91,7 +91,7 @@ public sealed interface Message {
   record ConnectionFailed(int to, String error) implements Message {}
 
   /** A client wants to know how a text can go on. */
-  record CompletionAsked(int to, int question, String text) implements Message {}
+  record CompletionRequested(int to, int question, String text) implements Message {}
 
   // ------------------------------------------------------------------ remote processes
 
@@ -112,7 +112,7 @@ public sealed interface Message {
   record RemoteFrame(int to, byte[] frame) implements Message {}
 
   /** So much waits to be sent to a process that values of variables had better wait. */
-  record RemoteBehind(int to) implements Message {}
+  record RemoteCongested(int to) implements Message {}
 
   /** What waited to be sent to a process has left. */
   record RemoteDrained(int to) implements Message {}
@@ -124,7 +124,7 @@ public sealed interface Message {
   record RemoteReadable(int to) implements Message {}
 
   /** Is the kernel thread there to read what a process sends? */
-  record AttentionAsked(int to) implements Message {}
+  record PollingRequested(int to) implements Message {}
 
   // ------------------------------------------------------------------ the rest of the machine
 

@@ -21,7 +21,7 @@ public final class Assertion extends Node {
   }
 
   /** A claim of which the message shows the value alone. */
-  public record Whole(String text, Node code) implements Claim {}
+  public record PlainClaim(String text, Node code) implements Claim {}
 
   /**
    * A claim that is a message, taken apart so that the values of its parts can be shown.
@@ -29,7 +29,7 @@ public final class Assertion extends Node {
    * @param operator as it was written, or null
    * @param target null for {@code this}
    */
-  public record Sent(
+  public record MessageClaim(
       String text,
       @Nullable String operator,
       @Nullable Node target,
@@ -38,10 +38,10 @@ public final class Assertion extends Node {
       implements Claim {}
 
   /** What is declared among the claims; like them, only if they are checked. */
-  public static final class Declared extends Node {
+  public static final class DeclarationClaim extends Node {
     private final Node declaration;
 
-    public Declared(Span span, Node declaration) {
+    public DeclarationClaim(Span span, Node declaration) {
       super(span);
       this.declaration = declaration;
     }
@@ -69,13 +69,13 @@ public final class Assertion extends Node {
       return interpreter.values().voidObject;
     }
     switch (claim) {
-      case Whole whole -> check(frame, whole);
-      case Sent sent -> check(frame, sent);
+      case PlainClaim whole -> check(frame, whole);
+      case MessageClaim sent -> check(frame, sent);
     }
     return interpreter.values().voidObject;
   }
 
-  private void check(Frame frame, Whole whole) {
+  private void check(Frame frame, PlainClaim whole) {
     UrbiObject value = whole.code.execute(frame);
     if (!holds(frame, value)) {
       // A construct, printed on lines of its own, says what it does: no value is added.
@@ -87,7 +87,7 @@ public final class Assertion extends Node {
     }
   }
 
-  private void check(Frame frame, Sent sent) {
+  private void check(Frame frame, MessageClaim sent) {
     UrbiObject target = sent.target == null ? frame.self : sent.target.execute(frame);
     Recorder recorder = new Recorder(sent, span());
     UrbiObject value = recorder.send(frame, target);
@@ -136,12 +136,12 @@ public final class Assertion extends Node {
 
   /** Sends the message of a claim and remembers the arguments that were evaluated. */
   private static final class Recorder implements CallSite {
-    private final Sent claim;
+    private final MessageClaim claim;
     private final Span span;
     private final Node[] nodes;
     private final UrbiObject[] seen;
 
-    Recorder(Sent claim, Span span) {
+    Recorder(MessageClaim claim, Span span) {
       this.claim = claim;
       this.span = span;
       this.seen = new UrbiObject[claim.arguments.size()];

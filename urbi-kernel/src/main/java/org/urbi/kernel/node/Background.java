@@ -49,8 +49,8 @@ final class Background implements AutoCloseable {
       UrbiObject value = statement.execute(frame);
       if (frame.completion != null) {
         switch (frame.completion) {
-          case RETURN -> throw new Leave.Return(frame.activation, value);
-          case BREAK -> throw new Leave.Break();
+          case RETURN -> throw new NonLocalExit.Return(frame.activation, value);
+          case BREAK -> throw new NonLocalExit.Break();
           case CONTINUE -> {}
         }
       }

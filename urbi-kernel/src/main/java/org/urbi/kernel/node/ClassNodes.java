@@ -46,7 +46,7 @@ public final class ClassNodes {
         object.setProtos(parents);
       }
       nameType(interpreter, object, name);
-      Guard.keepIfObserved(frame, object);
+      PermissionCheck.claimForObserver(frame, object);
       return object;
     }
   }

@@ -70,7 +70,7 @@ public final class ForEach extends Node implements CallSite {
         frame.completion = null;
       }
       return value;
-    } catch (Leave.Break leave) {
+    } catch (NonLocalExit.Break leave) {
       broken = true;
       return frame.interpreter.values().voidObject;
     } finally {
@@ -150,7 +150,7 @@ public final class ForEach extends Node implements CallSite {
     UrbiObject value;
     try {
       value = body.execute(frame);
-    } catch (Leave.Continue leave) {
+    } catch (NonLocalExit.Continue leave) {
       return null;
     }
     if (frame.completion == null) {
@@ -206,8 +206,8 @@ public final class ForEach extends Node implements CallSite {
         Frame.Completion completion = frame.completion;
         frame.completion = null;
         switch (completion) {
-          case RETURN -> throw new Leave.Return(frame.activation, value);
-          case BREAK -> throw new Leave.Break();
+          case RETURN -> throw new NonLocalExit.Return(frame.activation, value);
+          case BREAK -> throw new NonLocalExit.Break();
           case CONTINUE -> {}
         }
       }

@@ -180,14 +180,14 @@ public final class Function extends Code {
     }
     try {
       return body.code.execute(frame);
-    } catch (Leave.Return leave) {
+    } catch (NonLocalExit.Return leave) {
       if (leave.activation() != frame.activation) {
         throw leave;
       }
       return leave.value();
     } catch (UrbiException | TagStop e) {
       if ((frame.depth & CALLS_PER_BREATH - 1) == 0) {
-        frame.job.breathe();
+        frame.job.yieldWhileUnwinding();
       }
       throw e;
     } finally {

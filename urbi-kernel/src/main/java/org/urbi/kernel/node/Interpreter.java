@@ -26,7 +26,7 @@ import org.urbi.lang.source.Span;
  */
 public final class Interpreter {
   /** A call made by Java code: it does not show in backtraces. */
-  private record JavaSite(String calledName, boolean isNamed) implements CallSite {
+  private record JavaCallSite(String calledName, boolean isNamed) implements CallSite {
     @Override
     public @Nullable Span calledSpan() {
       return null;
@@ -41,7 +41,7 @@ public final class Interpreter {
   /** No data are nested as deeply, unless they are within themselves. */
   private static final int MAXIMUM_NESTED_SENDS = 10_000;
 
-  private static final CallSite FROM_JAVA = new JavaSite("apply", false);
+  private static final CallSite FROM_JAVA = new JavaCallSite("apply", false);
 
   private final World world;
   private final Values values;
@@ -110,7 +110,7 @@ public final class Interpreter {
 
   /** Called by several threads: the last one sees what all have done. */
   private synchronized void setCallLimit() {
-    callLimit = scheduler.interruptions().areWanted() ? -1 : maximumDepth;
+    callLimit = scheduler.interruptions().arePending() ? -1 : maximumDepth;
   }
 
   /** What every function does when it is called. */
@@ -165,7 +165,7 @@ public final class Interpreter {
   // ------------------------------------------------------------------ calling urbiscript
 
   private static CallSite javaSite(String name) {
-    return new JavaSite(name, true);
+    return new JavaCallSite(name, true);
   }
 
   /** Calls a function; what is no function is its own value. */
@@ -179,7 +179,7 @@ public final class Interpreter {
   public UrbiObject call(
       Frame caller, CallSite site, UrbiObject code, UrbiObject self, UrbiObject... arguments) {
     if (code instanceof Code called) {
-      CallSite from = called.isLazy() ? new EvaluatedSite(site, arguments) : site;
+      CallSite from = called.isLazy() ? new EvaluatedCallSite(site, arguments) : site;
       return called.call(caller, from, self, arguments);
     }
     UrbiObject apply = code.lookup(symbols.apply);
@@ -220,7 +220,7 @@ public final class Interpreter {
     UrbiObject found = SlotLookup.find(caller, target, message);
     if (found == null) {
       return fallback(
-          caller, new EvaluatedSite(javaSite(message.name()), arguments), target, message);
+          caller, new EvaluatedCallSite(javaSite(message.name()), arguments), target, message);
     }
     if (found instanceof Code) {
       return call(caller, site, found, target, arguments);

@@ -34,10 +34,10 @@ public final class Jumps {
           value == null ? frame.interpreter.values().voidObject : value.execute(frame);
       Object home = inClosure ? frame.home() : null;
       if (home != null && frame.isCalledWithin(home)) {
-        throw new Leave.Return(home, result);
+        throw new NonLocalExit.Return(home, result);
       }
       if (!seen) {
-        throw new Leave.Return(frame.activation, result);
+        throw new NonLocalExit.Return(frame.activation, result);
       }
       frame.completion = Frame.Completion.RETURN;
       return result;
@@ -62,7 +62,7 @@ public final class Jumps {
     @Override
     public UrbiObject execute(Frame frame) {
       if (!seen) {
-        throw over ? new Leave.Break() : new Leave.Continue();
+        throw over ? new NonLocalExit.Break() : new NonLocalExit.Continue();
       }
       frame.completion = over ? Frame.Completion.BREAK : Frame.Completion.CONTINUE;
       return frame.interpreter.values().voidObject;

@@ -49,9 +49,9 @@ public final class Loops {
           UrbiObject value;
           try {
             value = body.execute(frame);
-          } catch (Leave.Break leave) {
+          } catch (NonLocalExit.Break leave) {
             return frame.interpreter.values().voidObject;
-          } catch (Leave.Continue leave) {
+          } catch (NonLocalExit.Continue leave) {
             value = frame.interpreter.values().voidObject;
           }
           if (frame.completion != null) {
@@ -120,7 +120,7 @@ public final class Loops {
           return nothing;
         });
         group.join();
-      } catch (Leave.Break leave) {
+      } catch (NonLocalExit.Break leave) {
         // One of the turns has ended the whole loop.
       }
       return nothing;

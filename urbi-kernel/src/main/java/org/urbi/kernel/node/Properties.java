@@ -56,7 +56,7 @@ public final class Properties {
       return;
     }
     UrbiObject holder = holder(frame, target, slot);
-    Guard.checkChange(frame, "setProperty", holder);
+    PermissionCheck.checkChange(frame, "setProperty", holder);
     Object blending = property.equals("blend") ? blending(frame, value) : null;
     SlotData data = holder.ensureSlotData(slot);
     data.properties.put(property, value);
@@ -91,7 +91,7 @@ public final class Properties {
   public static @Nullable UrbiObject remove(
       Frame frame, UrbiObject target, Symbol slot, String property) {
     UrbiObject holder = holder(frame, target, slot);
-    Guard.checkChange(frame, "removeProperty", holder);
+    PermissionCheck.checkChange(frame, "removeProperty", holder);
     SlotData data = holder.slotData(slot);
     if (data == null) {
       return null;
@@ -197,7 +197,7 @@ public final class Properties {
       UrbiObject object = target.execute(frame);
       UrbiObject value = function.execute(frame);
       if (!object.hasLocalSlot(slot)) {
-        Guard.checkChange(frame, "setSlot", object);
+        PermissionCheck.checkChange(frame, "setSlot", object);
         object.addSlot(slot, frame.interpreter.values().voidObject);
       }
       set(frame, object, slot, setter ? "set" : "get", value);

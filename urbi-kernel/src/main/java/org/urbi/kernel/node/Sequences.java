@@ -120,10 +120,10 @@ public final class Sequences {
   }
 
   /** Code that has a place of its own: braces and all. */
-  public static final class Placed extends Node {
+  public static final class Located extends Node {
     private final Node code;
 
-    public Placed(Span span, Node code) {
+    public Located(Span span, Node code) {
       super(span);
       this.code = code;
     }

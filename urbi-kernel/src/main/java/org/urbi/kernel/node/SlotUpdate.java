@@ -26,7 +26,7 @@ public final class SlotUpdate {
    * @throws org.urbi.kernel.error.UrbiException when the object has it already
    */
   public static void create(Frame frame, UrbiObject target, Symbol name, UrbiObject value) {
-    Guard.checkChange(frame, "setSlot", target);
+    PermissionCheck.checkChange(frame, "setSlot", target);
     if (target.shape().indexOf(name) >= 0) {
       if (frame.job.redefinitions() == 0) {
         throw frame.interpreter.errors().redefinition(name.name());
@@ -47,7 +47,7 @@ public final class SlotUpdate {
     Shape shape = target.shape();
     int index = shape.indexOf(name);
     if (index >= 0 || !(target instanceof SlotProxy)) {
-      Guard.checkChange(frame, "updateSlot", target);
+      PermissionCheck.checkChange(frame, "updateSlot", target);
     }
     if (index >= 0) {
       if (shape.writeSpecial(index)) {

@@ -91,7 +91,7 @@ public final class Slots {
     /** Returns the value of the assignment. */
     UrbiObject assign(Frame frame, UrbiObject object, UrbiObject assigned) {
       if (object.shape() == knownShape
-          && (frame.job.isOwner() || Guard.allowsChange(frame.job, object))) {
+          && (frame.job.isOwner() || PermissionCheck.allowsChange(frame.job, object))) {
         object.setSlotAt(knownIndex, assigned);
         return assigned;
       }

@@ -34,7 +34,7 @@ public class UrbiObject {
     @Nullable Map<Symbol, SlotData> slotData;
     @Nullable Dependencies structure;
     @Nullable Dependencies content;
-    @Nullable UrbiObject keeper;
+    @Nullable UrbiObject ownerLobby;
   }
 
   /** An object of that shape, whose slots are all unset: use a shape without slots. */
@@ -373,14 +373,14 @@ public class UrbiObject {
    * Whose it is, so that not everybody may change it: the lobby to which it belongs, the prototype
    * of all objects when it belongs to the system; null when it is anybody's.
    */
-  public @Nullable UrbiObject keeper() {
+  public @Nullable UrbiObject ownerLobby() {
     Extra x = extraOrNull();
-    return x == null ? null : x.keeper;
+    return x == null ? null : x.ownerLobby;
   }
 
   /** From now on it belongs to that lobby; to the system if it is the prototype of all objects. */
-  public final void setKeeper(UrbiObject whose) {
-    extra().keeper = whose;
+  public final void setOwnerLobby(UrbiObject whose) {
+    extra().ownerLobby = whose;
   }
 
   // ------------------------------------------------------------------ dependency tracking

@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.NoSuchElementException;
 import org.jspecify.annotations.Nullable;
-import org.urbi.kernel.time.Randomness;
+import org.urbi.kernel.time.RandomNumbers;
 
 /**
  * What all the objects of one kernel share: the names, and the state of their lookups. Two kernels
@@ -12,7 +12,7 @@ import org.urbi.kernel.time.Randomness;
  */
 public final class World {
   private final Symbols symbols = new Symbols();
-  private final Randomness randomness = new Randomness();
+  private final RandomNumbers randomNumbers = new RandomNumbers();
   private final Map<String, Long> counters = new LinkedHashMap<>();
   private final Shape orphanShape = Shape.root(this, Shape.NO_PROTOS);
   private final Values values = new Values(this);
@@ -70,8 +70,8 @@ public final class World {
   }
 
   /** The random numbers of this kernel. */
-  public Randomness randomness() {
-    return randomness;
+  public RandomNumbers randomNumbers() {
+    return randomNumbers;
   }
 
   /** The next number of the counter of that name, which begins with the first one given here. */

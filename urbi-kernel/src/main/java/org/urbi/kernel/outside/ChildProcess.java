@@ -21,7 +21,7 @@ public final class ChildProcess {
 
   private static final int LAST_SIGNAL = 64;
 
-  private final Waiters waiters = new Waiters();
+  private final WaitingJobs waiters = new WaitingJobs();
 
   /** Null in a replay. */
   private final @Nullable Process process;

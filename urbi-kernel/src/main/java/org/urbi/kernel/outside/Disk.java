@@ -44,43 +44,43 @@ public final class Disk {
 
   /** Whether there is something of that name; a link to nowhere is nothing. */
   public boolean exists(Path path) throws IOException {
-    return outside.look(() -> Files.exists(confinement().followed(path)));
+    return outside.query(() -> Files.exists(confinement().followed(path)));
   }
 
   /** Whether there is something of that name, be it a link to nowhere. */
   public boolean hasEntry(Path path) throws IOException {
-    return outside.look(() -> Files.exists(confinement().entry(path), LinkOption.NOFOLLOW_LINKS));
+    return outside.query(() -> Files.exists(confinement().entry(path), LinkOption.NOFOLLOW_LINKS));
   }
 
   public boolean isDirectory(Path path) throws IOException {
-    return outside.look(() -> Files.isDirectory(confinement().followed(path)));
+    return outside.query(() -> Files.isDirectory(confinement().followed(path)));
   }
 
   public boolean isRegularFile(Path path) throws IOException {
-    return outside.look(() -> Files.isRegularFile(confinement().followed(path)));
+    return outside.query(() -> Files.isRegularFile(confinement().followed(path)));
   }
 
   public boolean isReadable(Path path) throws IOException {
-    return outside.look(() -> Files.isReadable(confinement().followed(path)));
+    return outside.query(() -> Files.isReadable(confinement().followed(path)));
   }
 
   public boolean isWritable(Path path) throws IOException {
-    return outside.look(() -> Files.isWritable(confinement().followed(path)));
+    return outside.query(() -> Files.isWritable(confinement().followed(path)));
   }
 
   /** By what a file is known, whatever the links that lead there. */
   public Path real(Path path) throws IOException {
-    return outside.look(() -> confinement().followed(path).toRealPath());
+    return outside.query(() -> confinement().followed(path).toRealPath());
   }
 
   /** The size of a file, in bytes. */
   public long size(Path path) throws IOException {
-    return outside.look(() -> Files.size(confinement().followed(path)));
+    return outside.query(() -> Files.size(confinement().followed(path)));
   }
 
   /** When it was last modified, in microseconds since 1970. */
   public long lastModified(Path path) throws IOException {
-    return outside.look(
+    return outside.query(
         () -> Files.getLastModifiedTime(confinement().followed(path)).to(TimeUnit.MICROSECONDS));
   }
 
@@ -88,7 +88,7 @@ public final class Disk {
 
   /** All bytes of a file. */
   public byte[] read(Path path) throws IOException {
-    return outside.look(() -> readWhole(confinement().followed(path)));
+    return outside.query(() -> readWhole(confinement().followed(path)));
   }
 
   /** Devices and pipes have no size, and may have no end. */
@@ -197,16 +197,16 @@ public final class Disk {
 
   /** The names of what is in a directory, in no order. */
   public List<Path> names(Path path) throws IOException {
-    return outside.look(() -> DirectoryTree.names(confinement().followed(path)));
+    return outside.query(() -> DirectoryTree.names(confinement().followed(path)));
   }
 
   public boolean isEmpty(Path path) throws IOException {
-    return outside.look(() -> DirectoryTree.isEmpty(confinement().followed(path)));
+    return outside.query(() -> DirectoryTree.isEmpty(confinement().followed(path)));
   }
 
   /** The sizes of all files in it and its directories together, in bytes. */
   public long treeSize(Path path) throws IOException {
-    return outside.look(() -> DirectoryTree.size(confinement().entry(path)));
+    return outside.query(() -> DirectoryTree.size(confinement().entry(path)));
   }
 
   /** Copies a directory and all that is in it; there must not be anything of the new name. */

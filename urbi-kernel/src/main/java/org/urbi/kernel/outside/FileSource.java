@@ -27,7 +27,7 @@ public final class FileSource implements ByteSource {
   @Override
   public int read(Job job) throws IOException {
     if (position == bytes.length) {
-      bytes = outside.look(this::readSome);
+      bytes = outside.query(this::readSome);
       position = 0;
     }
     return bytes.length == 0 ? -1 : bytes[position++] & 0xff;

@@ -28,10 +28,11 @@ public final class Network {
   private Network() {}
 
   /** A connection with its two ends. */
-  public record Connected(Link link, InetSocketAddress local, InetSocketAddress remote) {}
+  public record OpenConnection(
+      SocketConnection link, InetSocketAddress local, InetSocketAddress remote) {}
 
   /** A place where connections come in, until it is closed. */
-  public record Listening(InetSocketAddress local, Closeable place) {}
+  public record ListeningSocket(InetSocketAddress local, Closeable place) {}
 
   /**
    * Connects to a host while the job waits.
@@ -39,30 +40,31 @@ public final class Network {
    * @param port a number, or the name of a service
    * @throws IOException when it cannot be reached; the message says why
    */
-  public static Connected connect(Outside outside, Job job, String host, String port)
+  public static OpenConnection connect(Outside outside, Job job, String host, String port)
       throws IOException {
     outside.confinement().checkConnections();
     SocketChannel channel = outside.awaitOpen(job, () -> SocketChannel.open(address(host, port)));
     return connected(outside, channel);
   }
 
-  private static Connected connected(Outside outside, @Nullable SocketChannel channel)
+  private static OpenConnection connected(Outside outside, @Nullable SocketChannel channel)
       throws IOException {
-    return new Connected(
+    return new OpenConnection(
         link(outside, channel),
-        outside.look(() -> internet(Outside.live(channel).getLocalAddress())),
-        outside.look(() -> internet(Outside.live(channel).getRemoteAddress())));
+        outside.query(() -> internet(Outside.live(channel).getLocalAddress())),
+        outside.query(() -> internet(Outside.live(channel).getRemoteAddress())));
   }
 
   /**
    * @param channel null in a replay
    */
-  static Link link(Outside outside, @Nullable SocketChannel channel) throws IOException {
+  static SocketConnection link(Outside outside, @Nullable SocketChannel channel)
+      throws IOException {
     if (channel == null) {
-      return Link.replayed(outside, true);
+      return SocketConnection.replayed(outside, true);
     }
     channel.socket().setTcpNoDelay(true);
-    return new Link(
+    return new SocketConnection(
         outside,
         channel.socket().getInputStream(),
         channel.socket().getOutputStream(),
@@ -81,8 +83,8 @@ public final class Network {
    * @param listener told of each connection, on the kernel thread
    * @throws IOException when it is not possible; the message says why
    */
-  public static Listening listen(
-      Outside outside, Job job, String host, String port, Consumer<Connected> listener)
+  public static ListeningSocket listen(
+      Outside outside, Job job, String host, String port, Consumer<OpenConnection> listener)
       throws IOException {
     outside.confinement().checkConnections();
     ServerSocketChannel place =
@@ -98,13 +100,13 @@ public final class Network {
               }
             });
     outside.scheduler().pace().begin();
-    Arrivals arrivals = new Arrivals(outside, listener);
+    IncomingConnections arrivals = new IncomingConnections(outside, listener);
     if (place != null) {
       outside.opened(place);
       outside.startVirtual(() -> arrivals.accept(place));
     }
-    return new Listening(
-        outside.look(() -> internet(Outside.live(place).getLocalAddress())),
+    return new ListeningSocket(
+        outside.query(() -> internet(Outside.live(place).getLocalAddress())),
         place == null ? () -> {} : place);
   }
 
@@ -161,7 +163,7 @@ public final class Network {
    *
    * @throws IOException when it cannot be opened or has no such speed; the message says why
    */
-  public static Link serial(Outside outside, Job job, Path device, int baudRate)
+  public static SocketConnection serial(Outside outside, Job job, Path device, int baudRate)
       throws IOException {
     outside.confinement().checkConnections();
     SerialLine line =
@@ -194,8 +196,8 @@ public final class Network {
               return new SerialLine(in, out);
             });
     return line == null
-        ? Link.replayed(outside, false)
-        : new Link(outside, line.in, line.out, line, false);
+        ? SocketConnection.replayed(outside, false)
+        : new SocketConnection(outside, line.in, line.out, line, false);
   }
 
   private record SerialLine(FileInputStream in, FileOutputStream out) implements Closeable {

@@ -112,17 +112,17 @@ public final class Outside implements Closeable {
    *
    * @throws IOException as the work does
    */
-  public <T> T look(Outcome.Work<T> work) throws IOException {
+  public <T> T query(Outcome.Work<T> work) throws IOException {
     return requireNonNull(open(work), "what is looked at is there");
   }
 
   /**
-   * Like {@link #look}, for something live, such as a file that is opened: null in a replay.
+   * Like {@link #query}, for something live, such as a file that is opened: null in a replay.
    *
    * @throws IOException as the work does
    */
   <T> @Nullable T open(Outcome.Work<T> work) throws IOException {
-    return scheduler.isKernelThread() ? scheduler.journal().look(work) : Outcome.of(work).get();
+    return scheduler.isKernelThread() ? scheduler.journal().query(work) : Outcome.of(work).get();
   }
 
   /** What a look or a change is for: in a replay neither is made. */
@@ -237,7 +237,7 @@ public final class Outside implements Closeable {
     for (int i = 0; i < spins && early.get() == null && !isReplay(); i++) {
       Thread.onSpinWait();
     }
-    if (spins == 0 || !look(() -> early.get() != null)) {
+    if (spins == 0 || !query(() -> early.get() != null)) {
       return answer.await().get();
     }
     answer.abandon();

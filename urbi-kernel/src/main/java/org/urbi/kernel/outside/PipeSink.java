@@ -24,7 +24,7 @@ public final class PipeSink implements ByteSink {
   private final Outside outside;
   private final OutputStream out;
   private final int number;
-  private final Waiters waiters = new Waiters();
+  private final WaitingJobs waiters = new WaitingJobs();
   private final LinkedBlockingQueue<byte[]> queue = new LinkedBlockingQueue<>();
   private final boolean network;
   private boolean started;

@@ -24,7 +24,7 @@ public final class PipeSource implements ByteSource {
   private final Outside outside;
   private final InputStream in;
   private final int number;
-  private final Waiters waiters = new Waiters();
+  private final WaitingJobs waiters = new WaitingJobs();
   private final ArrayDeque<byte[]> chunks = new ArrayDeque<>();
   private int position;
   private boolean ended;

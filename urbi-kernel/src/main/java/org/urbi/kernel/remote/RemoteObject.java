@@ -7,13 +7,13 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
-import org.urbi.kernel.uobject.Perishable;
+import org.urbi.kernel.uobject.Reclaimable;
 import urbi.UCallback;
 import urbi.UObject;
 import urbi.UValue;
 
 /** A UObject of another process, as the kernel sees it: its functions are called there. */
-public final class RemoteObject extends UObject implements AutoCloseable, Perishable {
+public final class RemoteObject extends UObject implements AutoCloseable, Reclaimable {
   private static final MethodHandle CALL;
 
   static {
@@ -61,7 +61,7 @@ public final class RemoteObject extends UObject implements AutoCloseable, Perish
   }
 
   @Override
-  public @Nullable String whyGone() {
+  public @Nullable String reclaimReason() {
     return process.lost();
   }
 

@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.message.Message;
-import org.urbi.kernel.outside.SocketWatch;
+import org.urbi.kernel.outside.SocketSelector;
 import org.urbi.kernel.uobject.ArgumentFailure;
 import org.urbi.kernel.uobject.PluggedContext;
 import org.urbi.kernel.variable.UrbiUVar;
@@ -42,14 +42,14 @@ import urbi.wire.WireOutput;
  */
 public final class RemotePeer implements RemoteProcess {
   /** How long an access waits for the process to set the value. */
-  private static final Duration ACCESS_PATIENCE = Duration.ofSeconds(2);
+  private static final Duration ACCESS_TIMEOUT = Duration.ofSeconds(2);
 
   private final int number;
   private final Scheduler scheduler;
   private final PluggedContext context;
-  private final RemoteWire wire;
-  private final AnswerReading reading;
-  private volatile SocketWatch.@Nullable Socket socket;
+  private final RemoteTransport wire;
+  private final AnswerPoller reading;
+  private volatile SocketSelector.@Nullable Socket socket;
   private boolean wanting;
   private final UModule module;
   private final RemoteTasks tasks;
@@ -86,8 +86,8 @@ public final class RemotePeer implements RemoteProcess {
       Scheduler scheduler,
       PluggedContext context,
       Function<RuntimeException, String> describe,
-      AnswerReading reading,
-      RemoteWire wire) {
+      AnswerPoller reading,
+      RemoteTransport wire) {
     this.number = number;
     this.reading = reading;
     this.scheduler = scheduler;
@@ -113,7 +113,7 @@ public final class RemotePeer implements RemoteProcess {
 
   /** So much waits to be sent that values of variables had better wait. */
   public void behind() {
-    scheduler.inbox().post(new Message.RemoteBehind(number));
+    scheduler.inbox().post(new Message.RemoteCongested(number));
   }
 
   /** What waited to be sent has left. */
@@ -122,7 +122,7 @@ public final class RemotePeer implements RemoteProcess {
   }
 
   /** The connection, with this socket, is left to the kernel thread. */
-  public void mayRead(SocketWatch.Socket left) {
+  public void mayRead(SocketSelector.Socket left) {
     socket = left;
     scheduler.inbox().post(new Message.RemoteReadable(number));
   }
@@ -131,13 +131,13 @@ public final class RemotePeer implements RemoteProcess {
     return context;
   }
 
-  SocketWatch.@Nullable Socket socket() {
+  SocketSelector.@Nullable Socket socket() {
     return socket;
   }
 
   /** Asks the kernel thread whether it is there to read. */
   public void askForAttention() {
-    scheduler.inbox().post(new Message.AttentionAsked(number));
+    scheduler.inbox().post(new Message.PollingRequested(number));
   }
 
   // ------------------------------------------------------------------ messages
@@ -151,7 +151,7 @@ public final class RemotePeer implements RemoteProcess {
   private void take(Message message) {
     switch (message) {
       case Message.RemoteFrame received -> received(received.frame());
-      case Message.RemoteBehind news -> behind = true;
+      case Message.RemoteCongested news -> behind = true;
       case Message.RemoteDrained news -> later(this::refresh);
       case Message.RemoteLost loss -> {
         scheduler.inbox().forget(number);
@@ -159,7 +159,7 @@ public final class RemotePeer implements RemoteProcess {
         later(this::clear);
       }
       case Message.RemoteReadable news -> reading.begin(this);
-      case Message.AttentionAsked question -> wire.attended();
+      case Message.PollingRequested question -> wire.attended();
       default -> throw new IllegalArgumentException(message.toString());
     }
   }
@@ -208,7 +208,7 @@ public final class RemotePeer implements RemoteProcess {
 
   private void complete(int number, @Nullable UValue value, @Nullable RuntimeException error) {
     // Whoever waits finds done what came before the result: what the function has bound, say.
-    tasks.hurry();
+    tasks.finishFirst();
     CompletableFuture<UValue> call = calls.remove(number);
     if (call != null) {
       if (error == null) {
@@ -515,7 +515,7 @@ public final class RemotePeer implements RemoteProcess {
     calls.put(number, done);
     write(o -> o.begin(Frame.ACCESS).size(variable.id()).size(number).end());
     reading.asked(this);
-    context.await(done, ACCESS_PATIENCE);
+    context.await(done, ACCESS_TIMEOUT);
     calls.remove(number);
   }
 

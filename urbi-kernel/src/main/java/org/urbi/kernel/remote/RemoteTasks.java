@@ -5,9 +5,9 @@ import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
-import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -67,7 +67,7 @@ final class RemoteTasks {
   }
 
   /** Has all that has been added done before others have their turn. */
-  void hurry() {
+  void finishFirst() {
     urgent = added;
   }
 
@@ -93,7 +93,7 @@ final class RemoteTasks {
   private void perform(Runnable action) {
     try {
       action.run();
-    } catch (Unwinding e) {
+    } catch (ControlFlowException e) {
       throw e;
     } catch (RuntimeException e) {
       failed.accept(e);

@@ -56,7 +56,7 @@ public final class Tagged extends Node {
       Frame frame, List<UrbiTag> tags, int index, boolean[] told, Node body) {
     Job job = frame.job();
     if (index == tags.size()) {
-      job.holdIfFrozen();
+      job.waitWhileFrozen();
       enter(frame, tags, told);
       return body.execute(frame);
     }

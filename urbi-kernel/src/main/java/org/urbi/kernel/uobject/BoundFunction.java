@@ -7,7 +7,7 @@ import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
-import org.urbi.kernel.node.Guard;
+import org.urbi.kernel.node.PermissionCheck;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.trust.Role;
@@ -60,7 +60,7 @@ final class BoundFunction extends Code {
       throw caller.interpreter().errors().arity(called, arguments.length, arity, arity);
     }
     if (!caller.job().isOwner()) {
-      Guard.checkRole(caller, site.calledName(), Role.USER);
+      PermissionCheck.checkRole(caller, site.calledName(), Role.USER);
     }
     if (gone != null) {
       throw caller.error(site, Problem.FUNCTION_GONE, callback.name(), gone);
@@ -82,7 +82,7 @@ final class BoundFunction extends Code {
     try {
       result = (UrbiObject) whole.invokeExact(arguments);
     } catch (Throwable e) {
-      throw Failures.inFunction(context, caller, site, callback.name(), arguments, e);
+      throw JavaFailures.inFunction(context, caller, site, callback.name(), arguments, e);
     } finally {
       context.back(caller, outer);
     }
@@ -98,7 +98,7 @@ final class BoundFunction extends Code {
           .result(
               result instanceof CompletionStage<?> stage ? context.await(caller, stage) : result);
     } catch (Throwable e) {
-      throw Failures.inFunction(context, caller, site, callback.name(), arguments, e);
+      throw JavaFailures.inFunction(context, caller, site, callback.name(), arguments, e);
     }
   }
 

@@ -32,15 +32,15 @@ final class Converters {
   private static final MethodHandles.Lookup LOOKUP = MethodHandles.lookup();
 
   private final PluggedContext context;
-  private final ValueExchange exchange;
+  private final ValueConversion conversion;
   private final Values values;
 
   /** Converters of arguments that need nothing but the argument. */
   private final Map<Class<?>, MethodHandle> direct = new HashMap<>();
 
-  Converters(PluggedContext context, ValueExchange exchange) {
+  Converters(PluggedContext context, ValueConversion conversion) {
     this.context = context;
-    this.exchange = exchange;
+    this.conversion = conversion;
     this.values = context.interpreter().values();
     direct(double.class, "number");
     direct(float.class, "floatNumber");
@@ -207,7 +207,7 @@ final class Converters {
   }
 
   private UValue value(UrbiObject given) {
-    return exchange.toJava(given);
+    return conversion.toJava(given);
   }
 
   private UVar variable(UrbiObject given) {
@@ -229,7 +229,7 @@ final class Converters {
       throw new ConversionFailure(given, raw.getSimpleName(), null);
     }
     try {
-      return UCast.to(exchange.toJava(given), type);
+      return UCast.to(conversion.toJava(given), type);
     } catch (UCastException e) {
       String name = ArgumentTypes.name(type);
       throw new ConversionFailure(given, name, name == null ? e.getMessage() : null);
@@ -268,7 +268,7 @@ final class Converters {
       case UrbiObject object -> object;
       case UVar variable ->
           context.fromKernel(frame -> context.variables().find(frame, variable.getName()));
-      default -> exchange.toUrbi(UCast.toUValue(result));
+      default -> conversion.toUrbi(UCast.toUValue(result));
     };
   }
 }

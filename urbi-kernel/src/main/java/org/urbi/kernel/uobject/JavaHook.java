@@ -7,7 +7,7 @@ import java.lang.invoke.MethodType;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
-import org.urbi.kernel.job.Unwinding;
+import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.variable.Datum;
@@ -52,11 +52,11 @@ final class JavaHook implements Hook {
         Object[] arguments = arguments(value);
         context.runThreaded(callback, () -> callThreaded(arguments));
       } else {
-        context.deliveries().begin(frame.job(), variable, value);
+        context.notifications().begin(frame.job(), variable, value);
         try {
           call(value);
         } finally {
-          context.deliveries().end(frame.job(), variable, value);
+          context.notifications().end(frame.job(), variable, value);
         }
       }
     } catch (Throwable e) {
@@ -68,7 +68,7 @@ final class JavaHook implements Hook {
   }
 
   private void call(Datum value) throws Throwable {
-    if (uncopied != null && value.foreign() instanceof ForeignValue foreign) {
+    if (uncopied != null && value.foreign() instanceof BypassValue foreign) {
       Object given =
           callback.arity() == 0
               ? foreign.value()
@@ -85,7 +85,7 @@ final class JavaHook implements Hook {
     if (callback.arity() == 0) {
       return new Object[0];
     }
-    if (value.foreign() instanceof ForeignValue foreign) {
+    if (value.foreign() instanceof BypassValue foreign) {
       return new Object[] {UCast.to(foreign.copied(), callback.parameterTypes().getFirst())};
     }
     return new Object[] {context.converters().argument(callback, 0, value.value())};
@@ -101,9 +101,9 @@ final class JavaHook implements Hook {
 
   private RuntimeException failure(Frame frame, Throwable e) {
     return switch (e) {
-      case Unwinding unwinding -> unwinding;
+      case ControlFlowException unwinding -> unwinding;
       case UrbiException thrown -> thrown;
-      case RaisedInUrbi raised -> raised.original();
+      case PropagatedUrbiException raised -> raised.original();
       default ->
           frame
               .interpreter()
@@ -113,10 +113,10 @@ final class JavaHook implements Hook {
   }
 
   private String message(Throwable e) {
-    String doing = Failures.calling(callback.name());
+    String doing = JavaFailures.calling(callback.name());
     return e instanceof ConversionFailure failure && failure.getMessage() == null
         ? Problem.CAUGHT_IN_COMPONENT.text(
             doing, Problem.NO_VALUE_OF_TYPE.text(String.valueOf(failure.expected())))
-        : Failures.caught(doing, e);
+        : JavaFailures.caught(doing, e);
   }
 }

@@ -31,7 +31,7 @@ final class KernelRequests {
   private final Interpreter interpreter;
   private final AtomicInteger last = new AtomicInteger();
   private final Map<Integer, Request<?>> pending = new ConcurrentHashMap<>();
-  private final ThreadLocal<KernelHold> held = new ThreadLocal<>();
+  private final ThreadLocal<KernelLock> held = new ThreadLocal<>();
   private volatile boolean over;
 
   KernelRequests(Interpreter interpreter) {
@@ -52,7 +52,7 @@ final class KernelRequests {
     Request<T> request = new Request<>(task, future);
     int number = last.incrementAndGet();
     pending.put(number, request);
-    KernelHold hold = held.get();
+    KernelLock hold = held.get();
     try {
       if (hold == null) {
         interpreter.scheduler().inbox().post(new Message.ComponentRequest(number));
@@ -95,12 +95,12 @@ final class KernelRequests {
 
   /** From now on the kernel does nothing but what this thread asks for, until {@link #unlock}. */
   void lock() {
-    KernelHold present = held.get();
+    KernelLock present = held.get();
     if (present != null) {
-      present.again();
+      present.enter();
       return;
     }
-    KernelHold made = new KernelHold(Thread.currentThread(), () -> over);
+    KernelLock made = new KernelLock(Thread.currentThread(), () -> over);
     CompletableFuture<Void> begun = new CompletableFuture<>();
     int number = last.incrementAndGet();
     pending.put(
@@ -126,7 +126,7 @@ final class KernelRequests {
 
   /** Ends what {@link #lock} began. */
   void unlock() {
-    KernelHold present = held.get();
+    KernelLock present = held.get();
     if (present != null && present.end()) {
       held.remove();
     }

@@ -55,7 +55,7 @@ public final class ObjectAccess {
    * @throws IllegalArgumentException if there is no such object
    */
   public @Nullable USlot variable(Frame frame, String name) {
-    Variables.Place place = context.variables().place(frame, name);
+    VariableLookup.Place place = context.variables().place(frame, name);
     UrbiUVar variable = UrbiUVar.behind(place.owner(), place.slot());
     return variable == null ? null : new PluggedSlot(context, variable, name);
   }
@@ -69,7 +69,7 @@ public final class ObjectAccess {
    */
   public Runnable listen(Frame frame, String name, Subscription listener) {
     context.event(name);
-    Variables.Place place = context.variables().place(frame, name);
+    VariableLookup.Place place = context.variables().place(frame, name);
     if (frame.interpreter().get(frame, place.owner(), place.slot()) instanceof UrbiEvent event) {
       event.subscribe(listener, frame.job());
       return () -> event.unsubscribe(listener);
@@ -85,7 +85,7 @@ public final class ObjectAccess {
    */
   public UValue toJava(String routine, UrbiObject value) {
     try {
-      return context.exchange().toJava(value);
+      return context.conversion().toJava(value);
     } catch (ConversionFailure e) {
       throw context.interpreter().errors().primitive(routine, Problem.NOT_SENDABLE);
     }

@@ -17,11 +17,11 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.UrbiEvent;
+import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.KernelThreadPin;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.Timers;
-import org.urbi.kernel.job.Unwinding;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.log.LogLevel;
@@ -58,15 +58,15 @@ public final class PluggedContext implements UContext {
   private final KernelLog log;
   private final KernelRequests requests;
   private final Instances objects;
-  private final Creation creation;
-  private final Variables variables;
-  private final ValueExchange exchange;
+  private final InstanceLifecycle creation;
+  private final VariableLookup variables;
+  private final ValueConversion conversion;
   private @Nullable Converters converters;
   private final CallStatistics statistics;
   private final ConnectionList connections = new ConnectionList();
-  private final Deliveries deliveries = new Deliveries();
+  private final PendingNotifications notifications = new PendingNotifications();
   private final RtpSwitch rtp = new RtpSwitch();
-  private final Periods periods;
+  private final PeriodicCalls periods;
   private final Modules modules;
   private final SystemLobby systemLobby;
   private final ThreadPool threads = new ThreadPool("urbi-uobject-");
@@ -83,11 +83,11 @@ public final class PluggedContext implements UContext {
     this.log = log;
     this.requests = new KernelRequests(interpreter);
     this.objects = new Instances(interpreter.world(), scheduler.inbox(), this::gone);
-    this.variables = new Variables(interpreter.world(), objects);
-    this.exchange = new ValueExchange(this);
+    this.variables = new VariableLookup(interpreter.world(), objects);
+    this.conversion = new ValueConversion(this);
     this.statistics = new CallStatistics(scheduler::measure);
-    this.periods = new Periods(this);
-    this.creation = new Creation(this);
+    this.periods = new PeriodicCalls(this);
+    this.creation = new InstanceLifecycle(this);
     this.modules = new Modules(this, moduleSearchPath, outside);
     this.systemLobby = new SystemLobby(interpreter, log);
     scheduler.inbox().register(Message.COMPONENTS, this::take);
@@ -113,34 +113,34 @@ public final class PluggedContext implements UContext {
     return objects;
   }
 
-  Variables variables() {
+  VariableLookup variables() {
     return variables;
   }
 
-  ValueExchange exchange() {
-    return exchange;
+  ValueConversion conversion() {
+    return conversion;
   }
 
   /** On the kernel thread; a kernel without UObjects does without. */
   Converters converters() {
     Converters known = converters;
     if (known == null) {
-      known = new Converters(this, exchange);
+      known = new Converters(this, conversion);
       converters = known;
     }
     return known;
   }
 
-  Deliveries deliveries() {
-    return deliveries;
+  PendingNotifications notifications() {
+    return notifications;
   }
 
-  Periods periods() {
+  PeriodicCalls periods() {
     return periods;
   }
 
   /** Makes and ends UObjects. */
-  public Creation creation() {
+  public InstanceLifecycle creation() {
     return creation;
   }
 
@@ -189,9 +189,9 @@ public final class PluggedContext implements UContext {
    * @param function what is called, for people
    */
   @Nullable Frame leave(Frame caller, String function) {
-    Crossing crossing = Crossing.of(caller.job());
-    Frame outer = crossing.caller;
-    crossing.caller = caller;
+    JavaCallState callState = JavaCallState.of(caller.job());
+    Frame outer = callState.caller;
+    callState.caller = caller;
     if (outer == null) {
       UContext.enter(this);
       KernelThreadPin.pin();
@@ -202,13 +202,13 @@ public final class PluggedContext implements UContext {
 
   /** The Java code has returned, or thrown something. */
   void back(Frame caller, @Nullable Frame outer) {
-    Crossing crossing = Crossing.of(caller.job());
-    crossing.caller = outer;
+    JavaCallState callState = JavaCallState.of(caller.job());
+    callState.caller = outer;
     if (outer == null) {
       KernelThreadPin.unpin();
     }
-    Unwinding unwinding = crossing.unwinding;
-    crossing.unwinding = null;
+    ControlFlowException unwinding = callState.unwinding;
+    callState.unwinding = null;
     try {
       if (outer == null) {
         caller.job().leaveComponent(null);
@@ -236,23 +236,23 @@ public final class PluggedContext implements UContext {
       return null;
     }
     Job job = requireNonNull(scheduler.running(), "components are called by jobs");
-    Crossing crossing = Crossing.of(job);
-    @Nullable Frame caller = crossing.caller;
+    JavaCallState callState = JavaCallState.of(job);
+    @Nullable Frame caller = callState.caller;
     if (caller == null) {
       return task.apply(Frame.top(interpreter, job, job.lobby(), new FrameLayout()));
     }
-    crossing.caller = null;
+    callState.caller = null;
     KernelThreadPin.unpin();
     String function = job.enterComponent(null);
     try {
       return translated(caller, task);
-    } catch (Unwinding e) {
-      crossing.unwinding = e;
+    } catch (ControlFlowException e) {
+      callState.unwinding = e;
       throw e;
     } finally {
       job.enterComponent(function);
       KernelThreadPin.pin();
-      crossing.caller = caller;
+      callState.caller = caller;
     }
   }
 
@@ -273,7 +273,7 @@ public final class PluggedContext implements UContext {
     try {
       return task.apply(frame);
     } catch (UrbiException e) {
-      throw new RaisedInUrbi(text(frame, e), e);
+      throw new PropagatedUrbiException(text(frame, e), e);
     }
   }
 
@@ -288,7 +288,7 @@ public final class PluggedContext implements UContext {
 
   /** Waits for a result while other jobs run; on the kernel thread. */
   @Nullable Object await(Frame frame, CompletionStage<?> stage) {
-    return new Awaited(frame.job()).await(stage);
+    return new AwaitedResult(frame.job()).await(stage);
   }
 
   /** Runs a threaded call of which nobody waits for the result; on the kernel thread. */
@@ -331,7 +331,7 @@ public final class PluggedContext implements UContext {
     Frame outer = leave(frame, callback.name());
     try {
       callback.call();
-    } catch (Unwinding e) {
+    } catch (ControlFlowException e) {
       throw e;
     } catch (Throwable e) {
       report(job, callback.name(), e);
@@ -343,14 +343,14 @@ public final class PluggedContext implements UContext {
 
   private void report(Job job, String function, Throwable e) {
     RuntimeException shown =
-        e instanceof RaisedInUrbi raised
+        e instanceof PropagatedUrbiException raised
             ? raised.original()
             : interpreter
                 .errors()
                 .primitive(
                     Texts.toUrbi(function),
                     Problem.REASON,
-                    Texts.toUrbi(Failures.caught(Failures.calling(function), e)));
+                    Texts.toUrbi(JavaFailures.caught(JavaFailures.calling(function), e)));
     interpreter.report(job, shown);
   }
 
@@ -484,7 +484,7 @@ public final class PluggedContext implements UContext {
   @Override
   public UEmitter event(String name) {
     return fromKernel(frame -> {
-      Variables.Place place = variables.place(frame, name);
+      VariableLookup.Place place = variables.place(frame, name);
       if (place.owner().localSlot(place.slot()) == null) {
         place.owner().addSlot(place.slot(), interpreter.prototypes().event.cloned());
       }
@@ -504,11 +504,11 @@ public final class PluggedContext implements UContext {
   }
 
   private void emit(Frame frame, String name, UValue... payload) {
-    Variables.Place place = variables.place(frame, name);
+    VariableLookup.Place place = variables.place(frame, name);
     UrbiObject event = interpreter.get(frame, place.owner(), place.slot());
     UrbiObject[] arguments = new UrbiObject[payload.length];
     for (int i = 0; i < arguments.length; i++) {
-      arguments[i] = exchange.element(payload[i]);
+      arguments[i] = conversion.element(payload[i]);
     }
     if (event instanceof UrbiEvent plain) {
       plain.emit(frame, arguments);
@@ -558,7 +558,7 @@ public final class PluggedContext implements UContext {
     UrbiObject target = variables.object(frame, wish.object());
     UrbiObject[] given = new UrbiObject[wish.arguments().length];
     for (int i = 0; i < given.length; i++) {
-      given[i] = exchange.element(wish.arguments()[i]);
+      given[i] = conversion.element(wish.arguments()[i]);
     }
     interpreter.send(frame, target, Texts.toUrbi(wish.method()), given);
   }
@@ -600,7 +600,7 @@ public final class PluggedContext implements UContext {
 
   private static void awaitEnd(Frame frame, CompletableFuture<?> stage) {
     try {
-      new Awaited(frame.job()).await(stage);
+      new AwaitedResult(frame.job()).await(stage);
     } catch (CompletionException e) {
       // Whoever completes it says why elsewhere.
     }

@@ -50,15 +50,15 @@ final class PluggedSlot implements USlot {
   @Override
   public UValue get() {
     return context.fromKernel(frame -> {
-      Datum told = context.deliveries().find(frame.job(), variable);
-      if (told != null && told.foreign() instanceof ForeignValue foreign) {
+      Datum told = context.notifications().find(frame.job(), variable);
+      if (told != null && told.foreign() instanceof BypassValue foreign) {
         return foreign.value();
       }
       if (told != null && variable.isInput()) {
-        return context.exchange().toJava(told.value());
+        return context.conversion().toJava(told.value());
       }
       UrbiObject value = owner || told != null ? seen().value() : variable.read(frame);
-      return context.exchange().toJava(value);
+      return context.conversion().toJava(value);
     });
   }
 
@@ -71,8 +71,8 @@ final class PluggedSlot implements USlot {
     context.inKernel(frame -> {
       Datum datum =
           bypass && value.getType() == UDataType.DATA_BINARY
-              ? new Datum(new ForeignValue(context.exchange(), value))
-              : new Datum(context.exchange().toUrbi(value));
+              ? new Datum(new BypassValue(context.conversion(), value))
+              : new Datum(context.conversion().toUrbi(value));
       lastWritten = value.getType() == UDataType.DATA_DOUBLE ? value.doubleValue() : Double.NaN;
       if (owner) {
         variable.set(frame, datum);
@@ -113,14 +113,14 @@ final class PluggedSlot implements USlot {
   public UValue property(UProperty property) {
     return context.fromKernel(frame -> {
       UrbiObject value = Properties.find(frame, object(), symbol(frame), property.text());
-      return value == null ? new UValue() : context.exchange().toJava(value);
+      return value == null ? new UValue() : context.conversion().toJava(value);
     });
   }
 
   @Override
   public void setProperty(UProperty property, UValue value) {
     context.inKernel(frame -> {
-      UrbiObject given = context.exchange().toUrbi(value);
+      UrbiObject given = context.conversion().toUrbi(value);
       UrbiObject set =
           property == UProperty.PROP_CONSTANT
               ? frame.interpreter().values().bool(value.booleanValue())

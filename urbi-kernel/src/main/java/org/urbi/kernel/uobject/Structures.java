@@ -19,9 +19,9 @@ final class Structures {
   static final String NAME = "$sn";
 
   private final PluggedContext context;
-  private final ValueExchange values;
+  private final ValueConversion values;
 
-  Structures(PluggedContext context, ValueExchange values) {
+  Structures(PluggedContext context, ValueConversion values) {
     this.context = context;
     this.values = values;
   }

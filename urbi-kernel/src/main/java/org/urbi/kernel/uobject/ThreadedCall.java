@@ -34,9 +34,10 @@ final class ThreadedCall {
     if (failure == null) {
       return outcome.value();
     }
-    throw failure instanceof RaisedInUrbi || failure instanceof KernelRefusal
+    throw failure instanceof PropagatedUrbiException || failure instanceof KernelRefusal
         ? failure
-        : new IllegalStateException(Problem.CAUGHT_IN_THREAD.text(Failures.text(failure)), failure);
+        : new IllegalStateException(
+            Problem.CAUGHT_IN_THREAD.text(JavaFailures.text(failure)), failure);
   }
 
   private static Outcome run(UCallback callback, Object[] arguments) {

@@ -14,7 +14,7 @@ import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.Timers;
-import org.urbi.kernel.lobby.Complaint;
+import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
@@ -62,7 +62,7 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   /** How long a reader waits for a value in bypass mode, in nanoseconds. */
-  private static final long BYPASS_PATIENCE = 500_000_000;
+  private static final long BYPASS_TIMEOUT = 500_000_000;
 
   private final List<Place> places = new ArrayList<>(1);
   private final Hooks onChange = new Hooks();
@@ -383,7 +383,7 @@ public final class UrbiUVar extends UrbiObject {
         scheduler
             .timers()
             .add(
-                scheduler.now() + BYPASS_PATIENCE,
+                scheduler.now() + BYPASS_TIMEOUT,
                 () -> {
                   reader.late = true;
                   job.wake();
@@ -534,7 +534,7 @@ public final class UrbiUVar extends UrbiObject {
 
   void reportFailure(Frame frame, UrbiException failure) {
     if (frame.job().lobby() instanceof UrbiLobby told && told.isInstance()) {
-      Complaint.error(told.output(), Problem.CAUGHT_IN_NOTIFY.text(name));
+      Diagnostics.error(told.output(), Problem.CAUGHT_IN_NOTIFY.text(name));
     }
     frame.interpreter().report(frame.job(), failure);
   }

@@ -90,12 +90,12 @@ class EmbeddingThreadsTest {
     try (Kernel kernel = builder(jobThreads).start()) {
       BlockingQueue<Object> heard = new LinkedBlockingQueue<>();
       kernel.eval("var e = Event.new; class R { var x = 0 }");
-      Listening events = kernel.onEvent("e", heard::add);
+      ListenerRegistration events = kernel.onEvent("e", heard::add);
       kernel.eval("for| (var i : 1000) e!(i, \"é\")");
       for (int i = 0; i < 1000; i++) {
         assertEquals(List.of((double) i, "é"), heard.take());
       }
-      Listening changes = kernel.onChange("R.x", heard::add);
+      ListenerRegistration changes = kernel.onChange("R.x", heard::add);
       kernel.eval("R.x = 1 | R.x = 2");
       assertEquals(1.0, heard.take());
       assertEquals(2.0, heard.take());
@@ -121,14 +121,15 @@ class EmbeddingThreadsTest {
     try (Kernel kernel = builder(jobThreads).start()) {
       kernel.eval("var e = Event.new; var n = 0");
       BlockingQueue<Object> heard = new LinkedBlockingQueue<>();
-      Listening failing =
+      ListenerRegistration failing =
           kernel.onEvent(
               "e",
               payload -> {
                 throw new IllegalStateException("failing " + payload);
               });
       kernel.onEvent("e", payload -> await(release));
-      Listening asking = kernel.onEvent("e", payload -> heard.add(kernel.eval("n = n + 1 | n")));
+      ListenerRegistration asking =
+          kernel.onEvent("e", payload -> heard.add(kernel.eval("n = n + 1 | n")));
       kernel.eval("e!(1)|e!(2)");
       assertEquals("failing [1.0]", failures.take().getMessage());
       assertEquals("failing [2.0]", failures.take().getMessage());

@@ -143,7 +143,7 @@ class InboxTest {
   }
 
   /** Tells what it is asked to do. */
-  private static final class Ear implements Listening {
+  private static final class Ear implements KernelPoller {
     final List<String> asked = new CopyOnWriteArrayList<>();
     final Semaphore woken = new Semaphore(0);
     final CountDownLatch waits = new CountDownLatch(1);
@@ -168,12 +168,12 @@ class InboxTest {
     }
 
     @Override
-    public void hear() {
+    public void poll() {
       asked.add("hear");
     }
 
     @Override
-    public void glance(long now) {
+    public void pollIfDue(long now) {
       asked.add("glance " + now);
     }
 
@@ -202,7 +202,7 @@ class InboxTest {
   void whoIsBusyGlancesAndWhoEndsCloses() {
     Ear ear = new Ear();
     inbox.listenTo(ear);
-    inbox.glance(5);
+    inbox.pollIfDue(5);
     inbox.close();
     assertEquals(List.of("glance 5", "close"), ear.asked);
   }

@@ -9,8 +9,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
-import org.urbi.kernel.journal.Ending;
 import org.urbi.kernel.journal.Journal;
+import org.urbi.kernel.journal.StopReason;
 import org.urbi.kernel.object.UrbiObject;
 
 /** The flags for code that never lets others run, which no message can reach. */
@@ -27,87 +27,87 @@ class InterruptionsTest {
 
   @Test
   void nobodyEndsByHimself() {
-    assertFalse(interruptions.areWanted());
-    assertEquals(Ending.NONE, interruptions.decide(lobby));
-    assertEquals(Ending.NONE, interruptions.decide(null));
+    assertFalse(interruptions.arePending());
+    assertEquals(StopReason.NONE, interruptions.decide(lobby));
+    assertEquals(StopReason.NONE, interruptions.decide(null));
     assertFalse(interruptions.isMessageDue(lobby));
   }
 
   @Test
   void whoIsInterruptedIsSoOnce() {
-    interruptions.want(lobby);
-    interruptions.want(other);
-    assertTrue(interruptions.areWanted());
-    assertEquals(Ending.NONE, interruptions.decide(null));
-    assertEquals(Ending.WANTED, interruptions.decide(lobby));
+    interruptions.request(lobby);
+    interruptions.request(other);
+    assertTrue(interruptions.arePending());
+    assertEquals(StopReason.NONE, interruptions.decide(null));
+    assertEquals(StopReason.REQUESTED, interruptions.decide(lobby));
     assertTrue(interruptions.isMessageDue(lobby));
     assertFalse(interruptions.isMessageDue(other));
     turn++;
-    assertEquals(Ending.NONE, interruptions.decide(lobby));
-    assertTrue(interruptions.areWanted());
+    assertEquals(StopReason.NONE, interruptions.decide(lobby));
+    assertTrue(interruptions.arePending());
     interruptions.clear(other);
-    assertFalse(interruptions.areWanted());
+    assertFalse(interruptions.arePending());
     interruptions.clear(lobby);
     assertFalse(interruptions.isMessageDue(lobby));
   }
 
   @Test
   void whatEndsHasAMomentToCleanUpAndNoMore() {
-    interruptions.wantOverdue(turn);
-    assertTrue(interruptions.areWanted());
-    assertEquals(Ending.OVERDUE, interruptions.decide(lobby));
+    interruptions.requestOverdue(turn);
+    assertTrue(interruptions.arePending());
+    assertEquals(StopReason.OVERDUE, interruptions.decide(lobby));
     machine.now = FAREWELL - 1;
-    assertEquals(Ending.NONE, interruptions.decide(lobby));
+    assertEquals(StopReason.NONE, interruptions.decide(lobby));
     machine.now = FAREWELL;
-    assertEquals(Ending.OVERDUE, interruptions.decide(lobby));
-    assertTrue(interruptions.areWanted());
+    assertEquals(StopReason.OVERDUE, interruptions.decide(lobby));
+    assertTrue(interruptions.arePending());
     turn++;
-    assertEquals(Ending.NONE, interruptions.decide(lobby));
-    assertFalse(interruptions.areWanted());
+    assertEquals(StopReason.NONE, interruptions.decide(lobby));
+    assertFalse(interruptions.arePending());
   }
 
   @Test
   void whatEndsBecauseItsClientWantsItHasNoMoreThanThatEither() {
-    interruptions.want(lobby);
-    assertEquals(Ending.WANTED, interruptions.decide(lobby));
+    interruptions.request(lobby);
+    assertEquals(StopReason.REQUESTED, interruptions.decide(lobby));
     machine.now = FAREWELL;
-    assertEquals(Ending.WANTED, interruptions.decide(lobby));
+    assertEquals(StopReason.REQUESTED, interruptions.decide(lobby));
   }
 
   @Test
   void theTurnThatIsOverdueIsNotTheNext() {
-    interruptions.wantOverdue(turn - 1);
-    assertEquals(Ending.NONE, interruptions.decide(lobby));
-    interruptions.wantOverdue(turn);
-    assertEquals(Ending.OVERDUE, interruptions.decide(lobby));
+    interruptions.requestOverdue(turn - 1);
+    assertEquals(StopReason.NONE, interruptions.decide(lobby));
+    interruptions.requestOverdue(turn);
+    assertEquals(StopReason.OVERDUE, interruptions.decide(lobby));
     turn++;
-    interruptions.wantOverdue(turn);
-    assertEquals(Ending.OVERDUE, interruptions.decide(lobby));
+    interruptions.requestOverdue(turn);
+    assertEquals(StopReason.OVERDUE, interruptions.decide(lobby));
   }
 
   @Test
   void whenTheKernelEndsEverybodyEndsAgainAndAgain() {
-    interruptions.wantAll();
-    assertTrue(interruptions.areWanted());
-    assertEquals(Ending.WANTED, interruptions.decide(lobby));
+    interruptions.requestAll();
+    assertTrue(interruptions.arePending());
+    assertEquals(StopReason.REQUESTED, interruptions.decide(lobby));
     assertFalse(interruptions.isMessageDue(lobby));
     turn++;
-    assertEquals(Ending.WANTED, interruptions.decide(null));
+    assertEquals(StopReason.REQUESTED, interruptions.decide(null));
     turn++;
-    assertEquals(Ending.WANTED, interruptions.decide(lobby));
+    assertEquals(StopReason.REQUESTED, interruptions.decide(lobby));
     interruptions.clear(lobby);
-    assertTrue(interruptions.areWanted());
+    assertTrue(interruptions.arePending());
   }
 
   @Test
   void whoIsConcernedIsToldOfEachChange() {
     interruptions.whenChanged(() -> changes++);
     assertEquals(1, changes);
-    interruptions.want(lobby);
+    interruptions.request(lobby);
     assertEquals(2, changes);
-    interruptions.wantOverdue(turn);
+    interruptions.requestOverdue(turn);
     assertEquals(3, changes);
-    interruptions.wantAll();
+    interruptions.requestAll();
     assertEquals(4, changes);
     interruptions.clear(lobby);
     assertEquals(5, changes);
@@ -117,36 +117,36 @@ class InterruptionsTest {
   void whoLetsOthersRunWhileHeEndsGoesOnToEnd() {
     assertNull(interruptions.pause());
     interruptions.resume(null);
-    assertFalse(interruptions.areWanted());
-    interruptions.want(lobby);
-    assertEquals(Ending.WANTED, interruptions.decide(lobby));
+    assertFalse(interruptions.arePending());
+    interruptions.request(lobby);
+    assertEquals(StopReason.REQUESTED, interruptions.decide(lobby));
     machine.now = 20_000_000;
-    Interruptions.Farewell paused = interruptions.pause();
+    Interruptions.Termination paused = interruptions.pause();
     assertNotNull(paused);
     turn++;
     assertNull(interruptions.pause());
     // Another job runs, which is not to end.
-    assertEquals(Ending.NONE, interruptions.decide(other));
-    assertFalse(interruptions.areWanted());
+    assertEquals(StopReason.NONE, interruptions.decide(other));
+    assertFalse(interruptions.arePending());
     turn++;
     interruptions.resume(paused);
-    assertTrue(interruptions.areWanted());
+    assertTrue(interruptions.arePending());
     machine.now = FAREWELL - 1;
-    assertEquals(Ending.NONE, interruptions.decide(lobby));
+    assertEquals(StopReason.NONE, interruptions.decide(lobby));
     machine.now = FAREWELL;
-    assertEquals(Ending.WANTED, interruptions.decide(lobby));
+    assertEquals(StopReason.REQUESTED, interruptions.decide(lobby));
   }
 
   @Test
   void codeIsLeftByWhatFits() {
     Job job = loop.idle(lobby);
     interruptions.check(job);
-    interruptions.want(lobby);
+    interruptions.request(lobby);
     TagStop stop = assertThrows(TagStop.class, () -> interruptions.check(job));
     assertTrue(stop.isInterruption());
     assertNull(stop.scope());
     turn++;
-    interruptions.wantOverdue(turn);
+    interruptions.requestOverdue(turn);
     stop = assertThrows(TagStop.class, () -> interruptions.check(job));
     assertFalse(stop.isInterruption());
   }
@@ -155,14 +155,14 @@ class InterruptionsTest {
   void whatIsOverdueIsLeftByTheSameFailureUntilItHasEnded() {
     Job job = loop.idle(lobby);
     interruptions.setOverdueFailure(overdue -> new IllegalStateException(overdue.name()));
-    interruptions.wantOverdue(turn);
+    interruptions.requestOverdue(turn);
     var first = assertThrows(IllegalStateException.class, () -> interruptions.check(job));
     assertEquals(job.name(), first.getMessage());
     interruptions.check(job);
     machine.now = FAREWELL;
     assertSame(first, assertThrows(IllegalStateException.class, () -> interruptions.check(job)));
     turn++;
-    interruptions.wantOverdue(turn);
+    interruptions.requestOverdue(turn);
     var second = assertThrows(IllegalStateException.class, () -> interruptions.check(job));
     assertFalse(first == second);
   }
@@ -174,19 +174,19 @@ class InterruptionsTest {
             () -> turn,
             new Journal() {
               @Override
-              public boolean counts() {
+              public boolean countsChecks() {
                 return true;
               }
 
               @Override
-              public Ending stops(Ending wanted) {
-                return Ending.OVERDUE;
+              public StopReason stopReason(StopReason wanted) {
+                return StopReason.OVERDUE;
               }
             },
             machine);
-    assertTrue(recorded.areWanted());
-    assertEquals(Ending.OVERDUE, recorded.decide(lobby));
+    assertTrue(recorded.arePending());
+    assertEquals(StopReason.OVERDUE, recorded.decide(lobby));
     recorded.clear(lobby);
-    assertTrue(recorded.areWanted());
+    assertTrue(recorded.arePending());
   }
 }

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.trust.Role;
-import org.urbi.kernel.trust.Trusted;
+import org.urbi.kernel.trust.RoleHolder;
 
 /** What a job is, and how it is left (manual, "Job"). */
 class JobLifeTest {
@@ -22,7 +22,7 @@ class JobLifeTest {
   private final Scheduler scheduler = loop.scheduler;
 
   /** A lobby whose code may do little. */
-  private static final class Guest extends UrbiObject implements Trusted {
+  private static final class Guest extends UrbiObject implements RoleHolder {
     Guest(World world) {
       super(world.orphanShape());
     }
@@ -88,9 +88,9 @@ class JobLifeTest {
   @Test
   void aJobRestsWhenItSaysSo() {
     Job job = loop.idle(null);
-    assertFalse(job.isResting());
-    job.setResting(true);
-    assertTrue(job.isResting());
+    assertFalse(job.isDaemon());
+    job.setDaemon(true);
+    assertTrue(job.isDaemon());
   }
 
   @Test
@@ -345,7 +345,7 @@ class JobLifeTest {
     assertEquals(List.of("outer", "outer", "all", "all"), List.of(stopped));
   }
 
-  private static void injectBoth(Job job, Unwinding first, Unwinding second) {
+  private static void injectBoth(Job job, ControlFlowException first, ControlFlowException second) {
     job.inject(first);
     job.inject(second);
   }
@@ -430,7 +430,7 @@ class JobLifeTest {
         self -> {
           String none = self.enterComponent("A.outer");
           String outer = self.enterComponent("B.inner");
-          scheduler.interruptions().want(lobby);
+          scheduler.interruptions().request(lobby);
           self.leaveComponent(outer);
           assertThrows(TagStop.class, () -> self.leaveComponent(none));
           assertNull(self.component());
@@ -449,7 +449,7 @@ class JobLifeTest {
       assertFalse(Thread.currentThread().isInterrupted());
       self.interruptComponent(scheduler.turn());
       assertTrue(Thread.currentThread().isInterrupted());
-      scheduler.interruptions().want(loop.object());
+      scheduler.interruptions().request(loop.object());
       self.leaveComponent(null);
       assertFalse(Thread.currentThread().isInterrupted());
       // What the component has interrupted itself is its own concern.

@@ -39,7 +39,7 @@ class JobThreadsTest {
     assertTrue(TickLoopThread.isAvailable());
     assertTrue(JobThreads.AUTO.factory(inbox) instanceof TickLoopThread.Factory);
     assertTrue(JobThreads.TICK_LOOP.factory(inbox) instanceof TickLoopThread.Factory);
-    assertTrue(JobThreads.BATON.factory(inbox) instanceof BatonThread.Factory);
+    assertTrue(JobThreads.BATON.factory(inbox) instanceof HandoffThread.Factory);
     assertEquals(200_000, new Loop(JobThreads.TICK_LOOP).scheduler.maximumDepth());
     assertEquals(1_000, new Loop(JobThreads.BATON).scheduler.maximumDepth());
   }

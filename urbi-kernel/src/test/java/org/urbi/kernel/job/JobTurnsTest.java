@@ -58,21 +58,21 @@ class JobTurnsTest {
       self.refuseInterruption();
       self.yield();
       self.yieldNow();
-      self.breathe();
+      self.yieldWhileUnwinding();
       assertRefused(Problem.SLEEPS_UNINTERRUPTIBLE, () -> self.sleepUntil(SECOND));
       assertRefused(Problem.WAITS_UNINTERRUPTIBLE, self::waitForWake);
       TagState frozen = new TagState(null);
       frozen.freeze();
       TagScope scope = self.enter(frozen);
       assertTrue(self.isFrozen());
-      assertRefused(Problem.WAITS_UNINTERRUPTIBLE, self::holdIfFrozen);
+      assertRefused(Problem.WAITS_UNINTERRUPTIBLE, self::waitWhileFrozen);
       self.leave(scope);
-      self.holdIfFrozen();
+      self.waitWhileFrozen();
       self.terminate();
       assertThrows(TagStop.class, self::yieldNow);
       self.terminate();
       assertThrows(TagStop.class, self::yield);
-      scheduler.interruptions().wantOverdue(scheduler.turn());
+      scheduler.interruptions().requestOverdue(scheduler.turn());
       assertThrows(TagStop.class, self::yield);
       loop.say("alone");
       self.endNonInterruptible(0);
@@ -130,20 +130,20 @@ class JobTurnsTest {
         scheduler.rootScope(),
         "job",
         self -> {
-          self.breathe();
+          self.yieldWhileUnwinding();
           loop.say("alone");
-          interruptions.want(lobby);
+          interruptions.request(lobby);
           assertThrows(TagStop.class, self::checkInterrupted);
           loop.start(next -> {
             next.checkInterrupted();
             loop.say("other");
           });
-          self.breathe();
+          self.yieldWhileUnwinding();
           loop.say("on");
           loop.machine.now += SECOND;
           assertThrows(TagStop.class, self::checkInterrupted);
           // Even if there is nobody else the turn is another one.
-          self.breathe();
+          self.yieldWhileUnwinding();
           assertThrows(TagStop.class, self::checkInterrupted);
         });
     assertEquals(List.of("alone", "other", "on"), loop.run());
@@ -197,7 +197,7 @@ class JobTurnsTest {
           self.enter(two);
           one.freeze();
           two.freeze();
-          self.holdIfFrozen();
+          self.waitWhileFrozen();
           loop.say("on at " + scheduler.now() / SECOND + " " + self.timeShift() / SECOND);
         });
     loop.start(other -> {
@@ -219,7 +219,7 @@ class JobTurnsTest {
     loop.start(self -> {
       self.sleepUntil(SECOND);
       self.enter(tag);
-      self.holdIfFrozen();
+      self.waitWhileFrozen();
       loop.say("shift " + self.timeShift() / SECOND);
     });
     loop.start(other -> {
@@ -240,7 +240,7 @@ class JobTurnsTest {
       one.freeze();
       loop.clock.now = SECOND;
       self.enter(two);
-      self.holdIfFrozen();
+      self.waitWhileFrozen();
       loop.say("shift " + self.timeShift() / SECOND);
     });
     loop.start(other -> {
@@ -273,7 +273,7 @@ class JobTurnsTest {
           self.enter(frozen);
           frozen.freeze();
           try {
-            self.holdIfFrozen();
+            self.waitWhileFrozen();
           } finally {
             loop.say("left");
           }

@@ -300,12 +300,12 @@ class RunQueueTest {
             inbox,
             new Journal() {
               @Override
-              public boolean counts() {
+              public boolean countsChecks() {
                 return true;
               }
 
               @Override
-              public boolean cuts(int jobs, boolean wanted) {
+              public boolean cutsRound(int jobs, boolean wanted) {
                 asked.add(jobs + " " + wanted);
                 return jobs == 3;
               }

@@ -158,7 +158,7 @@ class SchedulerTimeTest {
     real.scheduler
         .inbox()
         .listenTo(
-            new Listening() {
+            new KernelPoller() {
               @Override
               public Wait begin(long nanoseconds) {
                 waits.add(nanoseconds);
@@ -173,12 +173,12 @@ class SchedulerTimeTest {
               }
 
               @Override
-              public void hear() {
+              public void poll() {
                 real.say("hears");
               }
 
               @Override
-              public void glance(long now) {
+              public void pollIfDue(long now) {
                 real.say("glances");
               }
 
@@ -228,12 +228,12 @@ class SchedulerTimeTest {
         new Loop(
             new Journal() {
               @Override
-              public boolean counts() {
+              public boolean countsChecks() {
                 return true;
               }
 
               @Override
-              public <T> T look(Outcome.Work<T> work) throws IOException {
+              public <T> T query(Outcome.Work<T> work) throws IOException {
                 try {
                   T result = work.run();
                   looks.add(result);
@@ -262,12 +262,12 @@ class SchedulerTimeTest {
     Journal counting =
         new Journal() {
           @Override
-          public boolean counts() {
+          public boolean countsChecks() {
             return true;
           }
 
           @Override
-          public boolean notices(int turns, boolean news) {
+          public boolean yieldsToMessages(int turns, boolean news) {
             asked.add(turns + " " + news);
             return turns == 2;
           }

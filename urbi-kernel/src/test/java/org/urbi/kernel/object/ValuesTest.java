@@ -291,8 +291,8 @@ class ValuesTest {
 
   @Test
   void theSameWorldHasTheSameRandomNumbersAndTheSameOrphans() {
-    assertNotNull(world.randomness());
-    assertSame(world.randomness(), world.randomness());
+    assertNotNull(world.randomNumbers());
+    assertSame(world.randomNumbers(), world.randomNumbers());
     assertSame(world.orphanShape(), world.orphanShape());
     UrbiObject orphan = new UrbiObject(world.orphanShape());
     assertFalse(orphan.isA(values.object));

@@ -67,21 +67,21 @@ class TimeTest {
   /** The first outputs of SplitMix64 for the seed 1234567 are published ones. */
   @Test
   void randomNumbersAreThoseOfThePublishedGenerator() {
-    Randomness randomness = new Randomness();
-    randomness.seed(1_234_567);
+    RandomNumbers randomNumbers = new RandomNumbers();
+    randomNumbers.seed(1_234_567);
     for (long published :
         new long[] {6457827717110365317L, 3203168211198807973L, -8629252141511181193L}) {
-      assertEquals(published >>> 11, (long) randomness.below(0x1p53));
+      assertEquals(published >>> 11, (long) randomNumbers.below(0x1p53));
     }
   }
 
   @ParameterizedTest
   @ValueSource(doubles = {1, 2, 6, 1000, 1e9})
   void randomNumbersAreIntegersFromZeroToLessThanTheirBound(double bound) {
-    Randomness randomness = new Randomness();
+    RandomNumbers randomNumbers = new RandomNumbers();
     double sum = 0;
     for (int i = 0; i < 1000; i++) {
-      double number = randomness.below(bound);
+      double number = randomNumbers.below(bound);
       assertTrue(number >= 0 && number < bound && number == Math.rint(number));
       sum += number;
     }
@@ -90,8 +90,8 @@ class TimeTest {
 
   @Test
   void theSeedAloneDecides() {
-    Randomness one = new Randomness();
-    Randomness two = new Randomness();
+    RandomNumbers one = new RandomNumbers();
+    RandomNumbers two = new RandomNumbers();
     assertEquals(one.below(1e9), two.below(1e9));
     one.seed(7);
     two.seed(7);

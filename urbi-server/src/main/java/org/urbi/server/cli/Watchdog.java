@@ -157,7 +157,7 @@ final class Watchdog {
       if (now - relievedAt > RELIEF || now - tightSince > MAX_RELIEF) {
         giveUp();
       } else if ((relieved == 0 || now - relievedAt >= NEXT_RELIEF) && !isRelieved()) {
-        relieve();
+        evictLargest();
       }
     } catch (Error e) {
       if (clock.now() - tightSince > RELIEF) {
@@ -178,8 +178,8 @@ final class Watchdog {
     }
   }
 
-  private void relieve() throws InterruptedException {
-    String done = kernel.relieve();
+  private void evictLargest() throws InterruptedException {
+    String done = kernel.evictLargest();
     if (!done.isEmpty()) {
       relieved++;
       relievedAt = clock.now();

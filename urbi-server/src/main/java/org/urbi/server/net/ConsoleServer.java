@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.remote.RemotePeer;
-import org.urbi.kernel.remote.RemoteWire;
+import org.urbi.kernel.remote.RemoteTransport;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
 import org.urbi.server.Trace;
@@ -70,7 +70,7 @@ public final class ConsoleServer implements AutoCloseable {
   public ConsoleServer(
       InetSocketAddress address,
       Function<Client, Connection> lobbies,
-      BiFunction<String, RemoteWire, RemotePeer> remotes,
+      BiFunction<String, RemoteTransport, RemotePeer> remotes,
       Limits limits,
       Trace trace)
       throws IOException {
@@ -91,7 +91,7 @@ public final class ConsoleServer implements AutoCloseable {
   public ConsoleServer(
       InetSocketAddress address,
       Function<Client, Connection> lobbies,
-      @Nullable BiFunction<String, RemoteWire, RemotePeer> remotes,
+      @Nullable BiFunction<String, RemoteTransport, RemotePeer> remotes,
       Limits limits,
       AccessPolicy accessPolicy,
       Trace trace)

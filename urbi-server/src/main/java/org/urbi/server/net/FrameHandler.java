@@ -13,9 +13,9 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BiFunction;
 import org.jspecify.annotations.Nullable;
-import org.urbi.kernel.outside.SocketWatch;
+import org.urbi.kernel.outside.SocketSelector;
 import org.urbi.kernel.remote.RemotePeer;
-import org.urbi.kernel.remote.RemoteWire;
+import org.urbi.kernel.remote.RemoteTransport;
 import org.urbi.server.Trace;
 import urbi.rtp.RtpParameters;
 import urbi.rtp.RtpSession;
@@ -29,7 +29,7 @@ import urbi.wire.WireInput;
  * kernel. Its urbiscript code goes on to the lobby of the connection, and what that shows to the
  * process.
  */
-final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
+final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport {
   private static final int HEADER = 4;
   private static final int MAX_AHEAD = 4 << 20;
   private static final int MAX_INPUT = 8 << 20;
@@ -38,7 +38,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
   private static final byte[] PING = {0, 0, 0, 1, Frame.PING};
   private static final byte[] PONG = {0, 0, 0, 1, Frame.PONG};
 
-  private final BiFunction<String, RemoteWire, RemotePeer> peers;
+  private final BiFunction<String, RemoteTransport, RemotePeer> peers;
   private final Trace trace;
   private final DatagramPort port;
   private final AtomicLong unconsumed = new AtomicLong();
@@ -59,7 +59,8 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
    * @param peers makes the kernel's side, of a name for people
    * @param port where datagrams come and go
    */
-  FrameHandler(BiFunction<String, RemoteWire, RemotePeer> peers, DatagramPort port, Trace trace) {
+  FrameHandler(
+      BiFunction<String, RemoteTransport, RemotePeer> peers, DatagramPort port, Trace trace) {
     this.port = port;
     this.peers = peers;
     this.trace = trace;
@@ -194,7 +195,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteWire {
       kernelReads = true;
       reading.unlock();
       attended = true;
-      peer.mayRead(new SocketWatch.Socket(own.bare()));
+      peer.mayRead(new SocketSelector.Socket(own.bare()));
     }
   }
 

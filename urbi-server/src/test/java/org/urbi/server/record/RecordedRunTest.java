@@ -217,9 +217,9 @@ class RecordedRunTest {
     Replayed other =
         replay(
             changed(entry ->
-                entry instanceof Entry.Taken(Message.ConsoleBytes(int to, String bytes))
+                entry instanceof Entry.MessageTaken(Message.ConsoleBytes(int to, String bytes))
                         && bytes.contains("40 + 2")
-                    ? new Entry.Taken(new Message.ConsoleBytes(to, bytes.replace('2', '3')))
+                    ? new Entry.MessageTaken(new Message.ConsoleBytes(to, bytes.replace('2', '3')))
                     : entry));
     assertNotNull(other.difference());
     assertTrue(other.difference().contains("43"), other.difference());

@@ -306,7 +306,7 @@ class RemoteUObjectTest extends RemoteSession {
       return 0;
     }
 
-    public boolean counts() {
+    public boolean countsChecks() {
       return ticks > 3 && updates > 3;
     }
 

@@ -28,7 +28,7 @@ final class BarrierType {
 
   @Builtin(doc = "Waits for a signal, and returns what was sent with it.")
   static UrbiObject wait(Frame frame, CallSite site, UrbiBarrier self) {
-    Activity.note(frame, site);
+    WaitingCall.note(frame, site);
     return self.await(frame.job());
   }
 

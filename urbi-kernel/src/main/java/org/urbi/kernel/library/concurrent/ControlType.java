@@ -60,7 +60,7 @@ public final class ControlType {
       doc = "Waits until an expression is true, as the construct of that name does.")
   static void waitUntil(Frame frame, CallSite site, UrbiObject self) {
     Node condition = site.argumentNodes()[0];
-    new WaitUntil(condition.span(), new Condition.Holds(condition), null).execute(frame);
+    new WaitUntil(condition.span(), new Condition.WhenTrue(condition), null).execute(frame);
   }
 
   /** Starts a job that runs with the variables of a frame and outlives it. */

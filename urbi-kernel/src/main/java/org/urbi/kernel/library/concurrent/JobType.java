@@ -16,7 +16,7 @@ import org.urbi.kernel.library.lobby.LobbyType;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
-import org.urbi.kernel.node.Guard;
+import org.urbi.kernel.node.PermissionCheck;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.tag.UrbiTag;
@@ -103,7 +103,7 @@ public final class JobType {
   @Builtin(doc = "Ends the job.")
   static void terminate(Frame frame, CallSite site, UrbiJob self) {
     if (self.job() != null) {
-      Guard.checkChange(frame, site.calledName(), self.job());
+      PermissionCheck.checkChange(frame, site.calledName(), self.job());
       self.job().terminate();
       if (self.job() == frame.job()) {
         frame.job().checkInjected();
@@ -126,7 +126,7 @@ public final class JobType {
           waiting.wake();
         });
     while (!over[0]) {
-      Activity.note(frame, site);
+      WaitingCall.note(frame, site);
       waiting.waitForWake();
     }
   }
@@ -152,7 +152,7 @@ public final class JobType {
     if (self.job() == null) {
       return List.of();
     }
-    return self.job() == frame.job() ? frame.backtrace() : Activity.backtrace(self.job());
+    return self.job() == frame.job() ? frame.backtrace() : WaitingCall.backtrace(self.job());
   }
 
   @Builtin(doc = "The calls that are going on in the job, innermost first.")

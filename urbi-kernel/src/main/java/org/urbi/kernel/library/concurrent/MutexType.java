@@ -37,7 +37,7 @@ final class MutexType {
 
   @Builtin(doc = "Enters the critical section, until unlock.", needs = Need.CHANGE)
   static void lock(Frame frame, CallSite site, UrbiMutex self) {
-    Activity.note(frame, site);
+    WaitingCall.note(frame, site);
     self.entering(frame);
   }
 

@@ -29,7 +29,7 @@ final class SemaphoreType {
       value = {"acquire", "p"},
       doc = "Enters the critical section, as soon as there is room.")
   static void acquire(Frame frame, CallSite site, UrbiSemaphore self) {
-    Activity.note(frame, site);
+    WaitingCall.note(frame, site);
     self.acquire(frame.job());
   }
 

@@ -23,14 +23,14 @@ final class SubscriberType {
 
   @Builtin(doc = "The oldest value in the queue; waits for one if there is none.")
   static UrbiObject getOne(Frame frame, CallSite site, UrbiSubscriber self) {
-    Activity.note(frame, site);
+    WaitingCall.note(frame, site);
     self.awaitValue(frame.job());
     return self.poll();
   }
 
   @Builtin(doc = "All the values in the queue; waits for one if there is none.")
   static List<UrbiObject> getAll(Frame frame, CallSite site, UrbiSubscriber self) {
-    Activity.note(frame, site);
+    WaitingCall.note(frame, site);
     self.awaitValue(frame.job());
     return self.pollAll();
   }

@@ -95,7 +95,7 @@ public final class TagType {
       needs = Need.CHANGE)
   static void freeze(Frame frame, UrbiTag self) {
     self.state().freeze();
-    frame.job().holdIfFrozen();
+    frame.job().waitWhileFrozen();
   }
 
   @Builtin(doc = "Lets the code under the tag go on.", needs = Need.CHANGE)
@@ -148,19 +148,19 @@ public final class TagType {
   @Builtin(doc = "A tag under this one which tells when code enters it.")
   static UrbiObject begin(Frame frame, UrbiTag self) {
     UrbiTag told = (UrbiTag) self.cloned();
-    enter(frame, told).subscribe(new Teller(self, ": begin"), frame.job());
+    enter(frame, told).subscribe(new EmissionNotifier(self, ": begin"), frame.job());
     return told;
   }
 
   @Builtin(doc = "A tag under this one which tells when code leaves it.")
   static UrbiObject end(Frame frame, UrbiTag self) {
     UrbiTag told = (UrbiTag) self.cloned();
-    leave(frame, told).subscribe(new Teller(self, ": end"), frame.job());
+    leave(frame, told).subscribe(new EmissionNotifier(self, ": end"), frame.job());
     return told;
   }
 
   /** Tells of each emission of an event. */
-  private record Teller(UrbiTag tag, String what) implements Subscription {
+  private record EmissionNotifier(UrbiTag tag, String what) implements Subscription {
     @Override
     public void begin(Emission emission, Job emitter) {
       UrbiObject name = tag.lookup(tag.world().symbol("name"));

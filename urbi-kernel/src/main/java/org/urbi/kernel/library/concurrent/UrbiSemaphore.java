@@ -8,15 +8,15 @@ import org.urbi.kernel.object.UrbiObject;
 
 /** A limit for the number of jobs that use something (manual, "Semaphore"). */
 final class UrbiSemaphore extends UrbiObject {
-  private final Set<Ticket> queue = new LinkedHashSet<>();
+  private final Set<WaitingJob> queue = new LinkedHashSet<>();
   private int free;
 
   /** A job that waits for its turn. */
-  private static final class Ticket {
+  private static final class WaitingJob {
     private final Job job;
     private boolean granted;
 
-    Ticket(Job job) {
+    WaitingJob(Job job) {
       this.job = job;
     }
   }
@@ -41,7 +41,7 @@ final class UrbiSemaphore extends UrbiObject {
       free--;
       return;
     }
-    Ticket ticket = new Ticket(job);
+    WaitingJob ticket = new WaitingJob(job);
     queue.add(ticket);
     boolean entered = false;
     try {
@@ -64,7 +64,7 @@ final class UrbiSemaphore extends UrbiObject {
       free++;
       return;
     }
-    Ticket next = queue.iterator().next();
+    WaitingJob next = queue.iterator().next();
     queue.remove(next);
     next.granted = true;
     next.job.wake();

@@ -9,7 +9,7 @@ import org.urbi.kernel.library.exception.ExceptionTable.Init;
 import org.urbi.kernel.library.exception.ExceptionTable.Shown;
 import org.urbi.kernel.library.lobby.Warnings;
 import org.urbi.kernel.library.object.ObjectType;
-import org.urbi.kernel.library.text.Spelling;
+import org.urbi.kernel.library.text.StringDistance;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -266,7 +266,7 @@ public final class ExceptionTypes {
       return null;
     }
     boolean local = self.lookup(self.world().symbol("local")) != null;
-    Spelling.Guess guess = new Spelling.Guess(name);
+    StringDistance.ClosestName guess = new StringDistance.ClosestName(name);
     for (UrbiObject holder : local ? List.of(object) : ObjectType.allProtos(object)) {
       for (Symbol slot : holder.localSlotNames()) {
         guess.consider(slot.name());

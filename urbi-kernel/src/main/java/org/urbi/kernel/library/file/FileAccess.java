@@ -38,7 +38,7 @@ public final class FileAccess {
   public static UrbiPath path(Frame frame, CallSite site, int place, UrbiObject given) {
     return switch (given) {
       case UrbiPath path when path != anyPath(frame) -> path;
-      case UrbiEntry entry when entry.path() != null -> entry.path();
+      case FileSystemEntry entry when entry.path() != null -> entry.path();
       case UrbiString text -> {
         checkName(frame, site, text.value());
         yield anyPath(frame).sibling(text.value());

@@ -5,7 +5,7 @@ import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
 /** A directory (manual, "Directory"). */
-final class UrbiDirectory extends UrbiEntry {
+final class UrbiDirectory extends FileSystemEntry {
   UrbiDirectory(Shape shape, @Nullable UrbiPath path) {
     super(shape, path);
   }

@@ -5,7 +5,7 @@ import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
 /** A file (manual, "File"). */
-final class UrbiFile extends UrbiEntry {
+final class UrbiFile extends FileSystemEntry {
   UrbiFile(Shape shape, @Nullable UrbiPath path) {
     super(shape, path);
   }

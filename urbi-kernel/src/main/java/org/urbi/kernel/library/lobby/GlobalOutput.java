@@ -5,7 +5,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiTypePart;
-import org.urbi.kernel.lobby.Complaint;
+import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.Lobbies;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.Frame;
@@ -45,6 +45,6 @@ final class GlobalOutput {
 
   @Builtin(doc = "Sends a message to the channel warning.")
   static void warn(Frame frame, UrbiObject self, UrbiObject message) {
-    Complaint.warning(LobbyType.of(frame).output(), frame.interpreter().asString(frame, message));
+    Diagnostics.warning(LobbyType.of(frame).output(), frame.interpreter().asString(frame, message));
   }
 }

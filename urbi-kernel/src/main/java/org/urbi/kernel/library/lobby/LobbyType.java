@@ -16,7 +16,7 @@ import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
-import org.urbi.kernel.node.Guard;
+import org.urbi.kernel.node.PermissionCheck;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
@@ -52,7 +52,7 @@ public final class LobbyType {
   /** Where output goes that others see: a lobby is told nothing in the name of another one. */
   private static Output output(Frame frame, String routine, UrbiObject self) {
     if (self instanceof UrbiLobby lobby && lobby.isInstance()) {
-      Guard.checkChange(frame, routine, lobby);
+      PermissionCheck.checkChange(frame, routine, lobby);
     }
     return output(frame, self);
   }
@@ -146,7 +146,7 @@ public final class LobbyType {
   @Builtin(doc = "Closes the connection.")
   static void quit(Frame frame, UrbiObject self) {
     UrbiLobby lobby = self instanceof UrbiLobby own && own.hasShell() ? own : of(frame);
-    Guard.checkChange(frame, "quit", lobby);
+    PermissionCheck.checkChange(frame, "quit", lobby);
     if (lobby.hasShell()) {
       lobby.shell().close();
     } else {
@@ -189,7 +189,7 @@ public final class LobbyType {
   @Builtin(doc = "Executes text as if the client had sent it.")
   static void receive(Frame frame, UrbiObject self, String value) {
     UrbiLobby lobby = own(frame, self);
-    Guard.checkChange(frame, "receive", lobby);
+    PermissionCheck.checkChange(frame, "receive", lobby);
     Shell shell = lobby.shell();
     if (shell != null) {
       shell.receive(value);

@@ -4,7 +4,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
-import org.urbi.kernel.lobby.Complaint;
+import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.WarningChannel;
 import org.urbi.kernel.node.CallSite;
@@ -24,15 +24,15 @@ public final class Warnings {
   public static void deprecated(Frame caller, CallSite site, String old, @Nullable String other) {
     if (!isOff(caller)) {
       Output output = LobbyType.of(caller).output();
-      Complaint.warning(output, Complaint.place(site.calledSpan()) + deprecation(old, other));
-      Complaint.callersOfWarning(output, caller.backtrace());
+      Diagnostics.warning(output, Diagnostics.place(site.calledSpan()) + deprecation(old, other));
+      Diagnostics.callersOfWarning(output, caller.backtrace());
     }
   }
 
   /** Something is deprecated, wherever it is called. */
   public static void deprecated(Frame caller, String old, String other) {
     if (!isOff(caller)) {
-      Complaint.warning(LobbyType.of(caller).output(), deprecation(old, other));
+      Diagnostics.warning(LobbyType.of(caller).output(), deprecation(old, other));
     }
   }
 
@@ -57,12 +57,12 @@ public final class Warnings {
   private static void tell(
       Frame caller, @Nullable CallSite site, @Nullable Span span, String text) {
     Output output = LobbyType.of(caller).output();
-    Complaint.warning(output, Complaint.place(span) + text);
+    Diagnostics.warning(output, Diagnostics.place(span) + text);
     if (site != null) {
-      Complaint.callersOfWarning(
+      Diagnostics.callersOfWarning(
           output, List.of(new UrbiException.Call(site.calledName(), site.calledSpan())));
     }
-    Complaint.callersOfWarning(output, caller.backtrace());
+    Diagnostics.callersOfWarning(output, caller.backtrace());
   }
 
   private static boolean isOff(Frame caller) {

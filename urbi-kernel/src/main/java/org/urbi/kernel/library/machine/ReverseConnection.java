@@ -33,7 +33,7 @@ final class ReverseConnection {
   UrbiObject reverseConnect(
       Frame frame, CallSite site, UrbiObject self, String host, UrbiObject port) {
     try {
-      Network.Connected made =
+      Network.OpenConnection made =
           Network.connect(
               outside, frame.job(), NativeText.toJava(host), SocketType.port(frame, site, port));
       String address = made.remote().getAddress().getHostAddress();

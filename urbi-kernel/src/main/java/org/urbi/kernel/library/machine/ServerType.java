@@ -57,8 +57,8 @@ final class ServerType {
       throw frame.error(site, Problem.SERVER_LISTENING);
     }
     // Connections may come from now on, until the kernel ends.
-    Mailbox mailbox =
-        new Mailbox(
+    SocketEvents socketEvents =
+        new SocketEvents(
             frame,
             service,
             () -> {
@@ -66,15 +66,15 @@ final class ServerType {
               return event == null || event.hasSubscribers();
             });
     try {
-      Network.Listening place =
+      Network.ListeningSocket place =
           Network.listen(
               outside,
               frame.job(),
               NativeText.toJava(host),
               SocketType.port(frame, site, port),
-              made -> accept(frame, self, service, mailbox, made));
+              made -> accept(frame, self, service, socketEvents, made));
       self.setAddress(place.local());
-      mailbox.open();
+      socketEvents.open();
     } catch (IOException e) {
       throw frame.error(
           site, Problem.REASON, FileAccess.lowered(NativeText.toUrbi(FileAccess.reason(e))));
@@ -85,11 +85,11 @@ final class ServerType {
       Frame frame,
       UrbiServer self,
       UrbiIoService service,
-      Mailbox mailbox,
-      Network.Connected made) {
+      SocketEvents socketEvents,
+      Network.OpenConnection made) {
     UrbiSocket socket = SocketType.socket(frame, service);
-    Mailbox own = socket.connect(frame, made.link(), made.local(), made.remote());
-    mailbox.add(told -> {
+    SocketEvents own = socket.connect(frame, made.link(), made.local(), made.remote());
+    socketEvents.add(told -> {
       self.sockets().add(socket);
       UrbiEvent event = self.connection();
       if (event != null) {

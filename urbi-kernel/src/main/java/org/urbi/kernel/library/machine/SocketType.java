@@ -17,9 +17,9 @@ import org.urbi.kernel.object.UrbiBinary;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
-import org.urbi.kernel.outside.Link;
 import org.urbi.kernel.outside.Network;
 import org.urbi.kernel.outside.Outside;
+import org.urbi.kernel.outside.SocketConnection;
 
 /** Connections over the network (manual, "Socket"). */
 @UrbiType(
@@ -76,7 +76,7 @@ final class SocketType {
   void connect(Frame frame, CallSite site, UrbiSocket self, String host, UrbiObject port) {
     checkUnconnected(frame, site, self);
     try {
-      Network.Connected made =
+      Network.OpenConnection made =
           Network.connect(outside, frame.job(), NativeText.toJava(host), port(frame, site, port));
       connected(frame, self, made.link(), made.local(), made.remote());
     } catch (IOException e) {
@@ -90,7 +90,7 @@ final class SocketType {
     checkUnconnected(frame, site, self);
     UrbiPath path = FileAccess.path(frame, site, 1, device);
     try {
-      Link link = Network.serial(outside, frame.job(), path.file(), baudRate);
+      SocketConnection link = Network.serial(outside, frame.job(), path.file(), baudRate);
       connected(frame, self, link, null, null);
     } catch (IOException e) {
       throw frame.error(site, Problem.REASON, NativeText.toUrbi(FileAccess.reason(e)));
@@ -100,12 +100,12 @@ final class SocketType {
   private static void connected(
       Frame frame,
       UrbiSocket self,
-      Link link,
+      SocketConnection link,
       @Nullable InetSocketAddress local,
       @Nullable InetSocketAddress remote) {
-    Mailbox mailbox = self.connect(frame, link, local, remote);
+    SocketEvents socketEvents = self.connect(frame, link, local, remote);
     self.emit(frame, "connected");
-    mailbox.open();
+    socketEvents.open();
   }
 
   @Builtin(doc = "Closes the connection, as soon as all that was written is sent.")
@@ -166,7 +166,7 @@ final class SocketType {
       Frame frame, CallSite site, UrbiSocket self, UrbiObject data, boolean wait) {
     String bytes =
         data instanceof UrbiBinary binary ? binary.data() : Arguments.text(frame, site, 1, data);
-    Link link = self.link();
+    SocketConnection link = self.link();
     if (link == null) {
       throw frame.error(site, Problem.SOCKET_NOT_CONNECTED);
     }

@@ -9,11 +9,11 @@ import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
- * Looks after sockets and servers (manual, "IoService"): what happens to them waits in a mailbox
- * each until somebody polls. The default service does so by itself.
+ * Looks after sockets and servers (manual, "IoService"): what happens to each of them is kept in a
+ * queue of events until somebody polls. The default service polls by itself.
  */
 final class UrbiIoService extends UrbiObject {
-  private final Set<Mailbox> filled = new LinkedHashSet<>();
+  private final Set<SocketEvents> filled = new LinkedHashSet<>();
   private final Set<Job> polling = new LinkedHashSet<>();
   private final boolean automatic;
   private boolean paused;
@@ -40,28 +40,28 @@ final class UrbiIoService extends UrbiObject {
   void setPaused(boolean value) {
     paused = value;
     if (isAutomatic()) {
-      List.copyOf(filled).forEach(Mailbox::deliverSoon);
+      List.copyOf(filled).forEach(SocketEvents::deliverSoon);
     }
   }
 
-  /** Something waits in a mailbox. */
-  void filled(Mailbox mailbox) {
-    filled.add(mailbox);
+  /** A queue of events is no longer empty. */
+  void filled(SocketEvents events) {
+    filled.add(events);
     if (isAutomatic()) {
-      mailbox.deliverSoon();
+      events.deliverSoon();
     }
     List.copyOf(polling).forEach(Job::wake);
   }
 
   /** Nothing waits there any more. */
-  void emptied(Mailbox mailbox) {
-    filled.remove(mailbox);
+  void emptied(SocketEvents events) {
+    filled.remove(events);
   }
 
   /** Delivers what has come so far. */
   void poll(Job job) {
-    for (Mailbox mailbox : new ArrayList<>(filled)) {
-      mailbox.deliver(job, Integer.MAX_VALUE);
+    for (SocketEvents events : new ArrayList<>(filled)) {
+      events.deliver(job, Integer.MAX_VALUE);
     }
   }
 
@@ -85,8 +85,8 @@ final class UrbiIoService extends UrbiObject {
     try {
       while (true) {
         boolean delivered = false;
-        for (Mailbox mailbox : new ArrayList<>(filled)) {
-          delivered |= mailbox.deliver(job, once ? 1 : Integer.MAX_VALUE);
+        for (SocketEvents events : new ArrayList<>(filled)) {
+          delivered |= events.deliver(job, once ? 1 : Integer.MAX_VALUE);
           if (delivered && once) {
             return;
           }

@@ -11,12 +11,12 @@ import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
-import org.urbi.kernel.outside.Link;
+import org.urbi.kernel.outside.SocketConnection;
 
 /** One end of a connection (manual, "Socket"). */
 final class UrbiSocket extends UrbiObject {
   private @Nullable UrbiIoService service;
-  private @Nullable Link link;
+  private @Nullable SocketConnection link;
   private @Nullable InetSocketAddress local;
   private @Nullable InetSocketAddress remote;
 
@@ -58,7 +58,7 @@ final class UrbiSocket extends UrbiObject {
   }
 
   /** The connection, or null. */
-  @Nullable Link link() {
+  @Nullable SocketConnection link() {
     return link;
   }
 
@@ -76,14 +76,18 @@ final class UrbiSocket extends UrbiObject {
    * @param here its address, or null
    * @param there that of the other end, or null
    */
-  Mailbox connect(
-      Frame frame, Link over, @Nullable InetSocketAddress here, @Nullable InetSocketAddress there) {
+  SocketEvents connect(
+      Frame frame,
+      SocketConnection over,
+      @Nullable InetSocketAddress here,
+      @Nullable InetSocketAddress there) {
     link = over;
     local = here;
     remote = there;
-    Mailbox own = new Mailbox(frame, requireNonNull(service, "it is no prototype"), this::isWanted);
+    SocketEvents own =
+        new SocketEvents(frame, requireNonNull(service, "it is no prototype"), this::isWanted);
     over.open(
-        new Link.Listener() {
+        new SocketConnection.Listener() {
           @Override
           public void received(byte[] bytes) {
             UrbiObject data = world().values().string(NativeText.text(bytes));
@@ -120,7 +124,7 @@ final class UrbiSocket extends UrbiObject {
 
   /** It has no connection any more. */
   void disconnected(Frame frame) {
-    Link was = link;
+    SocketConnection was = link;
     link = null;
     if (was != null) {
       was.close();

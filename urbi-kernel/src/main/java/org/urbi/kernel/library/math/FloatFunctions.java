@@ -125,11 +125,11 @@ final class FloatFunctions {
           .errors()
           .badNumber(site.calledName(), Problem.NEGATIVE, self, Printing.printable(caller, self));
     }
-    return caller.interpreter().world().randomness().below(self.value());
+    return caller.interpreter().world().randomNumbers().below(self.value());
   }
 
   @Builtin(doc = "Makes the target the seed of the random numbers that follow.", needs = Need.USER)
   static void srandom(Frame caller, UrbiFloat self) {
-    caller.interpreter().world().randomness().seed((long) self.value());
+    caller.interpreter().world().randomNumbers().seed((long) self.value());
   }
 }

@@ -16,7 +16,7 @@ import org.urbi.kernel.object.UrbiObject;
  */
 public final class Finalization {
   /** How often to look for an object that the virtual machine has yet to hand over. */
-  private static final long PATIENCE = 10_000_000;
+  private static final long COLLECTION_TIMEOUT = 10_000_000;
 
   private final ConcurrentLinkedQueue<UrbiFinalizable> reclaimed = new ConcurrentLinkedQueue<>();
   private final List<WeakReference<UrbiFinalizable>> alive = new ArrayList<>();
@@ -59,11 +59,11 @@ public final class Finalization {
   /** Waits for that many objects, which the virtual machine hands over from a thread of its own. */
   private List<UrbiFinalizable> take(int count) {
     List<UrbiFinalizable> objects = new ArrayList<>();
-    long patience = PATIENCE;
-    while (objects.size() < count && patience > 0) {
+    long timeout = COLLECTION_TIMEOUT;
+    while (objects.size() < count && timeout > 0) {
       UrbiFinalizable next = reclaimed.poll();
       if (next == null) {
-        patience--;
+        timeout--;
         Thread.onSpinWait();
       } else {
         objects.add(next);

@@ -10,7 +10,7 @@ import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
-import org.urbi.kernel.node.Guard;
+import org.urbi.kernel.node.PermissionCheck;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiFloat;
@@ -109,7 +109,7 @@ public final class ObjectType {
       doc = "A fresh object whose only prototype is the target.")
   static UrbiObject cloneOf(Frame frame, UrbiObject self) {
     UrbiObject made = self.cloned();
-    Guard.keepIfObserved(frame, made);
+    PermissionCheck.claimForObserver(frame, made);
     return made;
   }
 
@@ -118,7 +118,7 @@ public final class ObjectType {
       doc = "A clone, initialized by its method init with these arguments.")
   static UrbiObject newOf(Frame frame, CallSite site, UrbiObject self, UrbiObject... arguments) {
     UrbiObject made = frame.interpreter().send(frame, self, "clone");
-    Guard.keepIfObserved(frame, made);
+    PermissionCheck.claimForObserver(frame, made);
     frame.interpreter().send(frame, site, made, frame.interpreter().symbols().init, arguments);
     return made;
   }
@@ -151,7 +151,7 @@ public final class ObjectType {
   @Builtin(doc = "The list of the prototypes, first looked up first; it may be modified.")
   static UrbiObject protos(Frame frame, UrbiObject self) {
     UrbiList protos = self.world().values().list(Arrays.asList(self.protos()));
-    if (Guard.allowsChange(frame, self)) {
+    if (PermissionCheck.allowsChange(frame, self)) {
       protos.watchContent(() -> self.setProtos(protos.elements().toArray(UrbiObject[]::new)));
     }
     return protos;

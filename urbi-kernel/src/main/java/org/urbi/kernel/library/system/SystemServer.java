@@ -39,14 +39,14 @@ final class SystemServer {
   static final String DIALECT = "2.7.5";
 
   private final CommandLine commandLine;
-  private final KernelEnd kernelEnd;
+  private final ShutdownControl kernelEnd;
   private final Lobbies lobbies;
   private final Outside outside;
   private final Environment environment;
 
   SystemServer(
       CommandLine commandLine,
-      KernelEnd kernelEnd,
+      ShutdownControl kernelEnd,
       Lobbies lobbies,
       Outside outside,
       Environment environment) {

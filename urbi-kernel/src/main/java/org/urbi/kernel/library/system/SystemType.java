@@ -10,9 +10,9 @@ import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.job.Job;
-import org.urbi.kernel.library.concurrent.Activity;
 import org.urbi.kernel.library.concurrent.ControlType;
 import org.urbi.kernel.library.concurrent.JobType;
+import org.urbi.kernel.library.concurrent.WaitingCall;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.LoopJobs;
@@ -22,9 +22,9 @@ import org.urbi.kernel.object.UrbiObject;
 /** The server (manual, "System"). */
 @UrbiType(value = "System", doc = "The server on which the code runs.", needs = Need.NOTHING)
 final class SystemType {
-  private final KernelEnd kernelEnd;
+  private final ShutdownControl kernelEnd;
 
-  SystemType(KernelEnd kernelEnd) {
+  SystemType(ShutdownControl kernelEnd) {
     this.kernelEnd = kernelEnd;
   }
 
@@ -32,7 +32,7 @@ final class SystemType {
   static void sleep(
       Frame frame, CallSite site, UrbiObject self, @Optional @Nullable Double duration) {
     Job job = frame.job();
-    Activity.note(frame, site);
+    WaitingCall.note(frame, site);
     if (duration == null || duration == Double.POSITIVE_INFINITY) {
       job.waitForWake();
       return;

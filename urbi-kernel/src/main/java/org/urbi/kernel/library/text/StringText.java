@@ -132,7 +132,7 @@ final class StringText {
 
   @Builtin(doc = "How many edits (Damerau-Levenshtein) make other of the target.")
   static int distance(Frame caller, UrbiString self, String other) {
-    return Spelling.distance(self.value(), other, caller.job()::checkInterrupted);
+    return StringDistance.distance(self.value(), other, caller.job()::checkInterrupted);
   }
 
   @Builtin(doc = "The most alike of a list of strings; nil if none is much alike.")
@@ -141,7 +141,8 @@ final class StringText {
     for (UrbiObject one : set.elements()) {
       candidates.add(Arguments.text(caller, site, 1, one));
     }
-    String closest = Spelling.closest(self.value(), candidates, caller.job()::checkInterrupted);
+    String closest =
+        StringDistance.closest(self.value(), candidates, caller.job()::checkInterrupted);
     return closest == null
         ? caller.interpreter().world().values().nil
         : StringType.string(caller, closest);

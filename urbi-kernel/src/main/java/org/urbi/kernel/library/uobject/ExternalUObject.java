@@ -11,7 +11,7 @@ import org.urbi.kernel.external.ValueText;
 import org.urbi.kernel.library.lobby.LobbyType;
 import org.urbi.kernel.library.system.Evaluation;
 import org.urbi.kernel.library.text.NativeText;
-import org.urbi.kernel.lobby.Complaint;
+import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -59,7 +59,7 @@ final class ExternalUObject {
       answer = ValueText.of(objects.toJava("syncGet", value));
     } catch (UrbiException e) {
       String text = frame.interpreter().asString(frame, e.value());
-      answer = Complaint.marked(text.replace('\n', ' '));
+      answer = Diagnostics.marked(text.replace('\n', ' '));
     }
     lobby.output().send(tag, answer);
   }

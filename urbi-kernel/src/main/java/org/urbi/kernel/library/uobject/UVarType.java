@@ -7,7 +7,7 @@ import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.external.ExternalProcess;
 import org.urbi.kernel.library.lobby.LobbyType;
 import org.urbi.kernel.node.Frame;
-import org.urbi.kernel.node.Guard;
+import org.urbi.kernel.node.PermissionCheck;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
@@ -46,7 +46,7 @@ final class UVarType {
   }
 
   private void bind(Frame frame, String routine, UrbiUVar self, UrbiObject owner, String name) {
-    Guard.checkChange(frame, routine, owner);
+    PermissionCheck.checkChange(frame, routine, owner);
     Symbol slot = self.world().symbol(name);
     UrbiObject hooked = self.lookup(self.world().symbol("hookChanged"));
     self.bind(

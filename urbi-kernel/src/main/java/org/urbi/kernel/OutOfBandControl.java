@@ -1,0 +1,149 @@
+package org.urbi.kernel;
+
+import java.util.Map;
+import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.job.HoldWatchdog;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Scheduler;
+
+/**
+ * Requests that other threads answer while a job holds the kernel, when the kernel's own thread
+ * cannot.
+ */
+final class OutOfBandControl {
+  /**
+   * A job that has held the kernel for less than this, in nanoseconds, is not considered to hold
+   * it.
+   */
+  private static final long SHORTEST_HOLD = 100_000_000;
+
+  /** How many calls of a stack are shown. */
+  private static final int MOST_CALLS = 40;
+
+  private final Scheduler scheduler;
+  private final Map<String, KernelConnection> connections = new ConcurrentSkipListMap<>();
+  private final LobbyGrowth growth;
+  private @Nullable TimeBudgetMonitor shares;
+  private @Nullable KernelConnection evicted;
+  private volatile @Nullable HoldWatchdog watch;
+
+  OutOfBandControl(Scheduler scheduler) {
+    this.scheduler = scheduler;
+    this.growth = new LobbyGrowth(scheduler.meter(), connections.values());
+  }
+
+  void setWatch(@Nullable HoldWatchdog who) {
+    watch = who;
+  }
+
+  void add(KernelConnection connection) {
+    connections.put(connection.lobby().name(), connection);
+  }
+
+  void remove(KernelConnection connection) {
+    connections.values().remove(connection);
+  }
+
+  /** Does what {@link Connection#interrupt(String)} promises. */
+  String interrupt(String lobby) {
+    return lobby.isEmpty() ? interruptHolder() : interruptLobby(lobby);
+  }
+
+  /** For how long a job has held the kernel, in nanoseconds. */
+  long heldFor() {
+    HoldWatchdog who = watch;
+    return who == null ? 0 : who.heldFor();
+  }
+
+  /** What holds the kernel, and where in Java it is, innermost call first. */
+  String holder() {
+    Job job = scheduler.running();
+    if (job == null) {
+      return Problem.NOBODY_HOLDS.text();
+    }
+    StringBuilder text = new StringBuilder(HoldLimit.described(job, job.component()));
+    StackTraceElement[] calls = job.stackTrace();
+    for (int i = 0; i < Math.min(calls.length, MOST_CALLS); i++) {
+      text.append("\n    at ").append(calls[i]);
+    }
+    return text.toString();
+  }
+
+  /** Says whether memory is scarce; to be called several times a second. */
+  void memoryScarce(boolean scarce) {
+    if (scarce) {
+      growth.measure();
+    } else {
+      growth.forget();
+    }
+  }
+
+  /**
+   * Ends the jobs of the lobby that has grown most, and tells its client. If that was not enough,
+   * the next call disconnects that client, which frees the lobby's objects; the one after that
+   * turns to the next lobby.
+   *
+   * @return what was done, for people; empty when nobody is left
+   */
+  String evictLargest() throws InterruptedException {
+    KernelConnection before = evicted;
+    if (before != null && connections.containsValue(before) && !before.stays()) {
+      evicted = null;
+      before.close();
+      return "letting " + HoldLimit.described(before.lobby()) + " go";
+    }
+    evicted = growth.next();
+    if (evicted == null) {
+      return "";
+    }
+    evicted.evict(Problem.MEMORY_EXHAUSTED.text());
+    return "ending what is done for " + HoldLimit.described(evicted.lobby());
+  }
+
+  /**
+   * Starts to measure the time of lobbies: one of them has a limited share of the kernel's time.
+   */
+  void watchTime() {
+    if (shares == null) {
+      shares = new TimeBudgetMonitor(scheduler.meter(), connections.values());
+      shares.start();
+    }
+  }
+
+  /** The kernel has ended. */
+  void end() {
+    if (shares != null) {
+      shares.stop();
+    }
+  }
+
+  private String interruptHolder() {
+    HoldWatchdog who = watch;
+    Job job = scheduler.running();
+    long held = who == null ? 0 : who.heldFor();
+    if (who == null || held < SHORTEST_HOLD || job == null) {
+      return Problem.NOBODY_HOLDS.text();
+    }
+    String told =
+        Problem.INTERRUPTED_HOLDER.text(
+            HoldLimit.described(job, job.component()), held / 100_000_000 / 10.0);
+    who.interrupt();
+    return told;
+  }
+
+  private String interruptLobby(String lobby) {
+    KernelConnection connection = connections.get(lobby);
+    if (connection == null) {
+      return Problem.NO_SUCH_LOBBY.text(
+          lobby,
+          connections.values().stream()
+              .map(each -> HoldLimit.described(each.lobby()))
+              .collect(Collectors.joining(", ")));
+    }
+    connection.interrupt();
+    return Problem.INTERRUPTED_LOBBY.text(HoldLimit.described(connection.lobby()));
+  }
+}

@@ -1,0 +1,130 @@
+package org.urbi.kernel.event;
+
+import java.util.LinkedHashSet;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.object.Dependencies;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
+
+/**
+ * An expression that is evaluated again each time something changes that it read when it was last
+ * evaluated: a slot, a variable, the content of a container. It never polls.
+ */
+final class ExpressionWatcher implements Dependencies.Watcher {
+  /** Told of each new value. */
+  interface Listener {
+    /**
+     * The expression has a new value.
+     *
+     * @param evaluator the job which caused the change and in which it was evaluated
+     */
+    void evaluated(UrbiObject value, Job evaluator);
+  }
+
+  private final Frame home;
+  private final Node expression;
+  private final UrbiObject lobby;
+  private final Listener listener;
+  private Set<Dependencies> sources = new LinkedHashSet<>();
+  private @Nullable Job evaluator;
+  private boolean again;
+  private boolean closed;
+
+  ExpressionWatcher(Frame home, Node expression, Listener listener) {
+    this.home = home;
+    this.expression = expression;
+    this.lobby = home.job().lobby();
+    this.listener = listener;
+  }
+
+  /** Evaluates the expression, and watches what it reads from now on. */
+  UrbiObject evaluate(Job job) {
+    World world = home.interpreter().world();
+    Set<Dependencies> old = sources;
+    Set<Dependencies> read = new LinkedHashSet<>();
+    Dependencies.Tracker outer = world.tracker;
+    world.tracker = read::add;
+    evaluator = job;
+    try {
+      return job.doFor(lobby, () -> expression.execute(home.in(job)));
+    } finally {
+      evaluator = null;
+      world.tracker = outer;
+      sources = read;
+      if (closed) {
+        forget(old);
+        forget(read);
+      } else {
+        for (Dependencies source : read) {
+          if (!old.remove(source)) {
+            source.add(this);
+          }
+        }
+        forget(old);
+      }
+    }
+  }
+
+  private void forget(Set<Dependencies> abandoned) {
+    for (Dependencies source : abandoned) {
+      source.remove(this);
+    }
+  }
+
+  @Override
+  public void invalidated() {
+    if (closed) {
+      return;
+    }
+    Scheduler scheduler = home.job().scheduler();
+    Job running = scheduler.running();
+    if (evaluator != null) {
+      // Others change what the expression reads: once more when it is done. What it changes itself
+      // does not count.
+      again |= running != evaluator;
+      return;
+    }
+    if (running == null) {
+      scheduler.startDetached(lobby, scheduler.rootScope(), "watch", this::evaluateAgain);
+    } else {
+      evaluateAgain(running);
+    }
+  }
+
+  private void evaluateAgain(Job job) {
+    // A condition that feeds itself is not followed for ever.
+    for (int rounds = 0; rounds < 100 && !closed; rounds++) {
+      again = false;
+      UrbiObject value;
+      World world = home.interpreter().world();
+      Dependencies.Tracker outer = world.tracker;
+      world.tracker = null;
+      try {
+        value = evaluate(job);
+        if (!closed) {
+          listener.evaluated(value, job);
+        }
+      } catch (UrbiException e) {
+        home.interpreter().report(home.job(), e);
+      } finally {
+        world.tracker = outer;
+      }
+      if (!again) {
+        return;
+      }
+    }
+  }
+
+  /** Watches no more. */
+  void close() {
+    closed = true;
+    forget(sources);
+    sources.clear();
+  }
+}

@@ -1,0 +1,112 @@
+package org.urbi.kernel.job;
+
+import static java.util.Objects.requireNonNull;
+
+import java.util.concurrent.locks.LockSupport;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.message.Message;
+
+/**
+ * A job on a virtual thread of the JDK's own scheduler: loop and job pass a baton, and whoever does
+ * not have it is parked. For programs that embed the kernel without opening {@code java.lang}.
+ */
+final class HandoffThread implements JobThread {
+  private final Factory factory;
+  private final Job job;
+  private @Nullable Thread thread;
+  private volatile boolean jobHasBaton;
+
+  private HandoffThread(Factory factory, Job job) {
+    this.factory = factory;
+    this.job = job;
+  }
+
+  @Override
+  public void resume() {
+    jobHasBaton = true;
+    if (thread == null) {
+      thread = Thread.ofVirtual().unstarted(this::run);
+      thread.start();
+    } else {
+      LockSupport.unpark(thread);
+    }
+    while (jobHasBaton) {
+      LockSupport.park(this);
+    }
+  }
+
+  private void run() {
+    try {
+      job.run();
+    } finally {
+      giveBack();
+    }
+  }
+
+  private void giveBack() {
+    jobHasBaton = false;
+    LockSupport.unpark(factory.loop);
+  }
+
+  @Override
+  public void suspend() {
+    giveBack();
+    while (!jobHasBaton) {
+      LockSupport.park(this);
+    }
+  }
+
+  private Thread running() {
+    return requireNonNull(thread, "it runs already");
+  }
+
+  @Override
+  public void interrupt() {
+    running().interrupt();
+  }
+
+  @Override
+  public StackTraceElement[] stackTrace() {
+    return running().getStackTrace();
+  }
+
+  @Override
+  public boolean isCurrent() {
+    return Thread.currentThread() == thread;
+  }
+
+  /** Makes the threads of one kernel. */
+  static final class Factory implements JobThread.Factory {
+    /** The stack of a virtual thread of the JDK is limited by that of its carrier. */
+    private static final int MAXIMUM_DEPTH = 1_000;
+
+    private volatile @Nullable Thread loop;
+
+    @Override
+    public JobThread create(Job job) {
+      return new HandoffThread(this, job);
+    }
+
+    @Override
+    public Thread startLoop(Runnable body) {
+      // Virtual as well: a platform thread would take six times as long to hand over.
+      Thread thread = Thread.ofVirtual().name("urbi-kernel").unstarted(body);
+      loop = thread;
+      thread.start();
+      return thread;
+    }
+
+    /** Never: the loop waits with the job. */
+    @Override
+    public void take(Message message) {}
+
+    /** No job waits inside Java then: the loop would have waited with it. */
+    @Override
+    public void loopEnded() {}
+
+    @Override
+    public int maximumDepth() {
+      return MAXIMUM_DEPTH;
+    }
+  }
+}

@@ -1,0 +1,119 @@
+package org.urbi.kernel.library.machine;
+
+import java.util.ArrayDeque;
+import java.util.function.BooleanSupplier;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.FrameLayout;
+import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.object.UrbiObject;
+
+/** What has happened to one socket or server, and has not been told yet; on the kernel thread. */
+final class SocketEvents {
+  /** Something to be told, with a frame to call urbiscript from. */
+  interface SocketEvent {
+    void tell(Frame frame);
+  }
+
+  /** How long the first news wait for somebody who wants them, in steps of nanoseconds. */
+  private static final long LISTENER_WAIT = 5_000_000;
+
+  private static final int STEPS = 20;
+
+  private final Interpreter interpreter;
+  private final UrbiIoService service;
+  private final UrbiObject lobby;
+  private final BooleanSupplier wanted;
+  private final ArrayDeque<SocketEvent> events = new ArrayDeque<>();
+  private boolean open;
+  private boolean fresh = true;
+  private boolean delivering;
+
+  /**
+   * @param wanted whether somebody listens
+   */
+  SocketEvents(Frame frame, UrbiIoService service, BooleanSupplier wanted) {
+    this.interpreter = frame.interpreter();
+    this.service = service;
+    this.lobby = frame.job().lobby();
+    this.wanted = wanted;
+  }
+
+  /** From now on events may be delivered. */
+  void open() {
+    open = true;
+    announce();
+  }
+
+  void add(SocketEvent event) {
+    events.add(event);
+    announce();
+  }
+
+  private void announce() {
+    if (open && !events.isEmpty()) {
+      service.filled(this);
+    }
+  }
+
+  /** Delivers what is there in a job of its own, unless that is being done. */
+  void deliverSoon() {
+    if (!delivering) {
+      delivering = true;
+      interpreter
+          .scheduler()
+          .startDetached(
+              lobby,
+              interpreter.scheduler().rootScope(),
+              "socket",
+              job -> {
+                try {
+                  awaitListener(job);
+                  tellAll(job, Integer.MAX_VALUE);
+                } finally {
+                  delivering = false;
+                  announce();
+                }
+              });
+    }
+  }
+
+  /** Code that has just got the socket needs a moment to begin to listen. */
+  private void awaitListener(Job job) {
+    for (int i = 0; i < STEPS && fresh && !wanted.getAsBoolean(); i++) {
+      job.sleepUntil(job.scheduler().now() + LISTENER_WAIT);
+    }
+    fresh = false;
+  }
+
+  /** Delivers at most so many events; returns whether there were any. */
+  boolean deliver(Job job, int maximum) {
+    if (delivering || events.isEmpty()) {
+      return false;
+    }
+    delivering = true;
+    try {
+      tellAll(job, maximum);
+    } finally {
+      delivering = false;
+      announce();
+    }
+    return true;
+  }
+
+  private void tellAll(Job job, int maximum) {
+    Frame frame = Frame.top(interpreter, job, lobby, new FrameLayout());
+    for (int i = 0; i < maximum && !events.isEmpty(); i++) {
+      SocketEvent event = events.poll();
+      if (events.isEmpty()) {
+        service.emptied(this);
+      }
+      try {
+        event.tell(frame);
+      } catch (UrbiException e) {
+        interpreter.report(job, e);
+      }
+    }
+  }
+}

@@ -1,0 +1,127 @@
+package org.urbi.kernel.library.text;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** How alike words are (manual, "String.distance", "String.closest"). */
+public final class StringDistance {
+  private static final int MOST_EDITS = 2;
+  private static final int SHORT_WORD = 3;
+
+  /** Nobody mistypes what is longer. */
+  private static final int LONGEST_NAME = 100;
+
+  private StringDistance() {}
+
+  /**
+   * The number of insertions, deletions, substitutions and transpositions of neighbours that make
+   * one word of the other.
+   *
+   * @param onRow called now and then: long words take long
+   */
+  static int distance(String from, String to, Runnable onRow) {
+    int[] before = new int[to.length() + 1];
+    int[] previous = new int[to.length() + 1];
+    int[] current = new int[to.length() + 1];
+    for (int j = 0; j <= to.length(); j++) {
+      previous[j] = j;
+    }
+    for (int i = 1; i <= from.length(); i++) {
+      onRow.run();
+      current[0] = i;
+      for (int j = 1; j <= to.length(); j++) {
+        int cost = from.charAt(i - 1) == to.charAt(j - 1) ? 0 : 1;
+        int best = Math.min(Math.min(current[j - 1], previous[j]) + 1, previous[j - 1] + cost);
+        if (i > 1
+            && j > 1
+            && from.charAt(i - 1) == to.charAt(j - 2)
+            && from.charAt(i - 2) == to.charAt(j - 1)) {
+          best = Math.min(best, before[j - 2] + 1);
+        }
+        current[j] = best;
+      }
+      int[] oldest = before;
+      before = previous;
+      previous = current;
+      current = oldest;
+    }
+    return previous[to.length()];
+  }
+
+  /** The first of the most alike candidates; null when none is worth a suggestion. */
+  static @Nullable String closest(String word, List<String> candidates, Runnable onRow) {
+    String closest = null;
+    int least = Integer.MAX_VALUE;
+    for (String candidate : candidates) {
+      int longest = Math.max(word.length(), candidate.length());
+      boolean letter = Math.min(word.length(), candidate.length()) < 2;
+      int most = letter ? 1 : 1 + Math.max(2, 2 * (longest / 3));
+      if (2 * Math.abs(word.length() - candidate.length()) > most) {
+        continue;
+      }
+      // The case of letters counts little.
+      int edits =
+          2 * distance(Characters.lower(word), Characters.lower(candidate), onRow)
+              + (word.equals(candidate) ? 0 : 1);
+      if (edits < least && edits <= most) {
+        least = edits;
+        closest = candidate;
+      }
+    }
+    return closest;
+  }
+
+  /**
+   * What somebody may have meant by a name: of the candidates that are most alike, with two
+   * mistakes at most, the last in the order of the alphabet (names with a dollar come after all
+   * others). The case of letters counts for nothing, unless it is all that differs.
+   */
+  public static final class ClosestName {
+    private final String name;
+    private final String lower;
+    private final boolean open;
+    private boolean known;
+    private int least = MOST_EDITS + 1;
+    private @Nullable String meant;
+
+    public ClosestName(String name) {
+      this.name = name;
+      this.lower = Characters.lower(name);
+      this.open = name.length() <= LONGEST_NAME;
+    }
+
+    /** May be it, too; in whatever order. */
+    public void consider(String candidate) {
+      if (!open || known) {
+        return;
+      }
+      int shorter = Math.min(name.length(), candidate.length());
+      int most = shorter < 2 ? 0 : shorter < SHORT_WORD ? 1 : MOST_EDITS;
+      if (Math.abs(candidate.length() - name.length()) > most) {
+        return;
+      }
+      if (candidate.equals(name)) {
+        known = true;
+        return;
+      }
+      int edits = Math.max(1, distance(lower, Characters.lower(candidate), () -> {}));
+      if (edits <= most && (edits < least || edits == least && isAfter(candidate, meant))) {
+        meant = candidate;
+        least = edits;
+      }
+    }
+
+    private static boolean isAfter(String one, @Nullable String other) {
+      if (other == null) {
+        return true;
+      }
+      boolean dollar = one.startsWith("$");
+      return dollar == other.startsWith("$") ? one.compareTo(other) > 0 : dollar;
+    }
+
+    /** The name that was meant; null when there is none, or there is one of just that name. */
+    public @Nullable String meant() {
+      return known ? null : meant;
+    }
+  }
+}

@@ -1,0 +1,119 @@
+package org.urbi.kernel.node;
+
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Span;
+
+/** {@code target.name(arguments)}: finds the slot, and calls it if it is a function. */
+public final class MessageSend extends Node implements CallSite {
+  private static final Node[] NONE = {};
+
+  private final @Nullable Node target;
+  private final Node[] arguments;
+  private final SlotLookup lookup;
+
+  /**
+   * @param target null for {@code this}
+   * @param arguments null when there are no parentheses
+   */
+  public MessageSend(
+      Span span, SlotLookup lookup, @Nullable Node target, Node @Nullable [] arguments) {
+    super(span);
+    this.lookup = lookup;
+    this.target = target;
+    this.arguments = arguments == null ? NONE : arguments;
+  }
+
+  Symbol name() {
+    return lookup.name();
+  }
+
+  @Override
+  public String calledName() {
+    return lookup.name().name();
+  }
+
+  @Override
+  public Span calledSpan() {
+    return span();
+  }
+
+  @Override
+  public Node[] argumentNodes() {
+    return arguments;
+  }
+
+  @Override
+  public UrbiObject execute(Frame frame) {
+    return sendTo(frame, target == null ? frame.self : target.execute(frame));
+  }
+
+  /** Sends the message to a target that has been evaluated. */
+  UrbiObject sendTo(Frame frame, UrbiObject receiver) {
+    try {
+      UrbiObject value = lookup.find(frame, receiver);
+      if (value instanceof Code code) {
+        return Calls.call(frame, this, code, receiver, arguments);
+      }
+      if (value == null) {
+        return Calls.fallback(frame, this, receiver, name(), arguments);
+      }
+      return Calls.plain(frame, this, value, receiver, arguments);
+    } catch (UrbiException e) {
+      throw frame.located(e, span());
+    }
+  }
+
+  /** Sends the message with an argument that has been evaluated, too. */
+  UrbiObject sendTo(Frame frame, UrbiObject receiver, UrbiObject argument) {
+    try {
+      frame.interpreter.notVoid(argument);
+      return frame.interpreter.send(frame, this, receiver, name(), argument);
+    } catch (UrbiException e) {
+      throw frame.located(e, span());
+    }
+  }
+
+  /** A local variable called as a function, on the current target. */
+  public static final class OfLocal extends Node implements CallSite {
+    private final String name;
+    private final Node variable;
+    private final Node[] arguments;
+
+    public OfLocal(Span span, String name, Node variable, Node[] arguments) {
+      super(span);
+      this.name = name;
+      this.variable = variable;
+      this.arguments = arguments;
+    }
+
+    @Override
+    public String calledName() {
+      return name;
+    }
+
+    @Override
+    public Span calledSpan() {
+      return span();
+    }
+
+    @Override
+    public Node[] argumentNodes() {
+      return arguments;
+    }
+
+    @Override
+    public UrbiObject execute(Frame frame) {
+      try {
+        UrbiObject value = variable.execute(frame);
+        return value instanceof Code code
+            ? Calls.call(frame, this, code, frame.self, arguments)
+            : Calls.plain(frame, this, value, frame.self, arguments);
+      } catch (UrbiException e) {
+        throw frame.located(e, span());
+      }
+    }
+  }
+}

@@ -1,0 +1,35 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.job.ControlFlowException;
+import org.urbi.kernel.object.UrbiObject;
+
+/**
+ * {@code return}, {@code break} and {@code continue} where they cannot be seen by the statements
+ * around: inside an expression, or in another job than the code that they leave.
+ */
+abstract class NonLocalExit extends ControlFlowException {
+  /** Leaves a function. */
+  static final class Return extends NonLocalExit {
+    private final transient Object activation;
+    private final transient UrbiObject value;
+
+    Return(Object activation, UrbiObject value) {
+      this.activation = activation;
+      this.value = value;
+    }
+
+    Object activation() {
+      return activation;
+    }
+
+    UrbiObject value() {
+      return value;
+    }
+  }
+
+  /** Leaves the innermost loop. */
+  static final class Break extends NonLocalExit {}
+
+  /** Leaves this turn of the innermost loop. */
+  static final class Continue extends NonLocalExit {}
+}

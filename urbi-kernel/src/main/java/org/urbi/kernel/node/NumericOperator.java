@@ -1,0 +1,163 @@
+package org.urbi.kernel.node;
+
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiFloat;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Values;
+import org.urbi.lang.source.Span;
+
+/**
+ * An operator between two operands. It is a message like any other; but when both are plain numbers
+ * and nobody has redefined the operator of numbers, it is computed here.
+ *
+ * <p>The kinds are told apart by a switch, not by subclasses: a call which all operators share
+ * would be megamorphic, and cost more than what it computes.
+ */
+public final class NumericOperator extends Node {
+  private static final int ADD = 0;
+  private static final int SUBTRACT = 1;
+  private static final int MULTIPLY = 2;
+  private static final int LESS = 3;
+  private static final int LESS_OR_EQUAL = 4;
+  private static final int GREATER = 5;
+  private static final int GREATER_OR_EQUAL = 6;
+  private static final int EQUAL = 7;
+  private static final int DIFFERENT = 8;
+
+  private final int kind;
+  private final Node left;
+  private final Node right;
+  private final MessageSend message;
+  private final Values values;
+  private final Symbol name;
+  private final @Nullable UrbiObject original;
+  private int intactEpoch = -1;
+
+  /** The index of a left operand that is a plain local variable, or -1. */
+  private final int local;
+
+  /** The value of a right operand that is a literal, which needs no object then; or NaN. */
+  private final double literal;
+
+  private NumericOperator(
+      Span span,
+      int kind,
+      Node left,
+      Node right,
+      MessageSend message,
+      Values values,
+      @Nullable UrbiObject original) {
+    super(span);
+    this.kind = kind;
+    this.left = left;
+    this.right = right;
+    this.message = message;
+    this.name = message.name();
+    this.values = values;
+    this.original = original;
+    this.local = left instanceof Variables.Local variable ? variable.index() : -1;
+    this.literal = right instanceof Literals.Number number ? number.value() : Double.NaN;
+  }
+
+  /** The operator of that name computed in place, or null if there is no such. */
+  public static @Nullable Node make(
+      Span span, Node left, Node right, MessageSend message, Interpreter interpreter) {
+    UrbiObject original = interpreter.operatorOfNumbers(message.name());
+    int kind = original == null ? -1 : kind(message.name().name());
+    return kind < 0
+        ? null
+        : new NumericOperator(span, kind, left, right, message, interpreter.values(), original);
+  }
+
+  private static int kind(String name) {
+    return switch (name) {
+      case "+" -> ADD;
+      case "-" -> SUBTRACT;
+      case "*" -> MULTIPLY;
+      case "<" -> LESS;
+      case "<=" -> LESS_OR_EQUAL;
+      case ">" -> GREATER;
+      case ">=" -> GREATER_OR_EQUAL;
+      case "==" -> EQUAL;
+      case "!=" -> DIFFERENT;
+      default -> -1;
+    };
+  }
+
+  @Override
+  public UrbiObject execute(Frame frame) {
+    UrbiObject a = leftValue(frame);
+    if (a instanceof UrbiFloat x && a.shape() == values.floatShape && isIntact()) {
+      if (!Double.isNaN(literal)) {
+        return compute(x.value(), literal);
+      }
+      UrbiObject b = right.execute(frame);
+      if (b instanceof UrbiFloat y && b.shape() == values.floatShape) {
+        return compute(x.value(), y.value());
+      }
+      return message.sendTo(frame, a, b);
+    }
+    return message.sendTo(frame, a);
+  }
+
+  /** A comparison needs no Boolean object to be a condition. */
+  @Override
+  public boolean test(Frame frame) {
+    if (kind < LESS) {
+      return super.test(frame);
+    }
+    UrbiObject a = leftValue(frame);
+    if (a instanceof UrbiFloat x && a.shape() == values.floatShape && isIntact()) {
+      if (!Double.isNaN(literal)) {
+        return holds(x.value(), literal);
+      }
+      UrbiObject b = right.execute(frame);
+      if (b instanceof UrbiFloat y && b.shape() == values.floatShape) {
+        return holds(x.value(), y.value());
+      }
+      return Truth.of(frame, message.sendTo(frame, a, b));
+    }
+    return Truth.of(frame, message.sendTo(frame, a));
+  }
+
+  /** The left operand; a local variable is read here, which spares a call. */
+  private UrbiObject leftValue(Frame frame) {
+    if (local >= 0 && frame.locals[local] instanceof UrbiFloat number) {
+      return number;
+    }
+    return left.execute(frame);
+  }
+
+  private UrbiObject compute(double a, double b) {
+    return switch (kind) {
+      case ADD -> values.number(a + b);
+      case SUBTRACT -> values.number(a - b);
+      case MULTIPLY -> values.number(a * b);
+      default -> values.bool(holds(a, b));
+    };
+  }
+
+  private boolean holds(double a, double b) {
+    return switch (kind) {
+      case LESS -> a < b;
+      case LESS_OR_EQUAL -> a <= b;
+      case GREATER -> a > b;
+      case GREATER_OR_EQUAL -> a >= b;
+      case EQUAL -> a == b;
+      default -> a != b;
+    };
+  }
+
+  /** Whether the operator of numbers is the one of the library. */
+  private boolean isIntact() {
+    int epoch = name.epoch();
+    if (epoch != intactEpoch) {
+      if (values.floatProto.world().profiled || values.floatProto.lookup(name) != original) {
+        return false;
+      }
+      intactEpoch = values.floatProto.world().remember(name);
+    }
+    return true;
+  }
+}

@@ -1,0 +1,72 @@
+package org.urbi.kernel.node;
+
+import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.trust.Role;
+
+/** Keeps code from what the lobby for which it runs may not do. */
+public final class PermissionCheck {
+  private PermissionCheck() {}
+
+  /** Whether the caller may change an object: its slots, its prototypes, its content. */
+  public static boolean allowsChange(Frame caller, UrbiObject target) {
+    return allowsChange(caller.job, target);
+  }
+
+  /** Whether a job may change an object: its slots, its prototypes, its content. */
+  static boolean allowsChange(Job job, UrbiObject target) {
+    if (job.isOwner()) {
+      return true;
+    }
+    UrbiObject ownerLobby = target.ownerLobby();
+    return ownerLobby == null ? job.role() == Role.USER : ownerLobby == job.lobby();
+  }
+
+  /**
+   * Refuses to change an object if the job of the caller may not.
+   *
+   * @param routine what would change it
+   */
+  public static void checkChange(Frame caller, String routine, UrbiObject target) {
+    if (allowsChange(caller.job, target)) {
+      return;
+    }
+    UrbiObject ownerLobby = target.ownerLobby();
+    if (ownerLobby == null) {
+      throw refused(caller, routine, Problem.CHANGES_FOREIGN, Role.USER);
+    }
+    boolean systems = ownerLobby == caller.interpreter.values().object;
+    throw refused(
+        caller, routine, systems ? Problem.CHANGES_SYSTEM : Problem.CHANGES_LOBBY, Role.OWNER);
+  }
+
+  /** Refuses to touch a job, unless it runs for the lobby of the caller. */
+  public static void checkChange(Frame caller, String routine, Job target) {
+    if (!caller.job.isOwner() && target.lobby() != caller.job.lobby()) {
+      throw refused(caller, routine, Problem.CHANGES_JOB, Role.OWNER);
+    }
+  }
+
+  /** Refuses what wants a higher role than that of the caller. */
+  public static void checkRole(Frame caller, String routine, Role least) {
+    if (caller.job.role().compareTo(least) < 0) {
+      throw refused(caller, routine, Problem.NEEDS_ROLE, least);
+    }
+  }
+
+  /** An observer may change what it makes, and nobody else. */
+  public static void claimForObserver(Frame maker, UrbiObject made) {
+    if (maker.job.role() == Role.OBSERVER && made.ownerLobby() == null) {
+      made.setOwnerLobby(maker.job.lobby());
+    }
+  }
+
+  private static UrbiException refused(Frame caller, String routine, Problem problem, Role needed) {
+    return caller
+        .interpreter
+        .errors()
+        .primitive(routine, problem, needed.text(), caller.job.role().text());
+  }
+}

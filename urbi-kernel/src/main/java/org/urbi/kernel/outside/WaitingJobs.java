@@ -1,0 +1,29 @@
+package org.urbi.kernel.outside;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.BooleanSupplier;
+import org.urbi.kernel.job.Job;
+
+/** Jobs that wait for something to become true; on the kernel thread. */
+final class WaitingJobs {
+  private final Set<Job> jobs = new LinkedHashSet<>();
+
+  /** The job waits until the condition holds. */
+  void await(Job job, BooleanSupplier condition) {
+    while (!condition.getAsBoolean()) {
+      jobs.add(job);
+      try {
+        job.waitForWake();
+      } finally {
+        jobs.remove(job);
+      }
+    }
+  }
+
+  /** Something has changed: they look again. */
+  void wake() {
+    List.copyOf(jobs).forEach(Job::wake);
+  }
+}

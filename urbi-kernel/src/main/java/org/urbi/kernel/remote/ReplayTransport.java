@@ -1,0 +1,43 @@
+package org.urbi.kernel.remote;
+
+import java.nio.ByteBuffer;
+import org.jspecify.annotations.Nullable;
+import urbi.rtp.RtpParameters;
+import urbi.rtp.RtpSession;
+
+/** The way to a process that is only a recording. */
+public final class ReplayTransport implements RemoteTransport {
+  @Override
+  public void send(byte[] frames) {}
+
+  @Override
+  public void close(String reason) {}
+
+  @Override
+  public void openDatagrams(RtpParameters terms) {}
+
+  @Override
+  public @Nullable RtpSession datagrams() {
+    return null;
+  }
+
+  @Override
+  public void closeDatagrams() {}
+
+  @Override
+  public void consumed(int bytes) {}
+
+  @Override
+  public void wantToRead() {}
+
+  @Override
+  public boolean read(ByteBuffer space) {
+    return false;
+  }
+
+  @Override
+  public void stopReading() {}
+
+  @Override
+  public void attended() {}
+}

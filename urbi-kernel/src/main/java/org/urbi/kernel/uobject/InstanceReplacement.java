@@ -1,0 +1,133 @@
+package org.urbi.kernel.uobject;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.variable.Datum;
+import org.urbi.kernel.variable.UrbiUVar;
+import org.urbi.lang.source.Span;
+import urbi.UClass;
+import urbi.UObject;
+
+/**
+ * Puts new Java objects behind urbiscript objects that stay: another version of a class. They are
+ * initialized as the old ones were, and find their variables with the values that they had. One
+ * that cannot be made leaves the old one in its place.
+ */
+final class InstanceReplacement {
+  private static final CallSite SITE =
+      new CallSite() {
+        @Override
+        public String calledName() {
+          return "loadModule";
+        }
+
+        @Override
+        public @Nullable Span calledSpan() {
+          return null;
+        }
+      };
+
+  private final PluggedContext context;
+  private final InstanceLifecycle creation;
+
+  InstanceReplacement(PluggedContext context, InstanceLifecycle creation) {
+    this.context = context;
+    this.creation = creation;
+  }
+
+  /** What a variable had before. */
+  private record PreviousValues(Datum target, Datum sensed) {}
+
+  /** What an object had before. */
+  private record PreviousInstance(
+      UObject java,
+      UClass type,
+      Map<String, BoundFunction> functions,
+      Map<UrbiUVar, PreviousValues> values) {
+    /** The variables get their values back, and tell of changes again. */
+    void restore() {
+      values.forEach((variable, known) -> {
+        variable.restore(known.target, known.sensed);
+        variable.silence(false);
+      });
+    }
+  }
+
+  /** Replaces what is behind all the objects of the class of that name. */
+  void replace(Frame frame, UClass type) {
+    for (Instance instance : context.objects().all()) {
+      UObject java = instance.java();
+      if (instance.type().name().equals(type.name()) && java != null) {
+        UrbiObject object = instance.object();
+        if (object != null) {
+          replace(frame, instance, before(instance, java, object), object, type);
+        }
+      }
+    }
+  }
+
+  private void replace(
+      Frame frame, Instance instance, PreviousInstance before, UrbiObject object, UClass type) {
+    before.values.keySet().forEach(variable -> variable.silence(true));
+    instance.functions().clear();
+    instance.setType(type);
+    try {
+      creation.create(frame, instance, type);
+      if (instance.initArguments() != null) {
+        creation.initialize(frame, SITE, instance, object, instance.initArguments());
+      }
+    } catch (RuntimeException | Error e) {
+      undo(frame, instance, object, before);
+      throw e;
+    }
+    for (String name : before.functions.keySet()) {
+      if (!instance.functions().containsKey(name)) {
+        object.removeSlot(creation.symbol(name));
+      }
+    }
+    clean(frame, before.java);
+    before.restore();
+  }
+
+  private static PreviousInstance before(Instance instance, UObject java, UrbiObject object) {
+    Map<UrbiUVar, PreviousValues> values = new LinkedHashMap<>();
+    for (Symbol slot : object.localSlotNames()) {
+      UrbiUVar variable = UrbiUVar.behind(object, slot);
+      if (variable != null) {
+        values.put(variable, new PreviousValues(variable.target(), variable.visible()));
+      }
+    }
+    return new PreviousInstance(
+        java, instance.type(), new LinkedHashMap<>(instance.functions()), values);
+  }
+
+  private void undo(Frame frame, Instance instance, UrbiObject object, PreviousInstance before) {
+    UObject failed = instance.java();
+    for (String name : instance.functions().keySet()) {
+      object.removeSlot(creation.symbol(name));
+    }
+    instance.functions().clear();
+    instance.functions().putAll(before.functions);
+    before.functions.forEach((name, function) -> creation.setSlot(object, name, function));
+    instance.setJava(before.java);
+    instance.setType(before.type);
+    if (failed != null && failed != before.java) {
+      clean(frame, failed);
+    }
+    before.restore();
+  }
+
+  private void clean(Frame frame, UObject java) {
+    Frame outer = context.leave(frame, "clean of " + java.get__name());
+    try {
+      java.clean();
+    } finally {
+      context.back(frame, outer);
+    }
+  }
+}

@@ -1,0 +1,197 @@
+package org.urbi.kernel.uobject;
+
+import java.nio.charset.StandardCharsets;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.node.DictionaryKey;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.object.Elements;
+import org.urbi.kernel.object.UrbiBinary;
+import org.urbi.kernel.object.UrbiDictionary;
+import org.urbi.kernel.object.UrbiFloat;
+import org.urbi.kernel.object.UrbiList;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
+import org.urbi.kernel.object.UrbiTuple;
+import org.urbi.kernel.object.Values;
+import org.urbi.kernel.object.World;
+import org.urbi.kernel.variable.UrbiUVar;
+import urbi.UBinary;
+import urbi.UDataType;
+import urbi.UDictionary;
+import urbi.UList;
+import urbi.UValue;
+
+/**
+ * Values of urbiscript as {@link UValue}s, and the other way round (manual, "Binding functions").
+ */
+final class ValueConversion {
+  private static final int DEEPEST = 200;
+
+  private final PluggedContext context;
+  private final World world;
+  private final Values values;
+  private final Structures structures;
+
+  ValueConversion(PluggedContext context) {
+    this.context = context;
+    this.world = context.interpreter().world();
+    this.values = world.values();
+    this.structures = new Structures(context, this);
+  }
+
+  // ------------------------------------------------------------------ to Java
+
+  /** What a value is to Java; void and nil are nothing. */
+  UValue toJava(UrbiObject object) {
+    return toJava(object, 0);
+  }
+
+  UValue toJava(UrbiObject object, int depth) {
+    if (object instanceof UrbiFloat number) {
+      return new UValue(number.value());
+    }
+    if (object instanceof UrbiString string) {
+      return new UValue(Texts.toJava(string.value()));
+    }
+    if (object == values.trueObject || object == values.falseObject) {
+      return new UValue(object == values.trueObject);
+    }
+    if (object == values.voidObject || object == values.nil || object == values.acceptedVoid) {
+      return new UValue();
+    }
+    if (depth > DEEPEST) {
+      throw new ConversionFailure(object, "UValue", Problem.NESTED_TOO_DEEPLY.text());
+    }
+    return switch (object) {
+      case UrbiList list -> new UValue(list(list.elements(), depth));
+      case UrbiTuple tuple -> new UValue(list(tuple.elements(), depth));
+      case UrbiDictionary dictionary -> new UValue(dictionary(dictionary, depth));
+      case UrbiBinary binary -> new UValue(toJava(binary));
+      case UrbiUVar variable -> UValue.slotName(context.variables().handOut(variable));
+      default -> other(object, depth);
+    };
+  }
+
+  private UList list(List<UrbiObject> elements, int depth) {
+    UList list = new UList();
+    for (UrbiObject element : elements) {
+      list.add(toJava(element, depth + 1));
+    }
+    return list;
+  }
+
+  private UDictionary dictionary(UrbiDictionary dictionary, int depth) {
+    UDictionary result = new UDictionary();
+    dictionary
+        .entries()
+        .forEach((key, value) -> {
+          if (!(key.value() instanceof UrbiString name)) {
+            throw badKey(key.value());
+          }
+          result.put(Texts.toJava(name.value()), toJava(value, depth + 1));
+        });
+    return result;
+  }
+
+  private KernelRefusal badKey(UrbiObject key) {
+    return context.fromKernel(frame -> {
+      Interpreter interpreter = frame.interpreter();
+      UrbiObject type = key.lookup(interpreter.world().symbol("type"));
+      String shown = Texts.toJava(interpreter.asString(frame, key));
+      return type == null
+          ? new KernelRefusal(Problem.KEY_NOT_STRING, shown)
+          : new KernelRefusal(
+              Problem.KEY_OF_TYPE, shown, Texts.toJava(interpreter.asString(frame, type)));
+    });
+  }
+
+  private static UBinary toJava(UrbiBinary binary) {
+    return new UBinary(
+        Texts.toJava(binary.keywords()), binary.data().getBytes(StandardCharsets.ISO_8859_1));
+  }
+
+  private UValue other(UrbiObject object, int depth) {
+    String name = context.objects().nameOf(object);
+    if (name != null) {
+      return UValue.slotName(name);
+    }
+    if (structures.isStructure(object)) {
+      return new UValue(structures.toJava(object, depth));
+    }
+    return context.fromKernel(frame -> {
+      try {
+        return new UValue(Texts.toJava(frame.interpreter().asString(frame, object)));
+      } catch (UrbiException e) {
+        throw new ConversionFailure(object, "UValue", null);
+      }
+    });
+  }
+
+  // ------------------------------------------------------------------ to urbiscript
+
+  /** A value of Java; nothing is void. */
+  UrbiObject toUrbi(@Nullable UValue value) {
+    return value == null || value.isVoid() ? values.voidObject : content(value);
+  }
+
+  private UrbiObject content(UValue value) {
+    return switch (value.getType()) {
+      case DATA_VOID -> values.nil;
+      case DATA_DOUBLE -> values.number(value.doubleValue());
+      case DATA_STRING -> values.string(Texts.toUrbi(value.stringValue()));
+      case DATA_SLOTNAME -> named(value.stringValue());
+      case DATA_LIST -> list(value.ulistValue());
+      case DATA_DICTIONARY -> dictionary(value.udictionaryValue());
+      case DATA_BINARY -> toUrbi(value.ubinaryValue());
+    };
+  }
+
+  private UrbiObject named(String name) {
+    UrbiObject object = context.objects().find(name);
+    if (object != null) {
+      return object;
+    }
+    return context.fromKernel(frame -> context.variables().find(frame, name));
+  }
+
+  private UrbiObject list(UList list) {
+    Elements elements = new Elements(list.size());
+    for (UValue element : list) {
+      elements.add(content(element));
+    }
+    return values.listOf(elements);
+  }
+
+  private UrbiObject dictionary(UDictionary dictionary) {
+    UValue structure = dictionary.get(Structures.NAME);
+    if (structure != null && structure.getType() == UDataType.DATA_STRING) {
+      return structures.toUrbi(structure.stringValue(), dictionary);
+    }
+    return context.fromKernel(frame -> values.dictionary(entries(frame, dictionary)));
+  }
+
+  private Map<UrbiDictionary.Key, UrbiObject> entries(Frame frame, UDictionary dictionary) {
+    Map<UrbiDictionary.Key, UrbiObject> entries = new LinkedHashMap<>();
+    dictionary.forEach((name, value) ->
+        entries.put(DictionaryKey.of(frame, values.string(Texts.toUrbi(name))), content(value)));
+    return entries;
+  }
+
+  private UrbiObject toUrbi(UBinary binary) {
+    return new UrbiBinary(
+        world.prototype("Binary").cloneShape(),
+        Texts.toUrbi(binary.getMessage()),
+        new String(binary.getData(), StandardCharsets.ISO_8859_1));
+  }
+
+  /** A single value, as it is in a list: nothing is nil. */
+  UrbiObject element(UValue value) {
+    return content(value);
+  }
+}
