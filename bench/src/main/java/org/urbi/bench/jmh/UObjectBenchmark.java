@@ -38,13 +38,13 @@ public class UObjectBenchmark {
   public enum Turn {
     EMPTY("i"),
     URBISCRIPT("x = a.same(i)"),
-    BOUND("x = Gauge.same(i)"),
-    BOUND_TEXT("x = Gauge.text(\"text\")"),
-    BOUND_LIST("x = Gauge.sum(l)"),
-    BOUND_READING("x = Gauge.add(i)"),
-    READ("x = Gauge.val"),
-    WRITE("Gauge.val = i"),
-    WRITE_NOTIFYING("Gauge.watched = i");
+    BOUND("x = MeasuredObject.same(i)"),
+    BOUND_TEXT("x = MeasuredObject.text(\"text\")"),
+    BOUND_LIST("x = MeasuredObject.sum(l)"),
+    BOUND_READING("x = MeasuredObject.add(i)"),
+    READ("x = MeasuredObject.val"),
+    WRITE("MeasuredObject.val = i"),
+    WRITE_NOTIFYING("MeasuredObject.watched = i");
 
     private final String body;
 
