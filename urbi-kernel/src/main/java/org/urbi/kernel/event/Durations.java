@@ -6,11 +6,11 @@ import org.urbi.kernel.node.Node;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 
-/** Durations: seconds in urbiscript, nanoseconds in the scheduler. */
+/** Conversion of durations: seconds in urbiscript, nanoseconds in the scheduler. */
 public final class Durations {
   private static final double NANOSECONDS = 1e9;
 
-  /** Longer than anybody waits, and far from an overflow. */
+  /** The longest duration, in seconds: longer than any run, yet far from an overflow. */
   private static final double MAXIMUM = 1e9;
 
   private Durations() {}
@@ -30,7 +30,7 @@ public final class Durations {
         expression.span());
   }
 
-  /** Seconds in nanoseconds, to the nearest; infinite ones are very long. */
+  /** Converts seconds to nanoseconds, rounded to the nearest; an infinite duration becomes a very long one. */
   public static long nanoseconds(double seconds) {
     double limited = Math.max(0, Math.min(seconds, MAXIMUM));
     return Math.round(limited * NANOSECONDS);

@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.object.UrbiObject;
 
-/** One emission of an event: it begins, lasts for no time or for some, and ends. */
+/** One emission of an event: it begins, may last for some time, and ends. */
 public final class Emission {
   private final UrbiEvent event;
   private final UrbiObject[] payload;
@@ -37,14 +37,14 @@ public final class Emission {
     return over;
   }
 
-  /** Begins and ends for one subscription: an emission that lasts no time. */
+  /** Begins and at once ends for one subscription: for an emission without duration. */
   void flash(Subscription subscription, Job emitter) {
     subscription.begin(this, emitter);
     over = true;
     subscription.end(this, emitter);
   }
 
-  /** Begins for one subscription; where the emission is over already, it ends at once. */
+  /** Begins for one subscription; if the emission has ended already, it ends at once. */
   void begin(Subscription subscription, Job emitter) {
     boolean late = over;
     told.add(subscription);
@@ -54,7 +54,7 @@ public final class Emission {
     }
   }
 
-  /** Ends the emission, for those who have heard of it and still listen. */
+  /** Ends the emission for all subscriptions that it has begun for and that are still active. */
   public void end(Job emitter) {
     if (!over) {
       over = true;
@@ -65,7 +65,7 @@ public final class Emission {
     }
   }
 
-  /** Keeps something for a subscription, until the end of the emission. */
+  /** Stores a value for a subscription, until the end of the emission. */
   public void note(Subscription subscription, Object note) {
     if (notes == null) {
       notes = new IdentityHashMap<>();
@@ -73,7 +73,7 @@ public final class Emission {
     notes.put(subscription, note);
   }
 
-  /** What was kept for a subscription, or null. */
+  /** The value stored for a subscription, or null. */
   public @Nullable Object noted(Subscription subscription) {
     return notes == null ? null : notes.get(subscription);
   }

@@ -45,7 +45,7 @@ public final class Emit extends Node implements CallSite {
     }
     UrbiObject nothing = frame.interpreter().values().voidObject;
     if (!(target instanceof UrbiEvent emitted)) {
-      // What looks like an event has an emit of its own.
+      // An object that is no event, but behaves like one, has a method {@code emit} of its own.
       try {
         frame
             .interpreter()

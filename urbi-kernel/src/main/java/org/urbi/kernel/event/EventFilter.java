@@ -6,7 +6,7 @@ import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Pattern;
 import org.urbi.kernel.object.UrbiObject;
 
-/** Which emissions are meant: {@code event?(patterns) if guard}. */
+/** Decides which emissions match: {@code event?(patterns) if guard}. */
 public final class EventFilter {
   private final Pattern @Nullable [] patterns;
   private final @Nullable Node guard;
@@ -20,12 +20,12 @@ public final class EventFilter {
     this.guard = guard;
   }
 
-  /** Whether every emission is meant, so that no code has to be evaluated to know. */
+  /** Whether every emission matches, without evaluating any code. */
   boolean acceptsAll() {
     return patterns == null && guard == null;
   }
 
-  /** Whether that payload is meant; binds the variables of the patterns. */
+  /** Whether a payload matches; binds the variables of the patterns. */
   boolean accepts(Frame frame, UrbiObject[] payload) {
     if (patterns != null) {
       if (patterns.length != payload.length) {

@@ -4,13 +4,12 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.object.UrbiObject;
 
-/** Gets the event that an expression stands for. */
+/** Evaluates an expression to an event. */
 final class EventLookup {
   private EventLookup() {}
 
   /**
-   * The event which an expression evaluates to; anything else may be seen as one by {@code
-   * asEvent}.
+   * The event that an expression evaluates to; a value of another type is converted by its {@code asEvent}.
    */
   static UrbiEvent event(Frame frame, Node expression) {
     UrbiObject value = expression.execute(frame);

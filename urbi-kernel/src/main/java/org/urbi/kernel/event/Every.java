@@ -37,9 +37,7 @@ public final class Every extends Node {
 
   /**
    * Waits for the next turn, as the condition of a loop which is always true. Turns are due at the
-   * multiples of the period: one that comes late, because the machine was busy, does not move the
-   * others. Only where a turn waits for the one before, and that one lasted longer than the period,
-   * they are counted from its end.
+   * multiples of the period: a turn that starts late, because the machine was busy, does not delay the next ones. Only if turns wait for one another, and one lasted longer than the period, the next period starts at its end.
    */
   private final class Pause extends Node {
     private final boolean overlapping;
@@ -77,7 +75,7 @@ public final class Every extends Node {
       return true;
     }
 
-    /** The time that the job has not been frozen. */
+    /** The time, without the time during which the job was frozen. */
     private long now(Job job) {
       return job.scheduler().now() - job.timeShift();
     }

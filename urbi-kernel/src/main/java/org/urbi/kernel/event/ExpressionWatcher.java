@@ -13,11 +13,10 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
 /**
- * An expression that is evaluated again each time something changes that it read when it was last
- * evaluated: a slot, a variable, the content of a container. It never polls.
+ * Evaluates an expression again each time something changes that its last evaluation has read: a slot, a variable, the content of a container. It never polls.
  */
 final class ExpressionWatcher implements Dependencies.Watcher {
-  /** Told of each new value. */
+  /** Receives each new value. */
   interface Listener {
     /**
      * The expression has a new value.
@@ -43,7 +42,7 @@ final class ExpressionWatcher implements Dependencies.Watcher {
     this.listener = listener;
   }
 
-  /** Evaluates the expression, and watches what it reads from now on. */
+  /** Evaluates the expression, and watches what it reads. */
   UrbiObject evaluate(Job job) {
     World world = home.interpreter().world();
     Set<Dependencies> old = sources;
@@ -85,8 +84,8 @@ final class ExpressionWatcher implements Dependencies.Watcher {
     Scheduler scheduler = home.job().scheduler();
     Job running = scheduler.running();
     if (evaluator != null) {
-      // Others change what the expression reads: once more when it is done. What it changes itself
-      // does not count.
+      // If another job changes what a running evaluation reads, evaluate once more afterwards.
+      // Changes made by the evaluation itself do not count.
       again |= running != evaluator;
       return;
     }
@@ -98,7 +97,7 @@ final class ExpressionWatcher implements Dependencies.Watcher {
   }
 
   private void evaluateAgain(Job job) {
-    // A condition that feeds itself is not followed for ever.
+    // A condition whose evaluation keeps changing its own value must not loop for ever.
     for (int rounds = 0; rounds < 100 && !closed; rounds++) {
       again = false;
       UrbiObject value;

@@ -39,13 +39,11 @@ public final class FunctionHandler implements Subscription, TagScope.Attachment 
   }
 
   /**
-   * As {@code at} is made of (Urbi 3, "Event", {@code onEvent}): the functions are called with the
-   * event and the list of what was sent with it; {@code enter} and {@code leave} with what the
-   * guard returned, too.
+   * The handler that {@code onEvent} installs (Urbi 3, "Event"): its functions are called with the event and the list of its payload; {@code enter} and {@code leave} also get the result of the guard.
    *
    * @param guard accepts an emission, unless it returns void
    * @param leave called when the emission is over; may be null
-   * @param sync whether the job that emits calls them; else jobs of their own do
+   * @param sync whether the emitting job calls the functions; if not, they run in jobs of their own
    */
   public static FunctionHandler guarded(
       Frame home,
@@ -57,7 +55,7 @@ public final class FunctionHandler implements Subscription, TagScope.Attachment 
     return new FunctionHandler(home, event, guard, enter, leave, sync);
   }
 
-  /** A function that the job that emits calls with what was sent with the event. */
+  /** A function that the emitting job calls with the payload of the event. */
   public static FunctionHandler plain(Frame home, UrbiEvent event, UrbiObject function) {
     return new FunctionHandler(home, event, null, function, null, true);
   }

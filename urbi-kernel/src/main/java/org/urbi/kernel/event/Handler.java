@@ -12,18 +12,16 @@ import org.urbi.kernel.node.Profiler;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
- * What {@code at} does when its condition begins and ceases to hold: executes the body and the
- * {@code onleave} clause, in jobs of their own under the tags of the {@code at}, or at once in the
- * job that triggered it when it is synchronous.
+ * Executes the clauses of an {@code at}: the body when its condition starts to hold, {@code onleave} when it stops holding. They run in jobs of their own under the tags of the {@code at}; a synchronous {@code at} runs them at once in the job that triggered it.
  */
 final class Handler {
-  /** How many synchronous handlers may run, one within the other. */
+  /** How deeply synchronous handlers may be nested. */
   private static final int MAXIMUM_NESTED = 10_000;
 
   private final Frame home;
   private final TagScope scope;
 
-  /** For which it was written; the job of its home may run for another one meanwhile. */
+  /** The lobby that executed the {@code at}; its job may run for another lobby by now. */
   private final UrbiObject lobby;
 
   private final Node body;
@@ -72,10 +70,9 @@ final class Handler {
   }
 
   /**
-   * Executes the {@code onleave} clause because the {@code at} has been stopped: outside the tag
-   * that did it.
+   * Executes the {@code onleave} clause because the {@code at} has been stopped; it runs outside of the tag that was stopped.
    *
-   * @param by the scope that was stopped; null when nothing is to be executed any more
+   * @param by the scope that was stopped; null if the clause must not be executed
    */
   void leaveStopped(Frame frame, @Nullable TagScope by) {
     if (onLeave != null && by != null) {

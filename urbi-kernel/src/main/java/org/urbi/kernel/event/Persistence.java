@@ -30,10 +30,10 @@ public final class Persistence implements ExpressionWatcher.Listener, TagScope.A
   }
 
   /**
-   * Watches an expression under the tags of the code around.
+   * Watches an expression under the tags of the surrounding code.
    *
-   * @param hold for how many nanoseconds it is to be true
-   * @param shown the object whose slot {@code val} says so
+   * @param hold for how many nanoseconds the expression must be true
+   * @param shown the object whose slot {@code val} shows the result
    */
   public static void watch(Frame frame, Node expression, long hold, UrbiObject shown) {
     Frame home = frame.fork(frame.job(), false);

@@ -2,7 +2,7 @@ package org.urbi.kernel.event;
 
 import org.urbi.kernel.job.Job;
 
-/** Somebody who hears of the emissions of an event. */
+/** A subscriber to the emissions of an event. */
 public interface Subscription {
   /**
    * An emission begins.
@@ -11,6 +11,6 @@ public interface Subscription {
    */
   void begin(Emission emission, Job emitter);
 
-  /** An emission that was begun is over. */
+  /** An emission has ended for which {@link #begin} was called. */
   void end(Emission emission, Job emitter);
 }

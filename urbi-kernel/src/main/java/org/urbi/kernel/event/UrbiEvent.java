@@ -36,8 +36,7 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
   }
 
   /**
-   * Listens from now on; hears at once of the emissions that last. The event in the slot {@code
-   * onSubscribe}, if there is one, is emitted.
+   * Adds a subscription; emissions that are in progress begin for it at once. The event in the slot {@code onSubscribe}, if any, is emitted.
    */
   public void subscribe(Subscription subscription, Job job) {
     subscriptions.add(subscription);
@@ -52,7 +51,7 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
     }
   }
 
-  /** Like {@link #subscribe(Subscription, Job)}, on the terms of an object. */
+  /** Like {@link #subscribe(Subscription, Job)}, with an object that controls the subscription. */
   void subscribe(Subscription subscription, UrbiSubscription terms, Job job) {
     know(subscription, terms);
     subscribe(subscription, job);
@@ -66,9 +65,9 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
   }
 
   /**
-   * Those who listen, in the order in which they came; always the same object for the same one.
+   * The subscriptions in order of their creation, each always as the same object.
    *
-   * @param shape of the objects to be made
+   * @param shape the shape of objects to be created
    */
   public List<UrbiSubscription> subscribers(Supplier<Shape> shape) {
     List<UrbiSubscription> all = new ArrayList<>();
@@ -83,7 +82,7 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
     return all;
   }
 
-  /** Has the library do something each time somebody begins to listen. */
+  /** Sets an action of the library that runs at each new subscription. */
   public void setOnSubscribe(Runnable action) {
     subscribed = action;
   }
@@ -95,7 +94,7 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
     }
   }
 
-  /** Emits the event for no time. */
+  /** Emits the event without duration. */
   @Override
   public void emit(Frame frame, UrbiObject... payload) {
     emit(frame.job(), false, payload);
@@ -107,7 +106,7 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
    * @param sync whether to wait for the handlers
    */
   public void emit(Job emitter, boolean sync, UrbiObject... payload) {
-    // Each handler enters and leaves before the next one hears of the event.
+    // Each handler enters and leaves before the next one is called.
     switch (subscriptions.size()) {
       case 0 -> {}
       case 1 -> flash(subscriptions.iterator().next(), emitter, sync, payload);
@@ -161,7 +160,7 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
     lasting.remove(emission);
   }
 
-  /** The emissions that last, oldest first. */
+  /** The emissions in progress, oldest first. */
   List<Emission> lasting() {
     return new ArrayList<>(lasting);
   }

@@ -8,9 +8,9 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
-/** Somebody who listens to an event, or to a variable, as urbiscript sees it. */
+/** A subscription to an event, or to a variable, as an urbiscript object. */
 public class UrbiSubscription extends UrbiObject {
-  /** Makes what listens to an event. */
+  /** Subscribes to an event. */
   @FunctionalInterface
   public interface Listener {
     Subscription listenTo(Frame frame, UrbiEvent event);
@@ -25,7 +25,7 @@ public class UrbiSubscription extends UrbiObject {
     super(shape);
   }
 
-  /** Of somebody who listens to an event already. */
+  /** Represents an existing subscription. */
   UrbiSubscription(Shape shape, UrbiEvent event, Subscription subscription) {
     super(shape);
     this.event = event;

@@ -10,7 +10,7 @@ import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
-/** {@code waituntil (condition)}: holds the job until an expression is true, or an event comes. */
+/** {@code waituntil (condition)}: suspends the job until an expression is true, or an event is emitted. */
 public final class WaitUntil extends Node {
   private final Condition condition;
   private final @Nullable Node duration;
@@ -111,7 +111,7 @@ public final class WaitUntil extends Node {
     }
   }
 
-  /** For an expression to be true. */
+  /** Waits for an expression to be true. */
   private static final class ForExpression extends Waiting implements ExpressionWatcher.Listener {
     private final ExpressionWatcher watch;
 
@@ -130,7 +130,7 @@ public final class WaitUntil extends Node {
     }
   }
 
-  /** For an event to come. */
+  /** Waits for an event. */
   private static final class ForEvent extends Waiting implements Subscription {
     private final EventFilter filter;
     private final UrbiObject lobby;
@@ -143,7 +143,7 @@ public final class WaitUntil extends Node {
 
     @Override
     public void begin(Emission emission, Job emitter) {
-      // The variables of the pattern are those of the code that waits; the first event has them.
+      // The pattern binds variables of the waiting code; only the first matching event binds them.
       if (!isDone()
           && !frame.job().isFrozen()
           && emitter.doFor(lobby, () -> filter.accepts(frame.in(emitter), emission.payload()))) {

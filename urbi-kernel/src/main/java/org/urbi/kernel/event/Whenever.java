@@ -71,7 +71,7 @@ public final class Whenever extends Node {
     return frame.interpreter().values().voidObject;
   }
 
-  /** What both kinds have in common: a clause repeated in a job as long as it is its turn. */
+  /** The common part of both kinds: repeats a clause in a job as long as its condition asks for it. */
   private abstract static class Repeating implements TagScope.Attachment {
     final Frame home;
     final TagScope scope;
@@ -84,18 +84,18 @@ public final class Whenever extends Node {
       this.lobby = home.job().lobby();
     }
 
-    /** Repeats a clause in a job of its own as long as that says so. */
+    /** Repeats a clause in a job of its own as long as the supplier returns true. */
     void repeat(Frame variables, Node clause, BooleanSupplier goesOn) {
       var code =
           new ForkedCode(frame -> {
             while (!stopped && goesOn.getAsBoolean()) {
               clause.execute(frame);
-              // As in a loop of the condition and the clause, separated by ";".
+              // Let others run, as a loop of the condition and the clause, separated by ";", would.
               frame.job().yieldNow();
               frame.job().yieldNow();
             }
           });
-      // Of emissions at the same time, the last one comes first.
+      // Of simultaneous emissions, the last one is handled first.
       Job job = home.job().scheduler().startAhead(lobby, scope, "whenever", code);
       code.runWith(variables.fork(job, false));
     }
@@ -198,7 +198,7 @@ public final class Whenever extends Node {
     }
 
     private void run(Emission emission, Frame matched) {
-      // Once in any case, even when the emission lasted no time.
+      // Run it at least once, even for an emission without duration.
       boolean[] first = {true};
       repeat(
           matched,

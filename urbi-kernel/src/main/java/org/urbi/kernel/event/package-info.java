@@ -1,4 +1,4 @@
-/** Events, and what waits for events and conditions. */
+/** Events, and the statements that wait for events and conditions. */
 @NullMarked
 package org.urbi.kernel.event;
 

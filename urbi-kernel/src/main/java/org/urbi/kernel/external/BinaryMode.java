@@ -8,23 +8,22 @@ import org.urbi.kernel.lobby.MessageInput;
 import urbi.wire.WireException;
 
 /**
- * The input of a process that has asked for the binary mode. Between the messages there may be
- * statements as well: parts of the SDK do not know of the mode.
+ * The input of a process in binary mode. Statements may come between the messages, because parts of the SDK ignore the mode.
  */
 final class BinaryMode implements MessageInput {
-  /** The sizes of short, int, long and long long at the other end come first. */
+  /** The number of bytes that come first: the sizes of short, int, long and long long in the process. */
   private static final int SIZES = 4;
 
   private static final int SHORT = 2;
   private static final int INT = 4;
 
-  /** The SDK cuts longer texts here, wherever that is. */
+  /** The SDK splits longer texts after this many bytes, even within a word. */
   private static final int LONGEST_CODE = 8192;
 
   /**
-   * A step whose turn comes.
+   * A step that waits for its turn.
    *
-   * @param answer what it is besides, if it is the answer to a call
+   * @param answer delivers the result of a call, if the step is one; or null
    */
   private record Waiting(Step step, @Nullable Runnable answer, int size) {}
 
@@ -42,7 +41,7 @@ final class BinaryMode implements MessageInput {
   private int pending;
 
   /**
-   * @param broken is told, in its turn, why nothing that comes is understood any more
+   * @param broken called, in turn, with the reason if the input can no longer be understood
    */
   BinaryMode(ExternalProcess process, Consumer<String> broken) {
     this.process = process;
@@ -92,7 +91,7 @@ final class BinaryMode implements MessageInput {
     return true;
   }
 
-  /** The line with which the mode was asked for may still have an end. */
+  /** The line that asked for the mode may still need its line end. */
   private boolean begin() {
     while (in.has(1) && (in.peek(0) == '\n' || in.peek(0) == '\r' || in.peek(0) == ' ')) {
       in.octet();
@@ -137,7 +136,7 @@ final class BinaryMode implements MessageInput {
     steps.add(new Waiting(step, answer, size));
   }
 
-  /** What ends in an operator is executed, and the statement goes on in another text. */
+  /** A text that ends in an operator is incomplete: the statement continues in the next text. */
   private static Text text(String text) {
     String code = text.stripTrailing();
     boolean goesOn = code.endsWith("|") || code.endsWith("&");
@@ -148,7 +147,7 @@ final class BinaryMode implements MessageInput {
 
   // ------------------------------------------------------------------ statements in between
 
-  /** The end of a line behind a statement is no reply, of which the name is short. */
+  /** Tells the line end behind a statement from a reply, whose code is the same but whose name is short. */
   private boolean isStatement() {
     int first = in.peek(0);
     return first >= ' ' || afterStatement && first == '\n' && in.peek(1) != 0;

@@ -10,12 +10,12 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.uobject.ObjectAccess;
 
-/** The events that an external process listens to. */
+/** The events to which an external process has subscribed. */
 public final class ExternalEvents {
   private static final int EMIT = 2;
   private static final int END = 3;
 
-  /** Tells the process of emissions with so many arguments. */
+  /** Sends the process the emissions that have a given number of arguments. */
   private record Listener(ExternalProcess process, ObjectAccess access, String name, int arity)
       implements Subscription {
     @Override
@@ -49,7 +49,7 @@ public final class ExternalEvents {
   }
 
   /**
-   * {@code external event}: the process has a function for emissions with so many arguments.
+   * {@code external event}: the process has a function for emissions with that number of arguments.
    *
    * @throws IllegalArgumentException if there is no such object, or it is no event
    */
@@ -60,7 +60,7 @@ public final class ExternalEvents {
     }
   }
 
-  /** An object has gone, and its events with it. */
+  /** Forgets the events of an object that no longer exists. */
   void forget(String object) {
     List.copyOf(ends.keySet()).stream()
         .filter(name -> name.startsWith(object + "."))

@@ -3,7 +3,7 @@ package org.urbi.kernel.external;
 import java.util.List;
 import urbi.UValue;
 
-/** What a process says in binary mode. */
+/** A message of a process in binary mode. */
 sealed interface ExternalMessage {
   /** It sets a variable. */
   record Assign(String variable, UValue value) implements ExternalMessage {}

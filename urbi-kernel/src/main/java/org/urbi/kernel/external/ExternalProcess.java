@@ -30,9 +30,7 @@ import urbi.UObject;
 import urbi.UValue;
 
 /**
- * A process whose UObjects were declared by statements of its lobby ({@code external object}, and
- * so on): what is done for it goes through the lobby, and what it is told comes on a channel of
- * that. On the kernel thread.
+ * A process that declared its UObjects by statements in its lobby ({@code external object}, and so on). Its requests are executed in that lobby, and it receives messages on a channel of that lobby. Used on the kernel thread.
  */
 public final class ExternalProcess implements RemoteProcess, RemoteObjects {
   private static final String CHANNEL = "__ExternalMessage__";
@@ -40,7 +38,7 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
   private static final int NEW = 4;
   private static final int DELETE = 5;
 
-  /** How long the process may take to make an object. */
+  /** How long the process may take to create an object. */
   private static final Duration CREATION_TIMEOUT = Duration.ofSeconds(10);
 
   private final UrbiLobby lobby;
@@ -53,13 +51,13 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
   private final List<UClass> classes = new ArrayList<>();
   private final Map<String, RemoteObject> objects = new LinkedHashMap<>();
 
-  /** Names that are those of objects of others: what is said of them goes nowhere. */
+  /** Names that already belong to objects of others: requests about them are ignored. */
   private final Set<String> refused = new HashSet<>();
 
-  /** Objects that the process has been told to make. */
+  /** Objects that the process was asked to create. */
   private final Map<String, CompletableFuture<Void>> wanted = new HashMap<>();
 
-  /** Those of them that it has declared. */
+  /** The names of the objects that it has declared. */
   private final Set<String> declared = new HashSet<>();
 
   private final Map<String, CompletableFuture<UValue>> calls = new HashMap<>();
@@ -77,7 +75,7 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
     this.events = new ExternalEvents(this, access);
   }
 
-  /** The one behind the lobby of the code that runs. */
+  /** The process of the lobby of the running code. */
   public static ExternalProcess of(Frame frame, PluggedContext context) {
     UrbiLobby lobby = (UrbiLobby) frame.job().lobby();
     if (lobby.remoteObjects() instanceof ExternalProcess known) {
@@ -111,10 +109,9 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
   // ------------------------------------------------------------------ what it declares
 
   /**
-   * {@code external object}: it has an object, and the lobby has a slot of that name, to be
-   * replaced.
+   * {@code external object}: the process has an object, which replaces the slot of that name in the lobby.
    *
-   * @throws IllegalArgumentException if that is the name of an object of somebody else, or no slot
+   * @throws IllegalArgumentException if an object of another process has that name, or there is no slot
    */
   public void declareObject(String name) {
     Symbol slot = lobby.world().symbol(Texts.toUrbi(name));
@@ -143,9 +140,9 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
   }
 
   /**
-   * {@code external function}: an object of its has a function, in place of one of the same name.
+   * {@code external function}: one of its objects has a function, which replaces one of the same name.
    *
-   * @throws IllegalArgumentException if the object is none of its
+   * @throws IllegalArgumentException if the object does not belong to the process
    */
   public void declareFunction(int arity, String name) {
     int dot = name.lastIndexOf('.');
@@ -164,7 +161,7 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
     }
   }
 
-  /** Whether a variable or an event is that of an object that is not the one it takes it for. */
+  /** Whether a variable or an event has the name of an object that belongs to somebody else. */
   boolean isRefused(String name) {
     return refused.contains(name.substring(0, Math.max(name.lastIndexOf('.'), 0)));
   }
@@ -186,7 +183,7 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
 
   // ------------------------------------------------------------------ objects
 
-  /** The other side of an urbiscript object: one that is declared, or one to be made there. */
+  /** Creates the counterpart of an urbiscript object: one that the process has declared, or one that it is asked to create. */
   private UObject make(String name) {
     if (lost != null) {
       throw new IllegalStateException(lost);
@@ -253,7 +250,7 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
     return result;
   }
 
-  /** What the SDK puts before the text of an exception of a function. */
+  /** The prefix that the SDK puts before the text of an exception thrown by a function. */
   private static final Pattern THROWN =
       Pattern.compile(
           "(Exception while calling remote bound method|"
@@ -262,7 +259,7 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
   /**
    * The result of a call; if nobody waits for it, nothing happens.
    *
-   * @param error what was thrown; null if nothing was
+   * @param error the text of the exception, or null
    */
   public void reply(String call, @Nullable UValue value, @Nullable String error) {
     CompletableFuture<UValue> waiting = calls.remove(call);
@@ -280,14 +277,14 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
 
   // ------------------------------------------------------------------ messages
 
-  /** Sets a variable, as the process wants it. */
+  /** Sets a variable on behalf of the process. */
   void assign(Frame frame, String variable, UValue value) {
     if (!isRefused(variable)) {
       attempt(frame, variable, () -> variables.assign(frame, variable, value));
     }
   }
 
-  /** Emits an event, as the process wants it. */
+  /** Emits an event on behalf of the process. */
   void emit(Frame frame, String event, List<UValue> payload) {
     if (!isRefused(event)) {
       UValue[] arguments = payload.toArray(UValue[]::new);
@@ -296,9 +293,9 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
   }
 
   /**
-   * Does what the process asks for; what is wrong with that becomes an error of urbiscript.
+   * Executes a request of the process; a failure becomes an urbiscript error.
    *
-   * @param subject with what the error begins
+   * @param subject the beginning of the error text
    */
   public static void attempt(Frame frame, String subject, Runnable task) {
     try {
@@ -312,19 +309,19 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
     }
   }
 
-  /** A message that begins with a name. */
+  /** Starts a message with a code and a name. */
   StringBuilder message(int code, String name) {
     StringBuilder text = new StringBuilder().append('[').append(code).append(", ");
     ValueText.quote(text, name);
     return text;
   }
 
-  /** The objects of the kernel. */
+  /** Access to the UObjects of the kernel. */
   ObjectAccess access() {
     return access;
   }
 
-  /** Sends a message that is still open. */
+  /** Completes a message and sends it. */
   void send(StringBuilder text) {
     if (lost == null) {
       lobby.output().send(CHANNEL, text.append(']').toString());

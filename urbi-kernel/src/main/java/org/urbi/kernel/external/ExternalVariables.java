@@ -19,8 +19,7 @@ import urbi.USlot;
 import urbi.UValue;
 
 /**
- * The variables that an external process uses: it is told of each new value, except those that it
- * has set itself.
+ * The variables to which an external process has subscribed: it is sent each new value, except those it has set itself.
  */
 public final class ExternalVariables {
   private static final int ASSIGN = 1;
@@ -39,7 +38,7 @@ public final class ExternalVariables {
     }
   }
 
-  /** A variable that the process uses, so many times. */
+  /** A variable of the process, with the number of its subscriptions. */
   private final class Binding {
     private final String name;
     private final USlot slot;
@@ -76,8 +75,7 @@ public final class ExternalVariables {
   }
 
   /**
-   * {@code external var}: the process wants to be told of the changes of a variable, which is made
-   * if it is missing.
+   * {@code external var}: the process subscribes to the changes of a variable, which is created if it does not exist.
    *
    * @throws IllegalArgumentException if there is no such object
    */
@@ -87,7 +85,7 @@ public final class ExternalVariables {
     }
   }
 
-  /** {@code unnotify}: so many times it uses the variable no longer. */
+  /** {@code unnotify}: ends that number of subscriptions to the variable. */
   public void unuse(String name, double times) {
     Binding binding = bindings.get(name);
     if (binding != null) {
@@ -109,7 +107,7 @@ public final class ExternalVariables {
     set(PluggedContext.behind(slot), () -> slot.set(value));
   }
 
-  /** Sets a variable for the process, which is not told. */
+  /** Sets a variable on behalf of the process, without sending the value back to it. */
   public void set(UrbiUVar variable, Runnable writing) {
     UrbiUVar outer = beingSet;
     Job outerSetter = setter;
@@ -123,7 +121,7 @@ public final class ExternalVariables {
     }
   }
 
-  /** An object has gone, and its variables with it. */
+  /** Forgets the variables of an object that no longer exists. */
   void forget(String object) {
     List.copyOf(bindings.keySet()).stream()
         .filter(name -> name.lastIndexOf('.') == object.length() && name.startsWith(object))

@@ -4,9 +4,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import urbi.wire.WireException;
 
-/** Bytes that have come and wait to be read: in pieces of any size. */
+/** A buffer of received bytes, which arrive in pieces of any size. */
 final class MessageBytes {
-  /** The longest message that is taken, in bytes. */
+  /** The size limit of a message, in bytes. */
   private static final int LONGEST = 256 << 20;
 
   private byte[] buffer = new byte[1 << 10];
@@ -34,7 +34,7 @@ final class MessageBytes {
     total += more.length;
   }
 
-  /** Whether there are so many bytes. */
+  /** Whether that number of bytes has arrived. */
   boolean has(long count) {
     if (position() - begun + count > LONGEST) {
       throw new WireException("a message of more than " + LONGEST + " bytes");
@@ -42,11 +42,11 @@ final class MessageBytes {
     return to - from >= count;
   }
 
-  /** A message begins, or has ended. */
+  /** Marks the start of a message, or its end. */
   void begin() {
     begun = position();
     if (from == to && buffer.length > 1 << 20) {
-      // What a big message needed is not kept for those that are none.
+      // Free the space of a big message: most messages are small.
       buffer = new byte[1 << 10];
       from = 0;
       to = 0;
@@ -70,12 +70,12 @@ final class MessageBytes {
     return buffer[from++] & 0xff;
   }
 
-  /** A number of two bytes that comes at an offset. */
+  /** The two-byte number at an offset from the position. */
   int peekShort(int offset) {
     return peek(offset) << 8 | peek(offset + 1);
   }
 
-  /** A number of four bytes that comes at an offset. */
+  /** The four-byte number at an offset from the position. */
   long peekInt(int offset) {
     return (long) peekShort(offset) << 16 | peekShort(offset + 2);
   }
@@ -86,7 +86,7 @@ final class MessageBytes {
     return value;
   }
 
-  /** A number of eight bytes, the lowest first. */
+  /** Reads an eight-byte number, lowest byte first. */
   double number() {
     long bits = 0;
     for (int i = 7; i >= 0; i--) {

@@ -14,8 +14,7 @@ import urbi.UValue;
 import urbi.wire.WireException;
 
 /**
- * Reads the messages of the binary mode. What is there of one is read once: a message that comes
- * byte by byte costs no more than one that comes whole.
+ * Reads the messages of the binary mode. It never reads a byte twice, so a message that arrives byte by byte costs no more than one that arrives whole.
  */
 final class MessageReader {
   private static final int ASSIGN = 1;
@@ -34,7 +33,7 @@ final class MessageReader {
   private static final int DEEPEST = 500;
   private static final long MOST_ELEMENTS = 1 << 28;
 
-  /** A list or a dictionary of which elements are to come. */
+  /** A list or a dictionary whose elements have not all arrived yet. */
   private static final class Open {
     private final @Nullable UList list;
     private final @Nullable UDictionary dictionary;
@@ -74,7 +73,7 @@ final class MessageReader {
     this.in = in;
   }
 
-  /** Whether the next byte is the first one of a message. */
+  /** Whether the next byte starts a message. */
   boolean isBetween() {
     return code < 0;
   }
@@ -86,7 +85,7 @@ final class MessageReader {
   /**
    * The next message; null when more input is needed.
    *
-   * @throws WireException if it is none
+   * @throws WireException if the bytes are no valid message
    */
   @Nullable ExternalMessage next() {
     if (code < 0) {
@@ -116,7 +115,7 @@ final class MessageReader {
       case REPLY -> done(new ExternalMessage.Reply(Texts.toJava(name), whole));
       case EMIT -> done(new ExternalMessage.Emit(Texts.toJava(name), elements(whole)));
       default -> {
-        // The time, of which the kernel has its own idea.
+        // A time stamp, which is ignored: the kernel uses its own time.
         if (!in.has(8)) {
           yield null;
         }
@@ -140,7 +139,7 @@ final class MessageReader {
     return message;
   }
 
-  /** Bytes behind their number; null when they are not there yet. */
+  /** A length followed by that number of bytes; null when they have not all arrived. */
   private @Nullable String string() {
     if (!in.has(2) || !in.has(2L + in.peekShort(0))) {
       return null;
@@ -150,12 +149,12 @@ final class MessageReader {
     return in.raw(length);
   }
 
-  /** Bytes behind their number, which are there. */
+  /** A length followed by that number of bytes, all of which have arrived. */
   private String wholeString() {
     return requireNonNull(string(), "it has been looked whether they are there");
   }
 
-  /** The value, with which it goes on; null when more input is needed. */
+  /** The next value of the message; null when more input is needed. */
   private @Nullable UValue wholeValue() {
     if (value == null && code == EMIT && open.isEmpty()) {
       if (!in.has(4)) {

@@ -2,7 +2,7 @@ package org.urbi.kernel.external;
 
 import org.urbi.lang.input.StatementReader;
 
-/** A statement that comes between messages, byte by byte; or a line that says where it is from. */
+/** A statement between binary messages, read byte by byte; or a line that gives its source location. */
 final class PlainStatement {
   private static final String COMMENT = "//";
 
@@ -10,7 +10,7 @@ final class PlainStatement {
   private final StatementReader reader = new StatementReader(null);
   private int fed;
 
-  /** Takes a byte; true if the statement ends with it. */
+  /** Adds a byte; returns true if it ends the statement. */
   boolean endsWith(char each) {
     if (text.isEmpty() && each == '\n') {
       return true;
@@ -33,7 +33,7 @@ final class PlainStatement {
         && text.charAt(1) == COMMENT.charAt(1);
   }
 
-  /** The statement; empty if there is none. */
+  /** The text of the statement; empty if there is none. */
   String code() {
     return isComment() ? "" : text.toString();
   }

@@ -6,16 +6,16 @@ import java.util.Map;
 import urbi.UBinary;
 import urbi.UValue;
 
-/** Values as the clients of Urbi 2.7 read them; each {@code char} is a byte. */
+/** Writes values in the text form that clients of Urbi 2.7 read; each {@code char} is a byte. */
 public final class ValueText {
-  /** Up to here, numbers without a fraction are written without an exponent. */
+  /** Integers up to this value are written without an exponent. */
   private static final double LONGEST_WHOLE = 1e15;
 
   private static final String HEXADECIMAL = "0123456789abcdef";
 
   private ValueText() {}
 
-  /** A value by itself. */
+  /** The text of a value. */
   public static String of(UValue value) {
     StringBuilder text = new StringBuilder();
     append(text, value);
@@ -63,7 +63,7 @@ public final class ValueText {
     return whole ? Long.toString((long) value) : Double.toString(value);
   }
 
-  /** A string, of which all that is not ASCII, or cannot be seen, is escaped. */
+  /** Writes a string in quotes; characters that are not printable ASCII are escaped. */
   static void quote(StringBuilder to, String text) {
     to.append('"');
     for (byte each : text.getBytes(StandardCharsets.UTF_8)) {

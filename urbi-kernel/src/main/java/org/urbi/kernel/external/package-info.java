@@ -1,6 +1,5 @@
 /**
- * Processes that are linked with the SDK of Urbi 2.7: they bring their UObjects by statements of
- * urbiscript (docs/protocol.md).
+ * Processes linked with the SDK of Urbi 2.7: they declare their UObjects by statements of urbiscript (docs/protocol.md).
  */
 @NullMarked
 package org.urbi.kernel.external;

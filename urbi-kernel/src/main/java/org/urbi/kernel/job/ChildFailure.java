@@ -14,7 +14,7 @@ final class ChildFailure extends ControlFlowException {
     return group;
   }
 
-  /** What the job was left by. */
+  /** The exception that ended the child job. */
   Throwable failure() {
     return failure;
   }

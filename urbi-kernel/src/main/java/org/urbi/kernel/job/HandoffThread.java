@@ -7,8 +7,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.message.Message;
 
 /**
- * A job on a virtual thread of the JDK's own scheduler: loop and job pass a baton, and whoever does
- * not have it is parked. For programs that embed the kernel without opening {@code java.lang}.
+ * Runs a job on a virtual thread of the JDK's own scheduler: the tick loop and the job hand the turn to each other, and the one that waits is parked. For programs that embed the kernel without opening {@code java.lang}.
  */
 final class HandoffThread implements JobThread {
   private final Factory factory;
@@ -77,7 +76,7 @@ final class HandoffThread implements JobThread {
 
   /** Makes the threads of one kernel. */
   static final class Factory implements JobThread.Factory {
-    /** The stack of a virtual thread of the JDK is limited by that of its carrier. */
+    /** The limit of nested calls: the stack of a virtual thread of the JDK is limited by that of its carrier. */
     private static final int MAXIMUM_DEPTH = 1_000;
 
     private volatile @Nullable Thread loop;
@@ -89,18 +88,19 @@ final class HandoffThread implements JobThread {
 
     @Override
     public Thread startLoop(Runnable body) {
-      // Virtual as well: a platform thread would take six times as long to hand over.
+      // The loop runs on a virtual thread as well: switching to a platform thread would take six
+      // times as long.
       Thread thread = Thread.ofVirtual().name("urbi-kernel").unstarted(body);
       loop = thread;
       thread.start();
       return thread;
     }
 
-    /** Never: the loop waits with the job. */
+    /** Never called: while a job waits in Java, the loop waits as well. */
     @Override
     public void take(Message message) {}
 
-    /** No job waits inside Java then: the loop would have waited with it. */
+    /** No job can be waiting inside Java: the loop would still be waiting for it. */
     @Override
     public void loopEnded() {}
 

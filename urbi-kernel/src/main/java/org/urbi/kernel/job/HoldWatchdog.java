@@ -4,11 +4,10 @@ import java.util.function.BiConsumer;
 import org.urbi.kernel.time.Clock;
 
 /**
- * Sees from another thread when a job has held the kernel for too long without letting others run,
- * and has it end. Java code of a component that waits is interrupted besides.
+ * Watches from another thread whether a job holds the kernel for too long without letting others run, and ends that job. If the job waits inside the Java code of a component, that thread is interrupted, too.
  */
 public final class HoldWatchdog {
-  /** Of the time that is allowed, how much may pass before it is noticed that it is over. */
+  /** How many times the watchdog checks within the time limit. */
   private static final int LOOKS = 20;
 
   private static final long LONGEST_PAUSE = 50;
@@ -26,7 +25,7 @@ public final class HoldWatchdog {
 
   /**
    * @param limit in nanoseconds
-   * @param listener told of the job and of the function of a component that it executes, or null
+   * @param listener called with the job and the component function that it executes, or null
    */
   HoldWatchdog(Scheduler scheduler, Clock machine, long limit, BiConsumer<Job, String> listener) {
     this.scheduler = scheduler;
@@ -65,7 +64,7 @@ public final class HoldWatchdog {
     }
   }
 
-  /** Sees whether it is still the turn that it was, and for how long. */
+  /** Checks whether the same turn is still running, and for how long. */
   void check() {
     long seen = scheduler.turn();
     long now = machine.now();

@@ -12,12 +12,9 @@ import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Receiver;
 
 /**
- * The one way in: everything that comes from the outside is a {@link Message} that waits here until
- * the next tick begins, in the order in which it came.
+ * The only way into the kernel: everything from outside is a {@link Message} that waits here, in order of arrival, until the next tick begins.
  *
- * <p>Messages are for receivers, which have numbers. What is made on the kernel thread gets its
- * number there, {@link #register in order}; what appears outside (a connection, say) has a {@link
- * #reserve reserved} one, and its first message tells the kernel of it.
+ * <p>Messages are addressed to receivers by number. A receiver created on the kernel thread is given the {@link #register next number} there; one that appears outside (a connection, say) {@link #reserve reserves} a number, and its first message announces it to the kernel.
  */
 public final class Inbox {
   /** How many messages one tick takes at most: a flood must not keep the jobs from running. */
@@ -43,7 +40,7 @@ public final class Inbox {
 
   // ------------------------------------------------------------------ from any thread
 
-  /** Leaves a message. In a replay, only what was recorded is taken. */
+  /** Adds a message. In a replay only recorded messages are taken. */
   public void post(Message message) {
     if (journal.isReplay()) {
       return;
@@ -60,12 +57,12 @@ public final class Inbox {
     }
   }
 
-  /** A number for a receiver of which the kernel does not know yet. */
+  /** Reserves a number for a receiver that the kernel does not know yet. */
   public int reserve() {
     return -reserved.incrementAndGet();
   }
 
-  /** Takes in a receiver with a number that it has already. */
+  /** Registers a receiver under a reserved number. */
   public void register(int number, Receiver receiver) {
     receivers.put(number, receiver);
   }
@@ -76,18 +73,18 @@ public final class Inbox {
 
   // ------------------------------------------------------------------ on the kernel thread
 
-  /** Takes in a receiver; returns the number that it has from now on. */
+  /** Registers a receiver and returns its new number. */
   public int register(Receiver receiver) {
     receivers.put(registered, receiver);
     return registered++;
   }
 
-  /** Nothing more is for that receiver: what comes all the same is dropped. */
+  /** Removes a receiver: later messages to it are dropped. */
   public void forget(int number) {
     receivers.remove(number);
   }
 
-  /** Sets another way to hear from the outside; before the kernel starts. */
+  /** Sets a poller, which the kernel thread asks for messages itself; before the kernel starts. */
   public void listenTo(KernelPoller how) {
     listening = how;
   }
@@ -97,7 +94,7 @@ public final class Inbox {
     failures = told;
   }
 
-  /** Gives the messages that are there to their receivers. */
+  /** Delivers the waiting messages to their receivers. */
   void take() {
     if (!filled && !journal.isReplay()) {
       return;
@@ -124,7 +121,7 @@ public final class Inbox {
     return message;
   }
 
-  /** Whatever a message brings about, the others are taken all the same. */
+  /** A failure in handling one message must not stop the others from being taken. */
   private void deliver(Message message) {
     Receiver receiver = receivers.get(message.to());
     if (receiver != null) {
@@ -148,7 +145,7 @@ public final class Inbox {
     }
   }
 
-  /** The kernel has nothing to do: hears what there is, for at most so many nanoseconds. */
+  /** The kernel has nothing to do: waits for messages, for at most that many nanoseconds. */
   void listen(long nanoseconds) {
     KernelPoller.Wait wait = listening.begin(nanoseconds);
     if (wait == null) {
@@ -166,7 +163,7 @@ public final class Inbox {
     listening.poll();
   }
 
-  /** The kernel is busy: hears what there is, if it has not listened for long. */
+  /** The kernel is busy: polls if it has not done so for some time. */
   void pollIfDue(long now) {
     listening.pollIfDue(now);
   }

@@ -13,16 +13,12 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.time.Clock;
 
 /**
- * The running code that is to end although it never lets others run, so that no message can reach
- * it: that of a lobby whose client wants it, of a job that has held the kernel for too long, or
- * whatever runs when the kernel is to end. Flags only: who wants a lobby's code ended posts a
- * message besides, which {@linkplain #clear takes the flag back} when its turn comes.
+ * Requests to end running code that never lets others run, so that no message can reach it: the code of a lobby whose client asked for it, a job that has held the kernel for too long, or any code when the kernel must end. They are only flags: whoever wants a lobby's code ended also posts a message, which {@linkplain #clear clears the flag} when it is taken.
  *
- * <p>Code that ends may run its {@code finally} clauses for a moment; what then still holds the
- * kernel ends without any more of that.
+ * <p>Code that is being ended may still run its {@code finally} clauses for a moment; if it then still holds the kernel, these are ended, too.
  */
 public final class Interruptions {
-  /** How long code that ends may go on without letting others run, in nanoseconds. */
+  /** How long code that is being ended may still hold the kernel, in nanoseconds. */
   private static final long GRACE_PERIOD = 50_000_000;
 
   private static final long NONE = -1;
@@ -38,18 +34,18 @@ public final class Interruptions {
   private final AtomicLong overdueTurn = new AtomicLong(NONE);
   private volatile Runnable changed = () -> {};
 
-  // These are the kernel thread's own: what ends right now.
+  // The following fields belong to the kernel thread: the code that is being ended at present.
   private long endingTurn = NONE;
   private StopReason ending = StopReason.NONE;
   private long graceEnd;
   private @Nullable RuntimeException failure;
 
-  /** The lobbies of which code has ended, and whose message has not come yet. */
+  /** The lobbies whose code has been ended, but whose message has not been taken yet. */
   private final Set<UrbiObject> interrupted = new HashSet<>();
 
   /**
-   * @param turns gives the number of the turn that goes on
-   * @param machine tells how long code takes to end
+   * @param turns the number of the current turn
+   * @param machine measures how long code takes to end
    */
   Interruptions(LongSupplier turns, Journal journal, Clock machine) {
     this.turns = turns;
@@ -61,26 +57,26 @@ public final class Interruptions {
 
   // ------------------------------------------------------------------ from any thread
 
-  /** Has the job end that is running for that lobby, if there is one. */
+  /** Ends the job that is running for that lobby, if any. */
   public void request(UrbiObject lobby) {
     lobbies.add(lobby);
     announce();
   }
 
-  /** Has every job end from now on that does not let others run. */
+  /** Ends every job that does not let others run, from now on. */
   public void requestAll() {
     all = true;
     announce();
   }
 
-  /** Has the job end whose turn has that number, if it still lasts. */
+  /** Ends the job whose turn has that number, if that turn still lasts. */
   void requestOverdue(long turn) {
     overdueTurn.set(turn);
     announce();
   }
 
   /**
-   * Sets who is told, on whatever thread, when there may be some where there were none, or back.
+   * Sets a listener that is called, on any thread, when {@link #arePending} may have changed.
    */
   public void whenChanged(Runnable listener) {
     changed = listener;
@@ -88,8 +84,7 @@ public final class Interruptions {
   }
 
   /**
-   * Whether there is any, or it counts how often that is asked; code looks at this in each turn of
-   * a loop, and at each call.
+   * Whether there may be a request, or checks are being counted for a recording. Code asks this in each turn of a loop, and at each call.
    */
   public boolean arePending() {
     return wanted;
@@ -102,12 +97,12 @@ public final class Interruptions {
 
   // ------------------------------------------------------------------ on the kernel thread
 
-  /** Sets what a job is left with that has held the kernel for too long. */
+  /** Sets the exception that ends a job which has held the kernel for too long. */
   public void setOverdueFailure(Function<Job, RuntimeException> failure) {
     overdueFailure = failure;
   }
 
-  /** Ends the running job here, if it is to end. */
+  /** Throws if the running job must end. */
   void check(Job job) {
     StopReason decided = decide(job.lobby());
     if (decided == StopReason.REQUESTED) {
@@ -120,7 +115,7 @@ public final class Interruptions {
     }
   }
 
-  /** How the job is to end that runs for that lobby; it does so then. */
+  /** Decides whether and why the job that runs for that lobby must end, and notes that it ends now. */
   StopReason decide(UrbiObject lobby) {
     StopReason decided = journal.stopReason(pendingFor(lobby));
     if (decided == StopReason.NONE) {
@@ -131,7 +126,8 @@ public final class Interruptions {
       endingTurn = turn;
       failure = null;
       graceEnd = machine.now() + GRACE_PERIOD;
-      // Not again for the same ending: its message may have come while others were let run.
+      // Clear the flag, so that the same request does not end code twice: its message may have been
+      // taken already while others ran.
       if (decided == StopReason.REQUESTED && lobby != null && !all) {
         lobbies.remove(lobby);
         interrupted.add(lobby);
@@ -155,7 +151,7 @@ public final class Interruptions {
     return overdueTurn.get() == turn ? StopReason.OVERDUE : StopReason.NONE;
   }
 
-  /** What was to end in an earlier turn has done so. */
+  /** Code that had to end in an earlier turn has ended by now. */
   private void forgetEnded(long turn) {
     endingTurn = NONE;
     long known = overdueTurn.get();
@@ -165,15 +161,15 @@ public final class Interruptions {
     update();
   }
 
-  /** How the running job ends, if it does. */
+  /** The state of ending the running job. */
   record Termination(StopReason ending, long until, @Nullable RuntimeException failure) {}
 
-  /** The running job lets others run while it ends; null if it does not end. */
+  /** Saves that state while the running job lets others run; null if the job is not being ended. */
   @Nullable Termination pause() {
     return endingTurn == turns.getAsLong() ? new Termination(ending, graceEnd, failure) : null;
   }
 
-  /** It goes on to end. */
+  /** Restores the state when the job continues to end. */
   void resume(@Nullable Termination paused) {
     if (paused != null) {
       endingTurn = turns.getAsLong();
@@ -189,7 +185,7 @@ public final class Interruptions {
     return interrupted.contains(lobby);
   }
 
-  /** The code of that lobby is not to be interrupted any more. */
+  /** Clears the request to interrupt the code of that lobby. */
   public void clear(UrbiObject lobby) {
     lobbies.remove(lobby);
     interrupted.remove(lobby);
@@ -199,7 +195,7 @@ public final class Interruptions {
   private void update() {
     wanted = counted;
     if (all || endingTurn != NONE || overdueTurn.get() != NONE || !lobbies.isEmpty()) {
-      // Others wait, or one has come between the two.
+      // There are other requests, or one has arrived in the meantime.
       wanted = true;
     }
     changed.run();

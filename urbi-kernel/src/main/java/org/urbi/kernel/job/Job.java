@@ -27,7 +27,7 @@ public final class Job implements Runnable {
     void run(Job job);
   }
 
-  /** Where a job is in its life. */
+  /** The states of a job. */
   public enum State {
     RUNNABLE("running"),
     RUNNING("running"),
@@ -72,7 +72,7 @@ public final class Job implements Runnable {
   /** The values of the {@linkplain JobLocal variables} that were set for this job. */
   JobLocal.@Nullable Entry locals;
 
-  /** Somebody who measures what a job does. */
+  /** Measures what a job does. */
   public interface Observer {
     /** The job lets others run. */
     void switchedOut();
@@ -80,7 +80,7 @@ public final class Job implements Runnable {
     /** It is the job's turn again. */
     void switchedIn();
 
-    /** Who observes the jobs that this one starts. */
+    /** The observer of a job that this one starts. */
     Observer forChild();
   }
 
@@ -125,8 +125,7 @@ public final class Job implements Runnable {
   }
 
   /**
-   * A job too many ends the one that starts it. When that is not of its lobby, or there is none, it
-   * is told itself, as soon as it runs.
+   * If the lobby has too many jobs, the exception is thrown in the job that starts this one. If that job belongs to another lobby, or there is none, the new job gets the exception as soon as it runs.
    */
   private boolean isAdmitted(@Nullable Job creator) {
     boolean admitted = budget.take(Resource.JOBS);
@@ -142,7 +141,7 @@ public final class Job implements Runnable {
     return scheduler;
   }
 
-  /** A number that no other job nor tag of the kernel has. */
+  /** A number that no other job or tag of the kernel has. */
   long number() {
     return number;
   }
@@ -151,7 +150,7 @@ public final class Job implements Runnable {
     return name;
   }
 
-  /** The lobby for which it runs, to which its output goes. */
+  /** The lobby for which the job runs, and to which its output goes. */
   public UrbiObject lobby() {
     return lobby;
   }
@@ -172,13 +171,13 @@ public final class Job implements Runnable {
     return role == Role.OWNER;
   }
 
-  /** What is counted that it takes: what its first lobby may have. */
+  /** The budget that it uses: that of its first lobby. */
   public Budget budget() {
     return budget;
   }
 
   /**
-   * Takes something that others of its lobby then cannot have.
+   * Takes one unit of a limited resource of its lobby.
    *
    * @throws RuntimeException if that would be too much
    */
@@ -188,12 +187,12 @@ public final class Job implements Runnable {
     }
   }
 
-  /** What code is left with for which there is no more of that. */
+  /** The exception for code that needs a resource when the budget is exhausted. */
   public RuntimeException refusal(Resource what) {
     return scheduler.refusal(Problem.BUDGET_EXHAUSTED, budget.limit(what), what.unit());
   }
 
-  /** Has something done for another lobby if that may do something else than its own. */
+  /** Runs an action on behalf of another lobby, if that lobby has other permissions than the job's own. */
   public <T> T doFor(UrbiObject other, Supplier<T> action) {
     if (other == lobby || role == Role.OWNER && RoleHolder.roleOf(other) == Role.OWNER) {
       return action.get();
@@ -207,7 +206,7 @@ public final class Job implements Runnable {
     }
   }
 
-  /** Whether it only waits for somebody to send something, so that it keeps no run going. */
+  /** Whether it only waits for somebody to send something, so that it does not keep the kernel running. */
   public boolean isDaemon() {
     return daemon;
   }
@@ -225,7 +224,7 @@ public final class Job implements Runnable {
     return frozenDepth > 0;
   }
 
-  /** The innermost tagged code it is in. */
+  /** The scope of the innermost tagged code that it executes. */
   public TagScope scope() {
     return scope;
   }
@@ -242,7 +241,7 @@ public final class Job implements Runnable {
     return observer;
   }
 
-  /** Has somebody measure what this job does; nobody if it is null. */
+  /** Sets the observer of this job; null for none. */
   public void observe(@Nullable Observer by) {
     observer = by;
   }
@@ -250,8 +249,8 @@ public final class Job implements Runnable {
   /**
    * Java code is about to send a message to urbiscript.
    *
-   * @param most how many may be going on, one within the other
-   * @return false, and nothing has begun, if these were too many
+   * @param most how deeply such messages may be nested
+   * @return false, and nothing has begun, if the limit is reached
    */
   public boolean beginSend(int most) {
     if (nestedSends >= most) {
@@ -261,27 +260,27 @@ public final class Job implements Runnable {
     return true;
   }
 
-  /** What {@link #beginSend} has begun is over. */
+  /** Ends what {@link #beginSend} has begun. */
   public void endSend() {
     nestedSends--;
   }
 
-  /** How many scopes there are around in which slots may be defined again. */
+  /** The number of surrounding scopes in which slots may be redefined. */
   public int redefinitions() {
     return redefinitions;
   }
 
-  /** From now on slots may be defined again. */
+  /** Allows slots to be redefined from now on. */
   public void allowRedefinition() {
     redefinitions++;
   }
 
-  /** Ends the scopes in which slots may be defined again, but for as many as there were before. */
+  /** Leaves scopes in which slots may be redefined, until only that many remain. */
   public void endRedefinitions(int before) {
     redefinitions = Math.min(redefinitions, before);
   }
 
-  /** How many scopes there are around that no other job may interrupt. */
+  /** The number of surrounding scopes that no other job may interrupt. */
   public int nonInterruptible() {
     return nonInterruptible;
   }
@@ -291,7 +290,7 @@ public final class Job implements Runnable {
     nonInterruptible++;
   }
 
-  /** Ends the scopes that no other job may interrupt, but for as many as there were before. */
+  /** Leaves scopes that no other job may interrupt, until only that many remain. */
   public void endNonInterruptible(int before) {
     nonInterruptible = Math.min(nonInterruptible, before);
   }
@@ -307,7 +306,7 @@ public final class Job implements Runnable {
 
   // ------------------------------------------------------------------ life, on its own thread
 
-  /** Whether the code that asks is that of this job. */
+  /** Whether the calling code runs in this job. */
   boolean isCurrentThread() {
     return thread.isCurrent();
   }
@@ -387,12 +386,13 @@ public final class Job implements Runnable {
     switchOut();
   }
 
-  /** Leaves many calls by an exception, which takes long: lets others run if there are any. */
+  /** To be called while an exception unwinds many calls, which takes long: lets others run if there are any. */
   public void yieldWhileUnwinding() {
     if (nonInterruptible > 0) {
       return;
     }
-    // The turn is another one afterwards even if there is nobody else: what ends goes on to end.
+    // The number of the turn changes even if nobody else runs, so the state of ending this job is
+    // carried over.
     Interruptions.Termination termination = scheduler.interruptions().pause();
     try {
       if (scheduler.hasOthers()) {
@@ -456,7 +456,7 @@ public final class Job implements Runnable {
     checkInjected();
   }
 
-  /** Throws what others want this job to be left with, if anything. */
+  /** Throws the exception that other code has injected into this job, if any. */
   public void checkInjected() {
     if (injected != null) {
       ControlFlowException unwinding = injected;
@@ -465,14 +465,14 @@ public final class Job implements Runnable {
     }
   }
 
-  /** To be called now and then by code that never switches: somebody may want it ended. */
+  /** Throws if somebody has asked to end this job; to be called regularly by code that never lets others run. */
   public void checkInterrupted() {
     if (scheduler.interruptions().arePending()) {
       scheduler.interruptions().check(this);
     }
   }
 
-  /** Java code of a component begins to run, as that function; {@link #leaveComponent} ends it. */
+  /** Java code of a component begins to run, in the given function, until {@link #leaveComponent}. */
   public @Nullable String enterComponent(@Nullable String function) {
     String outer = component;
     component = function;
@@ -504,17 +504,17 @@ public final class Job implements Runnable {
     }
   }
 
-  /** The function of a component that is being executed, or null. May be asked on any thread. */
+  /** The component function that is being executed, or null. May be called on any thread. */
   public @Nullable String component() {
     return component;
   }
 
-  /** What it executes right now, in Java; from another thread. */
+  /** The Java calls that it is executing; called from another thread. */
   public StackTraceElement[] stackTrace() {
     return thread.stackTrace();
   }
 
-  /** Has the Java code of a component end its wait; from another thread. */
+  /** Interrupts the Java code of a component that waits; called from another thread. */
   synchronized void interruptComponent(long turn) {
     if (component != null && scheduler.turn() == turn) {
       componentInterrupted = true;
@@ -604,14 +604,13 @@ public final class Job implements Runnable {
   }
 
   /**
-   * Its thread waits inside Java, as for a lock that another thread has. That is something real: a
-   * simulated time must not run away meanwhile.
+   * The thread of the job waits inside Java, for instance for a lock that another thread holds. That takes real time, which simulated time must not outrun.
    */
   void waitsInJava() {
     scheduler.pace().begin();
   }
 
-  /** The JDK has something for the thread of this job. */
+  /** The JDK lets the thread of this job continue. */
   void wakeFromOutside() {
     scheduler.pace().end();
     scheduler.enqueue(this);
@@ -623,8 +622,7 @@ public final class Job implements Runnable {
   }
 
   /**
-   * Has the job left by a throwable, as soon as its turn comes; when it is the running one, at its
-   * next {@link #checkInjected}. Of two stops the outer one wins.
+   * Throws an exception in the job as soon as its turn comes; if it is running, at its next {@link #checkInjected}. Of two stops the outer one wins.
    */
   void inject(ControlFlowException unwinding) {
     if (state == State.ENDED) {
@@ -655,7 +653,7 @@ public final class Job implements Runnable {
     return known.scope() != null && stop.scope().depth() < known.scope().depth();
   }
 
-  /** Forgets a report of that group, which nobody waits for any more. */
+  /** Drops a failure reported by that group, for which nobody waits any more. */
   void forget(JobGroup left) {
     if (injected instanceof ChildFailure failure && failure.group() == left) {
       injected = null;

@@ -8,8 +8,7 @@ import org.urbi.kernel.error.Problem;
 
 /**
  * The jobs that a job starts and waits for: the operands of {@code &}, the statements that {@code
- * ,} sends to the background of a scope. When one of them is left by an exception (or {@code
- * return}, or {@code break}), so is the code which started it, and the others end.
+ * ,} sends to the background of a scope. When an exception (or {@code return}, or {@code break}) leaves one of them, it also leaves the code that started it, and the others end.
  */
 public final class JobGroup {
   private final Job parent;
@@ -36,7 +35,7 @@ public final class JobGroup {
     if (thrown != null && failure == null) {
       failure = thrown;
       parent.inject(new ChildFailure(this, thrown));
-      // The others do not run on until it is the parent's turn.
+      // Stop the others now: they must not run on until the parent's next turn.
       for (Job job : new ArrayList<>(live)) {
         job.terminate();
       }
@@ -48,7 +47,7 @@ public final class JobGroup {
   /**
    * Waits for all the jobs.
    *
-   * @throws RuntimeException what one of them was left by
+   * @throws RuntimeException the exception that has left one of them
    */
   public void join() {
     if (!live.isEmpty() && failure == null && parent.nonInterruptible() > 0) {
@@ -62,7 +61,7 @@ public final class JobGroup {
     }
   }
 
-  /** What to throw on in the place of what was caught while the group was running. */
+  /** The exception to rethrow instead of one that was caught while the group was running. */
   public RuntimeException translate(RuntimeException caught) {
     return caught instanceof ChildFailure report && report.group() == this
         ? rethrown(report.failure())
@@ -76,7 +75,7 @@ public final class JobGroup {
     return (RuntimeException) failure;
   }
 
-  /** Ends what is left of the group; to be called in any case. */
+  /** Ends the remaining jobs of the group; must always be called. */
   public void leave() {
     left = true;
     parent.forget(this);

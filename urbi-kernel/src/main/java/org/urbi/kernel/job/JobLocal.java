@@ -3,8 +3,7 @@ package org.urbi.kernel.job;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A variable of which every job has a value of its own, as a {@link ThreadLocal} is one of threads:
- * what a room of the kernel keeps for a job that need not know of it.
+ * A variable with a separate value for each job, as {@link ThreadLocal} is for threads. A package of the kernel uses it to keep data for a job, without the job knowing that package.
  */
 public final class JobLocal<T> {
   /** A value in one job; the others follow. */

@@ -3,7 +3,7 @@ package org.urbi.kernel.job;
 import org.urbi.kernel.message.Message;
 
 /**
- * What carries the stack of a job. The tick loop calls {@link #resume}, the job calls {@link
+ * Carries the stack of a job. The tick loop calls {@link #resume}, the job calls {@link
  * #suspend}; exactly one of the two sides runs at a time.
  */
 interface JobThread {
@@ -17,13 +17,13 @@ interface JobThread {
    */
   void suspend();
 
-  /** Ends what the job waits for in Java, while it keeps the loop waiting; from another thread. */
+  /** Interrupts a wait of the job inside Java that blocks the loop; called from another thread. */
   void interrupt();
 
-  /** What it executes right now, in Java; from another thread. */
+  /** The Java calls that it is executing; called from another thread. */
   StackTraceElement[] stackTrace();
 
-  /** Whether the code that asks is that of the job. */
+  /** Whether the calling code runs in the job. */
   boolean isCurrent();
 
   /** Makes the threads of one kernel. */
@@ -33,13 +33,13 @@ interface JobThread {
     /** Starts the thread on which the tick loop runs. */
     Thread startLoop(Runnable loop);
 
-    /** What a job waited for inside Java code is there; on the thread of the tick loop. */
+    /** A job can continue that waited inside Java code; called on the thread of the tick loop. */
     void take(Message message);
 
     /** The tick loop has resumed a job for the last time; called on its thread. */
     void loopEnded();
 
-    /** How many nested calls the stack of a job is sure to hold. */
+    /** How many nested calls certainly fit on the stack of a job. */
     int maximumDepth();
   }
 }

@@ -2,13 +2,13 @@ package org.urbi.kernel.job;
 
 /** The two ways to run jobs on virtual threads; both run them in the same order. */
 public enum JobThreads {
-  /** {@link #TICK_LOOP} when {@code java.lang} is open to us, {@link #BATON} otherwise. */
+  /** {@link #TICK_LOOP} if {@code java.lang} is opened to the kernel, {@link #BATON} otherwise. */
   AUTO,
 
-  /** The tick loop is the executor of the virtual threads: fastest, wants {@code --add-opens}. */
+  /** The tick loop is the executor of the virtual threads: the fastest way, but needs {@code --add-opens}. */
   TICK_LOOP,
 
-  /** Jobs run on the scheduler of the JDK, and pass control from hand to hand. */
+  /** Jobs run on the scheduler of the JDK, and hand control to each other. */
   BATON;
 
   JobThread.Factory factory(Inbox inbox) {

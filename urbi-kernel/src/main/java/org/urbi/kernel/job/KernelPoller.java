@@ -3,12 +3,10 @@ package org.urbi.kernel.job;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A way to hear from the outside on the kernel thread itself, without another thread that has to be
- * woken first. What is heard is {@linkplain Inbox#post posted}, as everything is. All methods but
- * {@link Wait#wake} are called on the kernel thread, between the jobs.
+ * Receives data from outside on the kernel thread itself, which saves waking another thread first. What it receives is {@linkplain Inbox#post posted} like all other messages. All methods except {@link Wait#wake} are called on the kernel thread, between the jobs.
  */
 public interface KernelPoller {
-  /** There is nothing to hear. */
+  /** Polls nothing. */
   KernelPoller NONE =
       new KernelPoller() {
         @Override
@@ -28,7 +26,7 @@ public interface KernelPoller {
 
   /** A wait that another thread can end. */
   interface Wait {
-    /** Waits, but not if it was woken since it began. */
+    /** Waits; returns at once if {@link #wake} was called since the wait began. */
     void await();
 
     /** Ends the waiting; from any thread. */
@@ -36,16 +34,16 @@ public interface KernelPoller {
   }
 
   /**
-   * The kernel has nothing to do for so many nanoseconds.
+   * The kernel has nothing to do for that many nanoseconds.
    *
-   * @return how to wait for what can be heard; null if there is nothing
+   * @return a way to wait for data; null if none can arrive
    */
   @Nullable Wait begin(long nanoseconds);
 
-  /** The wait is over: posts what is there. */
+  /** The wait is over: posts what has arrived. */
   void poll();
 
-  /** The kernel is busy; posts what is there if that was not done for long. */
+  /** The kernel is busy: posts what has arrived, unless that was done recently. */
   void pollIfDue(long now);
 
   /** The kernel has ended. */

@@ -7,10 +7,7 @@ import java.lang.reflect.Method;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Keeps a job on the kernel thread while it executes code that is not ours. Whatever that code
- * waits for, the kernel waits with it (manual, "Asynchronous binding": such calls block
- * everything), where otherwise the virtual thread of the job would be put aside and the others
- * would go on.
+ * Keeps a job on the kernel thread while it executes the code of a component. If that code waits, the kernel waits with it, because such calls block everything (manual, "Asynchronous binding"). Without the pin, the virtual thread of the job would be unmounted and other jobs would run.
  */
 public final class KernelThreadPin {
   private static final @Nullable MethodHandle PIN = find("pin");
@@ -19,9 +16,7 @@ public final class KernelThreadPin {
   private KernelThreadPin() {}
 
   /**
-   * What pins a virtual thread is in a package of the JDK that is not exported. It can be exported
-   * by what is in {@code java.lang}, which is open where the tick loop runs the jobs itself; where
-   * it is not, jobs do not let others run unless they say so.
+   * The method that pins a virtual thread is in a package that the JDK does not export. Reflection in {@code java.lang} can export it; that package is open where the tick loop itself runs the jobs. Where it is not open, no pin is needed: a job lets others run only when it says so.
    */
   private static @Nullable MethodHandle find(String name) {
     try {
@@ -38,7 +33,7 @@ public final class KernelThreadPin {
     }
   }
 
-  /** From now on the job does not leave the kernel thread; to be called by the job. */
+  /** Pins the running job to the kernel thread. */
   public static void pin() {
     if (PIN != null) {
       try {

@@ -6,8 +6,7 @@ import org.urbi.kernel.message.Outcome;
 import org.urbi.kernel.message.Receiver;
 
 /**
- * What a job waits for while the others go on, and another thread brings about. A simulated time
- * goes at the machine's pace until it is there, be the job still waiting or not.
+ * A result that another thread computes and for which a job waits while other jobs run. Simulated time runs at the pace of real time until the result is there, even if the job no longer waits.
  */
 public final class PendingAnswer implements Receiver {
   private final Scheduler scheduler;
@@ -24,7 +23,7 @@ public final class PendingAnswer implements Receiver {
     scheduler.pace().begin();
   }
 
-  /** Says that it is there; from any thread, once. */
+  /** Delivers the result; from any thread, once. */
   public void post(Outcome what) {
     scheduler.inbox().post(new Message.Answer(number, what));
   }
@@ -34,7 +33,7 @@ public final class PendingAnswer implements Receiver {
     arrived(((Message.Answer) message).outcome());
   }
 
-  /** It is there, and nobody needs to be told by a message; on the kernel thread. */
+  /** Delivers the result without a message; on the kernel thread. */
   public void arrived(Outcome what) {
     scheduler.inbox().forget(number);
     scheduler.pace().end();
@@ -44,7 +43,7 @@ public final class PendingAnswer implements Receiver {
     }
   }
 
-  /** The job waits until it is there. */
+  /** Makes the job wait for the result. */
   public Outcome await() {
     try {
       while (outcome == null) {

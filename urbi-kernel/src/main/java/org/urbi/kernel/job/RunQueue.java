@@ -16,20 +16,16 @@ import org.urbi.kernel.time.Clock;
  * The jobs that can run, in the order in which they became runnable. A round gives each of them one
  * turn.
  *
- * <p>When a round takes so long that clients and timers would notice, it is cut short, and until
- * the rush is over each lobby has a queue of its own: a round then goes from the lobby that has
- * been cut short least to that which has most, and ends with the one for which a slice of time was
- * not enough. So whoever starts a million jobs waits for them, and nobody else. In simulated time
- * nobody waits, and rounds are never cut.
+ * <p>A round that would delay clients and timers noticeably is cut short. From then on, until the load is over, each lobby has a queue of its own, and a round serves the lobbies in order, those first whose turns have been cut short least often; it ends with the lobby for which its slice of time was not enough. So a lobby that starts a million jobs delays only itself. In simulated time nobody waits, and rounds are never cut.
  */
 final class RunQueue {
-  /** How long the jobs of one lobby may take in a round, in nanoseconds, when others wait. */
+  /** How long the jobs of one lobby may run in a round while others wait, in nanoseconds. */
   private static final long SLICE = 5_000_000;
 
-  /** How long a round may take in all when it takes more than a slice. */
+  /** How long a whole round may take, in nanoseconds, if it takes more than a slice. */
   private static final long LONGEST_ROUND = 2 * SLICE;
 
-  /** Between two looks at the clock so many jobs run, unless there is news; a power of two. */
+  /** How many jobs run between two readings of the clock, unless a message arrives; a power of two. */
   private static final int JOBS_PER_LOOK = 8;
 
   private final Clock clock;
@@ -38,13 +34,13 @@ final class RunQueue {
   private final boolean counted;
   private final ArrayDeque<Job> together = new ArrayDeque<>();
 
-  /** The queues of the lobbies, null when there is no rush; {@link #together} is empty then. */
+  /** The queues of the lobbies under high load, when {@link #together} is empty; null otherwise. */
   private @Nullable Map<UrbiObject, LobbyQueue> shares;
 
-  /** Has no jobs: whose turn it is when it is nobody's. */
+  /** An empty queue, which is current when no lobby's is. */
   private final LobbyQueue nobody = new LobbyQueue(0, 0);
 
-  /** What is left of this round in a rush, first to run last. */
+  /** The queues still to be served in this round under high load; the next one is last. */
   private final List<LobbyQueue> round = new ArrayList<>();
 
   private LobbyQueue current = nobody;
@@ -60,7 +56,7 @@ final class RunQueue {
     final ArrayDeque<Job> jobs = new ArrayDeque<>();
     final long number;
 
-    /** How many slices have not been enough. */
+    /** How often the slice of this lobby was not enough. */
     long roundsCut;
 
     LobbyQueue(long number, long roundsCut) {
@@ -95,17 +91,17 @@ final class RunQueue {
     return shares.values().stream().anyMatch(share -> share.jobs.stream().anyMatch(condition));
   }
 
-  /** It can run, after all that can. */
+  /** Adds a job behind all runnable ones. */
   void add(Job job) {
     (shares == null ? together : shareOf(shares, job).jobs).add(job);
   }
 
-  /** It can run, before all that can. */
+  /** Adds a job before all runnable ones. */
   void addFirst(Job job) {
     (shares == null ? together : shareOf(shares, job).jobs).addFirst(job);
   }
 
-  /** It runs next in this round: the job that ran last has started it. */
+  /** Adds a job that runs next in this round, because the running job has started it. */
   void addToRound(Job job) {
     if (shares == null) {
       together.addFirst(job);
@@ -124,16 +120,16 @@ final class RunQueue {
         job.lobby(), lobby -> new LobbyQueue(sharesMade++, fewestRoundsCut(all)));
   }
 
-  /** Who comes later has no credit from the time before. */
+  /** A lobby that joins later starts with the lowest count of the others: it must not be preferred for long. */
   private static long fewestRoundsCut(Map<UrbiObject, LobbyQueue> all) {
     return all.values().stream().mapToLong(share -> share.roundsCut).min().orElse(0);
   }
 
   /**
-   * Begins a round, of those that can run now and those whom they start.
+   * Begins a round: of the jobs that are runnable now, and those which they start.
    *
    * @param now the time of the clock
-   * @param whole whether it is not to be cut short
+   * @param whole whether the round must not be cut short
    */
   void beginRound(long now, boolean whole) {
     cuttable = !whole && clock.isReal();
@@ -155,7 +151,7 @@ final class RunQueue {
     left = 0;
   }
 
-  /** The next one in this round; null when it is over. */
+  /** The next job of this round; null at its end. */
   @Nullable Job next() {
     if (shares == null) {
       if (left > 0 && isSliceOver()) {
@@ -201,7 +197,7 @@ final class RunQueue {
     together.clear();
   }
 
-  /** Everybody had his turn in time. */
+  /** Ends the separate queues: all jobs have had their turn in time. */
   private void relax(Map<UrbiObject, LobbyQueue> rush) {
     List<LobbyQueue> all = new ArrayList<>(rush.values());
     all.sort(Comparator.comparingLong(share -> share.number));

@@ -32,19 +32,19 @@ import org.urbi.kernel.time.SystemClock;
  * thread, the only one to touch urbiscript objects.
  */
 public final class Scheduler {
-  /** Nobody else can run, but news may have come: how many {@code ;} pass before a look. */
+  /** How many {@code ;} of the only runnable job pass before the inbox is checked. */
   private static final int SPINS_PER_TICK = 100;
 
-  /** A simulated time moves on when there was something to run in so many cycles in a row… */
+  /** Simulated time moves on after jobs have been runnable in this many cycles in a row… */
   private static final int BUSY_CYCLES = 1000;
 
-  /** …by a microsecond each, or a job that never waits would keep the others asleep for ever. */
+  /** …by a microsecond for each: otherwise a job that never waits would keep sleeping jobs asleep for ever. */
   private static final long BUSY_STEP = 1000L * BUSY_CYCLES;
 
-  /** Jobs that start jobs which start jobs… must let the others have their turn. */
+  /** The limit of jobs started in one tick: endless chains of jobs that start jobs must not starve the others. */
   private static final int BIRTHS_PER_TICK = 100_000;
 
-  /** How many turns the jobs have to end in when the kernel does. */
+  /** How many turns the jobs get for ending when the kernel ends. */
   private static final int LAST_ROUNDS = 1000;
 
   private final World world;
@@ -86,9 +86,8 @@ public final class Scheduler {
   private final CycleStatistics statistics = new CycleStatistics();
 
   /**
-   * @param journal told of all that comes from the outside
-   * @param uncaught told what a job, which nobody waits for, was left by; without a job, what was
-   *     thrown between their turns
+   * @param journal records all input from outside
+   * @param uncaught called with a job for which nobody waits and the exception that ended it; with null for an exception thrown between the turns of the jobs
    */
   public Scheduler(
       World world,
@@ -100,7 +99,7 @@ public final class Scheduler {
   }
 
   /**
-   * @param machine goes on while a simulated time stands still
+   * @param machine the real time, which goes on while simulated time stands still
    */
   Scheduler(
       World world,
@@ -139,12 +138,12 @@ public final class Scheduler {
     return clock;
   }
 
-  /** What is told of all that comes from the outside. */
+  /** The journal that records all input from outside. */
   public Journal journal() {
     return journal;
   }
 
-  /** The time right now, which may be later than that of the tick; for whoever measures. */
+  /** The current time, which may be later than that of the tick; for measurements. */
   public long measure() {
     if (!counted) {
       return clock.now();
@@ -160,7 +159,7 @@ public final class Scheduler {
     }
   }
 
-  /** The number of ticks so far, with those that had nobody else to run and were left out. */
+  /** The number of ticks so far, including those that were skipped because only one job could run. */
   public long cycle() {
     return cycle + passed;
   }
@@ -178,17 +177,17 @@ public final class Scheduler {
     return statistics;
   }
 
-  /** What the jobs of each lobby take. */
+  /** Measures what the jobs of each lobby use. */
   public UsageMeter meter() {
     return meter;
   }
 
-  /** The budget of what runs for a lobby. */
+  /** The budget of code that runs for a lobby. */
   Budget budgetOf(UrbiObject lobby) {
     return lobby instanceof Budgeted owner ? owner.budget() : common;
   }
 
-  /** Counts a timer of the running job in. */
+  /** Takes a timer from the budget of the running job. */
   private Budget admitTimer() {
     if (running == null) {
       return common;
@@ -197,25 +196,24 @@ public final class Scheduler {
     return running.budget();
   }
 
-  /** Who wants code ended that never lets others run. */
+  /** Requests to end code that never lets others run. */
   public Interruptions interruptions() {
     return interruptions;
   }
 
-  /** Whether something can be begun outside; in a replay nothing is, but it could be then. */
+  /** Tries to start an activity outside, and returns whether it could. In a replay nothing is started, and the recorded result is returned. */
   public boolean attempt(BooleanSupplier beginning) {
     return query(beginning::getAsBoolean);
   }
 
   /**
-   * Has something done each time that there is nothing to run, no deadline, and nothing real going
-   * on that the kernel has started: only a message could bring more; before it starts.
+   * Sets an action that runs whenever the kernel is quiet: there is nothing to run, no deadline, and no activity outside that the kernel has started, so that only a message could bring more. To be called before the start.
    */
   public void whenQuiet(Runnable action) {
     whenQuiet = action;
   }
 
-  /** How a simulated time passes while something real goes on. */
+  /** Controls how simulated time passes while real activities go on. */
   public SimulationPace pace() {
     return pace;
   }
@@ -238,7 +236,7 @@ public final class Scheduler {
     return turns.getOpaque() + passed;
   }
 
-  /** The job whose turn it is goes on, with something else: as if its turn had begun. */
+  /** The running job continues with other work, as if its turn had just begun. */
   public void beginTurn() {
     turns.setOpaque(turns.getPlain() + 1);
   }
@@ -271,7 +269,7 @@ public final class Scheduler {
     return start(new Job(this, body, prefix, lobby, scope, null, shift));
   }
 
-  /** Like {@link #startDetached}, but of the jobs of the next tick it is the first. */
+  /** Like {@link #startDetached}, but the job runs first in the next tick. */
   public Job startAhead(UrbiObject lobby, TagScope scope, String prefix, Job.Body body) {
     long shift = running == null ? 0 : running.timeShift();
     Job job = new Job(this, body, prefix, lobby, scope, null, shift);
@@ -280,7 +278,7 @@ public final class Scheduler {
     return job;
   }
 
-  /** Like {@link #startDetached}, but its first turn comes when all the others have had theirs. */
+  /** Like {@link #startDetached}, but the job runs after all others have had their turn. */
   public Job startBehind(UrbiObject lobby, TagScope scope, String prefix, Job.Body body) {
     Job job = new Job(this, body, prefix, lobby, scope, null, 0);
     jobs.add(job);
@@ -300,7 +298,7 @@ public final class Scheduler {
     return job;
   }
 
-  /** A number that nobody had before, to name jobs and tags. */
+  /** A new number, used to name jobs and tags. */
   public long nextNumber() {
     return ++sequence;
   }
@@ -313,12 +311,12 @@ public final class Scheduler {
     jobs.remove(job);
   }
 
-  /** Tells of a failure which nobody will catch. */
+  /** Reports an exception that nobody will catch. */
   public void report(@Nullable Job job, Throwable failure) {
     uncaught.accept(job, failure);
   }
 
-  /** Whether a job that can go on had better let others run. */
+  /** Whether a job that could continue should let others run first. */
   boolean hasOthers() {
     if (!runnable.isEmpty()
         || !born.isEmpty()
@@ -341,7 +339,7 @@ public final class Scheduler {
     return runnable.hasAny(job -> job.priority() >= priority);
   }
 
-  /** What a job is left with that waits where it must not. */
+  /** The exception for a job that waits where it must not. */
   RuntimeException refusal(Problem problem, Object... places) {
     return refusals.apply(problem, places);
   }
@@ -356,7 +354,7 @@ public final class Scheduler {
   /**
    * Starts the kernel thread.
    *
-   * @param whenEnded the last thing that it does; told what went wrong, or null
+   * @param whenEnded its last action; called with the failure that ended the loop, or null
    */
   public Thread startLoop(Consumer<Throwable> whenEnded) {
     return threads.startLoop(() -> {
@@ -378,8 +376,7 @@ public final class Scheduler {
    * been started.
    *
    * @param limit in nanoseconds; {@link Long#MAX_VALUE} for none
-   * @param told when that has happened, on another thread, of the job and of the function of a
-   *     component that it executes, or null
+   * @param told called on another thread when that has happened, with the job and the component function that it executes, or null
    */
   public HoldWatchdog limitHolding(long limit, BiConsumer<Job, String> told) {
     HoldWatchdog watch = new HoldWatchdog(this, machine, limit, told);
@@ -392,9 +389,9 @@ public final class Scheduler {
     return over;
   }
 
-  /** Whether the code that asks runs on the kernel thread, in a job or between them. */
+  /** Whether the calling code runs on the kernel thread, in a job or between jobs. */
   public boolean isKernelThread() {
-    // Another thread may see an old job here, but never its own.
+    // Another thread may read an outdated job here, but never one whose code it runs.
     Job job = running;
     return Thread.currentThread() == loop || (job != null && job.isCurrentThread());
   }
@@ -409,7 +406,7 @@ public final class Scheduler {
     endOfTick.add(action);
   }
 
-  /** Simulated time stands still while somebody holds it: more input is to come for this moment. */
+  /** Holds simulated time, because more input is expected for the present moment. */
   public void holdTime() {
     timeHolders++;
   }
@@ -431,7 +428,7 @@ public final class Scheduler {
     for (Job job : jobs()) {
       job.terminate();
     }
-    // They are left by an exception; code that goes on all the same is given up.
+    // Exceptions end the jobs; code that continues all the same is abandoned.
     for (int rounds = 0; rounds < LAST_ROUNDS && !runnable.isEmpty(); rounds++) {
       runOnce(true);
     }
@@ -442,7 +439,8 @@ public final class Scheduler {
   }
 
   private void tick() {
-    // What was awaited, and while time was held, could as well have been there in the cycle before.
+    // Input that was awaited while time was held could as well have arrived in the cycle before, so
+    // it does not start a new count.
     boolean begins = clock.isReal() || timeHolders == 0;
     if (begins) {
       cycle++;
@@ -489,13 +487,13 @@ public final class Scheduler {
   }
 
   /**
-   * Whether it is time for a simulated time to move on although there is always somebody to run.
+   * Whether simulated time must move on although jobs have been runnable all the time.
    */
   private boolean isBusyForLong() {
     return cycle() >= busyUntil && !clock.isReal();
   }
 
-  /** Does something that is nobody's code: should it fail, the kernel goes on. */
+  /** Runs an action that is not the code of a job: if it fails, the kernel continues. */
   void attempt(Runnable action) {
     try {
       action.run();
@@ -504,7 +502,7 @@ public final class Scheduler {
     }
   }
 
-  /** What a timer throws keeps none of the others from being fired. */
+  /** An exception of one timer must not stop the others. */
   private void fireTimers() {
     boolean failed;
     do {

@@ -6,12 +6,10 @@ import java.util.function.BooleanSupplier;
 import org.urbi.kernel.time.Clock;
 
 /**
- * How a simulated time passes while something real goes on: a process runs, a connection is open.
- * What answers soon takes no time at all. While nothing is heard, the simulated time goes at the
- * pace of the machine's, so that whoever waits with a deadline does not wait for ever.
+ * Controls how simulated time passes while real activities go on: a process runs, a connection is open. An answer that comes soon takes no simulated time. While no message arrives, simulated time runs at the pace of real time, so that deadlines are reached.
  */
 public final class SimulationPace {
-  /** What is over sooner, in nanoseconds, takes no simulated time. */
+  /** Activities shorter than this, in nanoseconds, take no simulated time. */
   private static final long GRACE = 100_000_000;
 
   private final Clock simulated;
@@ -20,7 +18,7 @@ public final class SimulationPace {
   private int activities;
   private boolean real;
 
-  /** How far the machine's time is ahead of the simulated one as long as they go together. */
+  /** The difference between real and simulated time while both run at the same pace. */
   private long offset;
 
   SimulationPace(Clock simulated, Clock machine) {
@@ -28,18 +26,18 @@ public final class SimulationPace {
     this.machine = machine;
   }
 
-  /** Something real begins; on the kernel thread. */
+  /** A real activity begins; on the kernel thread. */
   public void begin() {
     activities++;
     follow();
   }
 
-  /** Something real is over; on the kernel thread. */
+  /** A real activity has ended; on the kernel thread. */
   public void end() {
     activities--;
   }
 
-  /** Something real goes on whenever that holds. */
+  /** Adds a condition: while it is true, a real activity goes on. */
   public void beginWhile(BooleanSupplier condition) {
     conditions.add(condition);
   }
@@ -60,10 +58,10 @@ public final class SimulationPace {
     return real;
   }
 
-  /** Waits for news, or for the next deadline, and moves the simulated time accordingly. */
+  /** Waits for a message, or for the next deadline, and moves simulated time accordingly. */
   void idle(Inbox inbox, long next) {
     long now = simulated.now();
-    // Who has run ahead of the machine does not wait for it.
+    // If simulated time is ahead of real time, do not wait for real time to catch up.
     offset = Math.min(offset, machine.now() - now);
     inbox.await(next == Long.MAX_VALUE ? next : Math.max(0, next + offset - machine.now()));
     long due = machine.now() - offset;

@@ -14,16 +14,16 @@ import org.jspecify.annotations.Nullable;
  * done to the subtrees of its scopes.
  */
 public final class TagScope {
-  /** What waits under a scope without a job of its own: a handler of events. */
+  /** Something that waits under a scope without a job of its own, such as an event handler. */
   public interface Attachment {
     /**
-     * It waits no more.
+     * The scope was stopped: it must wait no longer.
      *
-     * @param by the scope whose tag was stopped; null when nothing more is to happen
+     * @param by the scope whose tag was stopped; null if no clause must be executed
      */
     void stopped(@Nullable TagScope by);
 
-    /** Whether nobody can bring about any more what it waited for. */
+    /** Whether what it waits for can no longer happen. */
     default boolean isGone() {
       return false;
     }
@@ -47,8 +47,7 @@ public final class TagScope {
   }
 
   /**
-   * @param owner the job which entered the tagged code, and is under the scope only as long; null
-   *     when all the jobs of the scope begin and end under it
+   * @param owner the job that has entered the tagged code and will leave it; null if all jobs of the scope begin and end under it
    */
   TagScope(TagState tag, @Nullable TagScope parent, @Nullable Job owner) {
     this.tag = tag;
@@ -65,7 +64,7 @@ public final class TagScope {
     return tag;
   }
 
-  /** The scope around, of any but the root. */
+  /** The surrounding scope; not for the root. */
   public TagScope parent() {
     return requireNonNull(parent, "nobody leaves the root, or stops it");
   }
@@ -87,7 +86,7 @@ public final class TagScope {
     detachIfOver();
   }
 
-  /** Something waits under this scope without a job; it hears when the scope is stopped. */
+  /** Adds something that waits without a job; it is called when the scope is stopped. */
   public void add(Attachment attachment) {
     attachments.add(attachment);
     if (attachments.size() > sweptAt) {
@@ -107,7 +106,7 @@ public final class TagScope {
     detachIfOver();
   }
 
-  /** No more jobs will be started under a scope that {@link Job#branch} made. */
+  /** Declares that no more jobs will be started under a scope created by {@link Job#branch}. */
   public void end() {
     close();
   }
@@ -120,12 +119,12 @@ public final class TagScope {
     }
   }
 
-  /** Whether a tag around suspends the code here. */
+  /** Whether a surrounding tag suspends the code here. */
   public boolean isFrozen() {
     return frozenDepth() > 0;
   }
 
-  /** How many of this scope and the ones around it are under a frozen tag. */
+  /** The number of frozen tags on this scope and the surrounding ones. */
   int frozenDepth() {
     int frozen = 0;
     for (TagScope scope = this; scope != null; scope = scope.parent) {
@@ -175,7 +174,7 @@ public final class TagScope {
     }
   }
 
-  /** The tags around, innermost first. */
+  /** The surrounding tags, innermost first. */
   public List<TagState> tags() {
     List<TagState> tags = new ArrayList<>();
     for (TagScope scope = this; scope.parent != null; scope = scope.parent) {

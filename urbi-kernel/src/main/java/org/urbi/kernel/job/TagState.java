@@ -8,8 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
- * What a tag does to the code it labels (manual, "Tag"): stop, block, freeze. The urbiscript object
- * stands on this one.
+ * What a tag does to the code it labels (manual, "Tag"): stop, block, freeze. The urbiscript object Tag is based on it.
  */
 public final class TagState {
   final Set<TagScope> scopes = new LinkedHashSet<>();
@@ -17,19 +16,19 @@ public final class TagState {
   private boolean frozen;
   private @Nullable UrbiObject blockedValue;
 
-  /** What no code can name. */
+  /** A tag that no code can name. */
   public TagState() {
     owner = null;
   }
 
   /**
-   * @param owner the urbiscript object that stands on this
+   * @param owner the urbiscript object of this tag
    */
   public TagState(UrbiObject owner) {
     this.owner = owner;
   }
 
-  /** The urbiscript object that stands on this, or null. */
+  /** The urbiscript object of this tag, or null. */
   public @Nullable UrbiObject owner() {
     return owner;
   }
@@ -44,7 +43,7 @@ public final class TagState {
     return true;
   }
 
-  /** Does something, once, when the last job that is running under this tag ends. */
+  /** Sets an action that runs once, when the last job under this tag ends. */
   public void onIdle(Runnable action) {
     List<Job> jobs = jobs();
     int[] left = {jobs.size()};
@@ -65,7 +64,7 @@ public final class TagState {
     return blockedValue != null;
   }
 
-  /** What blocked code returns; null when this does not block. */
+  /** The value that blocked code returns; null if the tag is not blocked. */
   public @Nullable UrbiObject blockedValue() {
     return blockedValue;
   }
@@ -82,7 +81,7 @@ public final class TagState {
     }
   }
 
-  /** Ends what waits under this tag without a job; the code that is running goes on. */
+  /** Ends what waits under this tag without a job (handlers); running code continues. */
   public void dismiss() {
     for (TagScope scope : new ArrayList<>(scopes)) {
       for (TagScope.Attachment attachment : scope.allAttachments()) {
@@ -91,7 +90,7 @@ public final class TagState {
     }
   }
 
-  /** Stops, and lets no code under this tag begin. */
+  /** Stops the code under this tag, and lets no more code begin. */
   public void block(UrbiObject value) {
     blockedValue = value;
     stop(value);
@@ -101,7 +100,7 @@ public final class TagState {
     blockedValue = null;
   }
 
-  /** Suspends the code under this tag, and the code that enters it, with its sense of time. */
+  /** Suspends the code under this tag, and code that enters it later; its time stands still meanwhile. */
   public void freeze() {
     if (!frozen) {
       frozen = true;

@@ -21,7 +21,7 @@ public final class TagStop extends ControlFlowException {
     this.interruption = interruption;
   }
 
-  /** Ends what a job is doing, because somebody has interrupted it. */
+  /** Ends the running statement of a job that was interrupted. */
   static TagStop interruption() {
     return new TagStop(null, null, true);
   }
@@ -36,7 +36,7 @@ public final class TagStop extends ControlFlowException {
     return scope;
   }
 
-  /** What the tagged code returns, if it is that which ends. */
+  /** The value that the stopped code returns. */
   public UrbiObject value() {
     return requireNonNull(value, "only what ends the whole job has none");
   }

@@ -77,20 +77,20 @@ final class TickLoopThread implements JobThread, Executor {
       own = task;
     }
     if (task != own) {
-      // Code that a job has called has made a virtual thread; that is no job.
+      // A virtual thread started by code that a job has called: it is not a job.
       ForkJoinPool.commonPool().execute(task);
     } else if (handing && Thread.currentThread() == factory.loop) {
       handing = false;
       continuation = task;
     } else {
-      // A lock, a timed park, a future or I/O inside a library call ended: that is news for the
-      // inbox. It comes from another thread; or from the loop's own, if the wait ended while it
-      // began.
+      // A wait for a lock, a timed park, a future or I/O inside a library call has ended: post that
+      // to the inbox. The call comes from another thread, or from the loop's own if the wait ended
+      // at once.
       factory.wake(this);
     }
   }
 
-  /** What it waited for in Java is there: it goes on when its turn comes. */
+  /** Its wait in Java is over: it continues when its turn comes. */
   private void awaken() {
     continuation = own;
     job.wakeFromOutside();
@@ -146,7 +146,7 @@ final class TickLoopThread implements JobThread, Executor {
 
   /** Makes the threads of one kernel. */
   static final class Factory implements JobThread.Factory {
-    /** Deep recursion costs stack of this thread; the system gives it page by page. */
+    /** The stack of the loop's thread, for deep recursion; the system provides it page by page. */
     private static final long STACK_BYTES = 512L << 20;
 
     private static final int MAXIMUM_DEPTH = 200_000;
@@ -157,7 +157,7 @@ final class TickLoopThread implements JobThread, Executor {
 
     private final Inbox inbox;
 
-    /** What can go on, by the numbers of the jobs. */
+    /** The threads whose wait in Java is over, by the numbers of their jobs. */
     private final Map<Long, TickLoopThread> awakened = new ConcurrentHashMap<>();
 
     private volatile @Nullable Thread loop;
@@ -199,7 +199,7 @@ final class TickLoopThread implements JobThread, Executor {
     public void take(Message message) {
       long job = ((Message.Resumed) message).job();
       TickLoopThread waiting;
-      // In a replay it may take longer than it did.
+      // In a replay the thread may arrive later than in the recorded run.
       while ((waiting = awakened.remove(job)) == null) {
         LockSupport.parkNanos(this, PARK_NANOSECONDS);
       }
@@ -207,8 +207,7 @@ final class TickLoopThread implements JobThread, Executor {
     }
 
     /**
-     * The jobs that wait for a lock of Java must still get it, and give it back, or whoever comes
-     * behind them waits for ever. They unwind as soon as they are urbiscript again.
+     * Jobs that wait for a Java lock must still get and release it, otherwise the next ones in line would wait for ever. They unwind as soon as they are back in urbiscript code.
      */
     @Override
     public void loopEnded() {
@@ -243,7 +242,8 @@ final class TickLoopThread implements JobThread, Executor {
 
     private static Thread newThread(Runnable body, String name) {
       Thread thread = new Thread(null, body, name, STACK_BYTES);
-      // As virtual threads are: a kernel that nobody waits for keeps no program from its end.
+      // Like virtual threads, the loop's thread is a daemon: a kernel does not keep the program
+      // running.
       thread.setDaemon(true);
       return thread;
     }

@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 
-/** What is to be done at a given time: first deadline first, then in the order of the requests. */
+/** Actions to run at given times: ordered by deadline, then by the order of the requests. */
 public final class Timers {
   private final PriorityQueue<Timer> queue = new PriorityQueue<>();
   private final Supplier<Budget> admission;
@@ -14,13 +14,13 @@ public final class Timers {
   private int cancelled;
 
   /**
-   * @param admission counts a timer in, and says for whom, or throws if there are too many
+   * @param admission takes a timer from a budget and returns that budget, or throws if there are too many
    */
   Timers(Supplier<Budget> admission) {
     this.admission = admission;
   }
 
-  /** Something to be done once. */
+  /** An action that runs once. */
   public final class Timer implements Comparable<Timer> {
     private final long deadline;
     private final long order;
@@ -38,11 +38,12 @@ public final class Timers {
       return deadline;
     }
 
-    /** It will not be done. */
+    /** Cancels the action. */
     public void cancel() {
       if (action != null) {
         end();
-        // Cancelled timers leave with their deadline, unless they are most of the queue.
+        // Cancelled timers stay in the queue until their deadline, unless they are the larger part
+        // of it.
         if (++cancelled > 64 && cancelled > queue.size() / 2) {
           queue.removeIf(timer -> timer.action == null);
           cancelled = 0;
@@ -65,15 +66,15 @@ public final class Timers {
   }
 
   /**
-   * Does something at that time of the scheduler.
+   * Runs an action at that time of the scheduler.
    *
-   * @throws RuntimeException if the running job may have no more of that
+   * @throws RuntimeException if the running job may have no more timers
    */
   public Timer add(long deadline, Runnable action) {
     return add(deadline, admission.get(), action);
   }
 
-  /** The same for a job that sleeps, and that counts as a job. */
+  /** The same for a sleeping job, which is not counted as a timer because it is counted as a job. */
   Timer addUncounted(long deadline, Runnable action) {
     return add(deadline, null, action);
   }
@@ -85,8 +86,7 @@ public final class Timers {
   }
 
   /**
-   * A sleeping job's timer in the place of another one, of which it keeps the rank among those at
-   * its time.
+   * Replaces the timer of a sleeping job; among timers with the same deadline it keeps the rank of the old one.
    */
   Timer moved(Timer before, long deadline, Runnable action) {
     Timer timer = new Timer(deadline, before.order, null, action);
@@ -94,7 +94,7 @@ public final class Timers {
     return timer;
   }
 
-  /** Does what is due. */
+  /** Runs the actions that are due. */
   void fire(long now) {
     Timer first;
     while ((first = queue.peek()) != null && first.deadline <= now) {
@@ -109,7 +109,7 @@ public final class Timers {
     }
   }
 
-  /** The time of the next thing to do, or {@link Long#MAX_VALUE}. */
+  /** The deadline of the next action, or {@link Long#MAX_VALUE}. */
   long next() {
     Timer first;
     while ((first = queue.peek()) != null && first.action == null) {

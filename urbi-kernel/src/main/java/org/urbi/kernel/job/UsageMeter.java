@@ -7,8 +7,7 @@ import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.time.Clock;
 
 /**
- * Says what the jobs of each lobby take of the kernel's thread, its time and what it allocates.
- * Only from when somebody wants to know: then it looks whenever the turn goes to another lobby.
+ * Measures how much running time and memory allocation the jobs of each lobby use. It starts when somebody first asks, and then measures whenever the turn passes to another lobby.
  */
 public final class UsageMeter {
   private final Clock machine;
@@ -23,10 +22,10 @@ public final class UsageMeter {
     this.machine = machine;
   }
 
-  /** Begins to measure, for good; from any thread. */
+  /** Starts to measure, and never stops; from any thread. */
   public synchronized void begin() {
     if (threads == null) {
-      // This takes some milliseconds, and no program that nobody measures has to wait for it.
+      // This takes some milliseconds, which programs that are not measured must not pay.
       threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
       since = machine.now();
       allocatedBefore = allocated();
@@ -34,7 +33,7 @@ public final class UsageMeter {
     }
   }
 
-  /** The turn is that of a job with this budget; of none if it is null. On the kernel thread. */
+  /** The turn passes to a job with this budget; null if to none. On the kernel thread. */
   void turnOf(@Nullable Budget next) {
     if (next == charged) {
       return;
@@ -58,7 +57,7 @@ public final class UsageMeter {
     allocatedBefore = allocated;
   }
 
-  /** Where jobs have carriers of the JDK's own, what they allocate cannot be told apart. */
+  /** Allocations can only be measured if jobs run on the kernel thread, and not on carrier threads of the JDK. */
   private long allocated() {
     Thread kernel = thread;
     ThreadMXBean known = threads;
@@ -68,15 +67,14 @@ public final class UsageMeter {
   }
 
   /**
-   * For how long jobs with that budget have run, in nanoseconds, since it is measured; with the
-   * turn that goes on. From any thread.
+   * For how long jobs with that budget have run since measuring started, in nanoseconds, including the current turn. From any thread.
    */
   public long nanoseconds(Budget of) {
     long before = of.nanoseconds();
     return measuring && charged == of ? before + machine.now() - since : before;
   }
 
-  /** How many bytes jobs with that budget have allocated since it is measured; likewise. */
+  /** How many bytes jobs with that budget have allocated since measuring started, including the current turn. */
   public long bytes(Budget of) {
     long before = of.bytes();
     return measuring && charged == of ? before + allocated() - allocatedBefore : before;

@@ -4,8 +4,7 @@ import java.lang.ref.WeakReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What waits under a scope for as long as somebody else has it: a handler is kept by what it
- * watches. When that is dropped, nothing can happen to it any more, and both are forgotten.
+ * A handler that waits under a scope but is kept alive only by what it watches. When that object is dropped, the handler can never run again, and both are forgotten.
  */
 public final class WeakAttachment implements TagScope.Attachment {
   private final WeakReference<TagScope.Attachment> handler;
@@ -15,7 +14,7 @@ public final class WeakAttachment implements TagScope.Attachment {
     this.handler = new WeakReference<>(handler);
   }
 
-  /** Whether the scope is to keep the handler: something has begun that must come to an end. */
+  /** Sets whether the scope keeps the handler alive, because it has begun something that must end. */
   public void keep(boolean on) {
     kept = on ? handler.get() : null;
   }

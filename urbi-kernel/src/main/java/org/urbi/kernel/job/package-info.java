@@ -1,4 +1,4 @@
-/** Jobs, tags' scopes and the tick loop which runs them; knows nothing of urbiscript code. */
+/** Jobs, the scopes of tags, and the tick loop that runs them. It knows nothing of urbiscript code. */
 @NullMarked
 package org.urbi.kernel.job;
 

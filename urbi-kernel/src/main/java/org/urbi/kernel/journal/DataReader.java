@@ -16,7 +16,7 @@ import urbi.UValue;
 import urbi.wire.WireInput;
 
 /**
- * Reads what {@link DataWriter} has written; what makes no sense is a {@link RecordingException}.
+ * Reads what {@link DataWriter} has written; invalid data is a {@link RecordingException}.
  */
 final class DataReader {
   private final WireInput in;
@@ -90,7 +90,7 @@ final class DataReader {
     return kind == 0 ? new Outcome(any(), null) : new Outcome(null, FailureCodec.read(kind, this));
   }
 
-  /** Reads a value of one of the types that there are. */
+  /** Reads a value, which starts with the number of its type. */
   @Nullable Object any() {
     int kind = octet();
     return switch (kind) {

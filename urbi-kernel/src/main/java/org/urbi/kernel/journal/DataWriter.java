@@ -12,8 +12,7 @@ import urbi.UValue;
 import urbi.wire.WireOutput;
 
 /**
- * Writes data one after the other: numbers in as few octets as they need, what is long behind its
- * length.
+ * Serializes data: numbers in as few bytes as they need, strings and lists after their length.
  */
 final class DataWriter {
   static final int NULL = 0;
@@ -30,7 +29,7 @@ final class DataWriter {
   static final int ADDRESS = 11;
   static final int UVALUE = 12;
 
-  /** A live thing, of which a replay has nothing. */
+  /** A live object, such as an open file, which a replay does not have. */
   static final int LIVE = 13;
 
   private final WireOutput out = new WireOutput(1 << 12);
@@ -89,7 +88,7 @@ final class DataWriter {
     }
   }
 
-  /** Writes a value of one of the types that there are. */
+  /** Writes a value, starting with the number of its type. */
   void any(@Nullable Object value) {
     switch (value) {
       case null -> octet(NULL);
@@ -148,7 +147,7 @@ final class DataWriter {
     return out.length();
   }
 
-  /** What is written, which is forgotten. */
+  /** Returns what has been written, and clears it. */
   byte[] take() {
     byte[] bytes = out.toBytes();
     out.reset();

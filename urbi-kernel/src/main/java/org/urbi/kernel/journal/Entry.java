@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 
-/** One line of a recording. The number by which {@link EntryCodec} writes each never changes. */
+/** One entry of a recording. The number by which {@link EntryCodec} writes each never changes. */
 public sealed interface Entry {
   /**
    * How the kernel was started; always the first.
@@ -40,13 +40,13 @@ public sealed interface Entry {
   /** A tick begins, at that time in nanoseconds. */
   record Tick(long now) implements Entry {}
 
-  /** A message is taken. */
+  /** A message was taken from the inbox. */
   record MessageTaken(Message message) implements Entry {}
 
-  /** A look at the outside. */
+  /** The answer to a query of the outside, such as whether a file exists. */
   record QueryAnswered(Outcome outcome) implements Entry {}
 
-  /** A job gives way to news, after having gone on so often. */
+  /** The only runnable job let messages be taken, after having continued that many times. */
   record YieldedToMessages(int turns) implements Entry {}
 
   /** A job that never lets others run is ended, at that safepoint of the tick. */
@@ -55,15 +55,15 @@ public sealed interface Entry {
   /** A job that has held the kernel for too long is ended, at that safepoint of the tick. */
   record JobOverdue(long safepoint) implements Entry {}
 
-  /** A round of jobs is cut short before that one of the tick. */
+  /** A round of jobs was cut short before that job of the tick. */
   record RoundCut(int jobs) implements Entry {}
 
   /**
    * Bytes went out.
    *
-   * @param from the number of the receiver of messages in whose name
+   * @param from the number of the message receiver that has sent them
    * @param head the bytes, or the first of many
-   * @param checksum CRC-32C of all
+   * @param checksum the CRC-32C of all bytes
    */
   record BytesSent(int from, int length, byte[] head, int checksum) implements Entry {}
 

@@ -7,20 +7,18 @@ import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 
 /**
- * What stands between the kernel thread and the outside: every reading of the clock, every message,
- * every look at the machine passes here, and so does what goes out. By default nothing is written
- * down. All methods are called on the kernel thread.
+ * Stands between the kernel thread and the outside: every reading of the clock, every message, every query of the machine, and all output passes through it, so that a run can be recorded and replayed. By default nothing is recorded. All methods are called on the kernel thread.
  */
 public interface Journal {
-  /** Nothing is written down. */
+  /** Records nothing. */
   Journal NONE = new Journal() {};
 
-  /** Whether the outside is only a recording: nothing is to be done there. */
+  /** Whether the outside is only a recording, so that nothing must be done there. */
   default boolean isReplay() {
     return false;
   }
 
-  /** Whether there is nothing more to run. */
+  /** Whether the recording has ended, so that nothing more must run. */
   default boolean isOver() {
     return false;
   }
@@ -45,23 +43,23 @@ public interface Journal {
     return inbox.get();
   }
 
-  /** What a look at the outside shows, which does not wait. */
+  /** Queries the outside without waiting, for instance whether a file exists. */
   @SuppressWarnings("unchecked")
   default <T> @Nullable T query(Outcome.Work<T> work) throws IOException {
     return (T) Outcome.of(work).get();
   }
 
   /**
-   * Whether a job that nobody else keeps from going on gives way to news.
+   * Whether the only runnable job must let messages be taken.
    *
-   * @param turns how often it has not, lately
-   * @param news whether there are any
+   * @param turns how often it has continued without that
+   * @param news whether messages are waiting
    */
   default boolean yieldsToMessages(int turns, boolean news) {
     return news;
   }
 
-  /** Whether a job that never lets others run ends here, as somebody may want. */
+  /** Whether and why a job that never lets others run must end here. */
   default StopReason stopReason(StopReason wanted) {
     return wanted;
   }
@@ -75,10 +73,10 @@ public interface Journal {
     return wanted;
   }
 
-  /** Bytes go out, in the name of that receiver of messages. */
+  /** Records bytes that are sent out by that message receiver. */
   default void sent(int from, byte[] bytes) {}
 
-  /** Somebody has asked for something that only he can do, and he is not there. */
+  /** A message is for a receiver that a replay does not have. */
   default void missing(Message message) {}
 
   /** The kernel is about to wait. */
