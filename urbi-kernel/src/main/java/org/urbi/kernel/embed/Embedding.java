@@ -27,6 +27,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.tag.UrbiTag;
 
 /**
@@ -77,7 +78,7 @@ public final class Embedding {
     this.interpreter = interpreter;
     this.scheduler = interpreter.scheduler();
     this.stopping = stopping;
-    this.output = new ListenerQueue<>(scheduler, bytes -> output.accept(JavaValues.text(bytes)));
+    this.output = new ListenerQueue<>(scheduler, bytes -> output.accept(Utf8Text.toJava(bytes)));
     scheduler.inbox().register(Message.EMBEDDING, this::take);
   }
 
@@ -175,8 +176,8 @@ public final class Embedding {
 
   private Task<Object> evaluation(
       String source, @Nullable String file, @Nullable UrbiObject target, Class<?> type) {
-    String bytes = JavaValues.bytes(source);
-    String name = file == null ? null : JavaValues.bytes(file);
+    String bytes = Utf8Text.toUrbi(source);
+    String name = file == null ? null : Utf8Text.toUrbi(file);
     return frame ->
         JavaValues.toJava(
             this,
@@ -188,7 +189,7 @@ public final class Embedding {
   public @Nullable Object call(String function, Object... arguments) {
     Arguments made = arguments(arguments);
     int dot = function.lastIndexOf('.');
-    String name = JavaValues.bytes(function.substring(dot + 1));
+    String name = Utf8Text.toUrbi(function.substring(dot + 1));
     return await(
         function,
         frame -> {
@@ -199,7 +200,7 @@ public final class Embedding {
 
   private UrbiObject find(Frame frame, String path) {
     UrbiObject found = frame.self();
-    for (String name : JavaValues.bytes(path).split("\\.", -1)) {
+    for (String name : Utf8Text.toUrbi(path).split("\\.", -1)) {
       found = interpreter.send(frame, found, name);
     }
     return found;
@@ -220,7 +221,7 @@ public final class Embedding {
   /** Gives urbiscript a function written in Java; see {@code Kernel.define}. */
   public void define(String name, Function<? super List<Object>, ?> function) {
     int dot = name.lastIndexOf('.');
-    String simple = JavaValues.bytes(name.substring(dot + 1));
+    String simple = Utf8Text.toUrbi(name.substring(dot + 1));
     var body = new JavaFunction(this, simple, function);
     await(
         name,
@@ -240,12 +241,12 @@ public final class Embedding {
 
   /** Listens to an event; see {@code Kernel.onEvent}. */
   public ListenerRegistration onEvent(String expression, Consumer<? super List<Object>> listener) {
-    return await(expression, new EventRegistration(this, JavaValues.bytes(expression), listener));
+    return await(expression, new EventRegistration(this, Utf8Text.toUrbi(expression), listener));
   }
 
   /** Listens to the changes of an expression; see {@code Kernel.onChange}. */
   public ListenerRegistration onChange(String expression, Consumer<Object> listener) {
-    return await(expression, new ChangeRegistration(this, JavaValues.bytes(expression), listener));
+    return await(expression, new ChangeRegistration(this, Utf8Text.toUrbi(expression), listener));
   }
 
   // ------------------------------------------------------------------ the lobby

@@ -17,6 +17,7 @@ import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.object.Values;
 
 /** Converts a Java value, which may contain others, to urbiscript; see {@link JavaValues}. */
@@ -35,8 +36,8 @@ final class FromJavaConverter {
       case null -> frame -> values(frame).nil;
       case Boolean truth -> frame -> values(frame).bool(truth);
       case Number number -> number(number.doubleValue());
-      case CharSequence text -> string(JavaValues.bytes(text.toString()));
-      case Character c -> string(JavaValues.bytes(c.toString()));
+      case CharSequence text -> string(Utf8Text.toUrbi(text.toString()));
+      case Character c -> string(Utf8Text.toUrbi(c.toString()));
       case byte[] raw -> string(new String(raw, StandardCharsets.ISO_8859_1));
       case Duration duration -> duration(duration.getSeconds() + duration.getNano() / 1e9);
       case UrbiValue handle -> {

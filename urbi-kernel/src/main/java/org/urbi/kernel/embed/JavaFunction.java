@@ -12,6 +12,7 @@ import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.trust.Role;
 
 /** A Java function of the embedding program, as a builtin. */
@@ -77,6 +78,6 @@ final class JavaFunction extends BuiltinTable {
 
   private UrbiException failure(Frame caller, RuntimeException e) {
     String text = e.getMessage() == null ? e.getClass().getName() : e.getMessage();
-    return caller.interpreter().errors().primitive(name(0), Problem.REASON, JavaValues.bytes(text));
+    return caller.interpreter().errors().primitive(name(0), Problem.REASON, Utf8Text.toUrbi(text));
   }
 }

@@ -1,8 +1,6 @@
 package org.urbi.kernel.embed;
 
 import java.lang.reflect.Array;
-import java.nio.ByteBuffer;
-import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
@@ -63,28 +61,6 @@ public final class JavaValues {
       return string.value().getBytes(StandardCharsets.ISO_8859_1);
     }
     return toJava(embedding, object);
-  }
-
-  // ------------------------------------------------------------------ strings
-
-  /** The bytes of a text in UTF-8, one in each character. */
-  static String bytes(String text) {
-    return new String(text.getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1);
-  }
-
-  /** The text of which these are the bytes in UTF-8; if there is none, the characters as given. */
-  static String text(String bytes) {
-    for (int i = 0; i < bytes.length(); i++) {
-      if (bytes.charAt(i) >= 128) {
-        byte[] raw = bytes.getBytes(StandardCharsets.ISO_8859_1);
-        try {
-          return StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(raw)).toString();
-        } catch (CharacterCodingException e) {
-          return bytes;
-        }
-      }
-    }
-    return bytes;
   }
 
   // ------------------------------------------------------------------ as a certain type

@@ -13,6 +13,7 @@ import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.UrbiTuple;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.object.Values;
 
 /**
@@ -43,7 +44,7 @@ final class ToJavaConverter {
             || object == values.dictionaryProto;
     return switch (object) {
       case UrbiFloat number when !prototype -> number.value();
-      case UrbiString string when !prototype -> JavaValues.text(string.value());
+      case UrbiString string when !prototype -> Utf8Text.toJava(string.value());
       case UrbiList list when !prototype -> container(list, depth);
       case UrbiTuple tuple when !prototype -> container(tuple, depth);
       case UrbiDictionary dictionary when !prototype -> container(dictionary, depth);

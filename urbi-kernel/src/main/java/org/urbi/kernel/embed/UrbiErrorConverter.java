@@ -13,6 +13,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.lang.source.Location;
 
 /** Converts what the kernel's code throws to what Java callers catch; on the kernel thread. */
@@ -48,7 +49,7 @@ final class UrbiErrorConverter {
       if (call.name() != null) {
         calls.add(
             new UrbiError.Call(
-                JavaValues.text(call.name()), call.span() == null ? null : call.span().location()));
+                Utf8Text.toJava(call.name()), call.span() == null ? null : call.span().location()));
       }
     }
     boolean placed = location == null || frame.interpreter().errors().tellsPlace(exception.value());
@@ -63,7 +64,7 @@ final class UrbiErrorConverter {
 
   private static String text(Frame frame, UrbiException exception) {
     try {
-      return JavaValues.text(frame.interpreter().asString(frame, exception.value()));
+      return Utf8Text.toJava(frame.interpreter().asString(frame, exception.value()));
     } catch (UrbiException | StackOverflowError e) {
       return Problem.UNPRINTABLE.text();
     }

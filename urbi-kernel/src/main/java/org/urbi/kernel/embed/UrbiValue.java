@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.SlotUpdate;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 
 /**
  * A handle on an urbiscript object that has no Java counterpart: an object with slots, a function,
@@ -70,7 +71,7 @@ public final class UrbiValue {
     return known(frame -> {
       List<String> names = new ArrayList<>();
       for (Symbol name : object.localSlotNames()) {
-        names.add(JavaValues.text(name.name()));
+        names.add(Utf8Text.toJava(name.name()));
       }
       return names;
     });
@@ -82,7 +83,7 @@ public final class UrbiValue {
     return embedding.ask(frame ->
         JavaValues.toJava(
             embedding,
-            frame.interpreter().send(frame, object, JavaValues.bytes(method), made.make(frame))));
+            frame.interpreter().send(frame, object, Utf8Text.toUrbi(method), made.make(frame))));
   }
 
   /** Calls the object itself, which is a function; its target is the lobby. */
@@ -100,14 +101,14 @@ public final class UrbiValue {
   }
 
   private Symbol symbol(String name) {
-    return object.world().symbol(JavaValues.bytes(name));
+    return object.world().symbol(Utf8Text.toUrbi(name));
   }
 
   /** As {@code asString} of urbiscript; never throws. */
   @Override
   public String toString() {
     try {
-      return known(frame -> JavaValues.text(frame.interpreter().asString(frame, object)));
+      return known(frame -> Utf8Text.toJava(frame.interpreter().asString(frame, object)));
     } catch (RuntimeException e) {
       return "UrbiValue (" + e.getMessage() + ")";
     }

@@ -30,7 +30,10 @@ public final class Durations {
         expression.span());
   }
 
-  /** Converts seconds to nanoseconds, rounded to the nearest; an infinite duration becomes a very long one. */
+  /**
+   * Converts seconds to nanoseconds, rounded to the nearest; an infinite duration becomes a very
+   * long one.
+   */
   public static long nanoseconds(double seconds) {
     double limited = Math.max(0, Math.min(seconds, MAXIMUM));
     return Math.round(limited * NANOSECONDS);

@@ -9,7 +9,8 @@ final class EventLookup {
   private EventLookup() {}
 
   /**
-   * The event that an expression evaluates to; a value of another type is converted by its {@code asEvent}.
+   * The event that an expression evaluates to; a value of another type is converted by its {@code
+   * asEvent}.
    */
   static UrbiEvent event(Frame frame, Node expression) {
     UrbiObject value = expression.execute(frame);

@@ -37,7 +37,9 @@ public final class Every extends Node {
 
   /**
    * Waits for the next turn, as the condition of a loop which is always true. Turns are due at the
-   * multiples of the period: a turn that starts late, because the machine was busy, does not delay the next ones. Only if turns wait for one another, and one lasted longer than the period, the next period starts at its end.
+   * multiples of the period: a turn that starts late, because the machine was busy, does not delay
+   * the next ones. Only if turns wait for one another, and one lasted longer than the period, the
+   * next period starts at its end.
    */
   private final class Pause extends Node {
     private final boolean overlapping;

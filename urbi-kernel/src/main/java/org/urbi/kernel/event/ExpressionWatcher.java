@@ -13,7 +13,8 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
 /**
- * Evaluates an expression again each time something changes that its last evaluation has read: a slot, a variable, the content of a container. It never polls.
+ * Evaluates an expression again each time something changes that its last evaluation has read: a
+ * slot, a variable, the content of a container. It never polls.
  */
 final class ExpressionWatcher implements Dependencies.Watcher {
   /** Receives each new value. */

@@ -39,7 +39,9 @@ public final class FunctionHandler implements Subscription, TagScope.Attachment 
   }
 
   /**
-   * The handler that {@code onEvent} installs (Urbi 3, "Event"): its functions are called with the event and the list of its payload; {@code enter} and {@code leave} also get the result of the guard.
+   * The handler that {@code onEvent} installs (Urbi 3, "Event"): its functions are called with the
+   * event and the list of its payload; {@code enter} and {@code leave} also get the result of the
+   * guard.
    *
    * @param guard accepts an emission, unless it returns void
    * @param leave called when the emission is over; may be null

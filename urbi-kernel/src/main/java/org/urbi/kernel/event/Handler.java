@@ -12,7 +12,9 @@ import org.urbi.kernel.node.Profiler;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
- * Executes the clauses of an {@code at}: the body when its condition starts to hold, {@code onleave} when it stops holding. They run in jobs of their own under the tags of the {@code at}; a synchronous {@code at} runs them at once in the job that triggered it.
+ * Executes the clauses of an {@code at}: the body when its condition starts to hold, {@code
+ * onleave} when it stops holding. They run in jobs of their own under the tags of the {@code at}; a
+ * synchronous {@code at} runs them at once in the job that triggered it.
  */
 final class Handler {
   /** How deeply synchronous handlers may be nested. */
@@ -70,7 +72,8 @@ final class Handler {
   }
 
   /**
-   * Executes the {@code onleave} clause because the {@code at} has been stopped; it runs outside of the tag that was stopped.
+   * Executes the {@code onleave} clause because the {@code at} has been stopped; it runs outside of
+   * the tag that was stopped.
    *
    * @param by the scope that was stopped; null if the clause must not be executed
    */

@@ -36,7 +36,8 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
   }
 
   /**
-   * Adds a subscription; emissions that are in progress begin for it at once. The event in the slot {@code onSubscribe}, if any, is emitted.
+   * Adds a subscription; emissions that are in progress begin for it at once. The event in the slot
+   * {@code onSubscribe}, if any, is emitted.
    */
   public void subscribe(Subscription subscription, Job job) {
     subscriptions.add(subscription);

@@ -10,7 +10,10 @@ import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
-/** {@code waituntil (condition)}: suspends the job until an expression is true, or an event is emitted. */
+/**
+ * {@code waituntil (condition)}: suspends the job until an expression is true, or an event is
+ * emitted.
+ */
 public final class WaitUntil extends Node {
   private final Condition condition;
   private final @Nullable Node duration;

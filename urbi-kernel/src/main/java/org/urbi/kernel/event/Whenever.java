@@ -71,7 +71,9 @@ public final class Whenever extends Node {
     return frame.interpreter().values().voidObject;
   }
 
-  /** The common part of both kinds: repeats a clause in a job as long as its condition asks for it. */
+  /**
+   * The common part of both kinds: repeats a clause in a job as long as its condition asks for it.
+   */
   private abstract static class Repeating implements TagScope.Attachment {
     final Frame home;
     final TagScope scope;

@@ -8,10 +8,14 @@ import org.urbi.kernel.lobby.MessageInput;
 import urbi.wire.WireException;
 
 /**
- * The input of a process in binary mode. Statements may come between the messages, because parts of the SDK ignore the mode.
+ * The input of a process in binary mode. Statements may come between the messages, because parts of
+ * the SDK ignore the mode.
  */
 final class BinaryMode implements MessageInput {
-  /** The number of bytes that come first: the sizes of short, int, long and long long in the process. */
+  /**
+   * The number of bytes that come first: the sizes of short, int, long and long long in the
+   * process.
+   */
   private static final int SIZES = 4;
 
   private static final int SHORT = 2;
@@ -129,8 +133,8 @@ final class BinaryMode implements MessageInput {
   }
 
   private void add(Step step, @Nullable Runnable answer) {
-    int size = (int) (in.read() - counted);
-    counted = in.read();
+    int size = (int) (in.position() - counted);
+    counted = in.position();
     pending += size;
     answers += answer == null ? 0 : 1;
     steps.add(new Waiting(step, answer, size));
@@ -147,7 +151,10 @@ final class BinaryMode implements MessageInput {
 
   // ------------------------------------------------------------------ statements in between
 
-  /** Tells the line end behind a statement from a reply, whose code is the same but whose name is short. */
+  /**
+   * Tells the line end behind a statement from a reply, whose code is the same but whose name is
+   * short.
+   */
   private boolean isStatement() {
     int first = in.peek(0);
     return first >= ' ' || afterStatement && first == '\n' && in.peek(1) != 0;

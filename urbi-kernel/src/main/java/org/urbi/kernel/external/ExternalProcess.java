@@ -19,18 +19,20 @@ import org.urbi.kernel.lobby.RemoteObjects;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.remote.RemoteObject;
 import org.urbi.kernel.remote.RemoteProcess;
 import org.urbi.kernel.uobject.ObjectAccess;
 import org.urbi.kernel.uobject.PluggedContext;
-import org.urbi.kernel.uobject.Texts;
 import urbi.UClass;
 import urbi.UModule;
 import urbi.UObject;
 import urbi.UValue;
 
 /**
- * A process that declared its UObjects by statements in its lobby ({@code external object}, and so on). Its requests are executed in that lobby, and it receives messages on a channel of that lobby. Used on the kernel thread.
+ * A process that declared its UObjects by statements in its lobby ({@code external object}, and so
+ * on). Its requests are executed in that lobby, and it receives messages on a channel of that
+ * lobby. Used on the kernel thread.
  */
 public final class ExternalProcess implements RemoteProcess, RemoteObjects {
   private static final String CHANNEL = "__ExternalMessage__";
@@ -109,12 +111,14 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
   // ------------------------------------------------------------------ what it declares
 
   /**
-   * {@code external object}: the process has an object, which replaces the slot of that name in the lobby.
+   * {@code external object}: the process has an object, which replaces the slot of that name in the
+   * lobby.
    *
-   * @throws IllegalArgumentException if an object of another process has that name, or there is no slot
+   * @throws IllegalArgumentException if an object of another process has that name, or there is no
+   *     slot
    */
   public void declareObject(String name) {
-    Symbol slot = lobby.world().symbol(Texts.toUrbi(name));
+    Symbol slot = lobby.world().symbol(Utf8Text.toUrbi(name));
     if (objects.containsKey(name)) {
       lobby.removeSlot(slot);
       access.show(name);
@@ -140,7 +144,8 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
   }
 
   /**
-   * {@code external function}: one of its objects has a function, which replaces one of the same name.
+   * {@code external function}: one of its objects has a function, which replaces one of the same
+   * name.
    *
    * @throws IllegalArgumentException if the object does not belong to the process
    */
@@ -183,7 +188,10 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
 
   // ------------------------------------------------------------------ objects
 
-  /** Creates the counterpart of an urbiscript object: one that the process has declared, or one that it is asked to create. */
+  /**
+   * Creates the counterpart of an urbiscript object: one that the process has declared, or one that
+   * it is asked to create.
+   */
   private UObject make(String name) {
     if (lost != null) {
       throw new IllegalStateException(lost);
@@ -305,7 +313,9 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
           .interpreter()
           .errors()
           .primitive(
-              Texts.toUrbi(subject), Problem.REASON, Texts.toUrbi(String.valueOf(e.getMessage())));
+              Utf8Text.toUrbi(subject),
+              Problem.REASON,
+              Utf8Text.toUrbi(String.valueOf(e.getMessage())));
     }
   }
 

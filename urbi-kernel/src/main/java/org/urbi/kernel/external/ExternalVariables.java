@@ -19,7 +19,8 @@ import urbi.USlot;
 import urbi.UValue;
 
 /**
- * The variables to which an external process has subscribed: it is sent each new value, except those it has set itself.
+ * The variables to which an external process has subscribed: it is sent each new value, except
+ * those it has set itself.
  */
 public final class ExternalVariables {
   private static final int ASSIGN = 1;
@@ -75,7 +76,8 @@ public final class ExternalVariables {
   }
 
   /**
-   * {@code external var}: the process subscribes to the changes of a variable, which is created if it does not exist.
+   * {@code external var}: the process subscribes to the changes of a variable, which is created if
+   * it does not exist.
    *
    * @throws IllegalArgumentException if there is no such object
    */

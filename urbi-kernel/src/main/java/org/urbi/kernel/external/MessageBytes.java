@@ -53,13 +53,9 @@ final class MessageBytes {
     }
   }
 
-  private long position() {
-    return total - (to - from);
-  }
-
   /** How many bytes have been read. */
-  long read() {
-    return position();
+  long position() {
+    return total - (to - from);
   }
 
   int peek(int offset) {

@@ -6,7 +6,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.urbi.kernel.uobject.Texts;
+import org.urbi.kernel.object.Utf8Text;
 import urbi.UBinary;
 import urbi.UDictionary;
 import urbi.UList;
@@ -14,7 +14,8 @@ import urbi.UValue;
 import urbi.wire.WireException;
 
 /**
- * Reads the messages of the binary mode. It never reads a byte twice, so a message that arrives byte by byte costs no more than one that arrives whole.
+ * Reads the messages of the binary mode. It never reads a byte twice, so a message that arrives
+ * byte by byte costs no more than one that arrives whole.
  */
 final class MessageReader {
   private static final int ASSIGN = 1;
@@ -112,15 +113,15 @@ final class MessageReader {
       return null;
     }
     return switch (code) {
-      case REPLY -> done(new ExternalMessage.Reply(Texts.toJava(name), whole));
-      case EMIT -> done(new ExternalMessage.Emit(Texts.toJava(name), elements(whole)));
+      case REPLY -> done(new ExternalMessage.Reply(Utf8Text.toJava(name), whole));
+      case EMIT -> done(new ExternalMessage.Emit(Utf8Text.toJava(name), elements(whole)));
       default -> {
         // A time stamp, which is ignored: the kernel uses its own time.
         if (!in.has(8)) {
           yield null;
         }
         in.bytes(8);
-        yield done(new ExternalMessage.Assign(Texts.toJava(name), whole));
+        yield done(new ExternalMessage.Assign(Utf8Text.toJava(name), whole));
       }
     };
   }
@@ -172,7 +173,7 @@ final class MessageReader {
         if (key == null) {
           return null;
         }
-        innermost.key = Texts.toJava(key);
+        innermost.key = Utf8Text.toJava(key);
       } else if (!readOne()) {
         return null;
       }
@@ -231,7 +232,7 @@ final class MessageReader {
           return false;
         }
         in.octet();
-        String text = Texts.toJava(wholeString());
+        String text = Utf8Text.toJava(wholeString());
         put(type == STRING ? new UValue(text) : named(text));
       }
       case BINARY -> {
@@ -259,7 +260,7 @@ final class MessageReader {
       return false;
     }
     in.octet();
-    String keywords = Texts.toJava(wholeString());
+    String keywords = Utf8Text.toJava(wholeString());
     in.integer();
     byte[] data = in.bytes((int) size);
     try {

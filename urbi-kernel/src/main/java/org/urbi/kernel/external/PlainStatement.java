@@ -2,7 +2,9 @@ package org.urbi.kernel.external;
 
 import org.urbi.lang.input.StatementReader;
 
-/** A statement between binary messages, read byte by byte; or a line that gives its source location. */
+/**
+ * A statement between binary messages, read byte by byte; or a line that gives its source location.
+ */
 final class PlainStatement {
   private static final String COMMENT = "//";
 

@@ -1,8 +1,9 @@
 package org.urbi.kernel.external;
 
-import java.nio.charset.StandardCharsets;
 import java.util.Iterator;
 import java.util.Map;
+import org.urbi.kernel.object.Utf8Text;
+import org.urbi.lang.print.StringEscape;
 import urbi.UBinary;
 import urbi.UValue;
 
@@ -10,8 +11,6 @@ import urbi.UValue;
 public final class ValueText {
   /** Integers up to this value are written without an exponent. */
   private static final double LONGEST_WHOLE = 1e15;
-
-  private static final String HEXADECIMAL = "0123456789abcdef";
 
   private ValueText() {}
 
@@ -66,22 +65,9 @@ public final class ValueText {
   /** Writes a string in quotes; characters that are not printable ASCII are escaped. */
   static void quote(StringBuilder to, String text) {
     to.append('"');
-    for (byte each : text.getBytes(StandardCharsets.UTF_8)) {
-      switch (each) {
-        case '"', '\\' -> to.append('\\').append((char) each);
-        case '\n' -> to.append("\\n");
-        case '\t' -> to.append("\\t");
-        case '\r' -> to.append("\\r");
-        default -> {
-          if (each >= ' ' && each < 0x7f) {
-            to.append((char) each);
-          } else {
-            int code = each & 0xff;
-            to.append("\\x").append(HEXADECIMAL.charAt(code >> 4));
-            to.append(HEXADECIMAL.charAt(code & 0xf));
-          }
-        }
-      }
+    String bytes = Utf8Text.toUrbi(text);
+    for (int i = 0; i < bytes.length(); i++) {
+      StringEscape.appendBasic(to, bytes.charAt(i), '"');
     }
     to.append('"');
   }
@@ -92,8 +78,8 @@ public final class ValueText {
     to.append("BIN ").append(data.length);
     if (!keywords.isEmpty()) {
       to.append(' ');
-      to.append(new String(keywords.getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1));
+      to.append(Utf8Text.toUrbi(keywords));
     }
-    to.append('\n').append(new String(data, StandardCharsets.ISO_8859_1));
+    to.append('\n').append(Utf8Text.text(data));
   }
 }

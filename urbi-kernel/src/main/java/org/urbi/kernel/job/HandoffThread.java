@@ -7,7 +7,9 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.message.Message;
 
 /**
- * Runs a job on a virtual thread of the JDK's own scheduler: the tick loop and the job hand the turn to each other, and the one that waits is parked. For programs that embed the kernel without opening {@code java.lang}.
+ * Runs a job on a virtual thread of the JDK's own scheduler: the tick loop and the job hand the
+ * turn to each other, and the one that waits is parked. For programs that embed the kernel without
+ * opening {@code java.lang}.
  */
 final class HandoffThread implements JobThread {
   private final Factory factory;
@@ -76,7 +78,10 @@ final class HandoffThread implements JobThread {
 
   /** Makes the threads of one kernel. */
   static final class Factory implements JobThread.Factory {
-    /** The limit of nested calls: the stack of a virtual thread of the JDK is limited by that of its carrier. */
+    /**
+     * The limit of nested calls: the stack of a virtual thread of the JDK is limited by that of its
+     * carrier.
+     */
     private static final int MAXIMUM_DEPTH = 1_000;
 
     private volatile @Nullable Thread loop;

@@ -4,7 +4,9 @@ import java.util.function.BiConsumer;
 import org.urbi.kernel.time.Clock;
 
 /**
- * Watches from another thread whether a job holds the kernel for too long without letting others run, and ends that job. If the job waits inside the Java code of a component, that thread is interrupted, too.
+ * Watches from another thread whether a job holds the kernel for too long without letting others
+ * run, and ends that job. If the job waits inside the Java code of a component, that thread is
+ * interrupted, too.
  */
 public final class HoldWatchdog {
   /** How many times the watchdog checks within the time limit. */

@@ -12,9 +12,12 @@ import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Receiver;
 
 /**
- * The only way into the kernel: everything from outside is a {@link Message} that waits here, in order of arrival, until the next tick begins.
+ * The only way into the kernel: everything from outside is a {@link Message} that waits here, in
+ * order of arrival, until the next tick begins.
  *
- * <p>Messages are addressed to receivers by number. A receiver created on the kernel thread is given the {@link #register next number} there; one that appears outside (a connection, say) {@link #reserve reserves} a number, and its first message announces it to the kernel.
+ * <p>Messages are addressed to receivers by number. A receiver created on the kernel thread is
+ * given the {@link #register next number} there; one that appears outside (a connection, say)
+ * {@link #reserve reserves} a number, and its first message announces it to the kernel.
  */
 public final class Inbox {
   /** How many messages one tick takes at most: a flood must not keep the jobs from running. */

@@ -13,9 +13,13 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.time.Clock;
 
 /**
- * Requests to end running code that never lets others run, so that no message can reach it: the code of a lobby whose client asked for it, a job that has held the kernel for too long, or any code when the kernel must end. They are only flags: whoever wants a lobby's code ended also posts a message, which {@linkplain #clear clears the flag} when it is taken.
+ * Requests to end running code that never lets others run, so that no message can reach it: the
+ * code of a lobby whose client asked for it, a job that has held the kernel for too long, or any
+ * code when the kernel must end. They are only flags: whoever wants a lobby's code ended also posts
+ * a message, which {@linkplain #clear clears the flag} when it is taken.
  *
- * <p>Code that is being ended may still run its {@code finally} clauses for a moment; if it then still holds the kernel, these are ended, too.
+ * <p>Code that is being ended may still run its {@code finally} clauses for a moment; if it then
+ * still holds the kernel, these are ended, too.
  */
 public final class Interruptions {
   /** How long code that is being ended may still hold the kernel, in nanoseconds. */
@@ -75,16 +79,15 @@ public final class Interruptions {
     announce();
   }
 
-  /**
-   * Sets a listener that is called, on any thread, when {@link #arePending} may have changed.
-   */
+  /** Sets a listener that is called, on any thread, when {@link #arePending} may have changed. */
   public void whenChanged(Runnable listener) {
     changed = listener;
     listener.run();
   }
 
   /**
-   * Whether there may be a request, or checks are being counted for a recording. Code asks this in each turn of a loop, and at each call.
+   * Whether there may be a request, or checks are being counted for a recording. Code asks this in
+   * each turn of a loop, and at each call.
    */
   public boolean arePending() {
     return wanted;
@@ -115,7 +118,9 @@ public final class Interruptions {
     }
   }
 
-  /** Decides whether and why the job that runs for that lobby must end, and notes that it ends now. */
+  /**
+   * Decides whether and why the job that runs for that lobby must end, and notes that it ends now.
+   */
   StopReason decide(UrbiObject lobby) {
     StopReason decided = journal.stopReason(pendingFor(lobby));
     if (decided == StopReason.NONE) {

@@ -125,7 +125,9 @@ public final class Job implements Runnable {
   }
 
   /**
-   * If the lobby has too many jobs, the exception is thrown in the job that starts this one. If that job belongs to another lobby, or there is none, the new job gets the exception as soon as it runs.
+   * If the lobby has too many jobs, the exception is thrown in the job that starts this one. If
+   * that job belongs to another lobby, or there is none, the new job gets the exception as soon as
+   * it runs.
    */
   private boolean isAdmitted(@Nullable Job creator) {
     boolean admitted = budget.take(Resource.JOBS);
@@ -192,7 +194,10 @@ public final class Job implements Runnable {
     return scheduler.refusal(Problem.BUDGET_EXHAUSTED, budget.limit(what), what.unit());
   }
 
-  /** Runs an action on behalf of another lobby, if that lobby has other permissions than the job's own. */
+  /**
+   * Runs an action on behalf of another lobby, if that lobby has other permissions than the job's
+   * own.
+   */
   public <T> T doFor(UrbiObject other, Supplier<T> action) {
     if (other == lobby || role == Role.OWNER && RoleHolder.roleOf(other) == Role.OWNER) {
       return action.get();
@@ -206,7 +211,10 @@ public final class Job implements Runnable {
     }
   }
 
-  /** Whether it only waits for somebody to send something, so that it does not keep the kernel running. */
+  /**
+   * Whether it only waits for somebody to send something, so that it does not keep the kernel
+   * running.
+   */
   public boolean isDaemon() {
     return daemon;
   }
@@ -386,7 +394,10 @@ public final class Job implements Runnable {
     switchOut();
   }
 
-  /** To be called while an exception unwinds many calls, which takes long: lets others run if there are any. */
+  /**
+   * To be called while an exception unwinds many calls, which takes long: lets others run if there
+   * are any.
+   */
   public void yieldWhileUnwinding() {
     if (nonInterruptible > 0) {
       return;
@@ -465,14 +476,19 @@ public final class Job implements Runnable {
     }
   }
 
-  /** Throws if somebody has asked to end this job; to be called regularly by code that never lets others run. */
+  /**
+   * Throws if somebody has asked to end this job; to be called regularly by code that never lets
+   * others run.
+   */
   public void checkInterrupted() {
     if (scheduler.interruptions().arePending()) {
       scheduler.interruptions().check(this);
     }
   }
 
-  /** Java code of a component begins to run, in the given function, until {@link #leaveComponent}. */
+  /**
+   * Java code of a component begins to run, in the given function, until {@link #leaveComponent}.
+   */
   public @Nullable String enterComponent(@Nullable String function) {
     String outer = component;
     component = function;
@@ -604,7 +620,8 @@ public final class Job implements Runnable {
   }
 
   /**
-   * The thread of the job waits inside Java, for instance for a lock that another thread holds. That takes real time, which simulated time must not outrun.
+   * The thread of the job waits inside Java, for instance for a lock that another thread holds.
+   * That takes real time, which simulated time must not outrun.
    */
   void waitsInJava() {
     scheduler.pace().begin();
@@ -622,7 +639,8 @@ public final class Job implements Runnable {
   }
 
   /**
-   * Throws an exception in the job as soon as its turn comes; if it is running, at its next {@link #checkInjected}. Of two stops the outer one wins.
+   * Throws an exception in the job as soon as its turn comes; if it is running, at its next {@link
+   * #checkInjected}. Of two stops the outer one wins.
    */
   void inject(ControlFlowException unwinding) {
     if (state == State.ENDED) {

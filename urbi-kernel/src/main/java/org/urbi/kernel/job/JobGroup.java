@@ -8,7 +8,8 @@ import org.urbi.kernel.error.Problem;
 
 /**
  * The jobs that a job starts and waits for: the operands of {@code &}, the statements that {@code
- * ,} sends to the background of a scope. When an exception (or {@code return}, or {@code break}) leaves one of them, it also leaves the code that started it, and the others end.
+ * ,} sends to the background of a scope. When an exception (or {@code return}, or {@code break})
+ * leaves one of them, it also leaves the code that started it, and the others end.
  */
 public final class JobGroup {
   private final Job parent;

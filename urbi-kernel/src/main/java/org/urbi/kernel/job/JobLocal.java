@@ -3,7 +3,8 @@ package org.urbi.kernel.job;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A variable with a separate value for each job, as {@link ThreadLocal} is for threads. A package of the kernel uses it to keep data for a job, without the job knowing that package.
+ * A variable with a separate value for each job, as {@link ThreadLocal} is for threads. A package
+ * of the kernel uses it to keep data for a job, without the job knowing that package.
  */
 public final class JobLocal<T> {
   /** A value in one job; the others follow. */

@@ -3,8 +3,8 @@ package org.urbi.kernel.job;
 import org.urbi.kernel.message.Message;
 
 /**
- * Carries the stack of a job. The tick loop calls {@link #resume}, the job calls {@link
- * #suspend}; exactly one of the two sides runs at a time.
+ * Carries the stack of a job. The tick loop calls {@link #resume}, the job calls {@link #suspend};
+ * exactly one of the two sides runs at a time.
  */
 interface JobThread {
   /** Runs the job until it suspends or ends. */

@@ -5,7 +5,10 @@ public enum JobThreads {
   /** {@link #TICK_LOOP} if {@code java.lang} is opened to the kernel, {@link #BATON} otherwise. */
   AUTO,
 
-  /** The tick loop is the executor of the virtual threads: the fastest way, but needs {@code --add-opens}. */
+  /**
+   * The tick loop is the executor of the virtual threads: the fastest way, but needs {@code
+   * --add-opens}.
+   */
   TICK_LOOP,
 
   /** Jobs run on the scheduler of the JDK, and hand control to each other. */

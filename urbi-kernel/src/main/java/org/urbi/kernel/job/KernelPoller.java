@@ -3,7 +3,9 @@ package org.urbi.kernel.job;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Receives data from outside on the kernel thread itself, which saves waking another thread first. What it receives is {@linkplain Inbox#post posted} like all other messages. All methods except {@link Wait#wake} are called on the kernel thread, between the jobs.
+ * Receives data from outside on the kernel thread itself, which saves waking another thread first.
+ * What it receives is {@linkplain Inbox#post posted} like all other messages. All methods except
+ * {@link Wait#wake} are called on the kernel thread, between the jobs.
  */
 public interface KernelPoller {
   /** Polls nothing. */

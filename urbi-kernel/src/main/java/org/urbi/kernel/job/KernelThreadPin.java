@@ -7,7 +7,9 @@ import java.lang.reflect.Method;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Keeps a job on the kernel thread while it executes the code of a component. If that code waits, the kernel waits with it, because such calls block everything (manual, "Asynchronous binding"). Without the pin, the virtual thread of the job would be unmounted and other jobs would run.
+ * Keeps a job on the kernel thread while it executes the code of a component. If that code waits,
+ * the kernel waits with it, because such calls block everything (manual, "Asynchronous binding").
+ * Without the pin, the virtual thread of the job would be unmounted and other jobs would run.
  */
 public final class KernelThreadPin {
   private static final @Nullable MethodHandle PIN = find("pin");
@@ -16,7 +18,9 @@ public final class KernelThreadPin {
   private KernelThreadPin() {}
 
   /**
-   * The method that pins a virtual thread is in a package that the JDK does not export. Reflection in {@code java.lang} can export it; that package is open where the tick loop itself runs the jobs. Where it is not open, no pin is needed: a job lets others run only when it says so.
+   * The method that pins a virtual thread is in a package that the JDK does not export. Reflection
+   * in {@code java.lang} can export it; that package is open where the tick loop itself runs the
+   * jobs. Where it is not open, no pin is needed: a job lets others run only when it says so.
    */
   private static @Nullable MethodHandle find(String name) {
     try {

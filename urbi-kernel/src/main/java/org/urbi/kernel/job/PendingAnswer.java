@@ -6,7 +6,8 @@ import org.urbi.kernel.message.Outcome;
 import org.urbi.kernel.message.Receiver;
 
 /**
- * A result that another thread computes and for which a job waits while other jobs run. Simulated time runs at the pace of real time until the result is there, even if the job no longer waits.
+ * A result that another thread computes and for which a job waits while other jobs run. Simulated
+ * time runs at the pace of real time until the result is there, even if the job no longer waits.
  */
 public final class PendingAnswer implements Receiver {
   private final Scheduler scheduler;

@@ -16,7 +16,11 @@ import org.urbi.kernel.time.Clock;
  * The jobs that can run, in the order in which they became runnable. A round gives each of them one
  * turn.
  *
- * <p>A round that would delay clients and timers noticeably is cut short. From then on, until the load is over, each lobby has a queue of its own, and a round serves the lobbies in order, those first whose turns have been cut short least often; it ends with the lobby for which its slice of time was not enough. So a lobby that starts a million jobs delays only itself. In simulated time nobody waits, and rounds are never cut.
+ * <p>A round that would delay clients and timers noticeably is cut short. From then on, until the
+ * load is over, each lobby has a queue of its own, and a round serves the lobbies in order, those
+ * first whose turns have been cut short least often; it ends with the lobby for which its slice of
+ * time was not enough. So a lobby that starts a million jobs delays only itself. In simulated time
+ * nobody waits, and rounds are never cut.
  */
 final class RunQueue {
   /** How long the jobs of one lobby may run in a round while others wait, in nanoseconds. */
@@ -25,7 +29,9 @@ final class RunQueue {
   /** How long a whole round may take, in nanoseconds, if it takes more than a slice. */
   private static final long LONGEST_ROUND = 2 * SLICE;
 
-  /** How many jobs run between two readings of the clock, unless a message arrives; a power of two. */
+  /**
+   * How many jobs run between two readings of the clock, unless a message arrives; a power of two.
+   */
   private static final int JOBS_PER_LOOK = 8;
 
   private final Clock clock;
@@ -120,7 +126,10 @@ final class RunQueue {
         job.lobby(), lobby -> new LobbyQueue(sharesMade++, fewestRoundsCut(all)));
   }
 
-  /** A lobby that joins later starts with the lowest count of the others: it must not be preferred for long. */
+  /**
+   * A lobby that joins later starts with the lowest count of the others: it must not be preferred
+   * for long.
+   */
   private static long fewestRoundsCut(Map<UrbiObject, LobbyQueue> all) {
     return all.values().stream().mapToLong(share -> share.roundsCut).min().orElse(0);
   }

@@ -38,10 +38,16 @@ public final class Scheduler {
   /** Simulated time moves on after jobs have been runnable in this many cycles in a row… */
   private static final int BUSY_CYCLES = 1000;
 
-  /** …by a microsecond for each: otherwise a job that never waits would keep sleeping jobs asleep for ever. */
+  /**
+   * …by a microsecond for each: otherwise a job that never waits would keep sleeping jobs asleep
+   * for ever.
+   */
   private static final long BUSY_STEP = 1000L * BUSY_CYCLES;
 
-  /** The limit of jobs started in one tick: endless chains of jobs that start jobs must not starve the others. */
+  /**
+   * The limit of jobs started in one tick: endless chains of jobs that start jobs must not starve
+   * the others.
+   */
   private static final int BIRTHS_PER_TICK = 100_000;
 
   /** How many turns the jobs get for ending when the kernel ends. */
@@ -87,7 +93,8 @@ public final class Scheduler {
 
   /**
    * @param journal records all input from outside
-   * @param uncaught called with a job for which nobody waits and the exception that ended it; with null for an exception thrown between the turns of the jobs
+   * @param uncaught called with a job for which nobody waits and the exception that ended it; with
+   *     null for an exception thrown between the turns of the jobs
    */
   public Scheduler(
       World world,
@@ -159,7 +166,9 @@ public final class Scheduler {
     }
   }
 
-  /** The number of ticks so far, including those that were skipped because only one job could run. */
+  /**
+   * The number of ticks so far, including those that were skipped because only one job could run.
+   */
   public long cycle() {
     return cycle + passed;
   }
@@ -201,13 +210,18 @@ public final class Scheduler {
     return interruptions;
   }
 
-  /** Tries to start an activity outside, and returns whether it could. In a replay nothing is started, and the recorded result is returned. */
+  /**
+   * Tries to start an activity outside, and returns whether it could. In a replay nothing is
+   * started, and the recorded result is returned.
+   */
   public boolean attempt(BooleanSupplier beginning) {
     return query(beginning::getAsBoolean);
   }
 
   /**
-   * Sets an action that runs whenever the kernel is quiet: there is nothing to run, no deadline, and no activity outside that the kernel has started, so that only a message could bring more. To be called before the start.
+   * Sets an action that runs whenever the kernel is quiet: there is nothing to run, no deadline,
+   * and no activity outside that the kernel has started, so that only a message could bring more.
+   * To be called before the start.
    */
   public void whenQuiet(Runnable action) {
     whenQuiet = action;
@@ -376,7 +390,8 @@ public final class Scheduler {
    * been started.
    *
    * @param limit in nanoseconds; {@link Long#MAX_VALUE} for none
-   * @param told called on another thread when that has happened, with the job and the component function that it executes, or null
+   * @param told called on another thread when that has happened, with the job and the component
+   *     function that it executes, or null
    */
   public HoldWatchdog limitHolding(long limit, BiConsumer<Job, String> told) {
     HoldWatchdog watch = new HoldWatchdog(this, machine, limit, told);
@@ -486,9 +501,7 @@ public final class Scheduler {
     }
   }
 
-  /**
-   * Whether simulated time must move on although jobs have been runnable all the time.
-   */
+  /** Whether simulated time must move on although jobs have been runnable all the time. */
   private boolean isBusyForLong() {
     return cycle() >= busyUntil && !clock.isReal();
   }

@@ -6,7 +6,9 @@ import java.util.function.BooleanSupplier;
 import org.urbi.kernel.time.Clock;
 
 /**
- * Controls how simulated time passes while real activities go on: a process runs, a connection is open. An answer that comes soon takes no simulated time. While no message arrives, simulated time runs at the pace of real time, so that deadlines are reached.
+ * Controls how simulated time passes while real activities go on: a process runs, a connection is
+ * open. An answer that comes soon takes no simulated time. While no message arrives, simulated time
+ * runs at the pace of real time, so that deadlines are reached.
  */
 public final class SimulationPace {
   /** Activities shorter than this, in nanoseconds, take no simulated time. */

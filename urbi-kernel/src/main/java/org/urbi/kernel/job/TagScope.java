@@ -47,7 +47,8 @@ public final class TagScope {
   }
 
   /**
-   * @param owner the job that has entered the tagged code and will leave it; null if all jobs of the scope begin and end under it
+   * @param owner the job that has entered the tagged code and will leave it; null if all jobs of
+   *     the scope begin and end under it
    */
   TagScope(TagState tag, @Nullable TagScope parent, @Nullable Job owner) {
     this.tag = tag;

@@ -8,7 +8,8 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
- * What a tag does to the code it labels (manual, "Tag"): stop, block, freeze. The urbiscript object Tag is based on it.
+ * What a tag does to the code it labels (manual, "Tag"): stop, block, freeze. The urbiscript object
+ * Tag is based on it.
  */
 public final class TagState {
   final Set<TagScope> scopes = new LinkedHashSet<>();
@@ -100,7 +101,10 @@ public final class TagState {
     blockedValue = null;
   }
 
-  /** Suspends the code under this tag, and code that enters it later; its time stands still meanwhile. */
+  /**
+   * Suspends the code under this tag, and code that enters it later; its time stands still
+   * meanwhile.
+   */
   public void freeze() {
     if (!frozen) {
       frozen = true;

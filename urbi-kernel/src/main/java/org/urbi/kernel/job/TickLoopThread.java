@@ -207,7 +207,8 @@ final class TickLoopThread implements JobThread, Executor {
     }
 
     /**
-     * Jobs that wait for a Java lock must still get and release it, otherwise the next ones in line would wait for ever. They unwind as soon as they are back in urbiscript code.
+     * Jobs that wait for a Java lock must still get and release it, otherwise the next ones in line
+     * would wait for ever. They unwind as soon as they are back in urbiscript code.
      */
     @Override
     public void loopEnded() {

@@ -14,7 +14,8 @@ public final class Timers {
   private int cancelled;
 
   /**
-   * @param admission takes a timer from a budget and returns that budget, or throws if there are too many
+   * @param admission takes a timer from a budget and returns that budget, or throws if there are
+   *     too many
    */
   Timers(Supplier<Budget> admission) {
     this.admission = admission;
@@ -74,7 +75,9 @@ public final class Timers {
     return add(deadline, admission.get(), action);
   }
 
-  /** The same for a sleeping job, which is not counted as a timer because it is counted as a job. */
+  /**
+   * The same for a sleeping job, which is not counted as a timer because it is counted as a job.
+   */
   Timer addUncounted(long deadline, Runnable action) {
     return add(deadline, null, action);
   }
@@ -86,7 +89,8 @@ public final class Timers {
   }
 
   /**
-   * Replaces the timer of a sleeping job; among timers with the same deadline it keeps the rank of the old one.
+   * Replaces the timer of a sleeping job; among timers with the same deadline it keeps the rank of
+   * the old one.
    */
   Timer moved(Timer before, long deadline, Runnable action) {
     Timer timer = new Timer(deadline, before.order, null, action);

@@ -7,7 +7,8 @@ import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.time.Clock;
 
 /**
- * Measures how much running time and memory allocation the jobs of each lobby use. It starts when somebody first asks, and then measures whenever the turn passes to another lobby.
+ * Measures how much running time and memory allocation the jobs of each lobby use. It starts when
+ * somebody first asks, and then measures whenever the turn passes to another lobby.
  */
 public final class UsageMeter {
   private final Clock machine;
@@ -57,7 +58,10 @@ public final class UsageMeter {
     allocatedBefore = allocated;
   }
 
-  /** Allocations can only be measured if jobs run on the kernel thread, and not on carrier threads of the JDK. */
+  /**
+   * Allocations can only be measured if jobs run on the kernel thread, and not on carrier threads
+   * of the JDK.
+   */
   private long allocated() {
     Thread kernel = thread;
     ThreadMXBean known = threads;
@@ -67,14 +71,18 @@ public final class UsageMeter {
   }
 
   /**
-   * For how long jobs with that budget have run since measuring started, in nanoseconds, including the current turn. From any thread.
+   * For how long jobs with that budget have run since measuring started, in nanoseconds, including
+   * the current turn. From any thread.
    */
   public long nanoseconds(Budget of) {
     long before = of.nanoseconds();
     return measuring && charged == of ? before + machine.now() - since : before;
   }
 
-  /** How many bytes jobs with that budget have allocated since measuring started, including the current turn. */
+  /**
+   * How many bytes jobs with that budget have allocated since measuring started, including the
+   * current turn.
+   */
   public long bytes(Budget of) {
     long before = of.bytes();
     return measuring && charged == of ? before + allocated() - allocatedBefore : before;

@@ -4,7 +4,8 @@ import java.lang.ref.WeakReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A handler that waits under a scope but is kept alive only by what it watches. When that object is dropped, the handler can never run again, and both are forgotten.
+ * A handler that waits under a scope but is kept alive only by what it watches. When that object is
+ * dropped, the handler can never run again, and both are forgotten.
  */
 public final class WeakAttachment implements TagScope.Attachment {
   private final WeakReference<TagScope.Attachment> handler;
@@ -14,7 +15,9 @@ public final class WeakAttachment implements TagScope.Attachment {
     this.handler = new WeakReference<>(handler);
   }
 
-  /** Sets whether the scope keeps the handler alive, because it has begun something that must end. */
+  /**
+   * Sets whether the scope keeps the handler alive, because it has begun something that must end.
+   */
   public void keep(boolean on) {
     kept = on ? handler.get() : null;
   }

@@ -1,4 +1,6 @@
-/** Jobs, the scopes of tags, and the tick loop that runs them. It knows nothing of urbiscript code. */
+/**
+ * Jobs, the scopes of tags, and the tick loop that runs them. It knows nothing of urbiscript code.
+ */
 @NullMarked
 package org.urbi.kernel.job;
 

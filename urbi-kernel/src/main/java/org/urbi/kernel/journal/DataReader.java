@@ -15,9 +15,7 @@ import org.urbi.kernel.message.Outcome;
 import urbi.UValue;
 import urbi.wire.WireInput;
 
-/**
- * Reads what {@link DataWriter} has written; invalid data is a {@link RecordingException}.
- */
+/** Reads what {@link DataWriter} has written; invalid data is a {@link RecordingException}. */
 final class DataReader {
   private final WireInput in;
 

@@ -11,9 +11,7 @@ import org.urbi.kernel.message.Outcome;
 import urbi.UValue;
 import urbi.wire.WireOutput;
 
-/**
- * Serializes data: numbers in as few bytes as they need, strings and lists after their length.
- */
+/** Serializes data: numbers in as few bytes as they need, strings and lists after their length. */
 final class DataWriter {
   static final int NULL = 0;
   static final int FALSE = 1;

@@ -7,7 +7,9 @@ import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Outcome;
 
 /**
- * Stands between the kernel thread and the outside: every reading of the clock, every message, every query of the machine, and all output passes through it, so that a run can be recorded and replayed. By default nothing is recorded. All methods are called on the kernel thread.
+ * Stands between the kernel thread and the outside: every reading of the clock, every message,
+ * every query of the machine, and all output passes through it, so that a run can be recorded and
+ * replayed. By default nothing is recorded. All methods are called on the kernel thread.
  */
 public interface Journal {
   /** Records nothing. */

@@ -5,12 +5,12 @@ import org.jspecify.annotations.Nullable;
 import urbi.UValue;
 
 /**
- * News for the kernel thread. What came in, in which order and at which tick, is the run: so a
- * message is data alone. A live thing of which it speaks (a socket, a process, a client) waits with
- * its owner under the number of the receiver.
+ * A message to the kernel thread. A run is determined by its messages, their order and their ticks,
+ * so a message is pure data. A live object that it is about (a socket, a process, a client) stays
+ * with its owner, under the number of the receiver.
  *
- * <p>The components of a message are what {@link DataForm} can write. The number by which {@link
- * MessageForm} writes a kind of message never changes.
+ * <p>The components of a message are of types that the journal can write. The number under which it
+ * writes a kind of message never changes.
  */
 public sealed interface Message {
   /** The receiver of what concerns the whole kernel. */

@@ -5,20 +5,20 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 
 /**
- * What has become of something that was done outside the kernel thread.
+ * The outcome of work done outside the kernel thread: its result or its failure.
  *
- * @param value the result, if there is no failure: what {@link DataForm} can write, or a live thing
- *     that a replay has to do without
+ * @param value the result, if there is no failure: a value that the journal can write, or a live
+ *     object (an open file, say), which a replay does not have
  * @param failure what was thrown, or null
  */
 public record Outcome(@Nullable Object value, @Nullable Throwable failure) {
-  /** Something that can be done. */
+  /** Work that can fail. */
   @FunctionalInterface
   public interface Work<T> {
     @Nullable T run() throws Exception;
   }
 
-  /** Does something, and keeps what comes of it. */
+  /** Does some work, and keeps its outcome. */
   public static Outcome of(Work<?> work) {
     try {
       return new Outcome(work.run(), null);

@@ -13,6 +13,7 @@ import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.object.Values;
 import org.urbi.kernel.variable.UrbiUVar;
 import urbi.UCallback;
@@ -201,7 +202,7 @@ final class Converters {
 
   private @Nullable String text(UrbiObject given) {
     if (given instanceof UrbiString string) {
-      return Texts.toJava(string.value());
+      return Utf8Text.toJava(string.value());
     }
     return (String) cast(String.class, given);
   }
@@ -215,7 +216,7 @@ final class Converters {
       return new UVar(context.variables().handOut(found));
     }
     if (given instanceof UrbiString name) {
-      return new UVar(Texts.toJava(name.value()));
+      return new UVar(Utf8Text.toJava(name.value()));
     }
     throw new ConversionFailure(given, "UVar", Problem.CAST_TO_UVAR.text());
   }
@@ -247,7 +248,7 @@ final class Converters {
   }
 
   private UrbiObject ofText(@Nullable String result) {
-    return result == null ? values.voidObject : values.string(Texts.toUrbi(result));
+    return result == null ? values.voidObject : values.string(Utf8Text.toUrbi(result));
   }
 
   /** A result that need not be there yet. */

@@ -14,6 +14,7 @@ import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.object.World;
 import urbi.UCallback;
 import urbi.UClass;
@@ -59,7 +60,7 @@ public final class InstanceLifecycle {
       return () -> {};
     }
     UrbiObject prototype = world.prototype("UObject").cloned();
-    ClassNodes.nameType(interpreter, prototype, Texts.toUrbi(type.name()));
+    ClassNodes.nameType(interpreter, prototype, Utf8Text.toUrbi(type.name()));
     Instance instance = objects().add(type.name(), type, prototype, frame.job().lobby());
     prototypes.put(type.name(), prototype);
     try {
@@ -127,7 +128,7 @@ public final class InstanceLifecycle {
           .primitive(
               site.calledName(),
               Problem.CONSTRUCTION_FAILED,
-              Texts.toUrbi(instance.type().name()),
+              Utf8Text.toUrbi(instance.type().name()),
               interpreter.asString(frame, status));
     }
   }
@@ -156,9 +157,9 @@ public final class InstanceLifecycle {
             interpreter
                 .errors()
                 .primitive(
-                    Texts.toUrbi(name),
+                    Utf8Text.toUrbi(name),
                     Problem.REASON,
-                    Texts.toUrbi(caught("constructing " + name, e)));
+                    Utf8Text.toUrbi(caught("constructing " + name, e)));
       };
     } finally {
       context.back(frame, outer);
@@ -257,7 +258,7 @@ public final class InstanceLifecycle {
   }
 
   Symbol symbol(String name) {
-    return world.symbol(Texts.toUrbi(name));
+    return world.symbol(Utf8Text.toUrbi(name));
   }
 
   // ------------------------------------------------------------------ the end

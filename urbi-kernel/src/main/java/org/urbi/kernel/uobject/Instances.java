@@ -18,6 +18,7 @@ import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.SlotData;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.object.World;
 import urbi.UClass;
 
@@ -52,7 +53,7 @@ final class Instances {
     Instance instance = new Instance(name, type, object, lobby);
     byName.put(name, instance);
     byObject.put(object, instance);
-    setSlot(object, world.symbol("__uobjectName"), world.values().string(Texts.toUrbi(name)));
+    setSlot(object, world.symbol("__uobjectName"), world.values().string(Utf8Text.toUrbi(name)));
     return instance;
   }
 
@@ -68,7 +69,7 @@ final class Instances {
     }
     instance.setPublished();
     UrbiObject namespace = namespace();
-    Symbol slot = world.symbol(Texts.toUrbi(instance.name()));
+    Symbol slot = world.symbol(Utf8Text.toUrbi(instance.name()));
     setSlot(namespace, slot, world.values().voidObject);
     SlotData data = namespace.ensureSlotData(slot);
     data.getter = new Named(world.prototype("Code").cloneShape(), instance);
@@ -80,7 +81,7 @@ final class Instances {
 
   /** Makes it a slot of {@code uobjects} which does. */
   void publishClass(Instance instance) {
-    setSlot(namespace(), world.symbol(Texts.toUrbi(instance.name())), present(instance));
+    setSlot(namespace(), world.symbol(Utf8Text.toUrbi(instance.name())), present(instance));
   }
 
   private static UrbiObject present(Instance instance) {
@@ -102,7 +103,7 @@ final class Instances {
     if (object != null) {
       byObject.remove(object);
     }
-    namespace().removeSlot(world.symbol(Texts.toUrbi(instance.name())));
+    namespace().removeSlot(world.symbol(Utf8Text.toUrbi(instance.name())));
   }
 
   /** The one of that name, or null. */

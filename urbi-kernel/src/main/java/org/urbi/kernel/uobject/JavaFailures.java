@@ -11,6 +11,7 @@ import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import urbi.UCastException;
 
 /** What becomes of the failures of Java code in urbiscript. */
@@ -38,7 +39,7 @@ final class JavaFailures {
           errors.primitive(
               site.isNamed() ? site.calledName() : function,
               Problem.REASON,
-              Texts.toUrbi(refusal.reason()));
+              Utf8Text.toUrbi(refusal.reason()));
       case ConversionFailure e when e.getMessage() == null ->
           argument(context, errors, function, arguments, e);
       case CompletionException e
@@ -56,7 +57,7 @@ final class JavaFailures {
           errors.primitive(
               site.isNamed() ? site.calledName() : function,
               Problem.REASON,
-              Texts.toUrbi(caught(calling(function), failure)));
+              Utf8Text.toUrbi(caught(calling(function), failure)));
     };
   }
 
@@ -82,7 +83,7 @@ final class JavaFailures {
       @Nullable String type) {
     UrbiObject expected = type == null ? null : context.interpreter().world().findPrototype(type);
     return errors.argumentType(
-        Texts.toUrbi(function),
+        Utf8Text.toUrbi(function),
         place,
         given,
         expected == null ? context.interpreter().values().nil : expected);

@@ -10,6 +10,7 @@ import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.variable.Datum;
 import org.urbi.kernel.variable.Hook;
 import org.urbi.kernel.variable.UrbiUVar;
@@ -108,7 +109,7 @@ final class JavaHook implements Hook {
           frame
               .interpreter()
               .errors()
-              .primitive(callback.name(), Problem.REASON, Texts.toUrbi(message(e)));
+              .primitive(callback.name(), Problem.REASON, Utf8Text.toUrbi(message(e)));
     };
   }
 

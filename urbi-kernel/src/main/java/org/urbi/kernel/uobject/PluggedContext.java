@@ -30,6 +30,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.outside.Outside;
 import org.urbi.kernel.variable.ConnectionList;
 import org.urbi.kernel.variable.UrbiUVar;
@@ -280,7 +281,7 @@ public final class PluggedContext implements UContext {
   /** The message of an exception of urbiscript. */
   String text(Frame frame, UrbiException e) {
     try {
-      return Texts.toJava(frame.interpreter().asString(frame, e.value()));
+      return Utf8Text.toJava(frame.interpreter().asString(frame, e.value()));
     } catch (UrbiException shown) {
       return Problem.UNPRINTABLE.text();
     }
@@ -348,9 +349,9 @@ public final class PluggedContext implements UContext {
             : interpreter
                 .errors()
                 .primitive(
-                    Texts.toUrbi(function),
+                    Utf8Text.toUrbi(function),
                     Problem.REASON,
-                    Texts.toUrbi(JavaFailures.caught(JavaFailures.calling(function), e)));
+                    Utf8Text.toUrbi(JavaFailures.caught(JavaFailures.calling(function), e)));
     interpreter.report(job, shown);
   }
 
@@ -358,7 +359,7 @@ public final class PluggedContext implements UContext {
 
   private void take(Message message) {
     switch (message) {
-      case Message.ComponentCode sent -> lobby().shell().receive(Texts.toUrbi(sent.code()));
+      case Message.ComponentCode sent -> lobby().shell().receive(Utf8Text.toUrbi(sent.code()));
       case Message.ComponentCall wish -> start(frame -> call(frame, wish));
       case Message.ComponentEvent event ->
           start(frame -> emit(frame, event.name(), event.payload()));
@@ -560,7 +561,7 @@ public final class PluggedContext implements UContext {
     for (int i = 0; i < given.length; i++) {
       given[i] = conversion.element(wish.arguments()[i]);
     }
-    interpreter.send(frame, target, Texts.toUrbi(wish.method()), given);
+    interpreter.send(frame, target, Utf8Text.toUrbi(wish.method()), given);
   }
 
   @Override

@@ -6,6 +6,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.SlotUpdate;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import urbi.UCastException;
 import urbi.UDictionary;
 import urbi.UValue;
@@ -39,11 +40,12 @@ final class Structures {
     UrbiObject type = type(object);
     return context.fromKernel(frame -> {
       UDictionary fields = new UDictionary();
-      fields.with(NAME, Texts.toJava(frame.interpreter().asString(frame, typeName(frame, type))));
+      fields.with(
+          NAME, Utf8Text.toJava(frame.interpreter().asString(frame, typeName(frame, type))));
       for (Symbol slot : type.localSlotNames()) {
         if (isField(type, slot)) {
           UrbiObject value = frame.interpreter().get(frame, object, slot);
-          fields.put(Texts.toJava(slot.name()), values.toJava(value, depth + 1));
+          fields.put(Utf8Text.toJava(slot.name()), values.toJava(value, depth + 1));
         }
       }
       return fields;
@@ -85,7 +87,7 @@ final class Structures {
   }
 
   private void set(Frame frame, UrbiObject made, String field, UValue value) {
-    Symbol slot = frame.interpreter().world().symbol(Texts.toUrbi(field));
+    Symbol slot = frame.interpreter().world().symbol(Utf8Text.toUrbi(field));
     SlotUpdate.assign(frame, made, slot, values.element(value));
   }
 }

@@ -7,6 +7,7 @@ import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.trust.Role;
 
 /**
@@ -51,7 +52,7 @@ final class SystemLobby {
   }
 
   private void write(String bytes) {
-    for (String line : Texts.toJava(bytes).split("\n")) {
+    for (String line : Utf8Text.toJava(bytes).split("\n")) {
       log.write(line);
     }
   }

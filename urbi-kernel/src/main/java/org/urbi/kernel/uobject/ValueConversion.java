@@ -18,6 +18,7 @@ import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.UrbiTuple;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.object.Values;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.variable.UrbiUVar;
@@ -57,7 +58,7 @@ final class ValueConversion {
       return new UValue(number.value());
     }
     if (object instanceof UrbiString string) {
-      return new UValue(Texts.toJava(string.value()));
+      return new UValue(Utf8Text.toJava(string.value()));
     }
     if (object == values.trueObject || object == values.falseObject) {
       return new UValue(object == values.trueObject);
@@ -94,7 +95,7 @@ final class ValueConversion {
           if (!(key.value() instanceof UrbiString name)) {
             throw badKey(key.value());
           }
-          result.put(Texts.toJava(name.value()), toJava(value, depth + 1));
+          result.put(Utf8Text.toJava(name.value()), toJava(value, depth + 1));
         });
     return result;
   }
@@ -103,17 +104,17 @@ final class ValueConversion {
     return context.fromKernel(frame -> {
       Interpreter interpreter = frame.interpreter();
       UrbiObject type = key.lookup(interpreter.world().symbol("type"));
-      String shown = Texts.toJava(interpreter.asString(frame, key));
+      String shown = Utf8Text.toJava(interpreter.asString(frame, key));
       return type == null
           ? new KernelRefusal(Problem.KEY_NOT_STRING, shown)
           : new KernelRefusal(
-              Problem.KEY_OF_TYPE, shown, Texts.toJava(interpreter.asString(frame, type)));
+              Problem.KEY_OF_TYPE, shown, Utf8Text.toJava(interpreter.asString(frame, type)));
     });
   }
 
   private static UBinary toJava(UrbiBinary binary) {
     return new UBinary(
-        Texts.toJava(binary.keywords()), binary.data().getBytes(StandardCharsets.ISO_8859_1));
+        Utf8Text.toJava(binary.keywords()), binary.data().getBytes(StandardCharsets.ISO_8859_1));
   }
 
   private UValue other(UrbiObject object, int depth) {
@@ -126,7 +127,7 @@ final class ValueConversion {
     }
     return context.fromKernel(frame -> {
       try {
-        return new UValue(Texts.toJava(frame.interpreter().asString(frame, object)));
+        return new UValue(Utf8Text.toJava(frame.interpreter().asString(frame, object)));
       } catch (UrbiException e) {
         throw new ConversionFailure(object, "UValue", null);
       }
@@ -144,7 +145,7 @@ final class ValueConversion {
     return switch (value.getType()) {
       case DATA_VOID -> values.nil;
       case DATA_DOUBLE -> values.number(value.doubleValue());
-      case DATA_STRING -> values.string(Texts.toUrbi(value.stringValue()));
+      case DATA_STRING -> values.string(Utf8Text.toUrbi(value.stringValue()));
       case DATA_SLOTNAME -> named(value.stringValue());
       case DATA_LIST -> list(value.ulistValue());
       case DATA_DICTIONARY -> dictionary(value.udictionaryValue());
@@ -179,14 +180,14 @@ final class ValueConversion {
   private Map<UrbiDictionary.Key, UrbiObject> entries(Frame frame, UDictionary dictionary) {
     Map<UrbiDictionary.Key, UrbiObject> entries = new LinkedHashMap<>();
     dictionary.forEach((name, value) ->
-        entries.put(DictionaryKey.of(frame, values.string(Texts.toUrbi(name))), content(value)));
+        entries.put(DictionaryKey.of(frame, values.string(Utf8Text.toUrbi(name))), content(value)));
     return entries;
   }
 
   private UrbiObject toUrbi(UBinary binary) {
     return new UrbiBinary(
         world.prototype("Binary").cloneShape(),
-        Texts.toUrbi(binary.getMessage()),
+        Utf8Text.toUrbi(binary.getMessage()),
         new String(binary.getData(), StandardCharsets.ISO_8859_1));
   }
 

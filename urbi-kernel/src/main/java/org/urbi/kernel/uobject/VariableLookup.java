@@ -9,6 +9,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.variable.UrbiUVar;
 
@@ -63,7 +64,7 @@ final class VariableLookup {
     if (owner == null || dot == name.length() - 1) {
       throw new KernelRefusal(Problem.NO_OBJECT_FOR_VARIABLE, name);
     }
-    return new Place(owner, world.symbol(Texts.toUrbi(name.substring(dot + 1))));
+    return new Place(owner, world.symbol(Utf8Text.toUrbi(name.substring(dot + 1))));
   }
 
   /**
@@ -86,7 +87,7 @@ final class VariableLookup {
     }
     object = world.prototype("Global");
     for (String step : path.split("\\.")) {
-      Symbol slot = world.symbol(Texts.toUrbi(step));
+      Symbol slot = world.symbol(Utf8Text.toUrbi(step));
       if (object.locate(slot) == null) {
         return null;
       }
@@ -101,7 +102,7 @@ final class VariableLookup {
       handedOut.values().removeIf(reference -> reference.refersTo(null));
       tidyAt = Math.max(FEW, 2 * handedOut.size());
     }
-    String name = Texts.toJava(variable.name());
+    String name = Utf8Text.toJava(variable.name());
     handedOut.put(name, new WeakReference<>(variable));
     return name;
   }
@@ -110,7 +111,7 @@ final class VariableLookup {
   String nameOf(Frame frame, UrbiObject object) {
     String name = objects.nameOf(object);
     if (name != null) {
-      return Texts.toUrbi(name);
+      return Utf8Text.toUrbi(name);
     }
     if (object.lookup(world.symbol("type")) instanceof UrbiString type) {
       Symbol symbol = world.symbol(type.value());

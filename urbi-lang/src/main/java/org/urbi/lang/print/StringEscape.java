@@ -32,10 +32,20 @@ public final class StringEscape {
       case '\007' -> escaped.append("\\a");
       case '\b' -> escaped.append("\\b");
       case '\f' -> escaped.append("\\f");
+      case '\013' -> escaped.append("\\v");
+      default -> appendBasic(escaped, c, quote);
+    }
+  }
+
+  /**
+   * Appends a byte with only those escapes that clients of Urbi 2.7 read, too: line ends, tabs,
+   * backslashes, quotes of that kind, and hexadecimal numbers for all that is not printable ASCII.
+   */
+  public static void appendBasic(StringBuilder escaped, char c, char quote) {
+    switch (c) {
       case '\n' -> escaped.append("\\n");
       case '\r' -> escaped.append("\\r");
       case '\t' -> escaped.append("\\t");
-      case '\013' -> escaped.append("\\v");
       case '\\' -> escaped.append("\\\\");
       default -> {
         if (c == quote) {

@@ -9,11 +9,11 @@ import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
-import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.outside.DirectoryWatch;
 import org.urbi.kernel.outside.Outside;
 
@@ -87,7 +87,7 @@ final class DirectoryEvents implements DirectoryWatch.Listener {
 
   private void emit(UrbiEvent event, String name) {
     if (event.hasSubscribers()) {
-      UrbiObject payload = interpreter.values().string(NativeText.toUrbi(name));
+      UrbiObject payload = interpreter.values().string(Utf8Text.toUrbi(name));
       interpreter
           .scheduler()
           .startDetached(

@@ -10,12 +10,12 @@ import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.text.BinaryType;
-import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiBinary;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.outside.Disk;
 import org.urbi.lang.print.StringEscape;
@@ -78,7 +78,7 @@ final class FileType {
         content instanceof UrbiBinary binary
             ? binary.data()
             : Arguments.text(frame, site, 2, content);
-    write(frame, site, FileAccess.path(frame, site, 1, name), NativeText.bytes(bytes));
+    write(frame, site, FileAccess.path(frame, site, 1, name), Utf8Text.bytes(bytes));
   }
 
   private void write(Frame frame, CallSite site, UrbiPath path, byte[] bytes) {
@@ -142,7 +142,7 @@ final class FileType {
 
   @Builtin(doc = "The lines of the file.")
   List<UrbiString> asList(Frame frame, CallSite site, UrbiFile self) {
-    String text = NativeText.text(bytes(frame, site, self));
+    String text = Utf8Text.text(bytes(frame, site, self));
     List<UrbiString> lines = new ArrayList<>();
     int from = 0;
     while (from < text.length()) {
@@ -157,7 +157,7 @@ final class FileType {
 
   @Builtin(doc = "The content of the file, as a Binary.")
   UrbiObject content(Frame frame, CallSite site, UrbiFile self) {
-    return BinaryType.binary(frame, "", NativeText.text(bytes(frame, site, self)));
+    return BinaryType.binary(frame, "", Utf8Text.text(bytes(frame, site, self)));
   }
 
   @Builtin(doc = "The size of the file, in bytes.")

@@ -8,10 +8,10 @@ import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
-import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.outside.ByteSink;
 import org.urbi.kernel.outside.Outside;
@@ -74,7 +74,7 @@ public final class OutputStreamType {
   static UrbiObject add(Frame frame, CallSite site, UrbiOutputStream self, UrbiObject that) {
     self.channel(frame, site);
     String text = frame.interpreter().asString(frame, that);
-    return write(frame, site, self, NativeText.bytes(text));
+    return write(frame, site, self, Utf8Text.bytes(text));
   }
 
   @Builtin(doc = "Writes the byte of that number.")

@@ -1,11 +1,11 @@
 package org.urbi.kernel.library.file;
 
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 
 /** The name of a file or directory (manual, "Path"). */
 public final class UrbiPath extends UrbiObject {
@@ -44,7 +44,7 @@ public final class UrbiPath extends UrbiObject {
 
   /** The file in the file system; relative paths start from the working directory. */
   public Path file() {
-    return working.path().resolve(decoded(text)).normalize();
+    return working.path().resolve(Utf8Text.toJava(text)).normalize();
   }
 
   /** Another path of the same kernel. */
@@ -64,15 +64,9 @@ public final class UrbiPath extends UrbiObject {
     return path.startsWith("/") ? "/" + joined : joined.isEmpty() ? "." : joined;
   }
 
-  /** Strings of urbiscript are bytes, names of files are UTF-8. */
-  private static String decoded(String bytes) {
-    return new String(bytes.getBytes(StandardCharsets.ISO_8859_1), StandardCharsets.UTF_8);
-  }
-
   /** A name of the file system as a string of urbiscript. */
   public static String encoded(Path path) {
-    return new String(
-        path.toString().getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1);
+    return Utf8Text.toUrbi(path.toString());
   }
 
   @Override

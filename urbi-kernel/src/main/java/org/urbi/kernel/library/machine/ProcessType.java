@@ -14,11 +14,11 @@ import org.urbi.kernel.library.file.InputStreamType;
 import org.urbi.kernel.library.file.OutputStreamType;
 import org.urbi.kernel.library.file.UrbiInputStream;
 import org.urbi.kernel.library.file.UrbiPath;
-import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.outside.ChildProcess;
 import org.urbi.kernel.outside.Outside;
@@ -44,10 +44,10 @@ public final class ProcessType {
     FileAccess.checkNotPrototype(frame, site, self, "Process");
     List<String> command = new ArrayList<>();
     command.add(
-        NativeText.toJava(
+        Utf8Text.toJava(
             name instanceof UrbiPath path ? path.text() : Arguments.text(frame, site, 1, name)));
     for (UrbiObject argument : List.copyOf(arguments.elements())) {
-      command.add(NativeText.toJava(frame.interpreter().asString(frame, argument)));
+      command.add(Utf8Text.toJava(frame.interpreter().asString(frame, argument)));
     }
     if (command.getFirst().isEmpty() || command.stream().anyMatch(w -> w.indexOf('\0') >= 0)) {
       throw frame.error(site, Problem.INVALID_COMMAND);
@@ -74,7 +74,7 @@ public final class ProcessType {
       return "Process";
     }
     String program = self.command().getFirst();
-    return NativeText.toUrbi(program.substring(program.lastIndexOf('/') + 1));
+    return Utf8Text.toUrbi(program.substring(program.lastIndexOf('/') + 1));
   }
 
   // ------------------------------------------------------------------ running
@@ -114,7 +114,7 @@ public final class ProcessType {
     return frame.error(
         site,
         Problem.CANNOT_RUN,
-        NativeText.toUrbi(program),
+        Utf8Text.toUrbi(program),
         FileAccess.lowered(FileAccess.inParentheses(failure)));
   }
 

@@ -7,11 +7,11 @@ import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.file.FileAccess;
 import org.urbi.kernel.library.lobby.LobbyType;
-import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.lobby.Lobbies;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.outside.Network;
 import org.urbi.kernel.outside.Outside;
 
@@ -35,12 +35,12 @@ final class ReverseConnection {
     try {
       Network.OpenConnection made =
           Network.connect(
-              outside, frame.job(), NativeText.toJava(host), SocketType.port(frame, site, port));
+              outside, frame.job(), Utf8Text.toJava(host), SocketType.port(frame, site, port));
       String address = made.remote().getAddress().getHostAddress();
       return lobbies.call(LobbyType.of(frame), made.link(), address);
     } catch (IOException e) {
       throw frame.error(
-          site, Problem.REASON, FileAccess.lowered(NativeText.toUrbi(FileAccess.reason(e))));
+          site, Problem.REASON, FileAccess.lowered(Utf8Text.toUrbi(FileAccess.reason(e))));
     }
   }
 }

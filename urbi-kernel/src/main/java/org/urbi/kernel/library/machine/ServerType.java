@@ -9,10 +9,10 @@ import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.library.file.FileAccess;
-import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.outside.Network;
 import org.urbi.kernel.outside.Outside;
@@ -70,14 +70,14 @@ final class ServerType {
           Network.listen(
               outside,
               frame.job(),
-              NativeText.toJava(host),
+              Utf8Text.toJava(host),
               SocketType.port(frame, site, port),
               made -> accept(frame, self, service, socketEvents, made));
       self.setAddress(place.local());
       socketEvents.open();
     } catch (IOException e) {
       throw frame.error(
-          site, Problem.REASON, FileAccess.lowered(NativeText.toUrbi(FileAccess.reason(e))));
+          site, Problem.REASON, FileAccess.lowered(Utf8Text.toUrbi(FileAccess.reason(e))));
     }
   }
 

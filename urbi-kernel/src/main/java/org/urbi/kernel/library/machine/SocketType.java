@@ -10,12 +10,12 @@ import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.file.FileAccess;
 import org.urbi.kernel.library.file.UrbiPath;
-import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiBinary;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.outside.Network;
 import org.urbi.kernel.outside.Outside;
@@ -51,7 +51,7 @@ final class SocketType {
   static String port(Frame frame, CallSite site, UrbiObject port) {
     return port instanceof UrbiFloat
         ? Integer.toString(Arguments.integer(frame, site, 2, port))
-        : NativeText.toJava(Arguments.text(frame, site, 2, port));
+        : Utf8Text.toJava(Arguments.text(frame, site, 2, port));
   }
 
   @Builtin(doc = "Gives it its events; it is not connected.")
@@ -77,11 +77,11 @@ final class SocketType {
     checkUnconnected(frame, site, self);
     try {
       Network.OpenConnection made =
-          Network.connect(outside, frame.job(), NativeText.toJava(host), port(frame, site, port));
+          Network.connect(outside, frame.job(), Utf8Text.toJava(host), port(frame, site, port));
       connected(frame, self, made.link(), made.local(), made.remote());
     } catch (IOException e) {
       throw frame.error(
-          site, Problem.REASON, FileAccess.lowered(NativeText.toUrbi(FileAccess.reason(e))));
+          site, Problem.REASON, FileAccess.lowered(Utf8Text.toUrbi(FileAccess.reason(e))));
     }
   }
 
@@ -93,7 +93,7 @@ final class SocketType {
       SocketConnection link = Network.serial(outside, frame.job(), path.file(), baudRate);
       connected(frame, self, link, null, null);
     } catch (IOException e) {
-      throw frame.error(site, Problem.REASON, NativeText.toUrbi(FileAccess.reason(e)));
+      throw frame.error(site, Problem.REASON, Utf8Text.toUrbi(FileAccess.reason(e)));
     }
   }
 
@@ -171,7 +171,7 @@ final class SocketType {
       throw frame.error(site, Problem.SOCKET_NOT_CONNECTED);
     }
     try {
-      link.write(frame.job(), NativeText.bytes(bytes));
+      link.write(frame.job(), Utf8Text.bytes(bytes));
       if (wait) {
         link.flush(frame.job());
       }

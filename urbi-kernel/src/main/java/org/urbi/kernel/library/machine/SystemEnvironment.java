@@ -5,10 +5,10 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.Problem;
-import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 
 /** Variables of the environment (manual, "System": getenv, setenv, unsetenv). */
 @UrbiTypePart(value = "System", needs = Need.OWNER)
@@ -24,18 +24,18 @@ final class SystemEnvironment {
     if (name.isEmpty() || name.indexOf('=') >= 0 || name.indexOf('\0') >= 0) {
       throw frame.error(site, Problem.VARIABLE_NAME, name);
     }
-    return NativeText.toJava(name);
+    return Utf8Text.toJava(name);
   }
 
   /** A variable of the machine as a value of urbiscript. */
   static UrbiObject value(Frame frame, @Nullable String value) {
     var values = frame.interpreter().values();
-    return value == null ? values.nil : values.string(NativeText.toUrbi(value));
+    return value == null ? values.nil : values.string(Utf8Text.toUrbi(value));
   }
 
   @Builtin(doc = "The value of a variable of the environment; nil if it is not set.")
   UrbiObject getenv(Frame frame, UrbiObject self, String name) {
-    return value(frame, environment.get(NativeText.toJava(name)));
+    return value(frame, environment.get(Utf8Text.toJava(name)));
   }
 
   @Builtin(doc = "Sets a variable of the environment, and returns its value.")
@@ -44,12 +44,12 @@ final class SystemEnvironment {
     if (text.indexOf('\0') >= 0) {
       throw frame.error(site, Problem.VARIABLE_VALUE);
     }
-    environment.set(name(frame, site, name), NativeText.toJava(text));
+    environment.set(name(frame, site, name), Utf8Text.toJava(text));
     return text;
   }
 
   @Builtin(doc = "Removes a variable of the environment, and returns its value; nil without one.")
   UrbiObject unsetenv(Frame frame, UrbiObject self, String name) {
-    return value(frame, environment.unset(NativeText.toJava(name)));
+    return value(frame, environment.unset(Utf8Text.toJava(name)));
   }
 }

@@ -4,11 +4,11 @@ import java.util.List;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
-import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
+import org.urbi.kernel.object.Utf8Text;
 
 /** The variables of the environment as a container: what {@code getenv} and its like do. */
 @UrbiType(
@@ -37,7 +37,7 @@ final class SystemEnvironmentType {
 
   @Builtin(doc = "Whether a variable is set.")
   boolean has(Frame frame, UrbiObject self, String name) {
-    return environment.get(NativeText.toJava(name)) != null;
+    return environment.get(Utf8Text.toJava(name)) != null;
   }
 
   @Builtin(doc = "Removes a variable.")
@@ -49,7 +49,7 @@ final class SystemEnvironmentType {
   @Builtin(doc = "The names of all variables.")
   List<UrbiString> keys(Frame frame, UrbiObject self) {
     return environment.variables().keySet().stream()
-        .map(name -> frame.interpreter().values().string(NativeText.toUrbi(name)))
+        .map(name -> frame.interpreter().values().string(Utf8Text.toUrbi(name)))
         .toList();
   }
 

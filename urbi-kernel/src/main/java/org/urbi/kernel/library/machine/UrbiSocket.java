@@ -5,11 +5,11 @@ import static java.util.Objects.requireNonNull;
 import java.net.InetSocketAddress;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.event.UrbiEvent;
-import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.outside.SocketConnection;
 
@@ -90,7 +90,7 @@ final class UrbiSocket extends UrbiObject {
         new SocketConnection.Listener() {
           @Override
           public void received(byte[] bytes) {
-            UrbiObject data = world().values().string(NativeText.text(bytes));
+            UrbiObject data = world().values().string(Utf8Text.text(bytes));
             own.add(told -> {
               over.consumed(bytes.length);
               if (link == over) {
@@ -104,7 +104,7 @@ final class UrbiSocket extends UrbiObject {
             own.add(told -> {
               if (link == over) {
                 if (error != null) {
-                  emit(told, "error", world().values().string(NativeText.toUrbi(error)));
+                  emit(told, "error", world().values().string(Utf8Text.toUrbi(error)));
                 }
                 disconnected(told);
               }

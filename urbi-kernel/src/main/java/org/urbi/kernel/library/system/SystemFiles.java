@@ -16,11 +16,11 @@ import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.code.LoadedFiles;
 import org.urbi.kernel.library.file.FileAccess;
 import org.urbi.kernel.library.file.UrbiPath;
-import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 
 /** Source files and where they are looked for (manual, "System" and "Environment Variables"). */
 @UrbiTypePart(value = "System", needs = Need.USER)
@@ -170,7 +170,7 @@ final class SystemFiles {
 
   private static Path path(Frame frame, String name) {
     try {
-      return Path.of(NativeText.toJava(name));
+      return Path.of(Utf8Text.toJava(name));
     } catch (InvalidPathException e) {
       throw notFound(frame, name);
     }
@@ -214,7 +214,7 @@ final class SystemFiles {
       return null;
     }
     try {
-      Path caller = Path.of(NativeText.toJava(site.calledSpan().location().file()));
+      Path caller = Path.of(Utf8Text.toJava(site.calledSpan().location().file()));
       return workingDirectory(frame).resolve(caller).resolveSibling(path);
     } catch (InvalidPathException e) {
       // The name is that of a syncline, and none of a file.

@@ -8,10 +8,10 @@ import org.urbi.builtins.Optional;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.file.FileAccess;
-import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.outside.ConfinedException;
 import org.urbi.kernel.outside.Outside;
 import org.urbi.kernel.uobject.PluggedContext;
@@ -32,7 +32,7 @@ final class SystemModules {
   private Path file(Frame frame, CallSite site, UrbiObject module) {
     String name = frame.interpreter().asString(frame, module);
     Path working = FileAccess.anyPath(frame).working().path();
-    Path found = uobjects.modules().find(working, NativeText.toJava(name));
+    Path found = uobjects.modules().find(working, Utf8Text.toJava(name));
     if (found == null) {
       throw frame
           .interpreter()
@@ -85,7 +85,7 @@ final class SystemModules {
         uobjects.modules().load(frame, file(frame, site, module), library);
       }
     } catch (UModuleException | ConfinedException e) {
-      throw frame.error(site, Problem.REASON, NativeText.toUrbi(String.valueOf(e.getMessage())));
+      throw frame.error(site, Problem.REASON, Utf8Text.toUrbi(String.valueOf(e.getMessage())));
     }
   }
 

@@ -14,7 +14,6 @@ import org.urbi.kernel.library.date.UrbiDate;
 import org.urbi.kernel.library.file.FileAccess;
 import org.urbi.kernel.library.machine.Environment;
 import org.urbi.kernel.library.machine.ProcessType;
-import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.lobby.Lobbies;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CallSite;
@@ -23,6 +22,7 @@ import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.outside.ChildProcess;
 import org.urbi.kernel.outside.Network;
 import org.urbi.kernel.outside.Outside;
@@ -62,13 +62,13 @@ final class SystemServer {
   @Builtin(doc = "The arguments of the user's script.")
   List<UrbiString> arguments(Frame frame, UrbiObject self) {
     return commandLine.arguments().stream()
-        .map(text -> frame.interpreter().values().string(NativeText.toUrbi(text)))
+        .map(text -> frame.interpreter().values().string(Utf8Text.toUrbi(text)))
         .toList();
   }
 
   @Builtin(doc = "The path under which the server was called.")
   String programName(Frame frame, UrbiObject self) {
-    return NativeText.toUrbi(commandLine.programName());
+    return Utf8Text.toUrbi(commandLine.programName());
   }
 
   @Builtin(doc = "The version of the Urbi SDK whose language this is: numbers with periods.")
@@ -100,7 +100,7 @@ final class SystemServer {
   @Builtin(doc = "The name of this machine.")
   String hostName(Frame frame, UrbiObject self) {
     try {
-      return NativeText.toUrbi(Network.localHostName(outside, frame.job()));
+      return Utf8Text.toUrbi(Network.localHostName(outside, frame.job()));
     } catch (IOException e) {
       return "localhost";
     }
@@ -158,7 +158,7 @@ final class SystemServer {
           ChildProcess.run(
               outside,
               frame.job(),
-              List.of("/bin/sh", "-c", NativeText.toJava(command)),
+              List.of("/bin/sh", "-c", Utf8Text.toJava(command)),
               FileAccess.anyPath(frame).working().path(),
               environment.variables());
       int signal = ChildProcess.signal(status);

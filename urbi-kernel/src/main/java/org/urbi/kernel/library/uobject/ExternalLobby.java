@@ -8,9 +8,9 @@ import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.external.ExternalProcess;
 import org.urbi.kernel.library.lobby.LobbyType;
-import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.uobject.PluggedContext;
 
 /** What processes that are linked with the SDK of Urbi 2.7 ask of their lobby. */
@@ -42,8 +42,8 @@ final class ExternalLobby {
         "external " + kind,
         () -> {
           switch (kind) {
-            case "object" -> process.declareObject(NativeText.toJava(first));
-            case "var" -> process.variables().use(NativeText.toJava(first));
+            case "object" -> process.declareObject(Utf8Text.toJava(first));
+            case "var" -> process.variables().use(Utf8Text.toJava(first));
             case "function" -> process.declareFunction(arity(first), name(second));
             case "event" -> process.events().listen(frame, arity(first), name(second));
             default -> throw new IllegalArgumentException(Problem.NOTHING_EXTERNAL.text(kind));
@@ -62,7 +62,7 @@ final class ExternalLobby {
     if (text == null) {
       throw new IllegalArgumentException(Problem.NAME_MISSING.text());
     }
-    return NativeText.toJava(text);
+    return Utf8Text.toJava(text);
   }
 
   @Builtin(

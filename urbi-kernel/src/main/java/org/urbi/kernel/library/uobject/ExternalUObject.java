@@ -10,12 +10,12 @@ import org.urbi.kernel.external.ExternalProcess;
 import org.urbi.kernel.external.ValueText;
 import org.urbi.kernel.library.lobby.LobbyType;
 import org.urbi.kernel.library.system.Evaluation;
-import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.uobject.ObjectAccess;
 import org.urbi.kernel.uobject.PluggedContext;
 import urbi.UValue;
@@ -41,7 +41,7 @@ final class ExternalUObject {
         () -> {
           if (result != null && result.isA(exception)) {
             String text = frame.interpreter().asString(frame, result);
-            process.reply(call, null, NativeText.toJava(text));
+            process.reply(call, null, Utf8Text.toJava(text));
           } else {
             UValue value = result == null ? new UValue() : objects.toJava("funCall", result);
             process.reply(call, value, null);
@@ -68,6 +68,6 @@ final class ExternalUObject {
   void unnotify(Frame frame, UrbiObject self, String object, String slot, double count) {
     ExternalProcess.of(frame, uobjects)
         .variables()
-        .unuse(NativeText.toJava(object + "." + slot), count);
+        .unuse(Utf8Text.toJava(object + "." + slot), count);
   }
 }

@@ -10,13 +10,13 @@ import org.urbi.builtins.Need;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.event.CallTimes;
 import org.urbi.kernel.library.lobby.LobbyType;
-import org.urbi.kernel.library.text.NativeText;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.object.Values;
 import org.urbi.kernel.uobject.ObjectAccess;
 import org.urbi.kernel.uobject.PluggedContext;
@@ -39,7 +39,7 @@ final class UObjectsType {
 
   @Builtin(doc = "The UObject of that name; nil if there is none.")
   UrbiObject findUObject(Frame frame, UrbiObject self, String name) {
-    UrbiObject found = new ObjectAccess(uobjects).find(NativeText.toJava(name));
+    UrbiObject found = new ObjectAccess(uobjects).find(Utf8Text.toJava(name));
     return found == null ? frame.interpreter().values().nil : found;
   }
 
@@ -65,7 +65,7 @@ final class UObjectsType {
         .all()
         .forEach((name, times) ->
             entries.put(
-                DictionaryKey.of(frame, values.string(NativeText.toUrbi(name))),
+                DictionaryKey.of(frame, values.string(Utf8Text.toUrbi(name))),
                 values.list(numbers(values, times))));
     return values.dictionary(entries);
   }
