@@ -109,6 +109,12 @@ final class HandoffThread implements JobThread {
     @Override
     public void loopEnded() {}
 
+    /** Virtual threads have none of their own. */
+    @Override
+    public long processorTime() {
+      return HoldWatchdog.UNKNOWN;
+    }
+
     @Override
     public int maximumDepth() {
       return MAXIMUM_DEPTH;

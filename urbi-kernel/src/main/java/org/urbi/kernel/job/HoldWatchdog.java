@@ -1,37 +1,65 @@
 package org.urbi.kernel.job;
 
 import java.util.function.BiConsumer;
+import java.util.function.LongSupplier;
 import org.urbi.kernel.time.Clock;
 
 /**
  * Watches from another thread whether a job holds the kernel for too long without letting others
  * run, and ends that job. If the job waits inside the Java code of a component, that thread is
  * interrupted, too.
+ *
+ * <p>Code that gets no processor holds nothing: once half of the limit has passed, only the
+ * processor time of the kernel thread counts. A component may wait instead of work, so for it the
+ * machine's clock counts throughout.
  */
 public final class HoldWatchdog {
+  /** A processor time that nobody knows. */
+  static final long UNKNOWN = -1;
+
   /** How many times the watchdog checks within the time limit. */
   private static final int LOOKS = 20;
 
   private static final long LONGEST_PAUSE = 50;
 
+  /** What neither works nor lets others run is ended as well, after so many times the limit. */
+  private static final int LONGEST_WAIT = 20;
+
   private final Scheduler scheduler;
   private final Clock machine;
+  private final LongSupplier processorTime;
   private final long limit;
   private final long pause;
   private final BiConsumer<Job, String> listener;
   private volatile long heldTurn = -1;
   private volatile long heldSince;
 
-  /** Whether the job of this turn was ended; for its own thread alone. */
+  // These are for its own thread alone.
+
+  /** Whether the job of this turn was ended. */
   private boolean told;
 
+  /** The processor time of the kernel thread when half of the limit was over. */
+  private long processorTimeAtHalf = UNKNOWN;
+
+  /** What of the limit was over then. */
+  private long heldAtHalf;
+
   /**
+   * @param processorTime tells how much the kernel thread has had, in nanoseconds, or {@link
+   *     #UNKNOWN}
    * @param limit in nanoseconds
    * @param listener called with the job and the component function that it executes, or null
    */
-  HoldWatchdog(Scheduler scheduler, Clock machine, long limit, BiConsumer<Job, String> listener) {
+  HoldWatchdog(
+      Scheduler scheduler,
+      Clock machine,
+      LongSupplier processorTime,
+      long limit,
+      BiConsumer<Job, String> listener) {
     this.scheduler = scheduler;
     this.machine = machine;
+    this.processorTime = processorTime;
     this.limit = limit;
     this.pause = Math.clamp(limit / LOOKS / 1_000_000, 1, LONGEST_PAUSE);
     this.listener = listener;
@@ -74,10 +102,29 @@ public final class HoldWatchdog {
       heldSince = now;
       heldTurn = seen;
       told = false;
-    } else if (!told && now - heldSince >= limit) {
+      processorTimeAtHalf = UNKNOWN;
+    } else if (!told && isOverdue(now - heldSince)) {
       told = true;
       end(seen);
     }
+  }
+
+  private boolean isOverdue(long held) {
+    if (held >= limit / 2 && processorTimeAtHalf == UNKNOWN) {
+      // Asking for it earlier would cost the start of every kernel some milliseconds.
+      processorTimeAtHalf = processorTime.getAsLong();
+      // This thread may be late, too, as when garbage is collected.
+      heldAtHalf = Math.min(held, limit / 4 * 3);
+    }
+    if (held < limit) {
+      return false;
+    }
+    Job job = scheduler.running();
+    return job == null
+        || job.component() != null
+        || processorTimeAtHalf == UNKNOWN
+        || heldAtHalf + processorTime.getAsLong() - processorTimeAtHalf >= limit
+        || held / LONGEST_WAIT >= limit;
   }
 
   private void end(long turn) {

@@ -39,6 +39,12 @@ interface JobThread {
     /** The tick loop has resumed a job for the last time; called on its thread. */
     void loopEnded();
 
+    /**
+     * The processor time that the loop and its jobs have had so far, in nanoseconds, or {@link
+     * HoldWatchdog#UNKNOWN}; from any thread.
+     */
+    long processorTime();
+
     /** How many nested calls certainly fit on the stack of a job. */
     int maximumDepth();
   }

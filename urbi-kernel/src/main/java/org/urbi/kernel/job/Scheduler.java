@@ -394,7 +394,7 @@ public final class Scheduler {
    *     function that it executes, or null
    */
   public HoldWatchdog limitHolding(long limit, BiConsumer<Job, String> told) {
-    HoldWatchdog watch = new HoldWatchdog(this, machine, limit, told);
+    HoldWatchdog watch = new HoldWatchdog(this, machine, threads::processorTime, limit, told);
     watch.start();
     return watch;
   }

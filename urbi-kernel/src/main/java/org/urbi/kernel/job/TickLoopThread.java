@@ -5,6 +5,7 @@ import static java.util.Objects.requireNonNull;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
+import java.lang.management.ManagementFactory;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
@@ -247,6 +248,14 @@ final class TickLoopThread implements JobThread, Executor {
       // running.
       thread.setDaemon(true);
       return thread;
+    }
+
+    @Override
+    public long processorTime() {
+      Thread thread = loop;
+      return thread == null
+          ? HoldWatchdog.UNKNOWN
+          : ManagementFactory.getThreadMXBean().getThreadCpuTime(thread.threadId());
     }
 
     @Override

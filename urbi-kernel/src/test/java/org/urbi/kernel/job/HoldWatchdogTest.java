@@ -15,17 +15,27 @@ class HoldWatchdogTest {
   private static final long LIMIT = 1_000;
 
   private final Loop loop = new Loop();
+
+  /** Of the kernel thread; by default nobody knows it. */
+  private long processorTime = HoldWatchdog.UNKNOWN;
+
   private final List<String> told = new ArrayList<>();
   private final HoldWatchdog watch =
       new HoldWatchdog(
           loop.scheduler,
           loop.machine,
+          () -> processorTime,
           LIMIT,
           (job, component) -> told.add(job.name() + " " + component));
 
   private void lookAt(long time) {
     loop.machine.now = time;
     watch.check();
+  }
+
+  private void lookAt(long time, long processor) {
+    processorTime = processor;
+    lookAt(time);
   }
 
   @Test
@@ -40,6 +50,86 @@ class HoldWatchdogTest {
       assertEquals(List.of(job.name() + " null"), told);
       lookAt(100 + 2 * LIMIT);
       assertEquals(1, told.size());
+      assertThrows(TagStop.class, job::checkInterrupted);
+    });
+    loop.run();
+    assertEquals(1, told.size());
+  }
+
+  @Test
+  void codeThatGetsNoProcessorGoesOn() {
+    loop.start(job -> {
+      lookAt(0, 10);
+      lookAt(LIMIT / 2, 20);
+      lookAt(LIMIT, 30);
+      lookAt(5 * LIMIT, 20 + LIMIT / 2 - 1);
+      job.checkInterrupted();
+      assertEquals(List.of(), told);
+      lookAt(5 * LIMIT + 1, 20 + LIMIT / 2);
+      assertEquals(List.of(job.name() + " null"), told);
+      assertThrows(TagStop.class, job::checkInterrupted);
+    });
+    loop.run();
+    assertEquals(1, told.size());
+  }
+
+  @Test
+  void codeThatHasTheProcessorToItselfEndsOnTime() {
+    loop.start(job -> {
+      lookAt(0, 0);
+      // A bit late.
+      lookAt(LIMIT / 2 + 20, LIMIT / 2 + 20);
+      lookAt(LIMIT - 1, LIMIT - 1);
+      assertEquals(List.of(), told);
+      lookAt(LIMIT, LIMIT);
+      assertEquals(1, told.size());
+      assertThrows(TagStop.class, job::checkInterrupted);
+    });
+    loop.run();
+  }
+
+  @Test
+  void whatOneJobWorkedIsNotCountedForTheNext() {
+    for (int i = 0; i < 2; i++) {
+      long start = i * 2 * LIMIT;
+      loop.start(job -> {
+        lookAt(start, start);
+        lookAt(start + LIMIT / 2, start + LIMIT / 2);
+        lookAt(start + LIMIT - 1, start + LIMIT - 1);
+        assertEquals(List.of(), told);
+      });
+    }
+    loop.start(job -> {
+      lookAt(4 * LIMIT);
+      lookAt(5 * LIMIT);
+      job.checkInterrupted();
+    });
+    loop.run();
+    assertEquals(List.of(), told);
+  }
+
+  @Test
+  void aComponentThatWaitsHoldsTheKernel() {
+    loop.start(job -> {
+      String outer = job.enterComponent("Robot.walk");
+      lookAt(0, 0);
+      lookAt(LIMIT / 2, 0);
+      lookAt(LIMIT, 0);
+      assertEquals(List.of(job.name() + " Robot.walk"), told);
+      assertThrows(TagStop.class, () -> job.leaveComponent(outer));
+    });
+    loop.run();
+    assertEquals(1, told.size());
+  }
+
+  @Test
+  void whatNeitherWorksNorLetsOthersRunEndsAtLast() {
+    loop.start(job -> {
+      lookAt(0, 0);
+      lookAt(20 * LIMIT - 1, 0);
+      job.checkInterrupted();
+      assertEquals(List.of(), told);
+      lookAt(20 * LIMIT, 0);
       assertThrows(TagStop.class, job::checkInterrupted);
     });
     loop.run();
