@@ -32,9 +32,6 @@ import org.urbi.kernel.time.SystemClock;
  * thread, the only one to touch urbiscript objects.
  */
 public final class Scheduler {
-  /** How many {@code ;} of the only runnable job pass before the inbox is checked. */
-  private static final int SPINS_PER_TICK = 100;
-
   /** Simulated time moves on after jobs have been runnable in this many cycles in a row… */
   private static final int BUSY_CYCLES = 1000;
 
@@ -79,7 +76,7 @@ public final class Scheduler {
       (problem, places) -> new IllegalStateException(problem.text(places));
   private final AtomicLong turns = new AtomicLong();
   private int births;
-  private int spins;
+  private final YieldCount yields = new YieldCount();
   private long passed;
   private long busyUntil = 1 + BUSY_CYCLES;
   private long now;
@@ -336,16 +333,27 @@ public final class Scheduler {
         || !born.isEmpty()
         || !ahead.isEmpty()
         || !behind.isEmpty()
-        || ((inbox.isFilled() || counted) && journal.yieldsToMessages(spins, inbox.isFilled()))) {
-      spins = 0;
-      return true;
-    }
-    if (++spins >= SPINS_PER_TICK || isBusyForLong()) {
-      spins = 0;
+        || ((inbox.isFilled() || counted)
+            && journal.yieldsToMessages(yields.count(), inbox.isFilled()))
+        || (yields.isOver() && isTickDue())
+        || isBusyForLong()) {
+      yields.reset();
       return true;
     }
     passed++;
     return false;
+  }
+
+  /** Nobody can run, but timers may be due. Only where nobody counts, a tick may be left out. */
+  private boolean isTickDue() {
+    if (counted || !clock.isReal()) {
+      return true;
+    }
+    long time = clock.now();
+    boolean due = yields.look(time) || time >= timers.next() || !endOfTick.isEmpty();
+    yields.reset();
+    now = Math.max(now, time);
+    return due;
   }
 
   /** Whether there are others to run with at least that priority. */
@@ -467,6 +475,7 @@ public final class Scheduler {
       return;
     }
     statistics.add(now - before);
+    yields.beginTick(now);
     inbox.take();
     fireTimers();
     while (!ahead.isEmpty()) {

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.message.Outcome;
@@ -190,6 +191,64 @@ class SchedulerTimeTest {
     real.start(job -> job.sleepUntil(10 * SECOND));
     assertEquals(List.of("glances", "hears", "hears", "glances", "closes"), real.run());
     assertEquals(List.of(10 * SECOND, 7 * SECOND), waits);
+  }
+
+  /** Timers are looked for the more often, the longer the code between two {@code ;} takes. */
+  @Test
+  void whoIsAloneInRealTimeDelaysTimersByOneTurn() {
+    Loop real = new Loop(SetClock.real());
+    real.start(job -> {
+      while (real.scheduler.now() < 50_000_000) {
+        real.clock.now += 10_000_000;
+        job.yield();
+      }
+    });
+    real.start(job -> {
+      job.sleepUntil(5_000_000);
+      real.say("awake at " + real.scheduler.now());
+    });
+    assertEquals(List.of("awake at 10000000"), real.run());
+  }
+
+  @Test
+  void aCheapTurnIsSeldomATick() {
+    Loop real = new Loop(SetClock.real());
+    int[] ticks = new int[1];
+    int[] yields = new int[1];
+    real.scheduler
+        .inbox()
+        .listenTo(
+            new KernelPoller() {
+              @Override
+              public @Nullable Wait begin(long nanoseconds) {
+                return null;
+              }
+
+              @Override
+              public void poll() {}
+
+              @Override
+              public void pollIfDue(long now) {
+                ticks[0]++;
+              }
+
+              @Override
+              public void close() {}
+            });
+    real.start(job -> {
+      for (; real.scheduler.now() < 30_000; yields[0]++) {
+        real.clock.now += 10;
+        job.yield();
+      }
+      real.say("ticks " + ticks[0]);
+      real.say("cycles " + (real.scheduler.cycle() == yields[0] + 1));
+      while (real.scheduler.now() < 3_000_000) {
+        real.clock.now += 10_000;
+        job.yield();
+      }
+      real.say("ticks " + ticks[0]);
+    });
+    assertEquals(List.of("ticks 0", "cycles true", "ticks 2"), real.run());
   }
 
   @Test
