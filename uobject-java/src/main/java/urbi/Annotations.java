@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** Binds what the annotations of an object say. */
+/** Binds the annotated members of an object. */
 final class Annotations {
   private static final ClassValue<List<Binding>> BINDINGS =
       new ClassValue<>() {
@@ -16,7 +16,7 @@ final class Annotations {
         }
       };
 
-  /** Something to be bound of each object of a class. */
+  /** A member that is bound for each object of a class. */
   @FunctionalInterface
   private interface Binding {
     void bind(UObject object) throws ReflectiveOperationException;

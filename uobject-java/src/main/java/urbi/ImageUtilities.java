@@ -12,7 +12,7 @@ import java.awt.image.BufferedImage;
 import org.jspecify.annotations.Nullable;
 import urbi.media.ImageFiles;
 
-/** What programs that show images in windows need again and again. */
+/** Helper methods for programs that show images in windows. */
 public final class ImageUtilities {
   private static volatile int width;
   private static volatile int height;

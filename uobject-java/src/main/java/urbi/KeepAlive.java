@@ -4,29 +4,29 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import urbi.time.Stopwatch;
 
-/** Asks at intervals of silence, and gives up when the silence goes on. */
+/** Sends a request when the other side has been silent, and gives up when no answer comes. */
 final class KeepAlive {
   private final long interval;
-  private final long patience;
+  private final long timeout;
   private final Runnable ask;
-  private final Runnable giveUp;
+  private final Runnable onTimeout;
   private final Thread thread;
   private final Stopwatch silence = new Stopwatch();
   private final AtomicInteger signs = new AtomicInteger();
 
   /**
-   * @param interval milliseconds of silence before asking
-   * @param patience milliseconds for the answer
+   * @param interval milliseconds of silence before a request
+   * @param timeout milliseconds to wait for the answer
    */
-  KeepAlive(long interval, long patience, Runnable ask, Runnable giveUp) {
+  KeepAlive(long interval, long timeout, Runnable ask, Runnable onTimeout) {
     this.interval = interval;
-    this.patience = patience;
+    this.timeout = timeout;
     this.ask = ask;
-    this.giveUp = giveUp;
+    this.onTimeout = onTimeout;
     thread = Thread.ofVirtual().name("urbi-keep-alive").start(this::run);
   }
 
-  /** There has been a sign of life. */
+  /** Something has been received. */
   void alive() {
     silence.restart();
     signs.incrementAndGet();
@@ -45,9 +45,9 @@ final class KeepAlive {
         } else {
           int before = signs.get();
           ask.run();
-          Thread.sleep(patience);
+          Thread.sleep(timeout);
           if (signs.get() == before) {
-            giveUp.run();
+            onTimeout.run();
             return;
           }
         }

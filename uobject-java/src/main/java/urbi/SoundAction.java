@@ -1,6 +1,8 @@
 package urbi;
 
-/** What a {@link SoundSampler} has done. Each is called on a thread of its own but the second. */
+/**
+ * Listener for a {@link SoundSampler}. Each method but the second is called on a thread of its own.
+ */
 public interface SoundAction {
   /** Begins to record. */
   void captureAudio();

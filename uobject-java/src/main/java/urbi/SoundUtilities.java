@@ -8,7 +8,7 @@ import javax.sound.sampled.AudioInputStream;
 import javax.sound.sampled.AudioSystem;
 import javax.sound.sampled.UnsupportedAudioFileException;
 
-/** What programs that record and play sounds need again and again. */
+/** Helper methods for programs that record and play sounds. */
 public final class SoundUtilities {
   private static final int BLOCK = 2048;
 

@@ -3,8 +3,8 @@ package urbi;
 import java.nio.charset.StandardCharsets;
 
 /**
- * The line by which a client shows who it is before it says anything else: a comment, which a
- * server that asks nobody passes over (docs/networking.md).
+ * The first line with which a client authenticates: a comment with a token, which servers without
+ * tokens ignore (docs/networking.md).
  */
 public final class TokenLine {
   /** The system property with the token, which goes before the variable of the environment. */

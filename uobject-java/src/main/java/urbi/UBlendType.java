@@ -1,6 +1,6 @@
 package urbi;
 
-/** What becomes of several assignments at a time to one variable (manual, "Properties"). */
+/** How simultaneous assignments to one variable are combined (manual, "Properties"). */
 public enum UBlendType {
   UNORMAL("normal"),
   UMIX("mix"),

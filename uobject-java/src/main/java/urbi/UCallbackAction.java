@@ -1,6 +1,6 @@
 package urbi;
 
-/** What is to become of a callback that has been called. */
+/** What to do with a callback after its call. */
 public enum UCallbackAction {
   /** It is called again for the next message. */
   URBI_CONTINUE,

@@ -1,6 +1,6 @@
 package urbi;
 
-/** A value is not what somebody asks it for. */
+/** A value cannot be converted to the requested type. */
 public class UCastException extends RuntimeException {
   private static final long serialVersionUID = 1;
 

@@ -6,8 +6,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Where UObjects live: plugged into a kernel, or in a process that is connected to one. A UObject
- * never knows which; it does everything by these methods, mostly through {@link UObject}, {@link
- * UVar}, {@link UEvent} and {@link UObjectHub}, so that it runs both ways unchanged.
+ * does not know which; it does everything through these methods, mostly by way of {@link UObject},
+ * {@link UVar}, {@link UEvent} and {@link UObjectHub}, so that it runs both ways unchanged.
  *
  * <p>Every method may be called from any thread. On the thread that the context itself uses to call
  * UObjects a method is carried out at once; on any other it waits until the context has carried it

@@ -76,14 +76,14 @@ public final class UMatrix {
   }
 
   public double get(int row, int column) {
-    return numbers[place(row, column)];
+    return numbers[index(row, column)];
   }
 
   public void set(int row, int column, double number) {
-    numbers[place(row, column)] = number;
+    numbers[index(row, column)] = number;
   }
 
-  private int place(int row, int column) {
+  private int index(int row, int column) {
     return Math.addExact(
         Math.multiplyExact(Objects.checkIndex(row, rows), columns),
         Objects.checkIndex(column, columns));

@@ -1,6 +1,6 @@
 package urbi;
 
-/** Takes the messages of a client's server. */
+/** Handles the messages that a client receives. */
 @FunctionalInterface
 public interface UMessageHandler {
   /** Takes a message, and says whether it wants more. */

@@ -3,11 +3,11 @@ package urbi;
 import java.io.ByteArrayOutputStream;
 
 /**
- * Cuts what a server sends into messages, whatever the pieces in which it comes: lines, and the
- * data of binaries, which follow a line that ends in {@code BIN size header}.
+ * Splits the output of a server, however it is fragmented, into messages: lines, and the data of
+ * binaries, which follow a line that ends in {@code BIN size header}.
  */
 final class UMessageReader {
-  /** Takes what has been cut. */
+  /** Receives the messages. */
   interface Sink {
     void message(int timestamp, String tag, UMessageType type, byte[] raw, boolean continuation);
   }

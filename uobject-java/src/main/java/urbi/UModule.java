@@ -9,7 +9,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The classes of UObjects that come together: those of a jar, of a shared library, or of the
+ * A set of UObject classes that are loaded together: those of a jar, of a shared library, or of the
  * program itself. {@link UObject#UStart} adds a class to the module whose class loader has loaded
  * it.
  *

@@ -10,7 +10,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
-/** Who lives in a context, {@link UObject}s and {@link UObjectHub}s: what both can do. */
+/** The common base of {@link UObject} and {@link UObjectHub}: objects that live in a context. */
 public abstract sealed class UObjectBase permits UObject, UObjectHub {
   private static final double MILLISECOND_NANOSECONDS = 1e6;
 
@@ -23,12 +23,12 @@ public abstract sealed class UObjectBase permits UObject, UObjectHub {
     this.context = context;
   }
 
-  /** Where it lives. */
+  /** The context in which it lives. */
   public final UContext getUContext() {
     return context;
   }
 
-  /** The name by which errors call it. */
+  /** The name of the object in error messages. */
   abstract String shownName();
 
   // ------------------------------------------------------------------ how it runs
@@ -58,12 +58,12 @@ public abstract sealed class UObjectBase permits UObject, UObjectHub {
 
   // ------------------------------------------------------------------ urbiscript
 
-  /** Has urbiscript code executed, as if a client had sent it (manual, "Sending urbi code"). */
+  /** Executes urbiscript code, as if a client had sent it (manual, "Sending urbi code"). */
   public void send(String code) {
     context.send(code);
   }
 
-  /** Has the first bytes of urbiscript code executed. */
+  /** Executes urbiscript code that is given as bytes. */
   public void send(byte[] code, int size) {
     send(new String(Arrays.copyOf(code, size), StandardCharsets.UTF_8));
   }
@@ -84,12 +84,12 @@ public abstract sealed class UObjectBase permits UObject, UObjectHub {
 
   // ------------------------------------------------------------------ time
 
-  /** Lets others run until the next cycle of the kernel. */
+  /** Lets other code run until the next cycle of the kernel. */
   public void yield_() {
     context.yieldFor(Duration.ZERO);
   }
 
-  /** Lets others run for so many microseconds. */
+  /** Lets other code run for that many microseconds. */
   public void yield_for(long microseconds) {
     context.yieldFor(Duration.ofNanos(microseconds * 1000));
   }
@@ -132,18 +132,18 @@ public abstract sealed class UObjectBase permits UObject, UObjectHub {
    *
    * @param period in milliseconds
    * @param object which has the method
-   * @return its name, which {@link #removeTimer} wants
+   * @return the name of the timer, for {@link #removeTimer}
    */
   public String USetTimer(double period, Object object, String methodName) {
     return setTimer(period, object, Methods.find(object.getClass(), methodName));
   }
 
-  /** The same, for a method that has namesakes. */
+  /** The same, for an overloaded method. */
   public String USetTimer(double period, Object object, String methodName, String[] argumentTypes) {
     return setTimer(period, object, Methods.find(object.getClass(), methodName, argumentTypes));
   }
 
-  /** The same, for a method that was found by other means. */
+  /** The same, for a given method. */
   public String USetTimer(double period, Object object, Method method) {
     return setTimer(period, object, method);
   }

@@ -4,7 +4,8 @@ import java.util.ArrayDeque;
 import java.util.concurrent.Executor;
 
 /**
- * Threaded calls that exclude one another: they run one at a time, in the order in which they came.
+ * A queue of threaded calls that exclude one another: they run one at a time, in the order of their
+ * arrival.
  */
 public final class UTaskQueue {
   private final ArrayDeque<Runnable> waiting = new ArrayDeque<>();

@@ -62,7 +62,7 @@ class UConversionTest {
     "IMAGE_YUV411_PLANAR, 9, 1507",
     "IMAGE_JPEG, 14, 0"
   })
-  void thereAndBack(UImageFormat format, int tolerance, int size) {
+  void roundTrip(UImageFormat format, int tolerance, int size) {
     UImage source = gradient(91, 11);
     UImage there = converted(source, format);
     assertEquals(91, there.getWidth());

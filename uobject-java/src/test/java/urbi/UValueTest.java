@@ -88,7 +88,7 @@ class UValueTest {
         "1e",
         "0x"
       })
-  void whatIsNoLiteralIsRefused(String text) {
+  void invalidLiteralIsRefused(String text) {
     assertThrows(UParseException.class, () -> UValue.parse(text));
   }
 
@@ -130,7 +130,7 @@ class UValueTest {
   }
 
   @Test
-  void gettersConvertWhatIsMeant() {
+  void gettersConvertWithoutLoss() {
     assertEquals(42, new UValue("42").intValue());
     assertEquals(-2147483648, new UValue(2147483648.0).intValue());
     assertEquals(0.2, new UValue("200ms").doubleValue());

@@ -119,7 +119,7 @@ class Urbi27Test {
   }
 
   @Test
-  void jpegAsJavaHadIt() throws IOException {
+  void oldSunJpegCodecReadsJpeg() throws IOException {
     byte[] file = UConversion.convertRGBtoJPEG(new byte[3 * 4 * 2], 4, 2, 90);
     BufferedImage image =
         JPEGCodec.createJPEGDecoder(new ByteArrayInputStream(file)).decodeAsBufferedImage();

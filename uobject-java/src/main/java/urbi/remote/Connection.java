@@ -22,8 +22,8 @@ import urbi.wire.WireInput;
 import urbi.wire.WireOutput;
 
 /**
- * The connection of a remote process: frames out and in. What is urgent is sent by the thread that
- * wants it to be; the rest by a thread which takes all that has come together.
+ * The connection of a remote process: frames out and in. Urgent frames are sent by the calling
+ * thread; another thread sends all others, many at once.
  */
 final class Connection implements AutoCloseable {
   /** More does not wait to be sent: who sends, waits. */

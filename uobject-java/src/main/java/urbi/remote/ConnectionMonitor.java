@@ -4,25 +4,25 @@ import java.util.concurrent.TimeUnit;
 import urbi.time.Stopwatch;
 import urbi.wire.Protocol;
 
-/** Looks after a connection: notices when the other side is silent for too long. */
+/** Monitors a connection: notices when the other side is silent for too long. */
 final class ConnectionMonitor implements AutoCloseable {
   private final Stopwatch silence;
-  private final Runnable look;
+  private final Runnable everySecond;
   private final Runnable ask;
-  private final Runnable giveUp;
+  private final Runnable onTimeout;
   private final Thread thread;
 
   /**
-   * @param silence since the last sign of life
-   * @param look is called once a second
-   * @param ask asks for a sign of life
-   * @param giveUp is called once
+   * @param silence the time since something was last received
+   * @param everySecond is called once a second
+   * @param ask sends a request that the other side answers
+   * @param onTimeout is called once
    */
-  ConnectionMonitor(Stopwatch silence, Runnable look, Runnable ask, Runnable giveUp) {
+  ConnectionMonitor(Stopwatch silence, Runnable everySecond, Runnable ask, Runnable onTimeout) {
     this.silence = silence;
-    this.look = look;
+    this.everySecond = everySecond;
     this.ask = ask;
-    this.giveUp = giveUp;
+    this.onTimeout = onTimeout;
     // A virtual thread that writes would have the socket ask the system more often from then on.
     thread = Thread.ofPlatform().daemon().name("urbi-remote-keep-alive").unstarted(this::watch);
   }
@@ -35,27 +35,27 @@ final class ConnectionMonitor implements AutoCloseable {
     try {
       do {
         TimeUnit.SECONDS.sleep(1);
-      } while (goesOn());
+      } while (checkOnce());
     } catch (InterruptedException | RuntimeException e) {
       // The connection has ended otherwise.
     }
   }
 
-  /** To be called once a second; whether there is still something to look after. */
-  boolean goesOn() {
+  /** Called once a second; returns whether to continue. */
+  boolean checkOnce() {
     long seconds = silence.elapsed(TimeUnit.SECONDS);
     if (seconds >= Protocol.TIMEOUT_SECONDS) {
-      giveUp.run();
+      onTimeout.run();
       return false;
     }
-    look.run();
+    everySecond.run();
     if (seconds >= Protocol.SILENCE_SECONDS) {
       ask.run();
     }
     return true;
   }
 
-  /** There has been a sign of life. */
+  /** Something has been received. */
   void alive() {
     silence.restart();
   }

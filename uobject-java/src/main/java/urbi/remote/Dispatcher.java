@@ -10,9 +10,9 @@ import org.jspecify.annotations.Nullable;
 import urbi.time.Stopwatch;
 
 /**
- * Reads frames, and executes tasks one after the other on one thread, which never changes. That
- * thread reads, too, while it has nothing to do, so that a call costs no change of threads. When a
- * task takes long, or asks for something that has to be read, a helper reads meanwhile.
+ * Reads frames, and executes tasks one after the other on one thread, which never changes. While it
+ * has no task, that thread also reads frames, so a call needs no thread switch. While a task takes
+ * long or waits for an answer, a helper thread reads.
  */
 final class Dispatcher {
   /** How long a task takes at least that the helper reads meanwhile, in nanoseconds. */
@@ -213,7 +213,7 @@ final class Dispatcher {
    * Waits so long; on the thread that executes tasks, in the middle of one, others are executed
    * meanwhile.
    */
-  void letOthers(long nanoseconds) throws InterruptedException {
+  void letOthersRun(long nanoseconds) throws InterruptedException {
     if (Thread.currentThread() != executor) {
       TimeUnit.NANOSECONDS.sleep(nanoseconds);
       return;

@@ -3,7 +3,10 @@ package urbi.remote;
 import java.util.concurrent.TimeUnit;
 import urbi.time.Stopwatch;
 
-/** What time it is in the kernel: as far as its messages tell, of which the quickest count. */
+/**
+ * Estimates the time of the kernel from the time stamps of its messages; the messages with the
+ * least delay count.
+ */
 final class KernelTime {
   private volatile long ahead = Long.MIN_VALUE;
 

@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 import urbi.UClientException;
 import urbi.UValue;
 
-/** What the remote process has asked the kernel, and waits for. */
+/** The requests to the kernel whose answers the remote process waits for. */
 final class PendingRequests {
   private final AtomicInteger last = new AtomicInteger();
   private final Map<Integer, PendingRequest> waiting = new ConcurrentHashMap<>();
@@ -18,7 +18,7 @@ final class PendingRequests {
 
   private record PendingRequest(Consumer<UValue> first, CompletableFuture<UValue> answer) {}
 
-  /** Sends a question. */
+  /** Sends a request. */
   interface Question {
     void send(int number);
   }
@@ -65,7 +65,7 @@ final class PendingRequests {
     }
   }
 
-  /** There will be no more answers. */
+  /** The connection is lost: all pending requests fail. */
   void lost(String reason) {
     lost = reason;
     waiting

@@ -46,8 +46,8 @@ import urbi.wire.WireOutput;
  * The context of UObjects in a process that is connected to a kernel.
  *
  * <p>One thread makes UObjects and calls their functions, timers and notifications, unless they are
- * threaded. What they ask for and need no answer to is sent and not waited for; the connection
- * keeps the order.
+ * threaded. Requests that need no answer are sent without waiting; the connection keeps their
+ * order.
  */
 public final class RemoteContext implements UContext, AutoCloseable {
   private static final int CONNECT_MILLISECONDS = 10_000;
@@ -195,7 +195,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
       }
       case Frame.GONE -> {
         String name = frame.text();
-        later(() -> gone(name));
+        later(() -> objectRemoved(name));
       }
       case Frame.ACCESS -> {
         RemoteSlot slot = slots.get(frame.size());
@@ -280,7 +280,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   @Override
   public void start(UClass type) {
     classes.put(type.name(), type);
-    inTurn(() -> {
+    runInTurn(() -> {
       ask((out, number) -> out.begin(Frame.CLASS).size(number).text(type.name()).end());
       type.create(type.name());
       // What the constructor has bound is there for everybody when this returns.
@@ -290,7 +290,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
 
   @Override
   public void startHub(UHubClass type) {
-    inTurn(() -> hubs.put(type.name(), type.create()));
+    runInTurn(() -> hubs.put(type.name(), type.create()));
   }
 
   private interface Construction {
@@ -298,7 +298,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   }
 
   /** Makes something while no function of a UObject is called. */
-  private void inTurn(Construction making) {
+  private void runInTurn(Construction making) {
     var done = new CompletableFuture<Void>();
     Runnable task =
         () -> {
@@ -339,7 +339,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
     }
   }
 
-  private void gone(String name) {
+  private void objectRemoved(String name) {
     failures.remove(name);
     UObject object = objects.get(name);
     if (object != null) {
@@ -492,7 +492,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   public void yieldFor(Duration time) {
     // The job in the kernel that waits for a function waits anyway, and the kernel goes on.
     try {
-      dispatcher.letOthers(time.toNanos());
+      dispatcher.letOthersRun(time.toNanos());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

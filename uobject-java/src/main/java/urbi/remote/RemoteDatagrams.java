@@ -28,7 +28,7 @@ import urbi.wire.WireException;
 import urbi.wire.WireInput;
 import urbi.wire.WireOutput;
 
-/** The datagrams of a remote process: agrees upon them with the kernel, sends and receives them. */
+/** The datagrams of a remote process: negotiates them with the kernel, sends and receives them. */
 final class RemoteDatagrams implements AutoCloseable {
   private static final int BUFFER = 4 << 20;
   private static final int MAX_SIZE = 1 << 16;

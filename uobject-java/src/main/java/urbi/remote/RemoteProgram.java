@@ -18,7 +18,9 @@ import urbi.rtp.RtpOptions;
 import urbi.spi.Failure;
 import urbi.spi.ModuleFiles;
 
-/** What {@link urbi.UMain} does, and the main of a program of its own: options, and the run. */
+/**
+ * Implements {@link urbi.UMain} and {@code UObject.main}: parses the options and runs the UObjects.
+ */
 public final class RemoteProgram implements RemoteRunner {
   private static final String USAGE =
       """

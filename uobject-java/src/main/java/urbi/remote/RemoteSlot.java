@@ -11,7 +11,10 @@ import urbi.UValue;
 import urbi.rtp.RtpMode;
 import urbi.wire.Frame;
 
-/** A variable of the kernel, as a remote process sees it: its value is a copy that is kept up. */
+/**
+ * A variable of the kernel in a remote process; its value is a copy that the kernel keeps up to
+ * date.
+ */
 final class RemoteSlot implements USlot {
   /** How much the kernel is to tell about a variable. */
   static final int NOTHING = 0;

@@ -9,7 +9,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 
-/** What UObjects of a remote process have called periodically. */
+/** The timers of the UObjects of a remote process. */
 final class RemoteTimers implements AutoCloseable {
   /** The shortest period, in microseconds. */
   private static final long MIN_LENGTH = 1000;

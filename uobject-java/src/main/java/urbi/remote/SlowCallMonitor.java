@@ -5,7 +5,7 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import urbi.time.Stopwatch;
 
-/** Who has the turn to be executed; says so of a function that does not return for long. */
+/** Remembers which function is being executed, and reports one that does not return for long. */
 final class SlowCallMonitor {
   private static final long LONG_SECONDS = 10;
 
@@ -27,7 +27,7 @@ final class SlowCallMonitor {
     function = null;
   }
 
-  /** Complains, once, if the same function has had the turn for too long; by one thread. */
+  /** Reports, once, a function that has been executed for too long. Called by one thread. */
   void complain() {
     String name = function;
     boolean isLong = name != null && since.elapsed(TimeUnit.SECONDS) >= LONG_SECONDS;

@@ -6,8 +6,8 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A datagram that is about others: a report of what has come (RFC 3550, section 6.4.2), or a probe
- * of whether any comes through (APP, section 6.7). It goes the same way as those with data (RFC
+ * A control datagram: a report of the received datagrams (RFC 3550, section 6.4.2), or a probe that
+ * tests whether datagrams arrive at all (APP, section 6.7). It uses the same ports as the data (RFC
  * 5761).
  *
  * @param kind what it is

@@ -4,7 +4,8 @@ import urbi.wire.WireInput;
 import urbi.wire.WireOutput;
 
 /**
- * What one side tells the other, over the connection, about the datagrams that it takes and sends.
+ * The parameters that one side sends to the other, over the connection, about the datagrams that it
+ * receives and sends.
  *
  * @param port where it takes them
  * @param ssrc by which its own can be told; that of the first of its streams

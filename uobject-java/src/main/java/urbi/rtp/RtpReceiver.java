@@ -8,8 +8,8 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Puts frames together from datagrams, which may be lost, come twice, or in another order. Of a
- * variable no frame is delivered after a newer one; what is incomplete then is given up.
+ * Assembles frames from datagrams, which may be lost, duplicated or reordered. A variable never
+ * gets an older frame after a newer one; incomplete older frames are dropped.
  */
 final class RtpReceiver {
   /** So many frames of a variable may be incomplete at a time: that much disorder is healed. */
@@ -50,7 +50,7 @@ final class RtpReceiver {
 
   private static final class Variable {
     /** The number after that of the newest frame. */
-    private long past = Long.MIN_VALUE;
+    private long superseded = Long.MIN_VALUE;
 
     private final TreeMap<Long, Assembly> incomplete = new TreeMap<>();
   }
@@ -70,7 +70,7 @@ final class RtpReceiver {
     }
   }
 
-  /** Forgets what was not used for longest. */
+  /** A map that drops the least recently used entry. */
   private static final class RecentlyUsed<V> extends LinkedHashMap<Integer, V> {
     private static final long serialVersionUID = 1;
 
@@ -118,7 +118,7 @@ final class RtpReceiver {
     unreportedBytes += RtpPacket.HEADER + packet.data().length;
     Variable variable = stream.variables.computeIfAbsent(packet.variable(), key -> new Variable());
     long first = number - packet.index();
-    if (first < variable.past) {
+    if (first < variable.superseded) {
       counts.late.increment();
       return null;
     }
@@ -166,24 +166,25 @@ final class RtpReceiver {
   private void giveUp(Assembly assembly) {
     Variable variable = assembly.variable;
     remove(assembly);
-    variable.past = Math.max(variable.past, assembly.first + 1);
+    variable.superseded = Math.max(variable.superseded, assembly.first + 1);
     counts.incomplete.increment();
   }
 
   /** What begins before a number is out of date. */
-  private void forget(Variable variable, long past) {
-    variable.past = Math.max(variable.past, past);
-    while (!variable.incomplete.isEmpty() && variable.incomplete.firstKey() < past) {
+  private void forget(Variable variable, long superseded) {
+    variable.superseded = Math.max(variable.superseded, superseded);
+    while (!variable.incomplete.isEmpty() && variable.incomplete.firstKey() < superseded) {
       giveUp(variable.incomplete.firstEntry().getValue());
     }
   }
 
   /** The other side sends the variable otherwise: what it has sent before is out of date. */
-  synchronized void past(int variable, RtpSender.Superseded past) {
-    Stream stream = streams.computeIfAbsent(past.ssrc(), key -> new Stream(past.sequence()));
+  synchronized void superseded(int variable, RtpSender.Superseded superseded) {
+    Stream stream =
+        streams.computeIfAbsent(superseded.ssrc(), key -> new Stream(superseded.sequence()));
     forget(
         stream.variables.computeIfAbsent(variable, key -> new Variable()),
-        stream.extended(past.sequence()));
+        stream.extended(superseded.sequence()));
   }
 
   /**

@@ -9,10 +9,11 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Cuts frames into datagrams, and sends no more of them than the other side has room for: it
- * reports what it has read. Of a variable that changes faster than that, the newest value is sent.
+ * Splits frames into datagrams, and sends no more than the other side has room for according to its
+ * reports. If a variable changes faster than that, only its newest value is sent.
  *
- * <p>Values that are no binaries share a stream; each variable that once had a binary has its own.
+ * <p>All variables without binaries share a stream; each variable that ever had a binary has its
+ * own.
  */
 final class RtpSender {
   /** How long a report may take, in milliseconds, until what it should tell of is thought lost. */
@@ -21,7 +22,7 @@ final class RtpSender {
   /** After so many reports that did not come nothing gets through any more. */
   private static final int MAX_SILENT = 20;
 
-  /** Where the datagrams go. */
+  /** Sends the datagrams. */
   interface DatagramOutput {
     void send(byte[] datagram);
 
@@ -34,7 +35,7 @@ final class RtpSender {
     void broken();
   }
 
-  /** What was sent of a variable before a number in a stream is out of date. */
+  /** All frames of a variable before this sequence number of a stream are out of date. */
   record Superseded(int ssrc, int sequence) {}
 
   private static final class Stream {
@@ -93,7 +94,7 @@ final class RtpSender {
     this.window = other.window();
   }
 
-  /** Takes a frame, which {@link #pump} will send; false if it has to go another way. */
+  /** Takes a frame, which {@link #sendPending} will send; false if it has to go another way. */
   synchronized boolean offer(int variable, boolean binary, byte[] frame) {
     if (broken || frame.length > (long) part * RtpPacket.MAX_PARTS) {
       return false;
@@ -116,7 +117,7 @@ final class RtpSender {
   }
 
   /** The variable goes another way from now on; null if it has not gone this one. */
-  synchronized @Nullable Superseded past(int variable) {
+  synchronized @Nullable Superseded superseded(int variable) {
     Stream stream = used.remove(variable);
     if (stream == null) {
       return null;
@@ -143,7 +144,7 @@ final class RtpSender {
   }
 
   /** Sends as much as there is room for. */
-  synchronized void pump() {
+  synchronized void sendPending() {
     while (!broken && (inFlight == 0 || inFlight + part <= window)) {
       Outgoing going = current;
       if (going == null) {
@@ -205,7 +206,7 @@ final class RtpSender {
     if (over) {
       out.broken();
     } else {
-      pump();
+      sendPending();
     }
   }
 
@@ -222,6 +223,6 @@ final class RtpSender {
         }
       }
     });
-    pump();
+    sendPending();
   }
 }

@@ -7,11 +7,14 @@ import urbi.wire.WireInput;
 import urbi.wire.WireOutput;
 
 /**
- * One end of the datagrams between a process with UObjects and the kernel. Its methods may be
- * called from any thread.
+ * One end of the datagram exchange between a process with UObjects and the kernel. Its methods may
+ * be called from any thread.
  */
 public final class RtpSession {
-  /** What surrounds an end. Its methods may be called from any thread, and must not wait. */
+  /**
+   * What a session needs from its owner. The methods may be called from any thread, and must not
+   * wait.
+   */
   public interface Environment {
     /** Sends a datagram to the other end; it may get lost. */
     void send(byte[] datagram);
@@ -40,7 +43,7 @@ public final class RtpSession {
 
   private final RtpParameters own;
   private final RtpParameters other;
-  private final Environment around;
+  private final Environment environment;
   private final RtpStatistics counts = new RtpStatistics();
   private final RtpSender sender;
   private final RtpReceiver receiver;
@@ -51,10 +54,10 @@ public final class RtpSession {
    * @param own what this end has told the other
    * @param other what the other has told this one
    */
-  public RtpSession(RtpParameters own, RtpParameters other, Environment around) {
+  public RtpSession(RtpParameters own, RtpParameters other, Environment environment) {
     this.own = own;
     this.other = other;
-    this.around = around;
+    this.environment = environment;
     this.sender = new RtpSender(own, other, counts, new PeerOutput());
     this.receiver = new RtpReceiver(own, other, counts);
   }
@@ -62,23 +65,23 @@ public final class RtpSession {
   private final class PeerOutput implements RtpSender.DatagramOutput {
     @Override
     public void send(byte[] datagram) {
-      around.send(datagram);
+      environment.send(datagram);
     }
 
     @Override
     public void after(long milliseconds, Runnable task) {
-      around.after(milliseconds, task);
+      environment.after(milliseconds, task);
     }
 
     @Override
     public long microseconds() {
-      return around.microseconds();
+      return environment.microseconds();
     }
 
     @Override
     public void broken() {
       active = false;
-      around.broken();
+      environment.broken();
     }
   }
 
@@ -100,7 +103,7 @@ public final class RtpSession {
 
   /** Asks the other end for a sign of life. */
   public void probe() {
-    around.send(RtcpPacket.probe(RtcpPacket.Kind.PROBE, own.ssrc(), other.token()).toBytes());
+    environment.send(RtcpPacket.probe(RtcpPacket.Kind.PROBE, own.ssrc(), other.token()).toBytes());
   }
 
   // ------------------------------------------------------------------ sending
@@ -115,7 +118,7 @@ public final class RtpSession {
     if (!active || !sender.offer(variable, binary, frame)) {
       return false;
     }
-    around.run(sender::pump);
+    environment.run(sender::sendPending);
     return true;
   }
 
@@ -124,9 +127,9 @@ public final class RtpSession {
    * that says so, if the last one was not.
    */
   public void leave(int variable, WireOutput out, int frame) {
-    RtpSender.Superseded past = sender.past(variable);
-    if (past != null) {
-      out.begin(frame).size(variable).size(past.ssrc()).size(past.sequence()).end();
+    RtpSender.Superseded superseded = sender.superseded(variable);
+    if (superseded != null) {
+      out.begin(frame).size(variable).size(superseded.ssrc()).size(superseded.sequence()).end();
     }
   }
 
@@ -140,7 +143,7 @@ public final class RtpSession {
   /** What {@link #leave} has written at the other end has come: the fields of the frame. */
   public void left(WireInput in) {
     int variable = in.size();
-    receiver.past(variable, new RtpSender.Superseded(in.size(), in.size() & 0xffff));
+    receiver.superseded(variable, new RtpSender.Superseded(in.size(), in.size() & 0xffff));
   }
 
   /** The token of a datagram; 0 if it has none. */
@@ -167,7 +170,7 @@ public final class RtpSession {
     byte[] frame = receiver.take(packet);
     report(false);
     if (reporting.compareAndSet(false, true)) {
-      around.after(
+      environment.after(
           REPORT_MILLISECONDS,
           () -> {
             reporting.set(false);
@@ -175,14 +178,14 @@ public final class RtpSession {
           });
     }
     if (frame != null) {
-      around.take(packet.variable(), frame);
+      environment.take(packet.variable(), frame);
     }
   }
 
   private void report(boolean now) {
     RtcpPacket report = receiver.report(now);
     if (report != null) {
-      around.send(report.toBytes());
+      environment.send(report.toBytes());
     }
   }
 
@@ -194,12 +197,12 @@ public final class RtpSession {
     switch (packet.kind()) {
       case REPORT -> {
         Map<Integer, Integer> highest = packet.highest();
-        around.run(() -> sender.reported(highest));
+        environment.run(() -> sender.reported(highest));
       }
       case PROBE ->
-          around.send(
+          environment.send(
               RtcpPacket.probe(RtcpPacket.Kind.ANSWER, own.ssrc(), other.token()).toBytes());
-      case ANSWER -> around.answered();
+      case ANSWER -> environment.answered();
     }
   }
 }

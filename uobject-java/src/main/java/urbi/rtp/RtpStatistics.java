@@ -2,7 +2,7 @@ package urbi.rtp;
 
 import java.util.concurrent.atomic.LongAdder;
 
-/** What became of frames and datagrams. */
+/** Counts frames and datagrams by what became of them. */
 public final class RtpStatistics {
   final LongAdder sent = new LongAdder();
   final LongAdder replaced = new LongAdder();

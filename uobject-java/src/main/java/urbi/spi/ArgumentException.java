@@ -1,6 +1,6 @@
 package urbi.spi;
 
-/** An argument of a call cannot be what the function wants. */
+/** An argument of a call cannot be converted to the type of the parameter. */
 public final class ArgumentException extends RuntimeException {
   private static final long serialVersionUID = 1;
 

@@ -9,7 +9,7 @@ import urbi.UImage;
 import urbi.UList;
 import urbi.USound;
 
-/** What the types of Java parameters are called in urbiscript, in messages. */
+/** The urbiscript names of Java parameter types, for error messages. */
 public final class ArgumentTypes {
   private static final String NUMBER = "Float";
 

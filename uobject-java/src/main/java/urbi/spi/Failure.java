@@ -5,7 +5,7 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
 import urbi.UCastException;
 
-/** What went wrong in code of UObjects, for people. */
+/** Describes an exception in the code of a UObject, for users. */
 public final class Failure {
   private Failure() {}
 

@@ -10,8 +10,8 @@ import java.util.Set;
 import java.util.function.Consumer;
 
 /**
- * Where in the code of a component something has failed: stack traces, for the log. The same
- * failure at the same place is told once, however often a timer runs into it.
+ * Logs the stack traces of exceptions in components. The same exception at the same place is logged
+ * once, even if a timer throws it again and again.
  */
 public final class FailureLog {
   /** So many places are remembered; the oldest is forgotten first. */

@@ -16,7 +16,7 @@ import java.util.zip.ZipInputStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is in a jar, or in a folder of classes, in memory.
+ * The contents of a jar or of a folder of classes, in memory.
  *
  * @param file where it was read
  * @param entries the contents by their names, in the order of the jar

@@ -15,9 +15,9 @@ import urbi.UObject;
 import urbi.UStart;
 
 /**
- * Which classes of a jar declare UObjects: those that call {@link UObject#UStart} and its like, or
- * are annotated with {@link UStart}. {@code umake-java} writes their names into the manifest, so
- * that nobody needs to look for them when the jar is loaded.
+ * Finds the classes of a jar that declare UObjects: those that call {@link UObject#UStart} or a
+ * similar method, or are annotated with {@link UStart}. {@code umake-java} writes their names into
+ * the manifest, so that they need not be searched for when the jar is loaded.
  */
 public final class ModuleIndex {
   /** The attribute of the manifest: names of classes, with blanks between them. */

@@ -5,8 +5,7 @@ import urbi.UModule;
 import urbi.UModuleException;
 
 /**
- * Loads modules that are no jars. Those who implement it are found by {@link
- * java.util.ServiceLoader}.
+ * Loads modules that are not jars. Implementations are found by {@link java.util.ServiceLoader}.
  */
 public interface ModuleLoader {
   /** What the names of such files end with, with the dot. */

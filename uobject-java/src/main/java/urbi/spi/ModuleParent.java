@@ -10,7 +10,7 @@ import java.util.List;
 import urbi.UModuleException;
 
 /**
- * Where modules find classes that they do not have themselves: in the package {@code urbi}, in the
+ * The parent class loader of modules. It finds shared classes in the package {@code urbi}, in the
  * JDK, and in the jars and folders of the system property {@code urbi.classpath} ({@code
  * urbi-launch-java --classpath}), which they share.
  */

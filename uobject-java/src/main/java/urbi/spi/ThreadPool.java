@@ -6,7 +6,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
 
-/** The threads of one context. They are the machine's own: what runs there may block them. */
+/** The threads of one context. They are platform threads: their code may block. */
 public final class ThreadPool implements Executor, AutoCloseable {
   private final ExecutorService threads;
   private final ArrayDeque<Runnable> waiting = new ArrayDeque<>();

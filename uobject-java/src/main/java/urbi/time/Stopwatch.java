@@ -3,7 +3,7 @@ package urbi.time;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 
-/** How long ago something was. May be read and started again by any thread. */
+/** Measures how long ago something happened. Any thread may read and restart it. */
 public final class Stopwatch {
   private final LongSupplier clock;
   private volatile long start;

@@ -1,6 +1,6 @@
 package urbi.wire;
 
-/** What both sides of the UObject protocol have to know (docs/protocol.md). */
+/** The constants of the UObject protocol (docs/protocol.md). */
 public final class Protocol {
   /** How the line starts with which a client asks for the protocol. */
   public static final String REQUEST = "\"urbi-uobject ";

@@ -5,7 +5,7 @@ import urbi.UDictionary;
 import urbi.UList;
 import urbi.UValue;
 
-/** Reads what a {@link ValueEncoder} has written. */
+/** Decodes values that a {@link ValueEncoder} has written. */
 public abstract class ValueDecoder {
   private int depth;
 

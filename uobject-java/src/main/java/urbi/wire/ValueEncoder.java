@@ -6,9 +6,8 @@ import urbi.UBinary;
 import urbi.UValue;
 
 /**
- * Writes values as bytes: a kind, then a number, a text with its length before it, or the values
- * inside with their count before them. Where the bytes go, and in which order those of a number
- * are, is up to the subclass.
+ * Encodes values as bytes: a byte for the kind, then a number, a text after its length, or the
+ * elements after their count. The subclass decides where the bytes go, and in which byte order.
  */
 public abstract class ValueEncoder {
   /** The kinds of values, by the byte that they start with. */

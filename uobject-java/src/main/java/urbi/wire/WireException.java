@@ -2,7 +2,7 @@ package urbi.wire;
 
 import org.jspecify.annotations.Nullable;
 
-/** The other side does not keep to the protocol. */
+/** The other side violates the protocol. */
 public class WireException extends RuntimeException {
   private static final long serialVersionUID = 1;
 

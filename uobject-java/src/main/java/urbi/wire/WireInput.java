@@ -7,7 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import urbi.UValue;
 
-/** Reads what {@link WireOutput} has written: the inside of one frame. */
+/** Reads the contents of one frame, as {@link WireOutput} has written them. */
 public final class WireInput extends ValueDecoder {
   private static final VarHandle INT =
       MethodHandles.byteArrayViewVarHandle(int[].class, ByteOrder.BIG_ENDIAN);

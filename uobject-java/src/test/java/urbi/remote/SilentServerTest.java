@@ -34,11 +34,11 @@ class SilentServerTest {
 
   private boolean after(int seconds, ConnectionMonitor watch) {
     time.addAndGet(TimeUnit.SECONDS.toNanos(seconds));
-    return watch.goesOn();
+    return watch.checkOnce();
   }
 
   @Test
-  void isAskedAndThenGivenUp() {
+  void silentPeerIsProbedAndThenDisconnected() {
     ConnectionMonitor watch = watch();
     assertTrue(after(Protocol.SILENCE_SECONDS - 1, watch));
     assertEquals(List.of("look"), done);
@@ -50,7 +50,7 @@ class SilentServerTest {
   }
 
   @Test
-  void isNotGivenUpIfItAnswers() {
+  void peerThatAnswersStaysConnected() {
     ConnectionMonitor watch = watch();
     for (int i = 0; i < 10; i++) {
       assertTrue(after(Protocol.TIMEOUT_SECONDS - 1, watch));

@@ -10,8 +10,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Runs one program in all its languages at the same time of day: first each by itself until it gets
- * no faster, then turn by turn, so that whatever disturbs the machine disturbs all alike.
+ * Runs one program in all its languages: first each one alone until it gets no faster, then in
+ * turns, so that other load on the machine affects all of them equally.
  */
 final class Comparison {
   /** How long a sample is at least: long beside the way there and back, which is 0.1 ms. */
@@ -25,7 +25,7 @@ final class Comparison {
   private final Thoroughness pace;
 
   /**
-   * How thorough to be.
+   * How thoroughly to measure.
    *
    * @param warmUp how long a program warms up at least, in nanoseconds
    * @param atMost how long it may go on warming up while it still gets faster
@@ -40,14 +40,14 @@ final class Comparison {
     static final Thoroughness QUICK = new Thoroughness(1_000_000_000L, 3_000_000_000L, 5);
   }
 
-  /** A guest with what it has done. */
+  /** A program in one language, with its measurements. */
   private static final class Entry {
-    final LanguageProcess guest;
+    final LanguageProcess languageProcess;
     int times;
     final List<Double> samples = new ArrayList<>();
 
-    Entry(LanguageProcess guest) {
-      this.guest = guest;
+    Entry(LanguageProcess languageProcess) {
+      this.languageProcess = languageProcess;
     }
   }
 
@@ -65,9 +65,9 @@ final class Comparison {
     try {
       for (Language language : languages) {
         try {
-          Optional<LanguageProcess> guest =
+          Optional<LanguageProcess> languageProcess =
               LanguageProcess.start(machine, language, row.program(), urbiOptions);
-          guest.ifPresent(started -> entries.add(new Entry(started)));
+          languageProcess.ifPresent(started -> entries.add(new Entry(started)));
         } catch (LanguageProcess.Failure e) {
           notes.add(language.label() + ": " + e.getMessage());
         }
@@ -76,7 +76,7 @@ final class Comparison {
     } catch (IOException e) {
       notes.add(String.valueOf(e.getMessage()));
     } finally {
-      entries.forEach(entry -> entry.guest.close());
+      entries.forEach(entry -> entry.languageProcess.close());
     }
     return result(row, entries, notes);
   }
@@ -93,7 +93,7 @@ final class Comparison {
     }
   }
 
-  /** Something that a guest may fail at. */
+  /** An operation that may fail in one language. */
   private interface Step {
     void take() throws LanguageProcess.Failure;
   }
@@ -102,8 +102,8 @@ final class Comparison {
     try {
       step.take();
     } catch (LanguageProcess.Failure e) {
-      notes.add(entry.guest.language().label() + ": " + e.getMessage());
-      entry.guest.close();
+      notes.add(entry.languageProcess.language().label() + ": " + e.getMessage());
+      entry.languageProcess.close();
       entries.remove(entry);
     }
   }
@@ -112,7 +112,8 @@ final class Comparison {
     long start = System.nanoTime();
     entry.times = enough(entry, 1);
     boolean compiled =
-        entry.guest.language() == Language.URBISCRIPT || entry.guest.language() == Language.BARE;
+        entry.languageProcess.language() == Language.URBISCRIPT
+            || entry.languageProcess.language() == Language.BARE;
     if (!compiled) {
       return;
     }
@@ -129,7 +130,7 @@ final class Comparison {
   /** How many runs fill a sample. */
   private static int enough(Entry entry, int from) throws LanguageProcess.Failure {
     int times = from;
-    while (entry.guest.call("bench", times) < SAMPLE && times < MAX_TIMES) {
+    while (entry.languageProcess.call("bench", times) < SAMPLE && times < MAX_TIMES) {
       times *= 2;
     }
     return times;
@@ -147,13 +148,13 @@ final class Comparison {
 
   /** The time of one operation in nanoseconds. */
   private static double sample(Row row, Entry entry) throws LanguageProcess.Failure {
-    double time = entry.guest.call("bench", entry.times);
+    double time = entry.languageProcess.call("bench", entry.times);
     if (row.based()) {
-      String result = entry.guest.result();
-      time -= entry.guest.call("base", entry.times);
-      if (!entry.guest.result().equals(result)) {
+      String result = entry.languageProcess.result();
+      time -= entry.languageProcess.call("base", entry.times);
+      if (!entry.languageProcess.result().equals(result)) {
         throw new LanguageProcess.Failure(
-            "bench is " + result + ", base is " + entry.guest.result());
+            "bench is " + result + ", base is " + entry.languageProcess.result());
       }
     }
     return time / entry.times / row.operations();
@@ -162,15 +163,15 @@ final class Comparison {
   /** Programs that do the same have the same result, as far as urbiscript shows it. */
   private static void compareResults(List<Entry> entries, List<String> notes) {
     for (Entry entry : entries) {
-      LanguageProcess first = entries.getFirst().guest;
-      if (!alike(first.result(), entry.guest.result())) {
+      LanguageProcess first = entries.getFirst().languageProcess;
+      if (!alike(first.result(), entry.languageProcess.result())) {
         notes.add(
             "results differ: %s %s, %s %s"
                 .formatted(
                     first.language().label(),
                     first.result(),
-                    entry.guest.language().label(),
-                    entry.guest.result()));
+                    entry.languageProcess.language().label(),
+                    entry.languageProcess.result()));
       }
     }
   }
@@ -189,8 +190,8 @@ final class Comparison {
     Map<Language, List<Double>> samples = new EnumMap<>(Language.class);
     for (Entry entry : entries) {
       if (!entry.samples.isEmpty()) {
-        figures.put(entry.guest.language(), median(entry.samples));
-        samples.put(entry.guest.language(), entry.samples);
+        figures.put(entry.languageProcess.language(), median(entry.samples));
+        samples.put(entry.languageProcess.language(), entry.samples);
       }
     }
     return new Result(

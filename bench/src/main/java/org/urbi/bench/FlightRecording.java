@@ -11,7 +11,7 @@ import jdk.jfr.consumer.RecordedEvent;
 import jdk.jfr.consumer.RecordedFrame;
 import jdk.jfr.consumer.RecordingFile;
 
-/** Where a Java virtual machine spends its time, as its flight recorder saw it. */
+/** Shows where a Java virtual machine spends its time, according to the JDK's flight recorder. */
 final class FlightRecording {
   private static final int SHOWN = 15;
   private static final Duration SETTLED = Duration.ofSeconds(4);

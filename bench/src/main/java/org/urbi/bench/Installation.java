@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** What this machine has to run programs with. */
+/** The language interpreters that are installed on this machine. */
 final class Installation {
   private final Path root = Path.of(System.getProperty("bench.root", ".")).toAbsolutePath();
   private final List<String> flags =

@@ -14,8 +14,8 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 
 /**
- * A program that has been started in one of the languages and does as often as it is told what it
- * is there for. The time it takes is measured here, in the same way for all languages.
+ * A running program in one of the languages, which executes its task as often as requested. This
+ * class measures the time, in the same way for all languages.
  */
 final class LanguageProcess implements AutoCloseable {
   private static final int TIMEOUT_SECONDS = 300;
@@ -27,7 +27,7 @@ final class LanguageProcess implements AutoCloseable {
   private final BlockingQueue<String> lines = new LinkedBlockingQueue<>();
   private String result = "";
 
-  /** A guest could not do what it was told. */
+  /** The program could not execute its task. */
   static final class Failure extends Exception {
     private static final long serialVersionUID = 1L;
 

@@ -10,9 +10,9 @@ import java.util.ArrayDeque;
 import java.util.concurrent.Executor;
 
 /**
- * What virtual threads cost by themselves: the programs {@code switch} and {@code spawn} on an
- * executor that is a loop, as the kernel's is, with nothing else around them. Speaks as the drivers
- * of the other languages do.
+ * The cost of virtual threads alone: the programs {@code switch} and {@code spawn} on an executor
+ * that is a loop like the kernel's. It uses the same protocol as the drivers of the other
+ * languages.
  */
 public final class PlainVirtualThreads {
   private static final int SWITCHING = 100;

@@ -3,7 +3,7 @@ package org.urbi.bench;
 import java.util.List;
 
 /**
- * A program and how to look at what it takes.
+ * A row of the table: a program and how to measure it.
  *
  * @param program the name of its folder
  * @param title what one operation is

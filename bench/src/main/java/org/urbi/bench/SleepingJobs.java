@@ -47,19 +47,19 @@ final class SleepingJobs {
     if (started.isEmpty()) {
       return;
     }
-    try (LanguageProcess guest = started.get()) {
-      guest.call("bench", 1);
+    try (LanguageProcess languageProcess = started.get()) {
+      languageProcess.call("bench", 1);
       if (language == Language.URBISCRIPT) {
-        var memory = new JavaProcess(guest.pid());
+        var memory = new JavaProcess(languageProcess.pid());
         long before = memory.usedHeap();
-        long residentBefore = guest.residentBytes();
-        guest.evaluate("putToBed(),\nsleep(1s) | \"asleep\";");
+        long residentBefore = languageProcess.residentBytes();
+        languageProcess.evaluate("putToBed(),\nsleep(1s) | \"asleep\";");
         heap.put(language, (double) (memory.usedHeap() - before));
-        put(resident, language, residentBefore, guest.residentBytes());
+        put(resident, language, residentBefore, languageProcess.residentBytes());
       } else {
-        long before = guest.residentBytes();
-        guest.call("putToBed", 1);
-        put(resident, language, before, guest.residentBytes());
+        long before = languageProcess.residentBytes();
+        languageProcess.call("putToBed", 1);
+        put(resident, language, before, languageProcess.residentBytes());
       }
     }
   }

@@ -3,7 +3,7 @@ package org.urbi.bench;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** What a row of the table has to reach. */
+/** The target of a row of the table. */
 sealed interface Target {
   /** Whether the figures reach it; null when that cannot be told on this machine. */
   @Nullable Boolean met(Map<Language, Double> figures);
@@ -40,7 +40,7 @@ sealed interface Target {
     }
   }
 
-  /** Nothing: the row is there to be looked at. */
+  /** No target: the row is for information. */
   record None() implements Target {
     @Override
     public @Nullable Boolean met(Map<Language, Double> figures) {

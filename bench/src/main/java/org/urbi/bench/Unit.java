@@ -1,6 +1,6 @@
 package org.urbi.bench;
 
-/** What figures are in. */
+/** The unit of a figure. */
 enum Unit {
   /** Nanoseconds; shown as what is easiest to read. */
   TIME {

@@ -26,14 +26,14 @@ class ResultTest {
   }
 
   @Test
-  void withoutTheOtherLanguageNothingIsClaimed() {
+  void noClaimWithoutTheOtherLanguage() {
     Result alone = result(Map.of(Language.URBISCRIPT, 2e6), PYTHON);
     assertEquals("unknown", alone.verdict());
     assertNull(alone.ratioTo(Language.PYTHON));
   }
 
   @Test
-  void aProgramThatFailedIsNotMet() {
+  void failedProgramDoesNotMeetItsTarget() {
     assertEquals("unknown", result(Map.of(), new Target.Absolute(20, Unit.TIME)).verdict());
   }
 

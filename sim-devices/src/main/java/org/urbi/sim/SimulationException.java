@@ -2,7 +2,7 @@ package org.urbi.sim;
 
 import org.jspecify.annotations.Nullable;
 
-/** Something that the simulation cannot do, in words for the user who asked for it. */
+/** An operation that the simulation cannot perform; the message is for the user. */
 public class SimulationException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 

@@ -34,9 +34,9 @@ import org.urbi.kernel.message.Outcome;
 import urbi.UValue;
 
 /**
- * Who may know whom. The modules' arrows are Maven's business as well; here they are said by
- * package, together with what no module file can say: where the clock is read, who draws random
- * numbers, and which room talks to which library.
+ * Which package may depend on which. Maven checks the dependencies of modules; this test checks
+ * those of packages, and what no pom can express: where the clock is read, where random numbers are
+ * drawn, and which package uses which library.
  */
 @AnalyzeClasses(
     packages = {"org.urbi", "urbi"},
@@ -45,25 +45,28 @@ class ArchitectureTest {
   private static final DescribedPredicate<JavaClass> OURS =
       resideInAnyPackage("org.urbi..", "urbi..");
 
-  private static ArchRule knowsOnly(String room, String... others) {
+  private static ArchRule dependsOnlyOn(String packageName, String... others) {
     return classes()
         .that()
-        .resideInAPackage(room)
+        .resideInAPackage(packageName)
         .should()
         .onlyDependOnClassesThat(
-            DescribedPredicate.not(OURS).or(resideInAPackage(room)).or(resideInAnyPackage(others)));
+            DescribedPredicate.not(OURS)
+                .or(resideInAPackage(packageName))
+                .or(resideInAnyPackage(others)));
   }
 
-  @ArchTest static final ArchRule languageKnowsNobody = knowsOnly("org.urbi.lang..");
-
-  @ArchTest static final ArchRule builtinsKnowNobody = knowsOnly("org.urbi.builtins..");
+  @ArchTest static final ArchRule languageDependsOnNothingElse = dependsOnlyOn("org.urbi.lang..");
 
   @ArchTest
-  static final ArchRule kernelKnowsLanguageAndBuiltins =
-      knowsOnly("org.urbi.kernel..", "org.urbi.lang..", "org.urbi.builtins..", "urbi..");
+  static final ArchRule builtinsDependOnNothingElse = dependsOnlyOn("org.urbi.builtins..");
 
   @ArchTest
-  static final ArchRule componentsCarryOneJar =
+  static final ArchRule kernelDependsOnLanguageAndBuiltins =
+      dependsOnlyOn("org.urbi.kernel..", "org.urbi.lang..", "org.urbi.builtins..", "urbi..");
+
+  @ArchTest
+  static final ArchRule sdkNeedsNoOtherJar =
       classes()
           .that()
           .resideInAPackage("urbi..")
@@ -78,23 +81,23 @@ class ArchitectureTest {
               "javax.sound.sampled..",
               "org.jspecify.annotations..");
 
-  @ArchTest static final ArchRule theClockKnowsNobody = knowsOnly("urbi.time");
+  @ArchTest static final ArchRule timeDependsOnNothingElse = dependsOnlyOn("urbi.time");
 
-  @ArchTest static final ArchRule imagesAndSoundsKnowNobody = knowsOnly("urbi.media");
-
-  @ArchTest
-  static final ArchRule whatUsersImportKnowsWhatIsBelow =
-      knowsOnly("urbi", "urbi.time", "urbi.media");
-
-  @ArchTest static final ArchRule homesOfUObjectsKnowUObjects = knowsOnly("urbi.spi", "urbi");
-
-  @ArchTest static final ArchRule valuesAsBytesKnowValues = knowsOnly("urbi.wire", "urbi");
+  @ArchTest static final ArchRule mediaDependsOnNothingElse = dependsOnlyOn("urbi.media");
 
   @ArchTest
-  static final ArchRule datagramsKnowTheirContent = knowsOnly("urbi.rtp", "urbi.wire", "urbi");
+  static final ArchRule publicApiDependsOnLowerPackages =
+      dependsOnlyOn("urbi", "urbi.time", "urbi.media");
+
+  @ArchTest static final ArchRule spiDependsOnTheSdkOnly = dependsOnlyOn("urbi.spi", "urbi");
+
+  @ArchTest static final ArchRule wireDependsOnValues = dependsOnlyOn("urbi.wire", "urbi");
 
   @ArchTest
-  static final ArchRule nobodyInTheSdkKnowsRemoteProcesses =
+  static final ArchRule rtpDependsOnValuesAndWire = dependsOnlyOn("urbi.rtp", "urbi.wire", "urbi");
+
+  @ArchTest
+  static final ArchRule sdkDoesNotDependOnRemoteProcesses =
       noClasses()
           .that()
           .resideInAPackage("urbi..")
@@ -104,23 +107,25 @@ class ArchitectureTest {
           .dependOnClassesThat()
           .resideInAPackage("urbi.remote..");
 
-  @ArchTest static final ArchRule simulationKnowsNobody = knowsOnly("org.urbi.sim..", "urbi");
+  @ArchTest
+  static final ArchRule simulationDependsOnTheSdkOnly = dependsOnlyOn("org.urbi.sim..", "urbi");
 
-  private static ArchRule onlyIn(String room, String library) {
+  private static ArchRule onlyIn(String packageName, String library) {
     return noClasses()
         .that()
         .resideInAPackage("org.urbi..")
         .and()
-        .resideOutsideOfPackage(room)
+        .resideOutsideOfPackage(packageName)
         .should()
         .dependOnClassesThat()
         .resideInAPackage(library);
   }
 
-  @ArchTest static final ArchRule antlrIsTheLanguages = onlyIn("org.urbi.lang..", "org.antlr..");
+  @ArchTest
+  static final ArchRule antlrIsUsedInTheLanguageOnly = onlyIn("org.urbi.lang..", "org.antlr..");
 
   @ArchTest
-  static final ArchRule nettyIsTheNetworksAndThePages =
+  static final ArchRule nettyIsUsedInTheNetworkAndThePageOnly =
       noClasses()
           .that()
           .resideInAPackage("org.urbi..")
@@ -131,16 +136,19 @@ class ArchitectureTest {
           .resideInAPackage("io.netty..");
 
   @ArchTest
-  static final ArchRule jlineIsTheConsoles = onlyIn("org.urbi.server.console..", "org.jline..");
+  static final ArchRule jlineIsUsedInTheConsoleOnly =
+      onlyIn("org.urbi.server.console..", "org.jline..");
 
   @ArchTest
-  static final ArchRule picocliIsTheOptions = onlyIn("org.urbi.server.options..", "picocli..");
+  static final ArchRule picocliIsUsedInOptionsOnly =
+      onlyIn("org.urbi.server.options..", "picocli..");
 
   @ArchTest
-  static final ArchRule ode4jIsOneEngines = onlyIn("org.urbi.sim.physics.ode4j..", "org.ode4j..");
+  static final ArchRule ode4jIsUsedInItsEngineOnly =
+      onlyIn("org.urbi.sim.physics.ode4j..", "org.ode4j..");
 
   @ArchTest
-  static final ArchRule opencvIsTheVisions = onlyIn("org.urbi.sim.vision..", "org.opencv..");
+  static final ArchRule opencvIsUsedInVisionOnly = onlyIn("org.urbi.sim.vision..", "org.opencv..");
 
   /** Class and the names of its methods that read the time of the machine. */
   private static final Map<String, Set<String>> CLOCKS =
@@ -166,7 +174,7 @@ class ArchitectureTest {
           "java.util.UUID", Set.of("randomUUID"));
 
   @ArchTest
-  static final ArchRule onlyTheTimeRoomReadsTheClock =
+  static final ArchRule onlyTheTimePackageReadsTheClock =
       noClasses()
           .that()
           .resideInAnyPackage("org.urbi..", "urbi..")
@@ -177,7 +185,7 @@ class ArchitectureTest {
           .callCodeUnitWhere(are(callsOf("a clock", CLOCKS)));
 
   @ArchTest
-  static final ArchRule onlyTheRandomRoomDrawsNumbers =
+  static final ArchRule onlyTheRandomPackageDrawsNumbers =
       noClasses()
           .that()
           .resideInAnyPackage("org.urbi..", "urbi..")
@@ -228,7 +236,7 @@ class ArchitectureTest {
           "java.lang.System", Set.of("load", "loadLibrary", "exit", "setProperty"));
 
   @ArchTest
-  static final ArchRule onlyTheOutsideRoomTouchesTheMachine =
+  static final ArchRule onlyTheOutsidePackageAccessesTheMachine =
       noClasses()
           .that()
           .resideInAPackage("org.urbi.kernel..")
@@ -295,27 +303,27 @@ class ArchitectureTest {
           .beFreeOfCycles();
 
   @ArchTest
-  static final ArchRule noCyclesAmongTheRoomsOfTheLanguage =
+  static final ArchRule noCyclesAmongPackagesOfTheLanguage =
       slices().matching("org.urbi.lang.(*)..").should().beFreeOfCycles();
 
   @ArchTest
-  static final ArchRule noCyclesAmongTheRoomsOfTheKernel =
+  static final ArchRule noCyclesAmongPackagesOfTheKernel =
       slices().matching("org.urbi.kernel.(*)..").should().beFreeOfCycles();
 
   @ArchTest
-  static final ArchRule noCyclesAmongTheRoomsOfTheLibrary =
+  static final ArchRule noCyclesAmongPackagesOfTheLibrary =
       slices().matching("org.urbi.kernel.library.(*)..").should().beFreeOfCycles();
 
   @ArchTest
-  static final ArchRule noCyclesAmongTheRoomsOfTheSimulation =
+  static final ArchRule noCyclesAmongPackagesOfTheSimulation =
       slices().matching("org.urbi.sim.(*)..").should().beFreeOfCycles();
 
   @ArchTest
-  static final ArchRule noCyclesAmongTheRoomsOfTheServer =
+  static final ArchRule noCyclesAmongPackagesOfTheServer =
       slices().matching("org.urbi.server.(*)..").should().beFreeOfCycles();
 
   @ArchTest
-  static final ArchRule onlyThoseWhoTouchTheOutsidePost =
+  static final ArchRule onlyOutsideCodePostsMessages =
       noClasses()
           .that()
           .resideOutsideOfPackages(
@@ -359,7 +367,7 @@ class ArchitectureTest {
               });
 
   /** The packages of the kernel, from the bottom to the top: each knows those before it only. */
-  private static final List<String> KERNEL_ROOMS =
+  private static final List<String> KERNEL_PACKAGES =
       Stream.of(
               ".time",
               ".trust",
@@ -400,11 +408,11 @@ class ArchitectureTest {
               ".embed",
               "",
               ".script")
-          .map(room -> "org.urbi.kernel" + room)
+          .map(packageName -> "org.urbi.kernel" + packageName)
           .toList();
 
   @ArchTest
-  static final ArchRule roomsOfTheKernelKnowThoseBelow =
+  static final ArchRule kernelPackagesDependOnLowerOnes =
       classes()
           .that()
           .resideInAPackage("org.urbi.kernel..")
@@ -412,13 +420,13 @@ class ArchitectureTest {
               new ArchCondition<JavaClass>("know only the packages that stand before their own") {
                 @Override
                 public void check(JavaClass type, ConditionEvents events) {
-                  int own = KERNEL_ROOMS.indexOf(type.getPackageName());
+                  int own = KERNEL_PACKAGES.indexOf(type.getPackageName());
                   if (own < 0) {
                     events.add(violated(type, type.getName() + " is in a package without a place"));
                   }
                   for (Dependency dependency : type.getDirectDependenciesFromSelf()) {
-                    String room = dependency.getTargetClass().getPackageName();
-                    if (KERNEL_ROOMS.indexOf(room) > own) {
+                    String packageName = dependency.getTargetClass().getPackageName();
+                    if (KERNEL_PACKAGES.indexOf(packageName) > own) {
                       events.add(violated(type, dependency.getDescription()));
                     }
                   }

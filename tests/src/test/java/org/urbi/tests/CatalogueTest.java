@@ -24,8 +24,8 @@ import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.problem.Template;
 
 /**
- * What the language says to its users stands in the catalogues, {@link Problem} and {@link
- * SyntaxProblem}, and nowhere else: the classes are read, as they are compiled.
+ * All messages of the language are in the catalogues, {@link Problem} and {@link SyntaxProblem},
+ * and nowhere else. The test examines the compiled classes.
  */
 class CatalogueTest {
   /** A new message as it should not be: {@link MessageUses} must find each. */
@@ -89,7 +89,7 @@ class CatalogueTest {
   }
 
   @Test
-  void noTextStandsBesideTheCatalogue() {
+  void noTextIsOutsideTheCatalogue() {
     assertNone(USES.literals().stream());
   }
 
@@ -114,7 +114,7 @@ class CatalogueTest {
   }
 
   @Test
-  void noTextStandsTwice() {
+  void noTextOccursTwice() {
     assertDistinct(
         Stream.of(Problem.values()).map(problem -> problem.kind() + " " + problem.template()));
     assertDistinct(
@@ -139,7 +139,7 @@ class CatalogueTest {
   }
 
   @Test
-  void offencesAreFound() throws IOException {
+  void violationsAreFound() throws IOException {
     MessageUses uses = new MessageUses();
     uses.read(Violations.class);
     assertEquals(8, uses.literals().size(), uses.literals().toString());

@@ -13,8 +13,8 @@ import org.urbi.tests.KernelSession.BackEnd;
 import org.urbi.tests.KernelSession.Console;
 
 /**
- * Feeds consoles with nonsense, and with programs cut or damaged at random; whatever one console
- * was fed, the next one still answers. Seeds are fixed and counts bounded.
+ * Feeds consoles with random bytes, and with programs cut or damaged at random. After each of them,
+ * the next console still answers. Seeds are fixed and counts bounded.
  */
 class ConsoleFuzzTest {
   private static final int PROGRAMS = Integer.getInteger("urbi.fuzz.programs", 120);
@@ -77,7 +77,7 @@ class ConsoleFuzzTest {
   private static void answers(Console console, String program) {
     try {
       console.send("1+1;\n");
-      console.receives("] 2\n").get(Patience.LONG.toSeconds(), TimeUnit.SECONDS);
+      console.receives("] 2\n").get(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS);
       console.end();
     } catch (Exception e) {
       throw new AssertionError(

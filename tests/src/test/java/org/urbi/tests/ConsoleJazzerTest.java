@@ -33,7 +33,7 @@ class ConsoleJazzerTest {
 
   private static void answer(Console console) throws InterruptedException, ExecutionException {
     try {
-      console.receives("] 2\n").get(Patience.LONG.toSeconds(), TimeUnit.SECONDS);
+      console.receives("] 2\n").get(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS);
     } catch (TimeoutException e) {
       throw new AssertionError("no answer but:\n" + console.output(), e);
     }

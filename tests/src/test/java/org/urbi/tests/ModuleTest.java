@@ -151,7 +151,7 @@ class ModuleTest {
   }
 
   @Test
-  void whatCannotBeLoadedIsExplained() throws Exception {
+  void loadingErrorsAreExplained() throws Exception {
     Files.writeString(folder.resolve("text.jar"), "this is no jar");
     assertTrue(
         failure("loadModule(\"text\");").contains("not a jar"), failure("loadModule(\"text\");"));
@@ -227,7 +227,7 @@ class ModuleTest {
   }
 
   @Test
-  void objectsThatNobodyKnowsAreClosed() throws Exception {
+  void unreferencedObjectsAreClosed() throws Exception {
     counter(1);
     kernel.eval("loadModule(\"counter\"); for (200) { Counter.new(1)|; };");
     for (int i = 0; i < 100 && heard().size() < 200; i++) {
@@ -293,7 +293,7 @@ class ModuleTest {
       """;
 
   @Test
-  void whatIsDestroyedIsFinalizedOnce() throws Exception {
+  void destroyedObjectIsFinalizedOnce() throws Exception {
     UObjectJars.make("Mortal", MORTAL, folder.resolve("mortal.jar"));
     kernel.eval("loadModule(\"mortal\"); var Global.m = Mortal.new|;");
     assertEquals(0.0, kernel.eval("Mortal.destroyed;"));

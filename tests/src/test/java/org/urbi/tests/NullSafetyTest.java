@@ -14,10 +14,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/**
- * NullAway looks for null in packages that ask for it: so all do, and where one is told not to
- * look, the reason stands there.
- */
+/** Every package is checked by NullAway, and every suppression has its reason beside it. */
 class NullSafetyTest {
   private static final Path ROOT = Path.of("..");
   private static final Pattern MODULE = Pattern.compile("<module>(.*?)</module>");
@@ -50,7 +47,7 @@ class NullSafetyTest {
   }
 
   @Test
-  void nullIsLookedForInEveryPackage() throws IOException {
+  void everyPackageIsNullMarked() throws IOException {
     var packages = new TreeSet<Path>();
     sources().forEach(file -> packages.add(file.getParent()));
     List<Path> unmarked = new ArrayList<>();
@@ -64,7 +61,7 @@ class NullSafetyTest {
   }
 
   @Test
-  void nothingIsTakenOutOfIt() throws IOException {
+  void nothingIsExcludedFromNullAway() throws IOException {
     List<Path> found = new ArrayList<>();
     for (Path file : sources()) {
       if (read(file).contains("@NullUnmarked")) {
@@ -75,7 +72,7 @@ class NullSafetyTest {
   }
 
   @Test
-  void whereNullAwayIsToldNotToLookTheReasonStandsAbove() throws IOException {
+  void suppressionOfNullAwayHasAReason() throws IOException {
     List<String> unreasoned = new ArrayList<>();
     for (Path file : sources()) {
       List<String> lines = read(file).lines().toList();

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
 
-/** Takes out of a kernel's answers what may differ between two good runs. */
+/** Removes from a kernel's output what may differ between two correct runs. */
 public final class OutputNormalizer {
   private static final Pattern STAMP = Pattern.compile("^\\[\\d{8,}");
   private static final Pattern LOCATION =

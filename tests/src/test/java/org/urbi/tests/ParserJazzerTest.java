@@ -35,7 +35,7 @@ class ParserJazzerTest {
     Console next = session.connect();
     next.send("1+1;\n");
     try {
-      next.receives("] 2\n").get(Patience.LONG.toSeconds(), TimeUnit.SECONDS);
+      next.receives("] 2\n").get(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS);
     } catch (TimeoutException e) {
       throw new AssertionError("no answer but:\n" + next.output(), e);
     }

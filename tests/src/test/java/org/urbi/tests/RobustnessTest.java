@@ -8,7 +8,7 @@ import org.urbi.tests.KernelSession.BackEnd;
 import org.urbi.tests.KernelSession.Console;
 import org.urbi.tests.KernelSession.InputMode;
 
-/** Input beyond all measure is answered by a value or an error, and the kernel goes on. */
+/** Excessive input yields a value or an error, and the kernel continues. */
 class RobustnessTest {
   private static final int DEPTH = 100_000;
   private static final int MEGA = 1_000_000;

@@ -39,7 +39,7 @@ class TranscriptFormatTest {
   }
 
   @Test
-  void timesCountWhenAskedFor() {
+  void timesAreComparedOnRequest() {
     String answer = "[00001250:error] !!! a.u:3.1-4: lookup failed: gone\n";
     assertEquals(
         List.of("[00000000:error] !!! a.u:3.1-4: lookup failed: gone"),
@@ -50,7 +50,7 @@ class TranscriptFormatTest {
   }
 
   @Test
-  void locationsCountUnlessSomebodySaysWhyTheyDoNot() {
+  void locationsAreComparedUnlessAReasonIsGiven() {
     String answer = "[00001250:error] !!! a.u:3.1-4: lookup failed: gone\n";
     assertEquals(
         List.of("[00000000:error] !!! lookup failed: gone"),
@@ -80,7 +80,7 @@ class TranscriptFormatTest {
   }
 
   @Test
-  void linesWithoutTimeStampContinueTheOneBefore() {
+  void linesWithoutTimeStampContinueTheLineBefore() {
     assertEquals(plain("[00000000] *** a", "[:]  b"), plain("[00000000] *** a", "  b"));
   }
 

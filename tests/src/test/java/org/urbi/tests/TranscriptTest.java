@@ -92,9 +92,9 @@ class TranscriptTest {
         String mode = backEnd + ", " + feeding;
         String output =
             assertTimeoutPreemptively(
-                Patience.LONG,
+                TestTimeout.LONG,
                 () -> KernelSession.run(backEnd, feeding, transcript.input()),
-                () -> mode + ": no end after " + Patience.LONG);
+                () -> mode + ": no end after " + TestTimeout.LONG);
         List<String> expected = transcript.expectedLines();
         List<String> answered = transcript.answeredLines(output);
         if (!expected.equals(answered)) {

@@ -4,7 +4,7 @@ import com.sun.jna.Native;
 import java.util.ArrayDeque;
 import java.util.concurrent.atomic.AtomicReference;
 
-/** An exchange with its buffers, for calls into C++ code. Frames are used again. */
+/** An exchange with its buffers, for calls into C++ code. Frames are reused. */
 final class CallFrame {
   private static final int BUFFER = 1024;
   private static final int MAX_SPARE = 32;

@@ -7,7 +7,8 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Things that C++ code knows by a number, from 1. They are found from any thread without a lock.
+ * Maps numbers, from 1, to objects that C++ code refers to. Any thread can look them up without a
+ * lock.
  */
 final class HandleTable<T> {
   private static final int FIRST_CAPACITY = 16;

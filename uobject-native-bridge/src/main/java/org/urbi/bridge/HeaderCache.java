@@ -1,6 +1,9 @@
 package org.urbi.bridge;
 
-/** The header of a binary in both forms: most binaries have that of the one before. */
+/**
+ * Caches the header of a binary in both forms: most binaries have the same header as the one
+ * before.
+ */
 record HeaderCache(byte[] bytes, String text) {
   /** None yet. */
   static final HeaderCache NONE = new HeaderCache(new byte[0], "");

@@ -4,7 +4,7 @@ import org.jspecify.annotations.Nullable;
 import urbi.UContext;
 import urbi.UEmitter;
 
-/** What one module has in one context. C++ code knows it by a number. */
+/** The state of one module in one context. C++ code refers to it by a number. */
 final class NativeContext {
   private static final HandleTable<NativeContext> ALL = new HandleTable<>();
 

@@ -3,7 +3,7 @@ package org.urbi.bridge;
 import org.jspecify.annotations.Nullable;
 import urbi.UObjectHub;
 
-/** A hub that stands for one of C++. */
+/** The Java side of a hub that is written in C++. */
 final class NativeHub extends UObjectHub implements AutoCloseable {
   private @Nullable NativeInstance resident;
 

@@ -9,8 +9,8 @@ import urbi.UContext;
 import urbi.UTaskQueue;
 
 /**
- * The C++ side of an object or a hub: its address, and who still uses it. It is deleted when its
- * Java side has ended, and the last call has returned.
+ * The C++ side of an object or a hub: its address and its reference count. It is deleted when its
+ * Java side has ended and the last call has returned.
  */
 final class NativeInstance {
   private static final long OBJECT = 0;

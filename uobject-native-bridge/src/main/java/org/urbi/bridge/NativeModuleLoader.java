@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import urbi.UModule;
 import urbi.spi.ModuleLoader;
 
-/** Has shared libraries loaded as modules wherever jars are. */
+/** Loads shared libraries as modules. */
 public final class NativeModuleLoader implements ModuleLoader {
   private static final String SUFFIX =
       System.getProperty("os.name").startsWith("Windows") ? ".dll" : ".so";

@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
 import urbi.UCallback;
 import urbi.UObject;
 
-/** A UObject that stands for one of C++. */
+/** The Java side of a UObject that is written in C++. */
 final class NativeObject extends UObject implements AutoCloseable {
   /** What ends notifications, by the addresses of their callbacks. */
   private final Map<Long, Runnable> notifications = new ConcurrentHashMap<>();

@@ -5,8 +5,8 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * The threads that a module has made and that have asked for something. While one lives, the code
- * and the static variables of its module have to stay where they are.
+ * The threads of a module that have called the host. While one of them lives, the module must not
+ * be unloaded.
  */
 public final class NativeThreads {
   /** What threads of C++ are called in Java. */

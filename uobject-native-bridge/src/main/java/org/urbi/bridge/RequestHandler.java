@@ -16,7 +16,7 @@ import urbi.UProperty;
 import urbi.USlot;
 import urbi.UValue;
 
-/** Carries out what C++ code asks for, see {@code urbi/detail/boundary.h}. Any thread may ask. */
+/** Executes the requests of C++ code, see {@code urbi/detail/boundary.h}. Any thread may ask. */
 final class RequestHandler {
   private static final int OBJECT_NEW = 1;
   private static final int OBJECT_GONE = 2;

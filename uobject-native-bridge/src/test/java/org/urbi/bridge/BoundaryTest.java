@@ -97,7 +97,7 @@ class BoundaryTest {
   }
 
   @Test
-  void kindsOfValues() throws Exception {
+  void valuesOfAllKinds() throws Exception {
     assertEquals(
         Map.of(
             "VOID", (long) ValueEncoder.VOID,

@@ -106,7 +106,7 @@ class UmakeTest {
   }
 
   @Test
-  void whatIsAskedForIsTold() {
+  void requestedInformationIsPrinted() {
     assertTrue(umake("umake", "--help").output().contains("--disable-automain"));
     assertTrue(umake("umake", "-V").output().contains("version"));
   }

@@ -121,7 +121,7 @@ class VariablesTest {
 
   /** Who reads a variable in bypass mode gets the next value, or nil after half a second. */
   @Test
-  void whoReadsInBypassModeIsReleased() {
+  void readerInBypassModeIsReleased() {
     String output =
         run(
             """
@@ -157,7 +157,7 @@ class VariablesTest {
 
   /** An object that has been destroyed is not told of anything any more. */
   @Test
-  void theDestroyedAreNotTold() {
+  void destroyedObjectsAreNotNotified() {
     String output =
         run(
             """

@@ -4,11 +4,11 @@ import java.io.PrintStream;
 import java.util.Locale;
 
 /**
- * The messages that the server has for its administrator, on the standard error stream: option
- * {@code --debug} and environment variable {@code GD_LEVEL} (manual, section 21.1.2).
+ * Writes messages for the administrator to the standard error stream: option {@code --debug} and
+ * environment variable {@code GD_LEVEL} (manual, section 21.1.2).
  */
 public final class Trace {
-  /** How much is said, in increasing verbosity. */
+  /** The levels of verbosity, from the lowest to the highest. */
   public enum Level {
     NONE("off"),
     LOG("info"),
@@ -22,13 +22,13 @@ public final class Trace {
       this.inLibraries = inLibraries;
     }
 
-    /** The name of the level in the log of the libraries: that of slf4j-simple. */
+    /** The name of the corresponding level of slf4j-simple, which libraries log to. */
     public String inLibraries() {
       return inLibraries;
     }
 
     /**
-     * Reads a name or the number of its place.
+     * Parses the name or the number of a level.
      *
      * @throws IllegalArgumentException if it is neither
      */
@@ -52,17 +52,17 @@ public final class Trace {
     this.out = out;
   }
 
-  /** How much is said. */
+  /** The current level. */
   public Level level() {
     return level;
   }
 
-  /** Says what every administrator wants to know. */
+  /** Logs a message for every administrator. */
   public void log(String message) {
     say(Level.LOG, message);
   }
 
-  /** Says what helps to understand an unexpected behaviour. */
+  /** Logs a message that helps to debug unexpected behaviour. */
   public void debug(String message) {
     say(Level.DEBUG, message);
   }

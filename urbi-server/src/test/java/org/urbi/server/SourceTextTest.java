@@ -18,7 +18,7 @@ class SourceTextTest {
   }
 
   @Test
-  void aFileIsFramedByItsName() {
+  void fileIsFramedByItsName() {
     assertEquals("//#push 1 \"a\\\"b\\\\c.u\"\n1;\n//#pop\n", SourceText.framed("a\"b\\c.u", "1;"));
   }
 
@@ -38,7 +38,7 @@ class SourceTextTest {
   }
 
   @Test
-  void aMissingFileIsSaidByName() {
+  void missingFileIsReportedByName() {
     Failure failure = assertThrows(Failure.class, () -> SourceText.file("no/such.u"));
     assertEquals("no such file: no/such.u", failure.getMessage());
     assertEquals(1, failure.status());

@@ -8,32 +8,33 @@ enum Behaviour {
   /** Sensible statements, typed by hand, whose answers are checked. */
   TYPE {
     @Override
-    void act(SoakConnection visit, Random random) throws IOException {
+    void act(SoakConnection soakConnection, Random random) throws IOException {
       int n = random.nextInt(1000);
-      visit.type("{ var a = " + n + ";\nfunction twice(x) { x * 2 };\ntwice(a) };\n", random);
-      visit.expect("] " + 2 * n);
-      visit.type("{ var l = [];\nfor| (var i : 100) { l << i };\nl.size };\n", random);
-      visit.expect("] 100");
+      soakConnection.type(
+          "{ var a = " + n + ";\nfunction twice(x) { x * 2 };\ntwice(a) };\n", random);
+      soakConnection.expect("] " + 2 * n);
+      soakConnection.type("{ var l = [];\nfor| (var i : 100) { l << i };\nl.size };\n", random);
+      soakConnection.expect("] 100");
     }
   },
   /** Mistakes of every kind. */
   ERR {
     @Override
-    void act(SoakConnection visit, Random random) throws IOException {
-      visit.send("nobody.home;\n1 +;\n\"open\n\";\n)]};\n");
-      visit.send("try { throw [1, 2] } catch (var e) { e };\n1 / 0;\nthrow \"ball\";\n");
-      visit.send("function deep(n) { deep(n + 1) };\n");
+    void act(SoakConnection soakConnection, Random random) throws IOException {
+      soakConnection.send("nobody.home;\n1 +;\n\"open\n\";\n)]};\n");
+      soakConnection.send("try { throw [1, 2] } catch (var e) { e };\n1 / 0;\nthrow \"ball\";\n");
+      soakConnection.send("function deep(n) { deep(n + 1) };\n");
       if (random.nextInt(8) == 0) {
-        visit.send("deep(0);\n");
+        soakConnection.send("deep(0);\n");
       }
-      visit.check();
+      soakConnection.check();
     }
   },
   /** Handlers, loops and timers that are left behind when the client goes. */
   REACT {
     @Override
-    void act(SoakConnection visit, Random random) throws IOException {
-      visit.send(
+    void act(SoakConnection soakConnection, Random random) throws IOException {
+      soakConnection.send(
           """
           var e = Event.new;
           var x = 0;
@@ -45,57 +46,57 @@ enum Behaviour {
           { sleep(20ms); t.stop } & { t.freeze; t.unfreeze };
           """);
       Soak.pause(random.nextInt(100));
-      visit.check();
+      soakConnection.check();
     }
   },
   /** A loop that never ends, in the background. */
   SPIN {
     @Override
-    void act(SoakConnection visit, Random random) throws IOException {
-      visit.send("loop {},\n");
+    void act(SoakConnection soakConnection, Random random) throws IOException {
+      soakConnection.send("loop {},\n");
       Soak.pause(random.nextInt(50));
-      visit.check();
+      soakConnection.check();
     }
   },
   /** Much input at once, all of whose answers are read. */
   FLOOD {
     @Override
-    void act(SoakConnection visit, Random random) throws IOException {
+    void act(SoakConnection soakConnection, Random random) throws IOException {
       int lines = 200 + random.nextInt(2000);
-      visit.send("1 + 2 * 3;\n".repeat(lines));
-      visit.check();
+      soakConnection.send("1 + 2 * 3;\n".repeat(lines));
+      soakConnection.check();
     }
   },
   /** Much output that nobody reads. */
   DEAF {
     @Override
-    void act(SoakConnection visit, Random random) throws IOException {
-      visit.send("var text = \"x\" * 1000|;\nfor (var i : 1000) { echo(text) },\n");
+    void act(SoakConnection soakConnection, Random random) throws IOException {
+      soakConnection.send("var text = \"x\" * 1000|;\nfor (var i : 1000) { echo(text) },\n");
       Soak.pause(random.nextInt(200));
-      visit.glance();
+      soakConnection.glance();
     }
   },
   /** A statement that is never finished, and is long. */
   UNFINISHED {
     @Override
-    void act(SoakConnection visit, Random random) throws IOException {
-      visit.send("{ var list = [" + "1, ".repeat(random.nextInt(20_000)));
+    void act(SoakConnection soakConnection, Random random) throws IOException {
+      soakConnection.send("{ var list = [" + "1, ".repeat(random.nextInt(20_000)));
       Soak.pause(random.nextInt(20));
     }
   },
   /** Bytes that are no text. */
   NOISE {
     @Override
-    void act(SoakConnection visit, Random random) throws IOException {
+    void act(SoakConnection soakConnection, Random random) throws IOException {
       StringBuilder noise = new StringBuilder();
       int length = random.nextInt(5_000);
       for (int i = 0; i < length; i++) {
         noise.append((char) random.nextInt(256));
       }
-      visit.send(noise.toString());
+      soakConnection.send(noise.toString());
       Soak.pause(random.nextInt(20));
     }
   };
 
-  abstract void act(SoakConnection visit, Random random) throws IOException;
+  abstract void act(SoakConnection soakConnection, Random random) throws IOException;
 }

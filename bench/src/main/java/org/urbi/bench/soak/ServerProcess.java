@@ -65,8 +65,8 @@ final class ServerProcess implements AutoCloseable {
   /** Collects its garbage and looks at what is left. */
   Sample sample() throws IOException {
     int jobs;
-    try (SoakConnection visit = new SoakConnection(port)) {
-      jobs = visit.askNumber("Job.jobs.size");
+    try (SoakConnection soakConnection = new SoakConnection(port)) {
+      jobs = soakConnection.askNumber("Job.jobs.size");
     }
     long heap = java.usedHeap();
     TreeMap<String, Integer> names = java.threads();

@@ -13,9 +13,9 @@ import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
 
 /**
- * Lets many clients come to a server, type, flood, make mistakes and vanish, and looks whether the
- * server's heap and threads are afterwards where they were. What the clients do depends on the seed
- * alone, how it interleaves does not.
+ * Runs many clients that connect to a server, type, flood it, make mistakes and disconnect, and
+ * checks that the server's heap and threads return to where they were. The seed determines what
+ * each client does, but not how their actions interleave.
  */
 public final class Soak {
   private static final int WARM_UP_SECONDS = 30;
@@ -27,7 +27,7 @@ public final class Soak {
 
   private final int clients;
   private final long seed;
-  private final SoakClient.SoakTotals tally = new SoakClient.SoakTotals();
+  private final SoakClient.SoakTotals totals = new SoakClient.SoakTotals();
 
   private Soak(int clients, long seed) {
     this.clients = clients;
@@ -61,14 +61,14 @@ public final class Soak {
       ServerProcess.Sample fresh = server.sample();
       say("fresh       " + fresh);
       // Classes are loaded and buffers grow once: that is no leak.
-      visit(server, WARM_UP_SECONDS, 0);
+      soakConnection(server, WARM_UP_SECONDS, 0);
       ServerProcess.Sample before = server.sample();
       Map<String, Long> classes = server.classes();
       say("warm        " + before);
-      visit(server, minutes * 60, minutes);
+      soakConnection(server, minutes * 60, minutes);
       ServerProcess.Sample after = server.sample();
       say("afterwards  " + after);
-      say(tally.toString());
+      say(totals.toString());
       boolean met = judge(fresh.jobs(), before, after, server);
       if (!met) {
         showGrowth(classes, server.classes());
@@ -78,11 +78,11 @@ public final class Soak {
   }
 
   /** Lets the clients come for some time, and waits until the last has gone. */
-  private void visit(ServerProcess server, int seconds, int round) throws IOException {
+  private void soakConnection(ServerProcess server, int seconds, int round) throws IOException {
     List<SoakClient> all = new ArrayList<>();
     List<Thread> threads = new ArrayList<>();
     for (int i = 0; i < clients; i++) {
-      SoakClient client = new SoakClient(server.port(), seed * 1_000_003 + round + i * 31L, tally);
+      SoakClient client = new SoakClient(server.port(), seed * 1_000_003 + round + i * 31L, totals);
       all.add(client);
       threads.add(Thread.ofVirtual().start(client));
     }
@@ -95,7 +95,7 @@ public final class Soak {
         next += TimeUnit.MINUTES.toNanos(1);
         say(
             "%-11s %s   answer in %d ms   %s"
-                .formatted(++minute + " min", server.sample(), answerTime(server), tally));
+                .formatted(++minute + " min", server.sample(), answerTime(server), totals));
       }
     }
     all.forEach(SoakClient::leave);
@@ -110,9 +110,9 @@ public final class Soak {
   }
 
   private static long answerTime(ServerProcess server) throws IOException {
-    try (SoakConnection visit = new SoakConnection(server.port())) {
+    try (SoakConnection soakConnection = new SoakConnection(server.port())) {
       long start = System.nanoTime();
-      visit.check();
+      soakConnection.check();
       return (System.nanoTime() - start) / 1_000_000;
     }
   }
@@ -137,8 +137,8 @@ public final class Soak {
       say("            " + difference(before.threadNames(), after.threadNames()));
     }
     say("answers     " + verdict(answers));
-    boolean failures = tally.failures.get() == 0;
-    say("failures    " + tally.failures.get() + ": " + verdict(failures));
+    boolean failures = totals.failures.get() == 0;
+    say("failures    " + totals.failures.get() + ": " + verdict(failures));
     String log = Files.readString(server.log());
     if (!log.isBlank()) {
       List<String> lines = log.lines().toList();

@@ -12,12 +12,12 @@ final class SoakClient implements Runnable {
 
   private final int port;
   private final Random random;
-  private final SoakTotals tally;
+  private final SoakTotals totals;
   private volatile boolean leaving;
 
   /** What all clients have done. */
   static final class SoakTotals {
-    final AtomicLong visits = new AtomicLong();
+    final AtomicLong soakConnections = new AtomicLong();
     final AtomicLong acts = new AtomicLong();
     final AtomicLong bytes = new AtomicLong();
     final AtomicLong failures = new AtomicLong();
@@ -32,7 +32,7 @@ final class SoakClient implements Runnable {
     public String toString() {
       return "%d visits, %d acts, %.1f MB received, %d failures%s"
           .formatted(
-              visits.get(),
+              soakConnections.get(),
               acts.get(),
               bytes.get() / 1e6,
               failures.get(),
@@ -40,10 +40,10 @@ final class SoakClient implements Runnable {
     }
   }
 
-  SoakClient(int port, long seed, SoakTotals tally) {
+  SoakClient(int port, long seed, SoakTotals totals) {
     this.port = port;
     this.random = new Random(seed);
-    this.tally = tally;
+    this.totals = totals;
   }
 
   /** Has it come to an end after what it is doing now. */
@@ -55,38 +55,38 @@ final class SoakClient implements Runnable {
   public void run() {
     while (!leaving) {
       Behaviour behaviour = null;
-      tally.visits.incrementAndGet();
-      try (SoakConnection visit = new SoakConnection(port)) {
+      totals.soakConnections.incrementAndGet();
+      try (SoakConnection soakConnection = new SoakConnection(port)) {
         for (int left = 1 + random.nextInt(MAX_STAY); left > 0 && !leaving; left--) {
           behaviour = Behaviour.values()[random.nextInt(Behaviour.values().length)];
-          tally.acts.incrementAndGet();
-          behaviour.act(visit, random);
+          totals.acts.incrementAndGet();
+          behaviour.act(soakConnection, random);
           if (behaviour.ordinal() >= Behaviour.DEAF.ordinal()) {
             break;
           }
         }
-        goodbye(visit, behaviour);
-        tally.bytes.addAndGet(visit.received());
+        goodbye(soakConnection, behaviour);
+        totals.bytes.addAndGet(soakConnection.received());
       } catch (IOException e) {
-        tally.failed(behaviour, e);
+        totals.failed(behaviour, e);
       }
       Soak.pause(random.nextInt(MAX_PAUSE));
     }
   }
 
-  private void goodbye(SoakConnection visit, @Nullable Behaviour last) throws IOException {
+  private void goodbye(SoakConnection soakConnection, @Nullable Behaviour last) throws IOException {
     switch (random.nextInt(4)) {
-      case 0 -> visit.vanish();
+      case 0 -> soakConnection.vanish();
       case 1 -> {
         // Only a lobby without jobs that go on for ever ends with its input.
         if (last == Behaviour.UNFINISHED || last == Behaviour.NOISE) {
-          visit.glance();
+          soakConnection.glance();
         } else {
-          visit.send("quit;\n");
-          visit.endInput();
+          soakConnection.send("quit;\n");
+          soakConnection.endInput();
         }
       }
-      case 2 -> visit.send("quit;\n");
+      case 2 -> soakConnection.send("quit;\n");
       default -> {}
     }
   }

@@ -9,7 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Random;
 import java.util.concurrent.ThreadLocalRandom;
 
-/** One connection of a client, from its beginning to however it ends. */
+/** One connection of a client, from start to end. */
 final class SoakConnection implements AutoCloseable {
   private static final int ANSWER_MILLISECONDS = 30_000;
 

@@ -79,7 +79,7 @@ public final class BallDetector extends ImageConsumer {
   }
 
   @Override
-  void see(UImage rgb) {
+  void process(UImage rgb) {
     double least = SimulationException.finite(threshold.doubleValue(), "threshold");
     Blob blob =
         ready(finder)

@@ -68,7 +68,7 @@ public final class ColourMapper extends ImageConsumer {
   }
 
   @Override
-  void see(UImage rgb) {
+  void process(UImage rgb) {
     int width = rgb.getWidth();
     int height = rgb.getHeight();
     shares.setValue((Object) ready(map).shares(rgb.getData(), width, height));

@@ -53,7 +53,7 @@ public final class FilteredImage extends ImageConsumer {
   }
 
   @Override
-  void see(UImage rgb) {
+  void process(UImage rgb) {
     byte[] filtered = ready(filter).apply(rgb.getData(), rgb.getWidth(), rgb.getHeight());
     val.setValue(new UImage(UImageFormat.IMAGE_RGB, rgb.getWidth(), rgb.getHeight(), filtered));
   }

@@ -23,9 +23,9 @@ abstract class ImageConsumer extends UObject {
 
   /** A new image. */
   public final void newImage(UVar image) {
-    see(ImageCoder.toRgb(image.uimageValue()));
+    process(ImageCoder.toRgb(image.uimageValue()));
   }
 
   /** Works on an image of red, green and blue. */
-  abstract void see(UImage rgb);
+  abstract void process(UImage rgb);
 }

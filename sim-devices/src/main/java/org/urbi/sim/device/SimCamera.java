@@ -174,7 +174,7 @@ public final class SimCamera extends SimDevice {
   }
 
   @Override
-  void sense() {
+  void updateSensors() {
     if (usedRate > 0 && world().physics().time() >= lastTime + 1 / usedRate - 1e-9) {
       take();
     }

@@ -7,8 +7,8 @@ import org.urbi.sim.world.SimulatedWorld;
 import urbi.UObject;
 
 /**
- * A device of a simulated world: {@code new(WORLD, NAME)}, with the name of the UObject of the
- * world and that of the device in the world file.
+ * A device of a simulated world: {@code new(WORLD, NAME)}, with the names of the world's UObject
+ * and of the device in the world file.
  */
 abstract class SimDevice extends UObject implements AutoCloseable {
   private @Nullable SimWorld simulation;
@@ -28,14 +28,14 @@ abstract class SimDevice extends UObject implements AutoCloseable {
     bind(found.world(), deviceName);
     simulation = found;
     found.add(this);
-    sense();
+    updateSensors();
   }
 
   /** Finds the device, and binds what urbiscript sees of it. */
   abstract void bind(SimulatedWorld world, String deviceName);
 
   /** Writes what the device senses now. */
-  abstract void sense();
+  abstract void updateSensors();
 
   /** The world that it has joined; null before. */
   final @Nullable SimWorld simulation() {
@@ -50,7 +50,7 @@ abstract class SimDevice extends UObject implements AutoCloseable {
   public final void refresh() {
     if (simulation != null) {
       simulation.advance();
-      sense();
+      updateSensors();
     }
   }
 

@@ -15,6 +15,6 @@ public final class SimGyrometer extends SimSensor {
   @Override
   DoubleSupplier measure(SimulatedWorld world, String deviceName) {
     Mount.Gyrometer sensor = world.mount(Mount.Gyrometer.class, deviceName);
-    return () -> world.spin(sensor);
+    return () -> world.angularVelocity(sensor);
   }
 }

@@ -50,7 +50,7 @@ public final class SimLed extends SimDevice {
   }
 
   @Override
-  void sense() {
+  void updateSensors() {
     // It senses nothing.
   }
 }

@@ -69,7 +69,7 @@ abstract class SimMotor extends SimDevice {
   }
 
   @Override
-  void sense() {
+  void updateSensors() {
     val.setValue(drive().sensed());
     turn.setValue(drive().joint().position() / TURN);
     torque.setValue(drive().joint().load());

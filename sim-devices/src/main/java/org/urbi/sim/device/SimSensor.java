@@ -27,7 +27,7 @@ abstract class SimSensor extends SimDevice {
   abstract DoubleSupplier measure(SimulatedWorld world, String deviceName);
 
   @Override
-  final void sense() {
+  final void updateSensors() {
     val.setValue(ready(measure).getAsDouble());
   }
 }

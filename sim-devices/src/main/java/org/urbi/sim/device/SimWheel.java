@@ -34,8 +34,8 @@ public final class SimWheel extends SimMotor {
   }
 
   @Override
-  void sense() {
-    super.sense();
+  void updateSensors() {
+    super.updateSensors();
     angle.setValue(drive().joint().position());
   }
 }

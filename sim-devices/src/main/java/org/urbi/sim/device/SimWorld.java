@@ -159,7 +159,7 @@ public final class SimWorld extends UObject implements AutoCloseable {
     advance();
     time.setValue(world().physics().time());
     for (SimDevice device : List.copyOf(devices)) {
-      device.sense();
+      device.updateSensors();
     }
     for (SimPage page : List.copyOf(pages)) {
       page.show();

@@ -9,7 +9,7 @@ public sealed interface Shape {
   Vec3 unitInertia();
 
   /** How far from the origin its farthest point is. */
-  double reach();
+  double boundingRadius();
 
   record Sphere(double radius) implements Shape {
     public Sphere {
@@ -28,7 +28,7 @@ public sealed interface Shape {
     }
 
     @Override
-    public double reach() {
+    public double boundingRadius() {
       return radius;
     }
   }
@@ -50,7 +50,7 @@ public sealed interface Shape {
     }
 
     @Override
-    public double reach() {
+    public double boundingRadius() {
       return Math.sqrt(x * x + y * y + z * z) / 2;
     }
   }
@@ -73,7 +73,7 @@ public sealed interface Shape {
     }
 
     @Override
-    public double reach() {
+    public double boundingRadius() {
       return Math.sqrt(radius * radius + length * length / 4);
     }
   }
@@ -109,7 +109,7 @@ public sealed interface Shape {
     }
 
     @Override
-    public double reach() {
+    public double boundingRadius() {
       return radius + length / 2;
     }
   }
@@ -127,7 +127,7 @@ public sealed interface Shape {
     }
 
     @Override
-    public double reach() {
+    public double boundingRadius() {
       return Double.POSITIVE_INFINITY;
     }
   }

@@ -2,7 +2,7 @@ package org.urbi.sim.geometry;
 
 import org.urbi.sim.SimulationException;
 
-/** How large a thing may be: beyond, its mass and inertia could not be computed with. */
+/** The size limits of objects: beyond them, mass and inertia would overflow. */
 final class SizeLimits {
   private static final double LEAST = 1e-6;
   private static final double MAX = 1e6;

@@ -22,9 +22,8 @@ import java.util.Map;
 import java.util.regex.Pattern;
 
 /**
- * Answers with the files of the page, and lets requests for the stream pass. Pages of other sites
- * that run in the same browser get neither: a request must name this machine, and come from this
- * page.
+ * Serves the files of the page, and passes on requests for the stream. Pages of other sites in the
+ * same browser get neither: a request must name this machine and come from this page.
  */
 final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
   /** The path of the stream of moments. */

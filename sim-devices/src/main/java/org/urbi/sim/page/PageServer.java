@@ -24,8 +24,8 @@ import java.util.concurrent.TimeUnit;
 import org.urbi.sim.SimulationException;
 
 /**
- * Serves the page of a world, and the stream of what it shows: one thread for all browsers. A
- * browser that is slow sees fewer moments; none makes the simulation wait.
+ * Serves the page of a world and its stream of snapshots, with one thread for all browsers. A slow
+ * browser gets fewer snapshots; no browser delays the simulation.
  */
 public final class PageServer implements AutoCloseable {
   /** What of a browser has not been sent yet, in bytes: beyond it, moments are left out. */
@@ -78,7 +78,7 @@ public final class PageServer implements AutoCloseable {
                 new ChannelInitializer<SocketChannel>() {
                   @Override
                   protected void initChannel(SocketChannel channel) {
-                    equip(channel, local);
+                    initPipeline(channel, local);
                   }
                 })
             .bind(address)
@@ -92,7 +92,7 @@ public final class PageServer implements AutoCloseable {
     viewers.start();
   }
 
-  private void equip(SocketChannel channel, boolean local) {
+  private void initPipeline(SocketChannel channel, boolean local) {
     WebSocketServerProtocolConfig stream =
         WebSocketServerProtocolConfig.newBuilder()
             .websocketPath(PageFiles.STREAM)

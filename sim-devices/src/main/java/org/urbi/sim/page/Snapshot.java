@@ -12,8 +12,8 @@ import org.urbi.sim.world.SimulatedWorld;
 import urbi.UImage;
 
 /**
- * What a page shows of a moment. It is taken where the simulation runs, and nothing in it changes
- * afterwards.
+ * The state of the world that a page shows at one moment. It is taken on the simulation's thread
+ * and never changes.
  *
  * @param time of the simulation, in seconds
  * @param bodies where each is, in the order of the world
@@ -23,7 +23,7 @@ import urbi.UImage;
 public record Snapshot(
     double time, List<Pose> bodies, List<double[]> drives, @Nullable CameraView sight) {
   /**
-   * What a camera sees.
+   * The view of a camera.
    *
    * @param camera where it is
    * @param image its last image; null if there is none yet

@@ -8,8 +8,8 @@ import io.netty.handler.codec.http.websocketx.WebSocketServerProtocolHandler.Han
 import io.netty.handler.timeout.IdleStateEvent;
 
 /**
- * One connection: who has shaken hands becomes a viewer. Who is silent is asked whether it is still
- * there, and closed when it does not answer.
+ * One WebSocket connection. After the handshake it becomes a viewer. A silent connection gets a
+ * ping, and is closed if it does not answer.
  */
 final class ViewerHandler extends SimpleChannelInboundHandler<WebSocketFrame> {
   private final Viewers viewers;

@@ -19,9 +19,9 @@ import urbi.UImage;
 import urbi.UImageFormat;
 
 /**
- * The browsers that look, and what they are sent: the setting, then moments (text), each new image
- * of the camera (bytes of a JPEG file) after the first moment that has it. Everything but {@link
- * #isWaiting}, {@link #show} and {@link #describe} is done on the page's thread.
+ * The connected browsers, and what they are sent: the world description, then snapshots (text).
+ * Each new camera image (a JPEG file) follows the first snapshot that contains it. Everything but
+ * {@link #isWaiting}, {@link #show} and {@link #describe} is done on the page's thread.
  */
 final class Viewers {
   /** Moments in a second, at most. */

@@ -16,7 +16,10 @@ import org.urbi.sim.world.Mount;
 import org.urbi.sim.world.RobotDescription;
 import org.urbi.sim.world.SimulatedWorld;
 
-/** What a page has to know of a world once, before its moments: what there is, and how it looks. */
+/**
+ * The description of a world that a page gets once, before the snapshots: the objects and their
+ * appearance.
+ */
 public final class WorldDescription {
   private WorldDescription() {}
 

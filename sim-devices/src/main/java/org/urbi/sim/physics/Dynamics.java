@@ -6,9 +6,9 @@ import org.urbi.sim.geometry.Shape;
 import org.urbi.sim.geometry.Vec3;
 
 /**
- * The part of a world that an engine computes. Things have the numbers in which they were made,
- * each kind from 0; the frame of a body is at its centre of mass. Numbers have been checked before:
- * they are finite and in range.
+ * The part of a world that an engine computes. Objects are numbered in the order in which they were
+ * made, each kind from 0; the frame of a body is at its centre of mass. The caller has checked that
+ * all values are finite and in range.
  *
  * <p>The methods are few and move much at a time, since each may be a native call. One thread at a
  * time uses it.
@@ -26,7 +26,7 @@ public interface Dynamics extends AutoCloseable {
   /** Of two shapes at most so many contacts are taken. */
   int CONTACTS_PER_PAIR = 8;
 
-  /** Takes pairs of shapes that may touch. */
+  /** Consumes pairs of shapes that may touch. */
   @FunctionalInterface
   interface PairConsumer {
     void near(int firstGeom, int secondGeom);

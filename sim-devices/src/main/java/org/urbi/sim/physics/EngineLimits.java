@@ -4,8 +4,8 @@ import org.urbi.sim.SimulationException;
 import org.urbi.sim.geometry.Vec3;
 
 /**
- * How large the numbers are that an engine is given. Beyond, they could overflow in a step, and
- * libode ends the process when that happens.
+ * The limits of the numbers for an engine. Beyond them, a step could overflow, and libode ends the
+ * process when that happens.
  */
 public final class EngineLimits {
   /** From the origin, in metres. */

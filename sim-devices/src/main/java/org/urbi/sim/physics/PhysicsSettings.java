@@ -4,7 +4,7 @@ import org.urbi.sim.SimulationException;
 import org.urbi.sim.geometry.Vec3;
 
 /**
- * What holds for a whole world.
+ * The settings of a whole world.
  *
  * @param gravity in m/s²
  * @param step in seconds

@@ -13,8 +13,8 @@ import org.urbi.sim.geometry.Pose;
 import org.urbi.sim.geometry.Vec3;
 
 /**
- * Bodies and joints that go on by fixed steps. A run is a function of what was made and done, in
- * which order: two runs give the same bits.
+ * Bodies and joints that advance in fixed steps. A run depends only on the sequence of calls: two
+ * runs with the same calls give the same bits.
  *
  * <p>One thread at a time uses it.
  */

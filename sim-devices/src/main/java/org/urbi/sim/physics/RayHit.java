@@ -2,5 +2,5 @@ package org.urbi.sim.physics;
 
 import org.urbi.sim.geometry.Vec3;
 
-/** What a ray has met first. */
+/** The first shape that a ray hits. */
 public record RayHit(Body body, int part, double distance, Vec3 position, Vec3 normal) {}

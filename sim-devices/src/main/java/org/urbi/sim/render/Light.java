@@ -2,7 +2,7 @@ package org.urbi.sim.render;
 
 import org.urbi.sim.geometry.Vec3;
 
-/** What lights a scene; nothing throws a shadow. */
+/** A light of a scene. There are no shadows. */
 public sealed interface Light {
   /** Its strength in each colour. */
   Colour colour();

@@ -5,7 +5,7 @@ import org.urbi.sim.geometry.Pose;
 import org.urbi.sim.geometry.Rotation;
 import org.urbi.sim.geometry.Vec3;
 
-/** A thing as one camera sees it: which pixels it may cover, how far away it is, how it is lit. */
+/** An object as one camera sees it: the pixels that it may cover, its distance, its lighting. */
 final class ProjectedObject {
   private final Appearance appearance;
   private final RayShape solid;
@@ -124,7 +124,8 @@ final class ProjectedObject {
       int at = row * lens.width();
       for (int column = left; column < end; column++) {
         double depth =
-            solid.meet(dx + column * right.x(), dy + column * right.y(), dz + column * right.z());
+            solid.intersect(
+                dx + column * right.x(), dy + column * right.y(), dz + column * right.z());
         if (depth < depths[at + column] && depth >= lens.near()) {
           depths[at + column] = depth;
           numbers[at + column] = number;

@@ -5,8 +5,8 @@ import org.urbi.sim.geometry.Shape;
 import org.urbi.sim.geometry.Vec3;
 
 /**
- * A shape, as rays from one eye meet it. Everything is in the frame of the shape: the eye is at
- * (ex, ey, ez), a ray is the eye plus t times a direction that need not be of length 1.
+ * A shape for ray casting from one eye. All coordinates are in the frame of the shape: the eye is
+ * at (ex, ey, ez), and a ray is the eye plus t times a direction, whose length need not be 1.
  */
 abstract class RayShape {
   /** Of no intersection. */
@@ -39,7 +39,7 @@ abstract class RayShape {
   }
 
   /** The smallest t at which a ray from outside comes in; {@link #MISS} for none. */
-  abstract double meet(double dx, double dy, double dz);
+  abstract double intersect(double dx, double dy, double dz);
 
   /** Finds the normal, of length 1, at a point of the surface. */
   abstract void findNormal(double x, double y, double z);
@@ -64,7 +64,7 @@ abstract class RayShape {
     }
 
     @Override
-    double meet(double dx, double dy, double dz) {
+    double intersect(double dx, double dy, double dz) {
       double a = dx * dx + dy * dy + dz * dz;
       double b = ex * dx + ey * dy + ez * dz;
       double d = b * b - a * c;
@@ -95,7 +95,7 @@ abstract class RayShape {
     }
 
     @Override
-    double meet(double dx, double dy, double dz) {
+    double intersect(double dx, double dy, double dz) {
       // A direction along a face divides by 0; the infinities that result compare as they should.
       double x1 = (-hx - ex) / dx;
       double x2 = (hx - ex) / dx;
@@ -144,17 +144,17 @@ abstract class RayShape {
     }
 
     @Override
-    double meet(double dx, double dy, double dz) {
-      double side = meetSide(dx, dy, dz);
+    double intersect(double dx, double dy, double dz) {
+      double side = intersectSide(dx, dy, dz);
       if (side != MISS) {
         return side;
       }
       return round
-          ? Math.min(meetDome(dx, dy, dz, half), meetDome(dx, dy, dz, -half))
-          : meetLid(dx, dy, dz);
+          ? Math.min(intersectDome(dx, dy, dz, half), intersectDome(dx, dy, dz, -half))
+          : intersectLid(dx, dy, dz);
     }
 
-    private double meetSide(double dx, double dy, double dz) {
+    private double intersectSide(double dx, double dy, double dz) {
       double a = dx * dx + dy * dy;
       double b = ex * dx + ey * dy;
       double d = b * b - a * c;
@@ -165,7 +165,7 @@ abstract class RayShape {
       return t > 0 && Math.abs(ez + t * dz) <= half ? t : MISS;
     }
 
-    private double meetLid(double dx, double dy, double dz) {
+    private double intersectLid(double dx, double dy, double dz) {
       double lid = ez > 0 ? half : -half;
       double t = (lid - ez) / dz;
       double x = ex + t * dx;
@@ -173,7 +173,7 @@ abstract class RayShape {
       return Math.abs(ez) > half && t > 0 && x * x + y * y <= radius * radius ? t : MISS;
     }
 
-    private double meetDome(double dx, double dy, double dz, double centre) {
+    private double intersectDome(double dx, double dy, double dz, double centre) {
       double z = ez - centre;
       double a = dx * dx + dy * dy + dz * dz;
       double b = ex * dx + ey * dy + z * dz;
@@ -212,7 +212,7 @@ abstract class RayShape {
     }
 
     @Override
-    double meet(double dx, double dy, double dz) {
+    double intersect(double dx, double dy, double dz) {
       return ez > 0 && dz < 0 ? -ez / dz : MISS;
     }
 

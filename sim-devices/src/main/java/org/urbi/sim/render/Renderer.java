@@ -6,8 +6,8 @@ import java.util.List;
 import org.urbi.sim.geometry.Pose;
 
 /**
- * Draws scenes: first which thing is nearest in each pixel, then its colour. It keeps its buffers
- * from one picture to the next. One thread at a time uses it.
+ * Draws scenes: it first finds the nearest object in each pixel, then its colour. It reuses its
+ * buffers for the next picture. One thread at a time uses it.
  */
 public final class Renderer {
   private double[] depths = {};

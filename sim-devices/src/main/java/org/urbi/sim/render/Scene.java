@@ -3,7 +3,7 @@ package org.urbi.sim.render;
 import java.util.List;
 
 /**
- * What there is to be seen, at a moment.
+ * The visible objects and lights at one moment.
  *
  * @param ambient the light that comes from everywhere, from 0 to 1
  */

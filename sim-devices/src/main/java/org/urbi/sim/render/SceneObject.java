@@ -3,5 +3,5 @@ package org.urbi.sim.render;
 import org.urbi.sim.geometry.Pose;
 import org.urbi.sim.geometry.Shape;
 
-/** A shape at its place in the world. */
+/** A shape, its pose and its appearance. */
 public record SceneObject(Shape shape, Pose pose, Appearance appearance) {}

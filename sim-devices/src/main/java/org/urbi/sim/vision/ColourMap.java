@@ -12,8 +12,8 @@ import org.urbi.sim.SimulationException;
 import org.urbi.sim.render.Colour;
 
 /**
- * Colours that have names: it says of each pixel which one it has. Where ranges overlap, the one
- * that was named last counts.
+ * Maps each pixel to a named colour. Where colour ranges overlap, the one that was defined last
+ * counts.
  */
 public final class ColourMap {
   private static final int MAX = 255;

@@ -10,8 +10,8 @@ import urbi.UImage;
 import urbi.UImageFormat;
 
 /**
- * Brings what a camera renders into the format that is asked for: YCbCr and JPEG with OpenCV where
- * there is one, everything else, and without it, by {@link UConversion}.
+ * Converts rendered images to the requested format: YCbCr and JPEG with OpenCV where there is one,
+ * everything else, and without it, by {@link UConversion}.
  */
 public final class ImageCoder {
   private ImageCoder() {}

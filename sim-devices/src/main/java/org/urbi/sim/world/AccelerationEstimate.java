@@ -3,7 +3,7 @@ package org.urbi.sim.world;
 import org.urbi.sim.geometry.Vec3;
 import org.urbi.sim.physics.PhysicsSettings;
 
-/** How the place of a sensor is accelerated, from the speeds before and after a step. */
+/** Estimates the acceleration at a sensor from the speeds before and after a step. */
 final class AccelerationEstimate {
   private final Mount.Accelerometer mount;
   private final PhysicsSettings settings;

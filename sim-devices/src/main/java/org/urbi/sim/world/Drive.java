@@ -7,8 +7,8 @@ import org.urbi.sim.physics.JointDescription;
 
 /**
  * The motor of a joint and its controller. It is driven to a position by the speed {@code P·e +
- * I·∫e dt + D·de/dt}, at most {@link #maxSpeed}, where e is how far it has still to go; or at a
- * speed. The joint holds that speed with at most its greatest force.
+ * I·∫e dt + D·de/dt}, at most {@link #maxSpeed}, where e is the remaining distance; or at a speed.
+ * The joint holds that speed with at most its greatest force.
  */
 public final class Drive {
   /** What controls the motor. */

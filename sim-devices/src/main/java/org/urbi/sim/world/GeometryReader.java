@@ -7,7 +7,7 @@ import org.urbi.sim.geometry.Shape;
 import org.urbi.sim.geometry.Vec3;
 import org.urbi.sim.physics.Body;
 
-/** Reads places, shapes and references to bodies from blocks. */
+/** Reads poses, shapes and references to bodies from blocks. */
 final class GeometryReader {
   private GeometryReader() {}
 

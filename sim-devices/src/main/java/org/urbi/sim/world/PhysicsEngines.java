@@ -6,7 +6,7 @@ import org.urbi.sim.physics.PhysicsEngine;
 import org.urbi.sim.physics.ode.NativeOde;
 import org.urbi.sim.physics.ode4j.JavaOde;
 
-/** The choice of an engine. */
+/** Chooses the physics engine. */
 public final class PhysicsEngines {
   /** The native one if there is one, otherwise ode4j. */
   public static final String ANY = "auto";

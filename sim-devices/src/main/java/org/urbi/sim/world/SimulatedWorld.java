@@ -24,8 +24,8 @@ import org.urbi.sim.render.Scene;
 import org.urbi.sim.render.SceneObject;
 
 /**
- * A world file come to life: bodies that move and can be looked at, drives, and what is mounted on
- * them. One thread at a time uses it.
+ * The world of a world file: moving, visible bodies, drives, and mounted devices. One thread at a
+ * time uses it.
  */
 public final class SimulatedWorld implements AutoCloseable {
   /** Of worlds without lights of their own. */
@@ -201,7 +201,7 @@ public final class SimulatedWorld implements AutoCloseable {
   }
 
   /** In rad/s. */
-  public double spin(Mount.Gyrometer sensor) {
+  public double angularVelocity(Mount.Gyrometer sensor) {
     return sensor.worldPose().rotation().inverse().apply(sensor.body().spin()).dot(sensor.axis());
   }
 

@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** What a number in a world file may be measured in; the first one needs not be written. */
+/** The units of a number in a world file; the first one may be omitted. */
 enum Unit {
   NONE,
   LENGTH("m", 1, "cm", 0.01, "mm", 0.001),

@@ -136,7 +136,7 @@ class DevicesTest {
   }
 
   @Test
-  void targetsOutOfRangeAreWarnedOfOncePerExcursion() {
+  void oneWarningEachTimeATargetLeavesItsRange() {
     kernel.eval("yaw.val = 2 | yaw.val = 2.5 | yaw.val = 9 | yaw.val = 3; sleep(10ms)");
     assertEquals(1, logged.size(), logged.toString());
     String warning = logged.poll();
@@ -265,7 +265,7 @@ class DevicesTest {
   }
 
   @Test
-  void twoRunsSayTheSame() {
+  void twoRunsGiveTheSameOutput() {
     String program =
         """
         yaw.val = 0 sin:2s ampli:0.5,

@@ -169,7 +169,7 @@ class PageServerTest {
   }
 
   @Test
-  void pagesOfOthersAreRefused() throws Exception {
+  void pagesOfOtherOriginsAreRefused() throws Exception {
     assertEquals("HTTP/1.1 403 Forbidden", ask("GET / HTTP/1.1", "Host: rebound.example"));
     assertEquals("HTTP/1.1 403 Forbidden", ask("GET / HTTP/1.1"));
     String[] upgrade = {
@@ -189,7 +189,7 @@ class PageServerTest {
   }
 
   @Test
-  void momentsAreStreamedToWhoLooks() throws Exception {
+  void snapshotsAreStreamedToViewers() throws Exception {
     assertFalse(server.isWaiting(), "nobody looks");
     Stream first = watch();
     String setting = (String) first.next();
@@ -229,7 +229,7 @@ class PageServerTest {
   }
 
   @Test
-  void imagesThatAreNoneAreTold() throws Exception {
+  void invalidImagesAreReported() throws Exception {
     Stream stream = watch();
     stream.next();
     UImage wrong = new UImage(UImageFormat.IMAGE_RGB, 80, 60, new byte[5]);
@@ -242,7 +242,7 @@ class PageServerTest {
   }
 
   @Test
-  void whoDoesNotReadSeesLessAndHoldsNothingUp() throws Exception {
+  void slowViewerGetsFewerSnapshotsAndDelaysNothing() throws Exception {
     byte[] large = new byte[200_000];
     try (Socket asleep = new Socket(InetAddress.getByName(LOCAL), server.port())) {
       String request =
@@ -278,7 +278,7 @@ class PageServerTest {
   }
 
   @Test
-  void crowdsAreSentAway() throws Exception {
+  void tooManyConnectionsAreRefused() throws Exception {
     List<Socket> crowd = new ArrayList<>();
     try {
       for (int i = 0; i < 80; i++) {
@@ -300,7 +300,7 @@ class PageServerTest {
   }
 
   @Test
-  void portsThatCannotBeUsedAreTold() throws Exception {
+  void unusablePortsAreReported() throws Exception {
     try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getByName(LOCAL))) {
       String message =
           assertThrows(

@@ -26,7 +26,7 @@ class PhysicsWorldTest {
 
   @ParameterizedTest
   @EnumSource
-  void fallsAsGalileiSays(TestedEngine engine) {
+  void bodyFallsWithConstantAcceleration(TestedEngine engine) {
     try (PhysicsWorld world = engine.world(DEFAULT)) {
       Body ball = Scenes.ball(world, "ball", 0.1, new Vec3(1, 2, 100), Material.DEFAULT);
       Scenes.run(world, 2000);
@@ -85,7 +85,7 @@ class PhysicsWorldTest {
 
   @ParameterizedTest
   @EnumSource
-  void slidesAsCoulombSays(TestedEngine engine) {
+  void bodySlidesWithCoulombFriction(TestedEngine engine) {
     try (PhysicsWorld world = engine.world(DEFAULT)) {
       world.add(
           new BodyDescription(
@@ -152,7 +152,7 @@ class PhysicsWorldTest {
 
   @ParameterizedTest
   @EnumSource
-  void heldLoadIsFelt(TestedEngine engine) {
+  void loadOfAHeldBodyIsMeasured(TestedEngine engine) {
     try (PhysicsWorld world = engine.world(DEFAULT)) {
       Body arm =
           world.add(

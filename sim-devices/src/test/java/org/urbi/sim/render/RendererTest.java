@@ -127,7 +127,7 @@ class RendererTest {
   }
 
   @Test
-  void whatReachesBehindTheCameraIsDrawn() {
+  void objectsThatReachBehindTheCameraAreDrawn() {
     SceneObject wall = thing(new Shape.Box(20, 0.1, 20), Pose.at(0, 1, 0), RED);
     double[] blob = blob(flat(Pose.ORIGIN, LENS, wall), 320, 0);
     assertTrue(blob[0] < 100 && blob[2] > 5000, "the wall on the left");
@@ -191,7 +191,7 @@ class RendererTest {
   private static final long GOLDEN = 1899016677L;
 
   @Test
-  void lensesThatCannotBeAreRefused() {
+  void impossibleLensesAreRefused() {
     assertEquals(
         "size: between 1 and 4096 pixels expected, not 0x240",
         assertThrows(SimulationException.class, () -> LENS.resized(0, 240)).getMessage());

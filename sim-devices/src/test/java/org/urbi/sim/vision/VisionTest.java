@@ -83,7 +83,7 @@ class VisionTest {
   }
 
   @Test
-  void nothingIsFoundWhereNothingIs() {
+  void nothingIsFoundInAnEmptyImage() {
     BlobFinder finder = new BlobFinder();
     byte[] rgb = picture(ball(2, 0, 0, 0.1, BLUE));
     assertTrue(finder.find(rgb, WIDTH, HEIGHT, ColourRange.RED, 0).isEmpty());

@@ -122,7 +122,7 @@ class SimulatedWorldTest {
       assertEquals(0, world.acceleration(x), 1e-6);
       assertFalse(world.touches(world.mount(Mount.Bumper.class, "touch")));
       world.body("body").move(Vec3.ZERO, new Vec3(0, 0, 3));
-      assertEquals(3, world.spin(world.mount(Mount.Gyrometer.class, "gyro[z]")), 1e-9);
+      assertEquals(3, world.angularVelocity(world.mount(Mount.Gyrometer.class, "gyro[z]")), 1e-9);
     }
   }
 
@@ -161,7 +161,7 @@ class SimulatedWorldTest {
   }
 
   @Test
-  void namesThatAreNotThereAreTold() {
+  void unknownNamesAreReported() {
     try (SimulatedWorld world = cart()) {
       assertEquals(
           "no camera 'led' in this world; it has top",

@@ -176,7 +176,7 @@ class WorldReaderTest {
   }
 
   @Test
-  void theSolverFitsTheSizeUnlessItIsNamed() {
+  void solverIsChosenBySizeUnlessGiven() {
     String[][] cases = {
       {"8", "", "EXACT"},
       {"9", "", "QUICK"},

@@ -20,14 +20,14 @@ import org.urbi.kernel.embed.UrbiError;
 import urbi.LockMode;
 import urbi.UObject;
 
-/** Components and embedding programs that throw whatever there is. */
+/** Components and embedding programs that throw exceptions and errors of all kinds. */
 class ComponentFailureTest {
   private final BlockingQueue<String> output = new LinkedBlockingQueue<>();
   private final ByteArrayOutputStream log = new ByteArrayOutputStream();
   private final PrintStream before = System.err;
   private Kernel kernel;
 
-  /** Fails in every way. */
+  /** Throws in each of its functions. */
   public static class FailingObject extends UObject {
     public FailingObject(String name) {
       super(name);
@@ -96,7 +96,7 @@ class ComponentFailureTest {
   }
 
   @Test
-  void exceptionOfAComponentIsToldByItsMessage() {
+  void exceptionOfAComponentIsReportedByItsMessage() {
     String told = thrownBy("Breaker.exception");
     assertTrue(told.endsWith("UnsupportedOperationException: no arm"), told);
     assertLogged(
@@ -114,7 +114,7 @@ class ComponentFailureTest {
   }
 
   @Test
-  void timerThatFailsIsToldAndLogged() throws Exception {
+  void failingTimerIsReportedAndLogged() throws Exception {
     kernel.eval("var Global.breaker = Breaker.new; breaker.begin");
     String told = output.take();
     assertTrue(told.contains("internal error: java.lang.AssertionError: broken"), told);

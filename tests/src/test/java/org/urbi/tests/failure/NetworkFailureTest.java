@@ -63,7 +63,7 @@ class NetworkFailureTest {
   }
 
   @Test
-  void clientIsToldAndGoesOn() throws Exception {
+  void clientGetsTheErrorAndContinues() throws Exception {
     CompletableFuture<Programs.Run> server = server("org.urbi.server.net.TelnetInterrupt");
     try (Socket socket = connect();
         BufferedReader in = reader(socket)) {
@@ -84,7 +84,7 @@ class NetworkFailureTest {
   }
 
   @Test
-  void clientWithoutLobbyIsToldAndTheServerGoesOn() throws Exception {
+  void clientWithoutLobbyGetsTheErrorAndTheServerContinues() throws Exception {
     CompletableFuture<Programs.Run> server = server("org.urbi.server.net.BinaryLiteralDetector");
     for (int i = 0; i < 2; i++) {
       try (Socket socket = connect();

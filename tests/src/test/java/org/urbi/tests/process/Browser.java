@@ -19,7 +19,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.urbi.tests.Patience;
+import org.urbi.tests.TestTimeout;
 
 /**
  * A Chromium without a window, in an empty profile of its own, that is told what to do by
@@ -124,7 +124,7 @@ final class Browser implements AutoCloseable {
   private String send(HttpRequest.Builder request) throws IOException {
     try {
       HttpRequest built =
-          request.header("content-type", "application/json").timeout(Patience.LONG).build();
+          request.header("content-type", "application/json").timeout(TestTimeout.LONG).build();
       return client.send(built, HttpResponse.BodyHandlers.ofString()).body();
     } catch (InterruptedException e) {
       throw new AssertionError(e);
@@ -146,7 +146,7 @@ final class Browser implements AutoCloseable {
   /** Evaluates until the result is as wanted, and returns that. */
   String await(String what, String body, Predicate<String> wanted)
       throws IOException, InterruptedException {
-    long deadline = System.nanoTime() + Patience.LONG.toNanos();
+    long deadline = System.nanoTime() + TestTimeout.LONG.toNanos();
     while (true) {
       String result = evaluate(body);
       if (wanted.test(result)) {
@@ -168,7 +168,7 @@ final class Browser implements AutoCloseable {
       List<ProcessHandle> children = driver.descendants().toList();
       children.forEach(ProcessHandle::destroyForcibly);
       driver.destroy();
-      driver.waitFor(Patience.LONG);
+      driver.waitFor(TestTimeout.LONG);
       for (ProcessHandle child : children) {
         child.onExit().join();
       }

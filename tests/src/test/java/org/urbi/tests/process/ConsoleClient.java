@@ -9,7 +9,7 @@ import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import org.urbi.tests.Patience;
+import org.urbi.tests.TestTimeout;
 
 /** A client of the console, as netcat is one. */
 final class ConsoleClient implements AutoCloseable {
@@ -20,7 +20,7 @@ final class ConsoleClient implements AutoCloseable {
   ConsoleClient(int port) throws IOException {
     socket = new Socket(InetAddress.getLoopbackAddress(), port);
     socket.setTcpNoDelay(true);
-    socket.setSoTimeout((int) Patience.LONG.toMillis());
+    socket.setSoTimeout((int) TestTimeout.LONG.toMillis());
     in = new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8));
     answers("");
   }

@@ -22,7 +22,7 @@ class CxxClientsTest {
 
   /** Nothing goes wrong, with memory neither. */
   @Test
-  void everythingIsSaidAndAnswered() throws Exception {
+  void clientsOfTheSdkWork() throws Exception {
     Path program = compile("g++", "-std=c++17", "-g", "-fsanitize=address");
     try (ServerProcess server = ServerProcess.in(folder)) {
       assertEquals(

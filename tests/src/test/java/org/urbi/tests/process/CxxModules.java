@@ -18,8 +18,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 
 /**
- * The modules of {@code examples/uobjects-cpp}, made when they are first wanted, and kept: the next
- * time only what has changed is compiled.
+ * The modules of {@code examples/uobjects-cpp}. They are compiled when first needed, and kept: the
+ * next run compiles only what has changed.
  */
 final class CxxModules {
   static final Path ROOT = Path.of("..").toAbsolutePath().normalize();

@@ -12,7 +12,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.urbi.tests.Patience;
+import org.urbi.tests.TestTimeout;
 
 /** Programs of C++ with a main of their own, {@code urbi/umain.hh}, and a real server. */
 class CxxProgramsTest {
@@ -72,7 +72,7 @@ class CxxProgramsTest {
   }
 
   private static String end(CompletableFuture<String> program) throws Exception {
-    return program.get(Patience.LONG.toSeconds(), TimeUnit.SECONDS);
+    return program.get(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS);
   }
 
   private static void ask(ServerProcess server) throws Exception {
@@ -97,7 +97,7 @@ class CxxProgramsTest {
   }
 
   @Test
-  void whatItDoesBesides() throws Exception {
+  void programUsesUrbiRoot() throws Exception {
     Path program =
         compile(
             """

@@ -23,7 +23,7 @@ class DescriptorsTest {
   private static final int DESCRIPTORS = 100;
 
   @Test
-  void clientsBeyondTheDescriptorsAreTurnedAwayAndTheOthersServed(@TempDir Path folder)
+  void clientsBeyondTheDescriptorLimitAreRefusedAndOthersServed(@TempDir Path folder)
       throws Exception {
     try (ServerProcess server =
         ServerProcess.in(JavaProcess.Setting.in(folder).after("ulimit -n " + DESCRIPTORS))) {

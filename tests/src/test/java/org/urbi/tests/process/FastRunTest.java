@@ -11,7 +11,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Processes with {@code --fast} that are given the same say the same, cycles included. */
+/**
+ * Processes with {@code --fast} give the same output for the same input, including the numbers of
+ * cycles.
+ */
 class FastRunTest {
   private static final int RUNS = 4;
 

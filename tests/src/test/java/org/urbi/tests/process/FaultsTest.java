@@ -14,9 +14,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.urbi.server.make.UmakeJava;
-import org.urbi.tests.Patience;
+import org.urbi.tests.TestTimeout;
 
-/** What the machine does to a server, and how the server ends (docs/robustness.md). */
+/** Faults of the machine, and how the server ends (docs/robustness.md). */
 class FaultsTest {
   private static final int STUCK = 70;
   private static final int OUTPUT_LOST = 74;
@@ -33,7 +33,7 @@ class FaultsTest {
   }
 
   @Test
-  void aFullDiskEndsARunWithAMessage() throws Exception {
+  void fullDiskEndsARunWithAMessage() throws Exception {
     try (JavaProcess urbi = urbi("exec >/dev/full", "-q", "-e", "loop| { echo(1) };")) {
       assertEquals(OUTPUT_LOST, urbi.awaitEnd());
       assertEquals("urbi: cannot write the output: No space left on device", urbi.text());
@@ -41,14 +41,14 @@ class FaultsTest {
   }
 
   @Test
-  void whatIsTooLateForTheOutputCountsToo() throws Exception {
+  void failureOfTheLastOutputCounts() throws Exception {
     try (JavaProcess urbi = urbi("exec >/dev/full", "-q", "-e", "echo(1);")) {
       assertEquals(OUTPUT_LOST, urbi.awaitEnd());
     }
   }
 
   @Test
-  void whoIsToldToTerminateDoesSoWithHisChildren() throws Exception {
+  void terminationEndsChildProcesses() throws Exception {
     String program =
         "var p = Process.new(\"sh\", [\"-c\", \"echo $$; exec sleep 1000\"])|; p.run;"
             + " echo(\"child \" + p.stdout.getLine); sleep(10ms); loop| {};";
@@ -59,7 +59,7 @@ class FaultsTest {
       assertEquals(TERMINATED, urbi.awaitEnd());
       var process = ProcessHandle.of(child);
       if (process.isPresent()) {
-        process.get().onExit().get(Patience.LONG.toSeconds(), TimeUnit.SECONDS);
+        process.get().onExit().get(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS);
       }
     }
   }
@@ -86,7 +86,7 @@ class FaultsTest {
 
   /** What it has made goes with its lobby; nothing else has to. */
   @Test
-  void theLobbyThatHasGrownMostGivesItsMemoryBack() throws Exception {
+  void lobbyThatHasGrownMostIsEnded() throws Exception {
     try (ServerProcess server = small("--max-hold", "0");
         ConsoleClient judge = server.connect();
         ConsoleClient busy = server.connect();
@@ -113,7 +113,7 @@ class FaultsTest {
         "function h(){ h() & h() }; loop { try { h() } catch {} };",
         "for& (3000000) sleep(1000s);",
       })
-  void crowdsOfJobsKeepNobodyFromTerminating(String program) throws Exception {
+  void manyJobsDoNotPreventTermination(String program) throws Exception {
     try (ServerProcess server = small();
         ConsoleClient judge = server.connect();
         ConsoleClient bomb = server.connect()) {
@@ -128,7 +128,7 @@ class FaultsTest {
 
   /** The component looks at nothing, and neither does anybody whom it keeps waiting. */
   @Test
-  void aKernelThatDoesNotTurnEndsTheProcess() throws Exception {
+  void blockedKernelEndsTheProcess() throws Exception {
     Path sources = Files.createDirectory(folder.resolve("stuck.uob"));
     Files.writeString(
         sources.resolve("Stuck.java"),
@@ -174,7 +174,7 @@ class FaultsTest {
   }
 
   @Test
-  void aDeviceWithoutEndIsAnErrorToWhoReadsIt() throws Exception {
+  void readingAnEndlessDeviceIsAnError() throws Exception {
     String program =
         "try { File.new(\"/dev/zero\").content } catch (var e) { echo(e.message) }; echo(\"on\");";
     try (JavaProcess urbi = urbi(":", "-q", "-e", program)) {

@@ -13,8 +13,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * What hostile, broken and slow clients do to a server, one after the other: another client is
- * answered while and after.
+ * Hostile, broken and slow clients, one after the other; meanwhile and afterwards another client is
+ * answered.
  */
 class HostileClientsTest {
   /** What holds the kernel, in few words. */
@@ -83,12 +83,12 @@ class HostileClientsTest {
   }
 
   @Test
-  void whoHoldsTheKernelKeepsNobodyWaiting() throws Exception {
+  void clientThatHoldsTheKernelDelaysNobody() throws Exception {
     anotherClientIsAnsweredWhileAndAfter(HOLDS, "-Xmx2g");
   }
 
   @Test
-  void whoFillsTheMemoryKeepsNobodyWaiting() throws Exception {
+  void clientThatFillsTheMemoryDelaysNobody() throws Exception {
     anotherClientIsAnsweredWhileAndAfter(CROWDS, "-Xmx300m");
   }
 
@@ -119,7 +119,7 @@ class HostileClientsTest {
   }
 
   @Test
-  void halfRequestsAndStormsDisturbNobody() throws Exception {
+  void incompleteRequestsAndFloodsDisturbNobody() throws Exception {
     try (ServerProcess server = ServerProcess.in(folder);
         ConsoleClient judge = server.connect()) {
       for (String fragment : FRAGMENTS) {
@@ -165,7 +165,7 @@ class HostileClientsTest {
   }
 
   @Test
-  void aRunWhoseReaderHasGoneEnds() throws Exception {
+  void runEndsWhenItsReaderHasGone() throws Exception {
     JavaProcess.Setting piped =
         JavaProcess.Setting.in(folder).after("mkfifo pipe; head -n 1 pipe >/dev/null & exec >pipe");
     try (JavaProcess urbi =

@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
-import org.urbi.tests.Patience;
+import org.urbi.tests.TestTimeout;
 
 /** A Java program in a process of its own, whose output can be waited for. */
 final class JavaProcess implements AutoCloseable {
@@ -125,7 +125,7 @@ final class JavaProcess implements AutoCloseable {
 
   /** Waits for a line, from either of its outputs, and returns it. */
   synchronized String awaitLine(Predicate<String> wanted) throws InterruptedException {
-    long deadline = System.nanoTime() + Patience.LONG.toNanos();
+    long deadline = System.nanoTime() + TestTimeout.LONG.toNanos();
     for (int seen = 0; ; seen++) {
       while (seen == lines.size()) {
         long left = TimeUnit.NANOSECONDS.toMillis(deadline - System.nanoTime());
@@ -153,11 +153,11 @@ final class JavaProcess implements AutoCloseable {
 
   /** Waits for its end, and returns its exit status. */
   int awaitEnd() throws InterruptedException {
-    if (!process.waitFor(Patience.LONG)) {
+    if (!process.waitFor(TestTimeout.LONG)) {
       throw new AssertionError(name + " does not end:\n" + text());
     }
     for (Thread reader : readers) {
-      reader.join(Patience.LONG);
+      reader.join(TestTimeout.LONG);
     }
     return process.exitValue();
   }

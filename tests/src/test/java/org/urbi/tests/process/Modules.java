@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import org.urbi.server.make.UmakeJava;
 
-/** The modules of {@code examples/uobjects}, made when they are first wanted. */
+/** The modules of {@code examples/uobjects}, compiled when first needed. */
 final class Modules {
   static final Path SOURCES = Path.of("..", "examples", "uobjects").toAbsolutePath().normalize();
 

@@ -10,8 +10,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Processes that speak as those do that are linked with the SDK of Urbi 2.7, with a real server: in
- * Python, by somebody who knows nothing of the server.
+ * Clients, written in Python, that speak the protocol of programs linked with the SDK of Urbi 2.7,
+ * and a real server.
  */
 class SdkProcessesTest {
   private static final Path SOURCE = Path.of("src", "test", "python");
@@ -20,7 +20,7 @@ class SdkProcessesTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"BinaryModeTest", "TextModeTest", "PlainClientTest"})
-  void theyAreAnswered(String test) throws Exception {
+  void oldSdkClientsAreServed(String test) throws Exception {
     try (ServerProcess server = ServerProcess.in(folder)) {
       ProcessBuilder command =
           new ProcessBuilder("python3", "-B", "-m", "unittest", "test_sdk_client." + test)

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 
-/** The program {@code urbi} as a server on a port that nobody else has. */
+/** The program {@code urbi} as a server on a free port. */
 final class ServerProcess implements AutoCloseable {
   private static final String LISTENING = "listening on 127.0.0.1:";
 

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.server.make.UmakeJava;
-import org.urbi.tests.Patience;
+import org.urbi.tests.TestTimeout;
 import org.urbi.tests.process.JavaProcess.Setting;
 
 /** The simulated robot as its user meets it: real processes, real time, a real browser. */
@@ -144,7 +144,7 @@ class SimulatedRobotTest {
   }
 
   @Test
-  void aTakenPortIsToldAndTheDemonstrationGoesOn() throws Exception {
+  void portInUseIsReportedAndTheDemoContinues() throws Exception {
     try (ServerSocket other = new ServerSocket(0);
         JavaProcess urbi =
             JavaProcess.start(
@@ -216,7 +216,7 @@ class SimulatedRobotTest {
   }
 
   @Test
-  void withoutNativeLibrariesItSaysSoAndGoesOn(@TempDir Path folder) throws Exception {
+  void demoReportsMissingNativeLibrariesAndContinues(@TempDir Path folder) throws Exception {
     Path notAFolder = Files.writeString(folder.resolve("file"), "");
     Path broken = Files.writeString(folder.resolve("broken.world"), "body x {\n  mass 1 cm\n}\n");
     Setting bare =
@@ -268,7 +268,7 @@ class SimulatedRobotTest {
   /** Asks until an expression is as expected. */
   private static void awaitAnswer(ConsoleClient client, String expression, String expected)
       throws Exception {
-    long deadline = System.nanoTime() + Patience.LONG.toNanos();
+    long deadline = System.nanoTime() + TestTimeout.LONG.toNanos();
     String last = answer(client, expression);
     while (!last.equals(expected)) {
       assertTrue(System.nanoTime() < deadline, expression + " is still " + last);

@@ -222,7 +222,7 @@ class UObjectFailureTest {
   }
 
   @Test
-  void aCallbackThatNeverReturns() throws Exception {
+  void callbackNeverReturns() throws Exception {
     make("Stubborn", STUBBORN);
     try (JavaProcess process = launch("Stubborn")) {
       assertEquals("[] 1|[] 2", answer("Stubborn.plain; Stubborn.threaded;"));

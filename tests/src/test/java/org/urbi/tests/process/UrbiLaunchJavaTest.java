@@ -221,7 +221,7 @@ class UrbiLaunchJavaTest {
   }
 
   @Test
-  void asMuchIsSaidAsIsAskedFor() throws Exception {
+  void debugLevelControlsTheLog() throws Exception {
     copy("machine");
     try (ServerProcess server = ServerProcess.in(folder);
         JavaProcess machine = launch("-P" + server.port(), "-d", "TRACE", "machine")) {
@@ -271,13 +271,13 @@ class UrbiLaunchJavaTest {
   // ------------------------------------------------------------------ what goes wrong
 
   @Test
-  void aModuleThatIsNotThereIsSaid() throws Exception {
+  void missingModuleIsReported() throws Exception {
     failsToLaunch("urbi-launch-java: no module nowhere in .", "nowhere");
     failsToLaunch("urbi-launch-java: no such module: /no/such.jar", "--start", "/no/such.jar");
   }
 
   @Test
-  void aServerThatIsNotThereIsSaid() throws Exception {
+  void missingServerIsReported() throws Exception {
     copy("machine");
     int port = freePort();
     failsToLaunch("cannot connect to 127.0.0.1:" + port, "-P" + port, "machine");
@@ -286,7 +286,7 @@ class UrbiLaunchJavaTest {
   }
 
   @Test
-  void aModuleThatCannotBeRunIsSaid() throws Exception {
+  void moduleThatCannotBeRunIsReported() throws Exception {
     Files.writeString(folder.resolve("text.jar"), "no jar", StandardCharsets.UTF_8);
     Path library = Files.createDirectory(folder.resolve("library"));
     Path api = Path.of(UObject.class.getProtectionDomain().getCodeSource().getLocation().toURI());
@@ -310,7 +310,7 @@ class UrbiLaunchJavaTest {
   }
 
   @Test
-  void whatIsAskedForIsTold() throws Exception {
+  void requestedInformationIsPrinted() throws Exception {
     assertEquals(folder.toString(), program().output("--print-root"));
     assertEquals("", program().output("--check"));
     assertTrue(program().output("--version").startsWith("urbi-launch-java version "));

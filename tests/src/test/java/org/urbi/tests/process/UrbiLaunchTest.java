@@ -100,7 +100,7 @@ class UrbiLaunchTest {
   }
 
   @Test
-  void whatAModuleDeclaresIsTold() throws Exception {
+  void classesOfAModuleAreListed() throws Exception {
     String described = program.output("--describe", "machine");
     assertTrue(described.endsWith("machine.so\n  class UMachine"), described);
     Files.copy(new CxxModules().library("servohub"), folder.resolve("servohub.so"));
@@ -109,7 +109,7 @@ class UrbiLaunchTest {
   }
 
   @Test
-  void whatIsWrongIsSaid() throws Exception {
+  void errorsAreReported() throws Exception {
     program.fails(2, "urbi-launch: no MODULE: which UObjects are to be run?");
     program.fails(2, "choose one of --plugin, --remote", "-p", "-r", "machine");
     program.fails(1, "urbi-launch: no module nowhere in .", "nowhere");
@@ -125,7 +125,7 @@ class UrbiLaunchTest {
   }
 
   @Test
-  void whatIsAskedForIsTold() throws Exception {
+  void requestedInformationIsPrinted() throws Exception {
     assertEquals(folder.toString(), program.output("--print-root"));
     assertTrue(program.output("--version").startsWith("urbi-launch version "));
     assertTrue(program.output("-h").contains("--describe"));

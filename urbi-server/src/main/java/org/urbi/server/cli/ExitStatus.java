@@ -1,17 +1,17 @@
 package org.urbi.server.cli;
 
-/** The exit statuses of a server that does not end by itself (docs/robustness.md). */
+/** The exit statuses of a server that was ended by a fault or a signal (docs/robustness.md). */
 final class ExitStatus {
-  /** Its output could not be written: nobody reads it, or the disk is full. */
+  /** The output could not be written: its reader has gone, or the disk is full. */
   static final int OUTPUT_LOST = 74;
 
-  /** The kernel or the network did not turn any more. */
+  /** The kernel thread or the network thread was blocked. */
   static final int STUCK = 70;
 
   /** Memory could not be freed. */
   static final int MEMORY_EXHAUSTED = 71;
 
-  /** It was told to terminate (SIGTERM). */
+  /** The process received SIGTERM. */
   static final int TERMINATED = 143;
 
   private ExitStatus() {}

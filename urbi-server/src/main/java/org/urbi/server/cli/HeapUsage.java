@@ -11,21 +11,24 @@ import org.jspecify.annotations.Nullable;
 
 /** How full the heap is. */
 final class HeapUsage {
-  /** Below, it is not worth a closer look. */
+  /** Below this share of the heap, memory needs no closer look. */
   private static final double SCARCE = 0.6;
 
-  /** What is left of the old objects' room after a collection, when it is nearly nothing. */
+  /**
+   * If more than this share of the old generation is used after a collection, memory is nearly
+   * full.
+   */
   private static final double FULL = 0.92;
 
-  /** The part of the time that may be spent on collecting garbage. */
+  /** The share of the time that garbage collection may take. */
   private static final double MAX_COLLECTING = 0.8;
 
-  /** How long that is watched, in nanoseconds. */
+  /** The period over which that share is measured, in nanoseconds. */
   private static final long WINDOW = 2_000_000_000;
 
   private static final long MILLISECOND = 1_000_000;
 
-  /** Where old objects are; looked for when it matters, since that takes long. */
+  /** The old generation; looked up only when it is needed, because that takes long. */
   private @Nullable MemoryPoolMXBean old;
 
   private List<GarbageCollectorMXBean> collectors = List.of();
@@ -33,7 +36,7 @@ final class HeapUsage {
   private long collectedBefore;
   private boolean collecting;
 
-  /** Whether so much is used that it may become tight soon. */
+  /** Whether so much memory is used that it may soon be nearly full. */
   boolean isScarce() {
     Runtime runtime = Runtime.getRuntime();
     double used = (double) runtime.totalMemory() - runtime.freeMemory();
@@ -41,12 +44,12 @@ final class HeapUsage {
   }
 
   /**
-   * Whether collecting garbage leaves nearly no room, or takes nearly all of the time; to be asked
+   * Whether garbage collection leaves nearly no room, or takes nearly all of the time. Call this
    * several times a second while memory is scarce.
    *
    * @param now the time in nanoseconds
    */
-  boolean isTight(long now) {
+  boolean isNearlyFull(long now) {
     MemoryPoolMXBean known = old;
     if (known == null) {
       known =
@@ -55,7 +58,7 @@ final class HeapUsage {
               .max(Comparator.comparingLong(pool -> pool.getUsage().getMax()))
               .orElseThrow();
       old = known;
-      // Those that work beside the program keep nobody waiting.
+      // Concurrent collectors do not stop the program.
       collectors =
           ManagementFactory.getGarbageCollectorMXBeans().stream()
               .filter(bean -> !bean.getName().matches(".*(Cycles|Concurrent).*"))
@@ -80,7 +83,7 @@ final class HeapUsage {
     return collecting;
   }
 
-  /** Memory is not scarce any more. */
+  /** Resets the measurement: memory is no longer scarce. */
   void forget() {
     windowBegan = 0;
     collecting = false;

@@ -6,9 +6,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 
 /**
- * What {@code Ctrl-C} does (manual, section 21.3.2). In a session the first kills the foreground
- * job, a second one within 1.5 s shuts down, a third one ends the process at once; without a
- * session the first shuts down and the second ends the process.
+ * Handles {@code Ctrl-C} (manual, section 21.3.2). In a session the first interrupt kills the
+ * foreground job, a second one within 1.5 s shuts the server down, and a third one ends the process
+ * at once. Without a session the first interrupt shuts down and the second ends the process.
  */
 final class InterruptHandler {
   private static final int SECOND_WITHIN_MILLISECONDS = 1500;
@@ -32,7 +32,7 @@ final class InterruptHandler {
   }
 
   /**
-   * Everything that a test wants to see.
+   * For tests.
    *
    * @param later runs what it is given once the time for a second interrupt is over
    */
@@ -49,12 +49,12 @@ final class InterruptHandler {
     this.later = later;
   }
 
-  /** Listens to the signal of the interrupt key; a terminal session tells of it by itself. */
+  /** Registers for the interrupt signal. A terminal session calls {@link #interrupted} itself. */
   void install() {
     Signals.whenInterrupted(this::interrupted);
   }
 
-  /** The interrupt key was hit. */
+  /** Handles one interrupt. */
   void interrupted() {
     Runnable reaction;
     synchronized (this) {

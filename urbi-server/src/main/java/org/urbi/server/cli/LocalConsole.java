@@ -20,14 +20,14 @@ import org.urbi.server.console.StandardOutput;
 import org.urbi.server.console.TerminalSession;
 
 /**
- * The lobby of the program itself: it is sent what the options say, then what the terminal or the
- * standard input says, and decides when the run is over.
+ * The lobby of the program itself. It executes the code in the options, then the input from the
+ * terminal or the standard input, and decides when the run is over.
  */
 final class LocalConsole implements AutoCloseable {
   private static final String SHUTDOWN =
       "lobby.send(\"!!! received interruption, shutting down.\", \"error\") | shutdown;\n";
 
-  /** The exit status of a run in which something went wrong that nobody handled. */
+  /** The exit status of a run with an error that nobody handled. */
   static final int FAILED = 1;
 
   private final Settings settings;
@@ -62,12 +62,12 @@ final class LocalConsole implements AutoCloseable {
     console = new Console(consoleOutput::add, this::lobbyClosed);
   }
 
-  /** A print stream keeps its failures to itself. */
+  /** Makes a stream that reports failures, unlike a print stream. */
   private static OutputStream stream(PrintStream out) {
     return out == System.out ? new FileOutputStream(FileDescriptor.out) : out;
   }
 
-  /** Nobody hears the rest: a run that is there for its output is over. */
+  /** The output cannot be written: a run whose purpose is its output ends. */
   private void outputLost(IOException failure) {
     outputLost = true;
     err.println("urbi: cannot write the output: " + failure.getMessage());
@@ -76,12 +76,14 @@ final class LocalConsole implements AutoCloseable {
     }
   }
 
-  /** Whether something could not be written; certain when this has been closed. */
+  /** Whether some output could not be written. The answer is final after {@link #close}. */
   boolean isOutputLost() {
     return outputLost;
   }
 
-  /** Opens the lobby, sends what there is to send, and reads on in a thread of its own. */
+  /**
+   * Opens the lobby, sends the code in the options, and reads further input on a thread of its own.
+   */
   void start() {
     InterruptHandler interrupts =
         new InterruptHandler(this::isSession, () -> opened().interrupt(), this::shutDown);
@@ -105,7 +107,7 @@ final class LocalConsole implements AutoCloseable {
     return requireNonNull(connection, "asked for when the lobby is open");
   }
 
-  /** In a session, as if {@code shutdown} had been typed; otherwise there is nobody to tell. */
+  /** In a session, acts as if the user had typed {@code shutdown}. */
   private void shutDown() {
     if (isSession()) {
       opened().interrupt();
@@ -149,7 +151,9 @@ final class LocalConsole implements AutoCloseable {
     }
   }
 
-  /** Nothing more will come: without another way in, the run is over once the jobs are. */
+  /**
+   * The input has ended: unless there is another source of input, the run ends with its last job.
+   */
   private void inputEnded() {
     if (!settings.keepsServing()) {
       opened().end();
@@ -162,7 +166,7 @@ final class LocalConsole implements AutoCloseable {
     }
   }
 
-  /** Whether something was wrong in what it was given to run; somebody at a terminal knows. */
+  /** Whether the given code had an error. Errors in an interactive session do not count. */
   boolean hasFailed() {
     return settings.input() != Settings.Input.SESSION && console.hasFailed();
   }

@@ -7,8 +7,9 @@ import java.nio.file.Path;
 import java.util.Arrays;
 
 /**
- * The arguments as they were given. Java decodes them by the locale, and in the locale {@code C}
- * loses every byte beyond ASCII; where the system tells the bytes they are taken from there.
+ * The command-line arguments as bytes. Java decodes arguments according to the locale, and loses
+ * all non-ASCII bytes in the locale {@code C}. Where the operating system provides the bytes, they
+ * are read from there.
  */
 public final class RawArguments {
   private static final Path COMMAND_LINE = Path.of("/proc/self/cmdline");
@@ -24,7 +25,7 @@ public final class RawArguments {
     try {
       String[] words =
           new String(Files.readAllBytes(COMMAND_LINE), StandardCharsets.UTF_8).split("\0", -1);
-      // The last word is ended by a zero, too, so that an empty one follows it.
+      // A zero byte ends the last word, too, so splitting yields an empty word after it.
       int end = words.length - 1;
       return Arrays.copyOfRange(words, end - args.length, end);
     } catch (IOException | IllegalArgumentException | ArrayIndexOutOfBoundsException e) {
@@ -32,7 +33,7 @@ public final class RawArguments {
     }
   }
 
-  /** Whether decoding cannot have lost anything: a lost byte becomes a question mark or worse. */
+  /** Whether decoding has certainly lost nothing. */
   private static boolean isSafe(String argument) {
     return argument.chars().allMatch(c -> c < 0x80 && c != '?');
   }

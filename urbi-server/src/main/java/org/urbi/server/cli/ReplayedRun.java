@@ -9,7 +9,9 @@ import org.urbi.kernel.Kernel;
 import org.urbi.kernel.journal.RecordingException;
 import org.urbi.server.options.Failure;
 
-/** One run of {@code urbi --replay}: shows what the recorded run has shown to all its clients. */
+/**
+ * One run of {@code urbi --replay}: shows the output that the recorded run sent to all its clients.
+ */
 final class ReplayedRun {
   private static final int DIFFERS = 1;
 
@@ -23,7 +25,9 @@ final class ReplayedRun {
     this.err = err;
   }
 
-  /** Replays; returns the status of the recorded run, or 1 if the replay is another run. */
+  /**
+   * Replays the run. Returns the status of the recorded run, or 1 if the replay differs from it.
+   */
   int run() {
     Kernel kernel;
     try {

@@ -8,8 +8,8 @@ import java.util.Optional;
 import org.urbi.server.options.Failure;
 
 /**
- * Where files are looked for: {@code URBI_PATH}, {@code URBI_UOBJECT_PATH} (manual, section
- * 21.1.1).
+ * A list of folders in which files are searched: {@code URBI_PATH}, {@code URBI_UOBJECT_PATH}
+ * (manual, section 21.1.1).
  */
 public record SearchPath(List<Path> directories) {
   /**

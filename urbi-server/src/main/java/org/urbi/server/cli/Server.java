@@ -23,7 +23,7 @@ import org.urbi.server.net.Limits;
 import org.urbi.server.options.Failure;
 import org.urbi.server.source.SourceText;
 
-/** One run of {@code urbi}: the kernel, what is connected to it, and their end. */
+/** One run of {@code urbi}: starts the kernel and its connections, and ends them. */
 final class Server {
   private static final String BANNER = SourceText.framed("banner", "lobby.banner;");
 
@@ -132,7 +132,10 @@ final class Server {
     }
   }
 
-  /** Without memory nothing of ours can react: then the process just ends. */
+  /**
+   * Handles SIGTERM. When memory is exhausted no Java code could react, so the signal then ends the
+   * process directly.
+   */
   private void obeySignals(boolean atOnce) {
     if (atOnce) {
       Signals.endWhenTerminated();
@@ -156,13 +159,13 @@ final class Server {
     return requireNonNull(kernel, "the first one has been started");
   }
 
-  /** For how long the network thread has not turned, in nanoseconds. */
+  /** How long the network thread has been blocked, in nanoseconds. */
   private long networkSilence() {
     ConsoleServer server = listening;
     return server == null ? 0 : server.silence();
   }
 
-  /** Each kernel of the process has a recording of its own: FILE, and after a reboot FILE.2. */
+  /** Makes the kernel record to its own file: FILE, after a reboot FILE.2. */
   private KernelBuilder recorded(KernelBuilder builder) {
     runs++;
     if (settings.record() == null) {
@@ -176,7 +179,7 @@ final class Server {
     }
   }
 
-  /** Ends the process at once; only what has been printed is still shown. */
+  /** Ends the process at once, after writing pending output. */
   private void halt(int status) {
     LocalConsole local = console;
     if (local != null) {
@@ -185,14 +188,14 @@ final class Server {
     NativeThreads.halt(status);
   }
 
-  /** Somebody wants the process to end, whatever goes on. */
+  /** Ends the process, whatever it is doing. */
   private void end() {
     ending = true;
     kernel().requestShutdown(0);
   }
 
   /**
-   * Connects a client as every client is: with a banner, and after {@code local.u}.
+   * Connects a client: sends the banner and loads {@code local.u}.
    *
    * @param holdsTime whether a simulated time waits for the end of this client's input
    */
@@ -240,7 +243,7 @@ final class Server {
     return settings.maxOutput() == 0 ? limits : limits.withTotalOutput(settings.maxOutput());
   }
 
-  /** At once and whole: whoever sees the file can read the number. */
+  /** Writes the file atomically: whoever sees it can read the number. */
   private void writePortFile(int port) {
     Path file = settings.portFile();
     if (file == null) {

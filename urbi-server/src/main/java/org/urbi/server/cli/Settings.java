@@ -8,7 +8,7 @@ import org.urbi.server.Trace;
 import org.urbi.server.trust.AccessOptions;
 
 /**
- * What the command line of {@code urbi} asks for.
+ * The settings from the command line of {@code urbi}.
  *
  * @param moduleSearchPath where UObjects are looked for
  * @param fast whether time is simulated
@@ -54,7 +54,7 @@ record Settings(
     String program) {
   static final int NO_PORT = -1;
 
-  /** What is read after the options' text. */
+  /** What the console reads after the code in the options. */
   enum Input {
     /** Nothing. */
     NONE,

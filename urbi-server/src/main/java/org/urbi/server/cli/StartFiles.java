@@ -14,7 +14,7 @@ import org.urbi.server.source.SourceText;
  * once, in a lobby of its own, and {@code local.u} in every lobby.
  */
 final class StartFiles {
-  /** How long the others wait for a {@code global.u} that does not come to its end. */
+  /** How long other connections wait for {@code global.u} to end. */
   private static final int TIMEOUT_SECONDS = 5;
 
   private static final String LOADED = "urbi-global-loaded";
@@ -25,7 +25,9 @@ final class StartFiles {
     this.path = path;
   }
 
-  /** What every new lobby is sent first, if there is such a file. */
+  /**
+   * The code that loads {@code local.u}, which every new lobby executes first, if the file exists.
+   */
   Optional<String> local() {
     return path.find("local.u").map(file -> SourceText.file(file.toString()));
   }

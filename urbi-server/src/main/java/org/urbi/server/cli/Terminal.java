@@ -1,10 +1,13 @@
 package org.urbi.server.cli;
 
-/** Whether somebody is sitting there. */
+/** Whether the standard streams are a terminal. */
 final class Terminal {
   private Terminal() {}
 
-  /** Whether the standard input is a terminal; the launcher knows, Java only knows of both ends. */
+  /**
+   * Whether the standard input is a terminal. The launcher tells; Java itself only knows whether
+   * both input and output are.
+   */
   static boolean isStandardInput() {
     String told = System.getProperty("urbi.stdin.terminal");
     return told == null ? isBoth() : Boolean.parseBoolean(told);

@@ -5,9 +5,9 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 
 /**
- * What the build runs once to make the start-up cache: short scripts, in real and in simulated
- * time. The JDK keeps the classes that they load. Nothing is rehearsed that a short script does not
- * do, the network for instance: the larger the cache the slower the start of everything.
+ * The training run with which the build makes the start-up cache: short scripts, in real and in
+ * simulated time. The JDK caches the classes that they load. The run leaves out what a short script
+ * does not need, such as the network, because a larger cache makes every start slower.
  */
 public final class TrainingRun {
   private final PrintStream nowhere =

@@ -21,7 +21,7 @@ public final class UrbiCommand {
 
   private static final Duration WATCHDOG = Duration.ofSeconds(60);
 
-  /** Of a server. */
+  /** The default of {@code --max-hold} for a server. */
   private static final Duration MAX_HOLD = Duration.ofSeconds(5);
 
   private final Inputs inputs = new Inputs();
@@ -38,7 +38,7 @@ public final class UrbiCommand {
     int status = new UrbiCommand(System.out, System.err).run(RawArguments.of(args));
     System.out.flush();
     System.err.flush();
-    // All is closed already; an orderly exit would load the JDK's loggers first.
+    // Everything is closed already; an orderly exit would first load the JDK's loggers.
     NativeThreads.halt(status);
   }
 
@@ -198,7 +198,7 @@ public final class UrbiCommand {
     return arguments.number("--stack-size", otherwise, 1, Integer.MAX_VALUE);
   }
 
-  /** How much of the log is shown: of the kernel's, of urbiscript's loggers, of the libraries'. */
+  /** Sets the log level of the kernel, of urbiscript's loggers and of the libraries. */
   private Trace trace(Arguments arguments) {
     String level =
         arguments.has("--debug") ? arguments.value("--debug") : System.getenv("GD_LEVEL");
@@ -206,7 +206,7 @@ public final class UrbiCommand {
       Trace trace =
           new Trace(
               level == null || level.isEmpty() ? Trace.Level.LOG : Trace.Level.parse(level), err);
-      // Read when something is logged for the first time, if ever.
+      // The library reads it when it logs for the first time.
       System.setProperty("org.slf4j.simpleLogger.defaultLogLevel", trace.level().inLibraries());
       return trace;
     } catch (IllegalArgumentException e) {

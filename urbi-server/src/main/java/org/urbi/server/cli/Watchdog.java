@@ -10,9 +10,9 @@ import org.urbi.kernel.Kernel;
 import org.urbi.kernel.time.Clock;
 
 /**
- * Ends the process when nothing else can: when it was told to terminate and does not, when the
- * kernel or the network has not turned for long, when memory cannot be freed. It needs nothing that
- * may be missing then: its thread is there from the beginning.
+ * Ends the process when nothing else can: when it does not terminate as requested, when the kernel
+ * or the network thread is blocked for long, when memory cannot be freed. Its thread exists from
+ * the start, because none could be made when memory is exhausted.
  */
 final class Watchdog {
   private static final long PERIOD_MILLISECONDS = 250;
@@ -20,13 +20,13 @@ final class Watchdog {
   /** How long an orderly end may take, in nanoseconds. */
   private static final long TERMINATION = 4_000_000_000L;
 
-  /** How long jobs that are ended have to free memory in, in nanoseconds. */
+  /** How long ended jobs have to free their memory, in nanoseconds. */
   private static final long RELIEF = 4_000_000_000L;
 
-  /** After how long the next lobby has to give something back, in nanoseconds. */
+  /** The time until the next lobby is ended, in nanoseconds. */
   private static final long NEXT_RELIEF = 1_000_000_000;
 
-  /** How long all of that may take. */
+  /** How long freeing memory may take in all, in nanoseconds. */
   private static final long MAX_RELIEF = 20_000_000_000L;
 
   /** Made beforehand: when it is needed, there may be no memory to make it with. */
@@ -40,19 +40,19 @@ final class Watchdog {
   private final long limit;
   private final PrintStream err;
   private final IntConsumer halt;
-  private final Consumer<Boolean> whenTight;
+  private final Consumer<Boolean> onNearlyFull;
   private volatile long terminating;
   private volatile boolean over;
-  private long tightSince;
+  private long nearlyFullSince;
   private int relieved;
   private long relievedAt;
   private boolean told;
 
   /**
    * @param clock real time
-   * @param networkSilence for how long the network thread has not turned, in nanoseconds
+   * @param networkSilence how long the network thread has been blocked, in nanoseconds
    * @param limit how long kernel and network may not turn; zero for as long as they like
-   * @param whenTight told when memory is nearly exhausted, and when it is not any more
+   * @param onNearlyFull told when memory is nearly exhausted, and when it is not any more
    * @param halt ends the process with that status, at once
    */
   Watchdog(
@@ -61,14 +61,14 @@ final class Watchdog {
       LongSupplier networkSilence,
       Duration limit,
       PrintStream err,
-      Consumer<Boolean> whenTight,
+      Consumer<Boolean> onNearlyFull,
       IntConsumer halt) {
     this.clock = clock;
     this.kernel = kernel;
     this.networkSilence = networkSilence;
     this.limit = limit.isZero() ? Long.MAX_VALUE : limit.toNanos();
     this.err = err;
-    this.whenTight = whenTight;
+    this.onNearlyFull = onNearlyFull;
     this.halt = halt;
   }
 
@@ -78,12 +78,12 @@ final class Watchdog {
     thread.start();
   }
 
-  /** The process was told to terminate: it does so soon, in any case. */
+  /** The process was asked to terminate: from now on it ends soon, in any case. */
   void terminating() {
     terminating = clock.now();
   }
 
-  /** There is nothing more to watch. */
+  /** Stops watching. */
   void stop() {
     over = true;
   }
@@ -92,17 +92,17 @@ final class Watchdog {
     while (!over) {
       try {
         Thread.sleep(PERIOD_MILLISECONDS);
-        look();
+        check();
       } catch (InterruptedException e) {
         return;
       } catch (VirtualMachineError | LinkageError e) {
-        // Memory is so short that not even a class can be loaded.
+        // There is so little memory that not even a class can be loaded.
         exhausted();
       }
     }
   }
 
-  private void look() throws InterruptedException {
+  private void check() throws InterruptedException {
     if (terminating != 0 && clock.now() - terminating > TERMINATION) {
       halt.accept(ExitStatus.TERMINATED);
     }
@@ -120,11 +120,11 @@ final class Watchdog {
     if (!scarce) {
       memory.forget();
     }
-    if (scarce && memory.isTight(clock.now())) {
+    if (scarce && memory.isNearlyFull(clock.now())) {
       exhausted();
-    } else if (tightSince != 0) {
-      tightSince = 0;
-      whenTight.accept(false);
+    } else if (nearlyFullSince != 0) {
+      nearlyFullSince = 0;
+      onNearlyFull.accept(false);
     }
   }
 
@@ -147,20 +147,20 @@ final class Watchdog {
 
   private void exhausted() {
     try {
-      if (tightSince == 0) {
-        tightSince = clock.now();
-        relievedAt = tightSince;
+      if (nearlyFullSince == 0) {
+        nearlyFullSince = clock.now();
+        relievedAt = nearlyFullSince;
         relieved = 0;
-        whenTight.accept(true);
+        onNearlyFull.accept(true);
       }
       long now = clock.now();
-      if (now - relievedAt > RELIEF || now - tightSince > MAX_RELIEF) {
+      if (now - relievedAt > RELIEF || now - nearlyFullSince > MAX_RELIEF) {
         giveUp();
       } else if ((relieved == 0 || now - relievedAt >= NEXT_RELIEF) && !isRelieved()) {
         evictLargest();
       }
     } catch (Error e) {
-      if (clock.now() - tightSince > RELIEF) {
+      if (clock.now() - nearlyFullSince > RELIEF) {
         giveUp();
       }
     } catch (InterruptedException e) {
@@ -187,12 +187,15 @@ final class Watchdog {
     }
   }
 
-  /** Nobody else would look soon what those have left that were ended. */
+  /**
+   * Whether the lobbies that were ended have freed enough memory; asks for a garbage collection,
+   * which nobody else would do soon.
+   */
   private boolean isRelieved() {
     if (relieved > 0) {
       System.gc();
     }
-    return relieved > 0 && !(memory.isScarce() && memory.isTight(clock.now()));
+    return relieved > 0 && !(memory.isScarce() && memory.isNearlyFull(clock.now()));
   }
 
   private void say(String text) {

@@ -6,7 +6,10 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 
-/** The program's own lobby: where {@code -e}, {@code -f} and the standard input go. */
+/**
+ * The client of the program's own lobby, which executes {@code -e}, {@code -f} and the standard
+ * input.
+ */
 public final class Console implements Client {
   private static final int PENDING_INPUT = 1 << 20;
 
@@ -35,12 +38,12 @@ public final class Console implements Client {
     failed = true;
   }
 
-  /** Whether there was a syntax error in what it was sent, or an exception that nobody caught. */
+  /** Whether the input had a syntax error or threw an exception that nobody caught. */
   public boolean hasFailed() {
     return failed;
   }
 
-  /** Whether the lobby still listens. */
+  /** Whether the lobby still takes input. */
   public boolean isOpen() {
     return open;
   }

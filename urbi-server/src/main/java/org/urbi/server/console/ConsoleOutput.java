@@ -1,8 +1,8 @@
 package org.urbi.server.console;
 
-/** Where a lobby's output is shown. */
+/** Shows the output of a lobby. */
 public interface ConsoleOutput extends AutoCloseable {
-  /** Shows bytes, one for each character. */
+  /** Shows a text in which each character is a byte. */
   void add(String bytes);
 
   /** Waits until everything has been shown. */

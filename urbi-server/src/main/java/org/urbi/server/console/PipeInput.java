@@ -5,7 +5,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import org.urbi.kernel.Connection;
 
-/** Reads a stream that is not a terminal, and gives a lobby its bytes as they come. */
+/** Reads a stream that is not a terminal, and passes its bytes to a lobby as they arrive. */
 public final class PipeInput {
   private static final int CHUNK = 64 << 10;
 
@@ -25,7 +25,7 @@ public final class PipeInput {
     this.all = all;
   }
 
-  /** Reads up to the end of the stream or of the lobby, whichever is first. */
+  /** Reads until the stream or the lobby ends. */
   public void run() {
     byte[] chunk = new byte[CHUNK];
     try {
@@ -36,7 +36,7 @@ public final class PipeInput {
         }
       }
     } catch (IOException e) {
-      // A terminal that went away or a closed descriptor: nothing more will come.
+      // The terminal has gone or the descriptor is closed: the input has ended.
     }
   }
 }

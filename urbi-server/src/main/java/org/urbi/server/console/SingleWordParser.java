@@ -6,8 +6,8 @@ import org.jline.reader.ParsedLine;
 import org.jline.reader.Parser;
 
 /**
- * Leaves a line as it is: quotes and backslashes are the language's business. Its one word is the
- * name before the cursor, which can be completed.
+ * A JLine parser that does not interpret quotes and backslashes, because urbiscript does. Its only
+ * word is the name before the cursor, for completion.
  */
 final class SingleWordParser implements Parser {
   @Override

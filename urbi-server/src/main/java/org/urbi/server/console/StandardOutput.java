@@ -11,12 +11,12 @@ import java.util.function.Consumer;
 import org.urbi.kernel.log.FailureLog;
 
 /**
- * Writes what lobbies say to a stream from a thread of its own, so that the kernel does not wait
- * for a slow pipe, and many short lines become one write. Only a reader that is late by more than
- * {@link #LIMIT} bytes makes it wait: what goes to a file or a pipe is never dropped.
+ * Writes the output of lobbies to a stream on a thread of its own, so that the kernel does not wait
+ * for a slow pipe, and many short lines become one write. The kernel waits only when more than
+ * {@link #LIMIT} bytes are pending: output to a file or a pipe is never dropped.
  *
- * <p>There is no lock in it: the kernel may be within a job when it adds, and a job that waits for
- * a lock would let others run.
+ * <p>It uses no lock: a job may add output, and a job that waits for a lock would let other jobs
+ * run.
  */
 public final class StandardOutput implements ConsoleOutput {
   private static final long LIMIT = 16L << 20;
@@ -31,7 +31,7 @@ public final class StandardOutput implements ConsoleOutput {
   private volatile boolean broken;
 
   /**
-   * @param lost told once when the stream cannot be written any more; what comes is dropped then
+   * @param lost called once when writing fails; later output is dropped
    */
   public StandardOutput(OutputStream stream, Consumer<IOException> lost) {
     this.stream = stream;
@@ -62,7 +62,7 @@ public final class StandardOutput implements ConsoleOutput {
     }
   }
 
-  /** Waits a little; within a job, which must not be switched out, by doing nothing very fast. */
+  /** Waits a little. A job must not be switched out here, so it spins. */
   private static void pause() {
     if (Thread.currentThread().isVirtual()) {
       Thread.onSpinWait();
@@ -94,7 +94,7 @@ public final class StandardOutput implements ConsoleOutput {
       broken = true;
       lost.accept(e);
     } catch (Throwable failure) {
-      // Nobody may wait for room that will never be there.
+      // Wakes those who wait for room: there will never be any.
       broken = true;
       FailureLog.internal("the standard output", failure);
     }

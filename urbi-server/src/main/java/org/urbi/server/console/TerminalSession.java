@@ -29,7 +29,7 @@ import org.urbi.server.source.SourceText;
 public final class TerminalSession implements AutoCloseable {
   private static final String CONTINUED = "  ";
 
-  /** Who has hit the key waits no longer than that for a kernel that is busy. */
+  /** How long a completion waits for a busy kernel. */
   private static final int TIMEOUT_MS = 500;
 
   private final Terminal terminal;
@@ -49,7 +49,7 @@ public final class TerminalSession implements AutoCloseable {
             .terminal(terminal)
             .variable(LineReader.HISTORY_FILE, historyFile())
             .variable(LineReader.BLINK_MATCHING_PAREN, 0)
-            // An exclamation mark is an operator here, and a backslash stands for itself.
+            // In urbiscript an exclamation mark is an operator, and a backslash stands for itself.
             .option(LineReader.Option.DISABLE_EVENT_EXPANSION, true)
             .parser(new SingleWordParser())
             .completer((from, line, candidates) -> complete(line, candidates))
@@ -99,7 +99,7 @@ public final class TerminalSession implements AutoCloseable {
     }
   }
 
-  /** Adds the names that the one before the cursor may become; none when the kernel is too busy. */
+  /** Adds the completions of the name before the cursor; none when the kernel is too busy. */
   private void complete(ParsedLine line, List<Candidate> candidates) {
     Connection asked = connection;
     if (asked == null) {
@@ -113,11 +113,11 @@ public final class TerminalSession implements AutoCloseable {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } catch (ExecutionException | TimeoutException e) {
-      // Then there is nothing to offer.
+      // No completions.
     }
   }
 
-  /** Gives the terminal back as it was; who still reads from it sees that as the end. */
+  /** Restores the terminal; a thread that still reads from it sees the end of the input. */
   @Override
   public void close() {
     closed = true;

@@ -132,7 +132,7 @@ final class ModuleLauncher {
       return 0;
     }
     if (arguments.has("--check")) {
-      // Whoever reads this runs on a Java that is new enough, and the classes come with it.
+      // The running Java is new enough, and has the classes.
       return 0;
     }
     List<String> modes =

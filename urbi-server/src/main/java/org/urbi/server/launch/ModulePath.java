@@ -11,7 +11,7 @@ import org.urbi.server.cli.SearchPath;
 import org.urbi.server.options.Failure;
 import urbi.spi.ModuleFiles;
 
-/** Where modules are looked for: {@code URBI_UOBJECT_PATH} (manual, section 21.1). */
+/** The folders in which modules are searched: {@code URBI_UOBJECT_PATH} (manual, section 21.1). */
 record ModulePath(SearchPath path) {
   private static final String VARIABLE = "URBI_UOBJECT_PATH";
   private static final List<String> SUFFIXES =
@@ -20,8 +20,8 @@ record ModulePath(SearchPath path) {
           .toList();
 
   /**
-   * What the environment says; without, the current folder and that of the components that come
-   * with urbi, which the launcher names.
+   * The path in the environment variable; by default the current folder and the folder of the
+   * components that come with urbi, which the launcher passes.
    */
   static ModulePath ofEnvironment() {
     List<Path> standard =
@@ -33,8 +33,8 @@ record ModulePath(SearchPath path) {
   }
 
   /**
-   * The jar or library of that name, or the folder of classes if there is none; the suffix may be
-   * left out.
+   * Finds the jar or library of that name, or else the folder of classes; the suffix may be left
+   * out.
    *
    * @return its absolute path
    * @throws Failure if there is neither
@@ -59,7 +59,7 @@ record ModulePath(SearchPath path) {
   }
 
   /**
-   * The jar or library of that name, which can be plugged into a server.
+   * Finds the jar or library of that name, which can be plugged into a server.
    *
    * @throws Failure if there is none
    */

@@ -12,11 +12,11 @@ import org.urbi.server.options.Failure;
 import org.urbi.server.source.SourceText;
 import org.urbi.server.tools.ServerAddress;
 
-/** Asks a running server to load modules, and tells what it says to that. */
+/** Asks a running server to load modules, and reports its answer. */
 final class PluginRequest {
   private static final String ERROR = ":error] !!! ";
 
-  /** Where in the request the error is, which tells nobody anything. */
+  /** The location of an error within the request, which is of no use to the user. */
   private static final String LOCATION = "^\\d+\\.\\d+(-[\\d.]+)?: ";
 
   private final String program;
@@ -53,7 +53,10 @@ final class PluginRequest {
     }
   }
 
-  /** A server on this machine may have been started in another folder, but sees the same files. */
+  /**
+   * Makes a path absolute: a server on this machine may have been started in another folder, but
+   * sees the same files.
+   */
   private static String ownName(String module) {
     try {
       return ModulePath.ofEnvironment().findJar(module).toString();

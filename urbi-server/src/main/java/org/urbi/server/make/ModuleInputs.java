@@ -11,7 +11,7 @@ import java.util.stream.Stream;
 import org.urbi.server.options.Failure;
 
 /**
- * What a module is made of: files by their kinds, folders searched from top to bottom.
+ * The input files of a module, by kind. Folders are searched recursively.
  *
  * @param sources to be compiled
  * @param classes compiled already
@@ -23,7 +23,7 @@ record ModuleInputs(Set<Path> sources, Set<Path> classes, Set<Path> libraries) {
   }
 
   /**
-   * Gathers what the command line names.
+   * Collects the files that the command line names.
    *
    * @param names files and folders; none for the current folder
    * @param searched where files that are not here are looked for
@@ -75,7 +75,7 @@ record ModuleInputs(Set<Path> sources, Set<Path> classes, Set<Path> libraries) {
     }
   }
 
-  /** What begins with a dot below the folder belongs to other tools. */
+  /** Files and folders that begin with a dot belong to other tools. */
   private static boolean isHidden(Path below) {
     for (Path part : below) {
       if (part.toString().startsWith(".")) {
@@ -85,7 +85,7 @@ record ModuleInputs(Set<Path> sources, Set<Path> classes, Set<Path> libraries) {
     return false;
   }
 
-  /** Takes a file that is of a known kind. */
+  /** Adds a file if its kind is known. */
   private boolean add(Path file) {
     Set<Path> kind =
         switch (file.toString().replaceFirst(".*\\.", "")) {
@@ -101,7 +101,7 @@ record ModuleInputs(Set<Path> sources, Set<Path> classes, Set<Path> libraries) {
     return true;
   }
 
-  /** What sources may refer to: the jars, and others. */
+  /** The class path for the sources: the jars, and others. */
   List<Path> classPath(List<Path> others) {
     List<Path> path = new ArrayList<>(libraries);
     path.addAll(others);

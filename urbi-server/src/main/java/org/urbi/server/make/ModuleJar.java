@@ -23,11 +23,11 @@ import org.urbi.server.options.Failure;
 import urbi.spi.ModuleIndex;
 
 /**
- * The jar that is made: the same classes give the same bytes, whenever it is made. What was added
- * first under a name stays.
+ * Writes the jar of a module. The same classes always give the same bytes. If a name is added
+ * twice, the first entry counts.
  */
 final class ModuleJar {
-  /** The least that a jar can express. */
+  /** The earliest time that a jar can express. */
   private static final LocalDateTime LONG_AGO = LocalDateTime.of(1980, 1, 1, 0, 0);
 
   private static final String CLASS = ".class";
@@ -40,7 +40,7 @@ final class ModuleJar {
     classes.forEach(entries::putIfAbsent);
   }
 
-  /** Adds a class file, wherever it lies. */
+  /** Adds a class file, in any folder. */
   void addClass(Path file) {
     try {
       byte[] bytes = Files.readAllBytes(file);
@@ -53,11 +53,11 @@ final class ModuleJar {
     }
   }
 
-  /** Adds what is in another jar; of its manifest and signatures nothing is kept. */
+  /** Adds the contents of another jar, without its manifest and signatures. */
   void addLibrary(Path file) {
     try (ZipFile zip = new ZipFile(file.toFile())) {
       if (zip.getEntry("urbi/UObject.class") != null) {
-        // The package urbi is where the module runs; a second one would be none of its own.
+        // The kernel provides the package urbi; the module must not have a second copy.
         return;
       }
       for (Enumeration<? extends ZipEntry> all = zip.entries(); all.hasMoreElements(); ) {
@@ -71,7 +71,7 @@ final class ModuleJar {
     }
   }
 
-  /** How many classes there are. */
+  /** The number of classes. */
   int classCount() {
     return (int) entries.keySet().stream().filter(name -> name.endsWith(CLASS)).count();
   }
@@ -87,7 +87,7 @@ final class ModuleJar {
     return names;
   }
 
-  /** Writes the jar: at once and whole, so that whoever watches the file never sees a half. */
+  /** Writes the jar atomically, so that a program that watches the file never sees half of it. */
   void write(Path file) {
     try {
       Path folder = file.toAbsolutePath().getParent();

@@ -29,7 +29,7 @@ import javax.tools.ToolProvider;
 import org.urbi.server.options.Failure;
 import urbi.UObject;
 
-/** Compiles Java sources by the JDK's own compiler; nothing is written to the disk. */
+/** Compiles Java sources with the JDK's compiler, in memory. */
 final class SourceCompiler {
   private final JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
   private final PrintStream err;
@@ -50,7 +50,7 @@ final class SourceCompiler {
     this.warnings = warnings;
   }
 
-  /** Where the package {@code urbi} comes from, as it does for this program. */
+  /** The jar or folder from which this program has the package {@code urbi}. */
   static Path api() {
     try {
       return Path.of(UObject.class.getProtectionDomain().getCodeSource().getLocation().toURI());
@@ -118,7 +118,7 @@ final class SourceCompiler {
     }
   }
 
-  /** Keeps the classes in memory that the compiler writes. */
+  /** Keeps the compiled classes in memory. */
   private static final class MemoryFiles extends ForwardingJavaFileManager<JavaFileManager> {
     private final SortedMap<String, ByteArrayOutputStream> written = new TreeMap<>();
 

@@ -1,12 +1,12 @@
 package org.urbi.server.net;
 
 /**
- * Tells which bytes of a stream of urbiscript belong to the payload of a binary literal: in {@code
- * BIN 4 jpeg 2 2;abcd} the four after the semicolon, and so in {@code "\\B(4)(abcd)"}. They may
- * have any value, and are not to be taken for telnet commands.
+ * Detects which bytes of a stream of urbiscript are the payload of a binary literal: in {@code BIN
+ * 4 jpeg 2 2;abcd} the four bytes after the semicolon, and likewise in {@code "\\B(4)(abcd)"}. They
+ * may have any value, and must not be mistaken for telnet commands.
  *
- * <p>It looks at one byte after the other and knows nothing of strings or comments: at worst a
- * telnet command that follows a string with such a text goes to the parser.
+ * <p>It does not recognise strings or comments. In the worst case, after a string that looks like a
+ * binary literal, a telnet command goes to the parser.
  */
 final class BinaryLiteralDetector {
   private static final String WORD = "BIN";
@@ -69,7 +69,7 @@ final class BinaryLiteralDetector {
     inWord = letter;
   }
 
-  /** What follows a backslash: {@code B(size)(}, or anything else. */
+  /** Handles the bytes after a backslash: {@code B(size)(}, or anything else. */
   private void escape(byte b) {
     int after = matched - ESCAPE_BEFORE.length();
     if (after < 0 && b == ESCAPE_BEFORE.charAt(matched)

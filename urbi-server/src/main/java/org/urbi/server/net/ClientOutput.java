@@ -12,23 +12,22 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * What waits to be sent to one client. The kernel adds and goes on, the network thread takes all
- * that has come together and sends it in one piece. A client that does not read what it asked for
- * is let go once the limit has been passed, since the kernel waits for nobody. There is no lock:
- * the kernel may be within a job when it adds, and a job that waits for a lock would let others
- * run.
+ * The output queue of one client. The kernel adds output and continues; the network thread sends
+ * everything in the queue at once. A client that does not read is disconnected when the limit is
+ * exceeded, because the kernel waits for nobody. The class uses no lock: a job may add output, and
+ * a job that waits for a lock would let other jobs run.
  */
 final class ClientOutput {
-  /** How long a client that was said goodbye may take to read the rest and to hang up. */
-  private static final int FAREWELL_SECONDS = 5;
+  /** How long a client may take to read the rest and to close its side. */
+  private static final int CLOSE_SECONDS = 5;
 
-  /** What no number of bytes makes positive again. */
+  /** Marks a closed queue; so negative that adding bytes never makes it positive. */
   private static final long GONE = Long.MIN_VALUE / 2;
 
   private final Channel channel;
   private volatile long limit;
-  private final TotalOutput together;
-  private final Runnable overflow;
+  private final TotalOutput totalOutput;
+  private final Runnable onOverflow;
   private final Queue<String> waiting = new ConcurrentLinkedQueue<>();
   private final AtomicLong unsent = new AtomicLong();
   private final AtomicBoolean scheduled = new AtomicBoolean();
@@ -36,31 +35,31 @@ final class ClientOutput {
 
   /**
    * @param limit how many bytes may wait before the next one is too much
-   * @param together what waits for all clients
-   * @param overflow called once, in the kernel's thread, when there is too much
+   * @param totalOutput what waits for all clients
+   * @param onOverflow called once, in the kernel's thread, when there is too much
    */
-  ClientOutput(Channel channel, long limit, TotalOutput together, Runnable overflow) {
+  ClientOutput(Channel channel, long limit, TotalOutput totalOutput, Runnable onOverflow) {
     this.channel = channel;
     this.limit = limit;
-    this.together = together;
-    together.come();
-    this.overflow = overflow;
+    this.totalOutput = totalOutput;
+    totalOutput.clientAdded();
+    this.onOverflow = onOverflow;
   }
 
-  /** So many bytes may wait, if that is more than before. */
+  /** Raises the limit to that many bytes, if it is lower. */
   void allow(long bytes) {
     limit = Math.max(limit, bytes);
   }
 
-  /** Adds bytes, one for each character; any thread, never waits. */
+  /** Adds a text in which each character is a byte. Any thread may call this; it never waits. */
   void add(String bytes) {
     if (closed.get()) {
       return;
     }
-    if (unsent.get() > limit || together.isTooMuch(unsent.get())) {
+    if (unsent.get() > limit || totalOutput.isTooMuch(unsent.get())) {
       if (closed.compareAndSet(false, true)) {
         waiting.clear();
-        overflow.run();
+        onOverflow.run();
         channel.close();
       }
       return;
@@ -72,20 +71,23 @@ final class ClientOutput {
     }
   }
 
-  /** Sends what is left, then says goodbye; any thread. Nothing can be added any more. */
+  /**
+   * Sends the rest, then closes the connection. Any thread may call this. Nothing can be added
+   * afterwards.
+   */
   void finish() {
     if (closed.compareAndSet(false, true)) {
-      NetworkThread.execute(channel.eventLoop(), this::farewell);
+      NetworkThread.execute(channel.eventLoop(), this::closeGracefully);
     }
   }
 
   private ChannelFuture flush() {
     scheduled.set(false);
-    StringBuilder together = new StringBuilder();
+    StringBuilder joined = new StringBuilder();
     for (String bytes = waiting.poll(); bytes != null; bytes = waiting.poll()) {
-      together.append(bytes);
+      joined.append(bytes);
     }
-    byte[] bytes = together.toString().getBytes(StandardCharsets.ISO_8859_1);
+    byte[] bytes = joined.toString().getBytes(StandardCharsets.ISO_8859_1);
     return channel
         .writeAndFlush(Unpooled.wrappedBuffer(bytes))
         .addListener(done -> count(-bytes.length));
@@ -93,29 +95,29 @@ final class ClientOutput {
 
   private void count(int more) {
     if (unsent.addAndGet(more) >= 0) {
-      together.add(more);
+      totalOutput.add(more);
     }
   }
 
-  /** How many bytes wait; any thread. */
+  /** The number of bytes in the queue. Any thread may call this. */
   long unsent() {
     return Math.max(0, unsent.get());
   }
 
-  /** The client has gone, and nothing waits for it any more; on the network thread. */
+  /** The client has disconnected: discards the queue. Called on the network thread. */
   void gone() {
     closed.set(true);
-    together.add(-unsent.getAndSet(GONE));
-    together.go();
+    totalOutput.add(-unsent.getAndSet(GONE));
+    totalOutput.clientRemoved();
   }
 
   /**
-   * Ends the stream before closing, and reads on until the client has hung up: closing a socket
-   * that has unread input would destroy output which is still on its way.
+   * Ends the output before closing, and reads until the client closes its side: closing a socket
+   * with unread input would destroy output that is still in transit.
    */
-  private void farewell() {
+  private void closeGracefully() {
     channel.config().setAutoRead(true);
-    NetworkThread.close(channel, FAREWELL_SECONDS);
+    NetworkThread.close(channel, CLOSE_SECONDS);
     flush()
         .addListener(
             (ChannelFutureListener)

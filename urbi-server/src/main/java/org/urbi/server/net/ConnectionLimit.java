@@ -7,7 +7,7 @@ import io.netty.channel.group.ChannelGroup;
 import java.nio.charset.StandardCharsets;
 import org.urbi.server.Trace;
 
-/** Whether there may be one client more. */
+/** Limits the number of clients. */
 final class ConnectionLimit {
   private final ChannelGroup clients;
   private final int most;
@@ -25,11 +25,13 @@ final class ConnectionLimit {
     this.trace = trace;
   }
 
-  /** Counts a new client in; or tells it why it is not let in, and closes its connection. */
-  boolean admits(Channel client) {
+  /**
+   * Accepts a new client; or tells it why it is refused, closes its connection, and returns false.
+   */
+  boolean acceptClient(Channel client) {
     if (most > 0 && clients.size() >= most) {
       refuse(client, "this server takes " + most + " clients at most");
-    } else if (!headroom.admitsOne()) {
+    } else if (!headroom.allowsOneMore()) {
       refuse(client, "this server has no file descriptor left for another client");
     } else {
       told = false;
@@ -41,7 +43,7 @@ final class ConnectionLimit {
 
   private void refuse(Channel client, String reason) {
     if (!told) {
-      // Once, and not for each of a flood.
+      // Logged once, not for each client of a flood.
       told = true;
       trace.log("clients are refused from now on: " + reason);
     }

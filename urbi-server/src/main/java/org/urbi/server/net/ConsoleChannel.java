@@ -4,7 +4,7 @@ import io.netty.channel.Channel;
 import io.netty.channel.socket.nio.NioSocketChannel;
 import java.nio.channels.SocketChannel;
 
-/** A client's channel, whose socket may be written to, or read from, by other threads, too. */
+/** The channel of a client; other threads may also write to its socket or read from it. */
 final class ConsoleChannel extends NioSocketChannel {
   private boolean left;
 
@@ -17,13 +17,13 @@ final class ConsoleChannel extends NioSocketChannel {
     return javaChannel();
   }
 
-  /** Leaves the reading to somebody else; on the network thread. */
+  /** Stops reading, because another thread does it. Called on the network thread. */
   void leaveReading() {
     left = true;
     clearReadPending();
   }
 
-  /** Reads again; on the network thread. */
+  /** Resumes reading. Called on the network thread. */
   void resumeReading() {
     left = false;
     if (config().isAutoRead()) {

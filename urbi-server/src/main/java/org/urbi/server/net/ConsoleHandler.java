@@ -20,17 +20,17 @@ import org.urbi.server.Trace;
 /**
  * One client of the network console and its lobby.
  *
- * <p>What the client sends goes to the lobby as it comes; nothing more is read while the kernel is
- * late by more than {@link Limits#input}. When the client ends its stream the lobby finishes what
- * it was given; when the client is gone so is the lobby.
+ * <p>Input goes to the lobby as it arrives. The handler stops reading while more than {@link
+ * Limits#input} bytes wait for the kernel. When the client ends its stream, the lobby still
+ * executes the input that it has; when the client disconnects, the lobby ends.
  */
 final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Client {
-  /** How much may wait for a process with UObjects, which is sent images. */
+  /** The output limit of a process with UObjects, which receives images. */
   private static final long PROCESS_OUTPUT = 128L << 20;
 
   private final Function<Client, Connection> lobbies;
   private final Limits limits;
-  private final TotalOutput together;
+  private final TotalOutput totalOutput;
   private final Trace trace;
   private ChannelHandlerContext context;
   private ClientOutput output;
@@ -38,10 +38,10 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
   private volatile boolean over = true;
 
   ConsoleHandler(
-      Function<Client, Connection> lobbies, Limits limits, TotalOutput together, Trace trace) {
+      Function<Client, Connection> lobbies, Limits limits, TotalOutput totalOutput, Trace trace) {
     this.lobbies = lobbies;
     this.limits = limits;
-    this.together = together;
+    this.totalOutput = totalOutput;
     this.trace = trace;
   }
 
@@ -52,7 +52,7 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
         new ClientOutput(
             context.channel(),
             limits.output(),
-            together,
+            totalOutput,
             () -> trace.log("client does not read what it is sent, letting it go: " + name()));
   }
 
@@ -129,7 +129,7 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
     }
   }
 
-  /** A client for which there is no lobby, by a fault of our own: it is told, and let go. */
+  /** Reports an internal error to a client that has no lobby, and disconnects it. */
   static void refuse(ChannelHandlerContext context, Throwable failure) {
     FailureLog.internal("the connection of " + context.channel().remoteAddress(), failure);
     String told = "[00000000:error] !!! " + FailureLog.text(failure) + "\n";

@@ -8,8 +8,8 @@ import java.util.concurrent.TimeUnit;
 import org.urbi.server.Trace;
 
 /**
- * The channel that listens. When the system cannot give it another socket, clients wait in the
- * system's queue, and it looks again soon.
+ * The listening channel. When the system has no socket for another client, clients wait in the
+ * system's queue, and the channel tries again soon.
  */
 final class ConsoleListener extends NioServerSocketChannel {
   private static final long PAUSE_MILLISECONDS = 100;

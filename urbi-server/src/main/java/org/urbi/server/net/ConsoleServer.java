@@ -35,10 +35,13 @@ import org.urbi.server.trust.TokenThrottle;
  * --port}; manual, section 21.3).
  */
 public final class ConsoleServer implements AutoCloseable {
-  /** A burst beyond that waits a second for its next try; the system may have a lower limit. */
+  /**
+   * Clients beyond this number wait a second until their next attempt. The system may have a lower
+   * limit.
+   */
   private static final int PENDING_CONNECTIONS = 4096;
 
-  private static final int FAREWELL_SECONDS = 1;
+  private static final int CLOSE_SECONDS = 1;
 
   private final Clock clock = new SystemClock();
   private final EventLoopGroup loop;
@@ -102,7 +105,7 @@ public final class ConsoleServer implements AutoCloseable {
     datagrams =
         new DatagramPort(loop, () -> new InetSocketAddress(address.getAddress(), port()), trace);
     TokenThrottle wrong = new TokenThrottle(new SystemClock());
-    TotalOutput together = new TotalOutput(limits.totalOutput());
+    TotalOutput totalOutput = new TotalOutput(limits.totalOutput());
     ConnectionLimit crowd = new ConnectionLimit(clients, limits.connections(), trace);
     ChannelFuture bound =
         new ServerBootstrap()
@@ -117,7 +120,7 @@ public final class ConsoleServer implements AutoCloseable {
                 new ChannelInitializer<>() {
                   @Override
                   protected void initChannel(Channel client) {
-                    if (!crowd.admits(client)) {
+                    if (!crowd.acceptClient(client)) {
                       return;
                     }
                     client.pipeline().addLast(new ForeignProtocolFilter(trace));
@@ -136,7 +139,7 @@ public final class ConsoleServer implements AutoCloseable {
                         .pipeline()
                         .addLast(
                             new TelnetDecoder(),
-                            new ConsoleHandler(lobbies, limits, together, trace));
+                            new ConsoleHandler(lobbies, limits, totalOutput, trace));
                   }
 
                   @Override
@@ -161,8 +164,8 @@ public final class ConsoleServer implements AutoCloseable {
   }
 
   /**
-   * For how long the network thread has not turned, in nanoseconds; to be asked now and then, by
-   * one thread.
+   * How long the network thread has been blocked, in nanoseconds. Called at intervals by one
+   * thread.
    */
   public long silence() {
     if (answered) {
@@ -180,8 +183,8 @@ public final class ConsoleServer implements AutoCloseable {
   }
 
   /**
-   * Stops listening, gives the clients that were said goodbye a moment to take their last output,
-   * then closes all.
+   * Stops listening, gives closing clients a moment to read their last output, then closes all
+   * connections.
    */
   @Override
   public void close() {
@@ -190,7 +193,7 @@ public final class ConsoleServer implements AutoCloseable {
     }
     listener.close().awaitUninterruptibly();
     datagrams.close();
-    clients.newCloseFuture().awaitUninterruptibly(FAREWELL_SECONDS, TimeUnit.SECONDS);
+    clients.newCloseFuture().awaitUninterruptibly(CLOSE_SECONDS, TimeUnit.SECONDS);
     clients.close().awaitUninterruptibly();
     loop.shutdownGracefully(0, 1, TimeUnit.SECONDS).awaitUninterruptibly();
   }

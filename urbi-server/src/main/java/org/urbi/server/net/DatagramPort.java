@@ -21,11 +21,12 @@ import org.urbi.server.Trace;
 import urbi.rtp.RtpSession;
 
 /**
- * The UDP port of a server: datagrams go to the connection whose token they show, all others are
- * dropped. It is opened when the first connection wants it. All is done on the network thread.
+ * The UDP port of a server: each datagram goes to the connection whose token it contains; all
+ * others are dropped. The port is opened when the first connection needs it. All work is done on
+ * the network thread.
  */
 final class DatagramPort {
-  /** Somebody to whom datagrams go. */
+  /** Receives datagrams. */
   interface Receiver {
     void receive(byte[] datagram, InetSocketAddress sender);
   }
@@ -84,7 +85,7 @@ final class DatagramPort {
     });
   }
 
-  /** From now on datagrams with a token go to somebody. */
+  /** Sends datagrams with that token to a receiver from now on. */
   void add(long token, Receiver receiver) {
     receivers.put(token, receiver);
   }
@@ -118,7 +119,7 @@ final class DatagramPort {
 
     @Override
     public void exceptionCaught(ChannelHandlerContext context, Throwable cause) {
-      // A datagram could not be sent or taken: it is lost, as any may be.
+      // A datagram could not be sent or received: it is lost, as any datagram may be.
       trace.debug("a datagram is lost: " + cause.getMessage());
     }
   }

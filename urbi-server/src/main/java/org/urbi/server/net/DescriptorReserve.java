@@ -6,20 +6,20 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The file descriptors that clients leave to the rest of the process: files that programs open,
- * processes, the classes that the JVM has not loaded yet. Java does not tell how many are left
- * without listing them all; so it is tried, now and then, whether so many could be had.
+ * Reserves file descriptors for the rest of the process: files that programs open, processes,
+ * classes that the JVM has yet to load. Java cannot tell how many descriptors are free without
+ * listing all of them, so this class tries at intervals whether it can open the reserved number.
  */
 final class DescriptorReserve {
   private static final int LEFT_TO_OTHERS = 24;
 
-  /** So many clients may come between two trials. */
+  /** The number of clients between two trials. */
   private static final int CLIENTS_PER_TRIAL = 8;
 
   private int unseen;
 
-  /** Whether one client more leaves enough to the others. */
-  boolean admitsOne() {
+  /** Whether enough descriptors are left after one more client. */
+  boolean allowsOneMore() {
     if (unseen == 0 && !canOpen(LEFT_TO_OTHERS + CLIENTS_PER_TRIAL)) {
       return false;
     }

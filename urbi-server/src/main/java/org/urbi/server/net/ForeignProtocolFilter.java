@@ -12,10 +12,10 @@ import java.util.regex.Pattern;
 import org.urbi.server.Trace;
 
 /**
- * Looks at the first bytes of a client, and lets go of one that speaks HTTP, TLS or STUN: these are
- * what a web page can have a browser send to any port of this machine, with text of its choice
- * inside, which would run as urbiscript. Not a byte of it reaches the lobby. What anybody else
- * sends goes on as it is, at the latest when the first line has ended.
+ * Examines the first bytes of a client, and disconnects it if it speaks HTTP, TLS or STUN. A web
+ * page can make a browser send these protocols to any port of this machine, with text of its
+ * choice, which would be executed as urbiscript. No byte of them reaches the lobby. All other input
+ * passes unchanged, at the latest when the first line has ended.
  */
 final class ForeignProtocolFilter extends ChannelInboundHandlerAdapter {
   /** A request line of HTTP (RFC 9112, section 3), as far as its version. */
@@ -26,7 +26,10 @@ final class ForeignProtocolFilter extends ChannelInboundHandlerAdapter {
   /** The record of a TLS handshake, or of a STUN request, begins so (RFC 8446; RFC 8489). */
   private static final Pattern BINARY = Pattern.compile("\\x16\\x03|\\x00[\\x01\\x03]");
 
-  /** No statement goes on for so long without a second space or an end of its line. */
+  /**
+   * The longest undecided first line: no statement is so long without a second space or an end of
+   * line.
+   */
   private static final int MAX_DOUBT = 1 << 16;
 
   private final Trace trace;
@@ -67,7 +70,7 @@ final class ForeignProtocolFilter extends ChannelInboundHandlerAdapter {
     context.fireChannelRead(rest);
   }
 
-  /** A client that has nothing more to say has said what is in doubt. */
+  /** At the end of the input, the undecided bytes are passed on. */
   @Override
   public void userEventTriggered(ChannelHandlerContext context, Object event) {
     if (event == ChannelInputShutdownEvent.INSTANCE && !refused) {

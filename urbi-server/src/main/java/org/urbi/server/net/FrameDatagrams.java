@@ -17,7 +17,8 @@ import urbi.wire.Frame;
 import urbi.wire.WireOutput;
 
 /**
- * The datagrams of one connection. They are sent to where the last one that is its own came from.
+ * The datagrams of one connection. They are sent to the address from which its last valid datagram
+ * came.
  */
 final class FrameDatagrams implements RtpSession.Environment {
   private final EventExecutor thread;
@@ -42,12 +43,12 @@ final class FrameDatagrams implements RtpSession.Environment {
     this.values = values;
   }
 
-  /** Null without any. */
+  /** Null if there are no datagrams. */
   @Nullable RtpSession session() {
     return session;
   }
 
-  /** Takes up an offer; by any thread. */
+  /** Accepts an offer. Any thread may call this. */
   void open(RtpParameters other) {
     NetworkThread.execute(thread, () -> port.open(opened -> begin(opened, other), this::refuse));
   }

@@ -25,9 +25,9 @@ import urbi.wire.WireException;
 import urbi.wire.WireInput;
 
 /**
- * A process with UObjects: cuts what it sends into frames for the kernel, and sends those of the
- * kernel. Its urbiscript code goes on to the lobby of the connection, and what that shows to the
- * process.
+ * Handles a process with UObjects: splits its input into frames for the kernel, and sends the
+ * kernel's frames. Its urbiscript code goes to the lobby of the connection, and the lobby's output
+ * goes to the process.
  */
 final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport {
   private static final int HEADER = 4;
@@ -109,7 +109,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
     } catch (WireException e) {
       broken(e);
     } finally {
-      keep(in);
+      keepPartialFrame(in);
     }
     if (unconsumed.get() > MAX_INPUT) {
       from.channel().config().setAutoRead(false);
@@ -216,7 +216,10 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
     }
   }
 
-  /** Has the network thread go on, with what the kernel has read and is no good to it. */
+  /**
+   * Makes the network thread read again, starting with the bytes that the kernel thread has read
+   * but cannot use.
+   */
   private void resumeReading(byte[] rest) {
     kernelReads = false;
     NetworkThread.execute(
@@ -249,10 +252,10 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
         }
       }
     } catch (IOException e) {
-      // The network thread will see the same.
+      // The network thread will get the same error.
       resumeReading(new byte[0]);
     } catch (RuntimeException e) {
-      // Whatever a process sends, the kernel thread is not to end by it.
+      // No input of a process may end the kernel thread.
       broken(e);
       resumeReading(new byte[0]);
     } finally {
@@ -261,7 +264,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
     return kernelReads;
   }
 
-  /** Takes the frames that are whole and for the kernel; the first other one ends it. */
+  /** Takes complete frames for the kernel; stops at the first other one. */
   private void receiveAll(ByteBuffer in) {
     while (in.remaining() > HEADER) {
       int length = in.getInt(in.position());
@@ -284,7 +287,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
 
   // ------------------------------------------------------------------ in, by datagrams
 
-  /** A value has come in datagrams. While the kernel has enough to do, such are dropped. */
+  /** Takes a value from datagrams. While the kernel is busy, such values are dropped. */
   private void value(byte[] frame) {
     if (over || unconsumed.get() > MAX_INPUT || frame[0] != Frame.SET) {
       return;
@@ -300,13 +303,13 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
     receive(frame);
   }
 
-  /** Keeps the beginning of a frame for later. */
-  private void keep(ByteBuf in) {
+  /** Keeps the beginning of an incomplete frame. */
+  private void keepPartialFrame(ByteBuf in) {
     if (over || !in.isReadable()) {
       in.release();
       return;
     }
-    // A part of another buffer cannot grow.
+    // A slice of another buffer cannot grow.
     if (in.refCnt() == 1 && !in.isReadOnly() && in.maxCapacity() == Integer.MAX_VALUE) {
       partial = in.discardReadBytes();
     } else {
@@ -314,7 +317,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
       in.release();
     }
     if (partial.readableBytes() >= HEADER) {
-      // Not more at once than may be wasted on somebody who only says that there will be more.
+      // Allocates only a little at once: the announced length of the frame may be a lie.
       long missing =
           HEADER + (long) partial.getInt(partial.readerIndex()) - partial.readableBytes();
       partial.ensureWritable(Math.clamp(missing, 0, MAX_AHEAD));
@@ -348,7 +351,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
 
   // ------------------------------------------------------------------ out
 
-  /** What the lobby shows. */
+  /** Sends the output of the lobby. */
   @Override
   public void write(ChannelHandlerContext to, Object message, ChannelPromise promise) {
     ByteBuf text = (ByteBuf) message;

@@ -14,23 +14,23 @@ import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is sent to a process with UObjects. While nothing waits, the kernel's thread itself writes
- * to the socket, which costs less than to wake the network's; what the socket does not take is left
- * to that.
+ * The output to a process with UObjects. While nothing waits, the kernel thread itself writes to
+ * the socket, which costs less than waking the network thread. The network thread sends the bytes
+ * that the socket does not take.
  */
 final class FrameOutput {
   private static final long LITTLE = 1L << 20;
 
-  /** When more waits, values of variables wait until they can be the latest. */
-  private static final long MUCH = 8L << 20;
+  /** Beyond this backlog, values of variables are held back, so that only the newest is sent. */
+  private static final long BACKLOG = 8L << 20;
 
   private final ChannelHandlerContext context;
   private final @Nullable SocketChannel socket;
-  private final Runnable behind;
-  private final Runnable drained;
+  private final Runnable onBacklog;
+  private final Runnable onDrained;
   private final ReentrantLock lock = new ReentrantLock();
 
-  /** What the kernel has sent and the network thread has not taken yet. */
+  /** Frames from the kernel that the network thread has not yet taken. */
   private final Queue<ByteBuf> waiting = new ArrayDeque<>();
 
   private boolean late;
@@ -39,22 +39,22 @@ final class FrameOutput {
   private volatile long unsent;
 
   /**
-   * @param behind told when much waits
-   * @param drained told, by the network thread, when much has waited and little is left
+   * @param onBacklog told when much waits
+   * @param onDrained told, by the network thread, when much has waited and little is left
    */
-  FrameOutput(ChannelHandlerContext context, Runnable behind, Runnable drained) {
+  FrameOutput(ChannelHandlerContext context, Runnable onBacklog, Runnable onDrained) {
     this.context = context;
     this.socket = context.channel() instanceof ConsoleChannel own ? own.bare() : null;
-    this.behind = behind;
-    this.drained = drained;
+    this.onBacklog = onBacklog;
+    this.onDrained = onDrained;
   }
 
-  /** How many bytes of the kernel wait. */
+  /** The number of waiting bytes from the kernel. */
   long unsent() {
     return unsent;
   }
 
-  /** Sends frames; by any thread. */
+  /** Sends frames. Any thread may call this. */
   void send(byte[] frames) {
     lock.lock();
     try {
@@ -64,9 +64,9 @@ final class FrameOutput {
       }
       if (written < frames.length) {
         unsent += frames.length - written;
-        if (unsent > MUCH && !late) {
+        if (unsent > BACKLOG && !late) {
           late = true;
-          behind.run();
+          onBacklog.run();
         }
         waiting.add(Unpooled.wrappedBuffer(frames, written, frames.length - written));
         if (!scheduled) {
@@ -83,33 +83,36 @@ final class FrameOutput {
     try {
       return Math.max(0, socket.write(ByteBuffer.wrap(frames)));
     } catch (IOException e) {
-      // The network thread sees the same, and knows what to do.
+      // The network thread will get the same error, and handles it.
       return 0;
     }
   }
 
-  /** Sends something of the network thread's own, by that. */
+  /** Sends data of the network thread, on that thread. */
   void write(ChannelPromise promise, ByteBuf... parts) {
-    handOver();
+    takeKernelOutput();
     for (int i = 0; i < parts.length; i++) {
       boolean last = i == parts.length - 1;
       count(last ? context.write(parts[i], promise) : context.write(parts[i]), 0);
     }
   }
 
-  /** Sends something of the network thread's own at once, by that. */
+  /** Sends data of the network thread at once, on that thread. */
   void writeAndFlush(byte[] bytes) {
     write(context.newPromise(), Unpooled.wrappedBuffer(bytes));
     context.flush();
   }
 
   private void flush() {
-    handOver();
+    takeKernelOutput();
     context.flush();
   }
 
-  /** Passes on what the kernel has sent; on the network thread, before anything else. */
-  private void handOver() {
+  /**
+   * Takes the frames from the kernel. Called on the network thread, before anything else is
+   * written.
+   */
+  private void takeKernelOutput() {
     lock.lock();
     try {
       scheduled = false;
@@ -134,7 +137,7 @@ final class FrameOutput {
       taken--;
       if (late && unsent <= LITTLE) {
         late = false;
-        drained.run();
+        onDrained.run();
       }
       lock.unlock();
     });

@@ -1,7 +1,7 @@
 package org.urbi.server.net;
 
 /**
- * What clients may ask of the server; all but the last is for each of them.
+ * The limits for clients.
  *
  * @param input how many bytes may be received and not yet taken by the kernel; beyond, the server
  *     stops reading and TCP makes the client wait
@@ -18,23 +18,23 @@ package org.urbi.server.net;
 public record Limits(
     int input, long output, long totalOutput, int secondsAfterEnd, int connections, String budget) {
   /**
-   * What suits a server: 1 MiB of input, 16 MiB of output, a quarter of the memory for the output
-   * of all, half a minute, any number of clients.
+   * The limits of a server: 1 MiB of input, 16 MiB of output, a quarter of the memory for the
+   * output of all, half a minute, any number of clients.
    */
   public static final Limits DEFAULT =
       new Limits(1 << 20, 16L << 20, Runtime.getRuntime().maxMemory() / 4, 30, 0, "");
 
-  /** The same for so many clients at a time; 0 for as many as there are file descriptors. */
+  /** The same limits with that number of clients; 0 for as many as there are file descriptors. */
   public Limits withConnections(int most) {
     return new Limits(input, output, totalOutput, secondsAfterEnd, most, budget);
   }
 
-  /** The same with budgets. */
+  /** The same limits with those budgets. */
   public Limits withBudget(String other) {
     return new Limits(input, output, totalOutput, secondsAfterEnd, connections, other);
   }
 
-  /** The same with so much output of all. */
+  /** The same limits with that total output. */
   public Limits withTotalOutput(long most) {
     return new Limits(input, output, most, secondsAfterEnd, connections, budget);
   }

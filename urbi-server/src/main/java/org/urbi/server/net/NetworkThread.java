@@ -6,20 +6,20 @@ import io.netty.util.concurrent.ScheduledFuture;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 
-/** Gives work to the thread of a channel. */
+/** Executes work on the thread of a channel. */
 final class NetworkThread {
   private NetworkThread() {}
 
-  /** Has something done there; or not at all, once the server has been closed. */
+  /** Executes work there, unless the server has been closed. */
   static void execute(EventExecutor thread, Runnable work) {
     try {
       thread.execute(work);
     } catch (RejectedExecutionException e) {
-      // All the channels are closed, and the kernel will hear of it or has.
+      // All channels are closed, and the kernel knows or will know.
     }
   }
 
-  /** Closes a channel after so long at the latest; and lets go of it when it has been closed. */
+  /** Closes a channel after that time at the latest. */
   static void close(Channel channel, int seconds) {
     ScheduledFuture<?> last =
         channel.eventLoop().schedule((Runnable) channel::close, seconds, TimeUnit.SECONDS);

@@ -5,9 +5,9 @@ import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What an operator asks of the network thread, since the kernel may be held: {@code interrupt}, and
- * the name of a lobby if it is not for whatever holds the kernel. On the wire it is a telnet
- * subnegotiation of an option that nobody else uses, so that no urbiscript looks like it.
+ * A request of an operator to the network thread, which works even while a job holds the kernel:
+ * {@code interrupt}, and the name of a lobby unless it means whatever holds the kernel. It is sent
+ * as a telnet subnegotiation of an otherwise unused option, so no urbiscript looks like it.
  *
  * @param lobby may be empty
  */
@@ -15,13 +15,13 @@ public record OperatorRequest(String lobby) {
   /** The number of the telnet option: the letter U. */
   public static final int OPTION = 'U';
 
-  /** The only request that there is. */
+  /** The only kind of request. */
   public static final String INTERRUPT = "interrupt";
 
-  /** The longest request that is listened to, in bytes. */
+  /** The maximum length of a request, in bytes. */
   static final int MAX_LENGTH = 256;
 
-  /** Stands in the line that answers, before what was done. */
+  /** The beginning of the answer, before the result. */
   public static final String ANSWER = ":interrupt] *** ";
 
   private static final int SE = 240;
@@ -43,7 +43,7 @@ public record OperatorRequest(String lobby) {
     return text.getBytes(StandardCharsets.ISO_8859_1);
   }
 
-  /** Reads what stands between the beginning and the end of a subnegotiation; null if it is not. */
+  /** Parses the content of a subnegotiation; null if it is not a request. */
   static @Nullable OperatorRequest parse(String text) {
     if (text.isEmpty() || text.charAt(0) != OPTION) {
       return null;

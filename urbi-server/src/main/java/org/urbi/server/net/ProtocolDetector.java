@@ -12,8 +12,8 @@ import org.urbi.kernel.trust.Role;
 import urbi.wire.Protocol;
 
 /**
- * Looks at the first bytes of a client: whether it is a process with UObjects, which asks for their
- * protocol (docs/protocol.md), or anybody else, whose bytes go on as they are.
+ * Examines the first bytes of a client: a process with UObjects asks for their protocol
+ * (docs/protocol.md); the bytes of all other clients pass unchanged.
  */
 final class ProtocolDetector extends ChannelInboundHandlerAdapter {
   private static final int MAX_REQUEST = 64;
@@ -23,7 +23,7 @@ final class ProtocolDetector extends ChannelInboundHandlerAdapter {
   private final ByteBuf first = Unpooled.buffer(MAX_REQUEST);
 
   /**
-   * @param frames makes the one who speaks the protocol
+   * @param frames makes the handler of the protocol
    * @param version of the server, for people
    */
   ProtocolDetector(Supplier<FrameHandler> frames, String version) {
@@ -41,7 +41,7 @@ final class ProtocolDetector extends ChannelInboundHandlerAdapter {
     int end = text.indexOf('\n');
     if (!text.startsWith(Protocol.REQUEST.substring(0, common))
         || end < 0 && text.length() > MAX_REQUEST) {
-      leave(context, 0);
+      removeSelf(context, 0);
     } else if (end >= 0) {
       agree(context, text.substring(Protocol.REQUEST.length(), end), end + 1);
     }
@@ -69,11 +69,11 @@ final class ProtocolDetector extends ChannelInboundHandlerAdapter {
     FrameHandler handler = frames.get();
     context.pipeline().remove(TelnetDecoder.class);
     context.pipeline().addAfter(context.name(), null, handler);
-    leave(context, length);
+    removeSelf(context, length);
   }
 
-  /** Has what it has read, from an offset on, go on, and everything that will come. */
-  private void leave(ChannelHandlerContext context, int offset) {
+  /** Removes itself, and passes on the bytes from an offset on. */
+  private void removeSelf(ChannelHandlerContext context, int offset) {
     ByteBuf rest = first.retainedSlice(offset, first.writerIndex() - offset);
     context.pipeline().remove(this);
     context.fireChannelRead(rest);

@@ -6,9 +6,9 @@ import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
 
 /**
- * Takes the telnet commands (RFC 854) out of what a client sends, and answers them: no option is
- * supported, and refusing is the polite way to say so. The interrupt key of a telnet client becomes
- * a {@link TelnetInterrupt}. The payload of a binary literal goes through untouched.
+ * Removes the telnet commands (RFC 854) from the input of a client, and answers them: it refuses
+ * all options. The interrupt key of a telnet client becomes a {@link TelnetInterrupt}. The payload
+ * of a binary literal passes unchanged.
  */
 final class TelnetDecoder extends ChannelInboundHandlerAdapter {
   private static final int SE = 240;

@@ -1,6 +1,6 @@
 package org.urbi.server.net;
 
-/** The event that a telnet client's interrupt or break key becomes. */
+/** The event for the interrupt or break key of a telnet client. */
 enum TelnetInterrupt {
   INSTANCE
 }

@@ -19,9 +19,10 @@ import org.urbi.server.trust.TokenThrottle;
 import org.urbi.server.trust.Tokens;
 
 /**
- * Looks at the first line of a client for a token, a comment of urbiscript: {@code //token TOKEN}.
- * Whoever shows one gets its role, whoever shows none that of all others, if they have one. Until
- * then nobody else hears of a client that is not let in without.
+ * Authenticates a client by its first line, which may be a comment with a token: {@code //token
+ * TOKEN}. A client with a token gets the role of the token; a client without one gets the default
+ * role, if there is one. Without a default role, no other handler sees the client before it is
+ * authenticated.
  */
 final class TokenAuthenticator extends ChannelInboundHandlerAdapter {
   private static final String LINE = "//token ";
@@ -44,7 +45,7 @@ final class TokenAuthenticator extends ChannelInboundHandlerAdapter {
     this.trace = trace;
   }
 
-  /** What the client of a channel may do; everything, where nobody has asked. */
+  /** The role of the client of a channel; owner if clients are not authenticated. */
   static Role role(ChannelHandlerContext context) {
     Role role = context.channel().attr(ROLE).get();
     return role == null ? Role.OWNER : role;
@@ -52,8 +53,8 @@ final class TokenAuthenticator extends ChannelInboundHandlerAdapter {
 
   @Override
   public void channelActive(ChannelHandlerContext context) {
-    if (accessPolicy.otherwise() != null) {
-      admit(context, accessPolicy.otherwise());
+    if (accessPolicy.defaultRole() != null) {
+      admit(context, accessPolicy.defaultRole());
     } else {
       deadline =
           context
@@ -80,11 +81,11 @@ final class TokenAuthenticator extends ChannelInboundHandlerAdapter {
     }
     in.release();
     if (!refused) {
-      look(context, false);
+      checkFirstLine(context, false);
     }
   }
 
-  private void look(ChannelHandlerContext context, boolean over) {
+  private void checkFirstLine(ChannelHandlerContext context, boolean over) {
     String text = first.toString(StandardCharsets.ISO_8859_1);
     int common = Math.min(text.length(), LINE.length());
     int end = text.indexOf('\n');
@@ -119,12 +120,12 @@ final class TokenAuthenticator extends ChannelInboundHandlerAdapter {
     }
     Tokens.TokenHolder holder = accessPolicy.holder(token);
     if (holder == null) {
-      wrong.note(address);
+      wrong.recordFailure(address);
       trace.log("wrong token: " + context.channel().remoteAddress());
       refuse(context, "wrong token");
       return;
     }
-    wrong.forgive(address);
+    wrong.recordSuccess(address);
     trace.debug("token of " + holder.name() + ": " + context.channel().remoteAddress());
     admit(context, holder.role());
     passOn(context, length);
@@ -149,7 +150,7 @@ final class TokenAuthenticator extends ChannelInboundHandlerAdapter {
   @Override
   public void userEventTriggered(ChannelHandlerContext context, Object event) {
     if (event == ChannelInputShutdownEvent.INSTANCE && !refused) {
-      look(context, true);
+      checkFirstLine(context, true);
     }
     context.fireUserEventTriggered(event);
   }

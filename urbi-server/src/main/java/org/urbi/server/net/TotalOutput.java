@@ -3,7 +3,7 @@ package org.urbi.server.net;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 
-/** What waits to be sent to all the clients together; from any thread. */
+/** The number of bytes that wait to be sent to all clients together. Any thread may use it. */
 final class TotalOutput {
   private final long limit;
   private final AtomicLong unsent = new AtomicLong();
@@ -16,22 +16,25 @@ final class TotalOutput {
     this.limit = limit;
   }
 
-  /** There is one client more. */
-  void come() {
+  /** Counts a new client. */
+  void clientAdded() {
     clients.incrementAndGet();
   }
 
-  /** There is one client less. */
-  void go() {
+  /** Counts a client that has gone. */
+  void clientRemoved() {
     clients.decrementAndGet();
   }
 
-  /** So many bytes more wait. */
+  /** Adds that many waiting bytes. */
   void add(long bytes) {
     unsent.addAndGet(bytes);
   }
 
-  /** Whether too much waits, and that client has so much of it that it has to go. */
+  /**
+   * Whether the total is too much and the share of that client so large that it must be
+   * disconnected.
+   */
   boolean isTooMuch(long ofClient) {
     return unsent.get() > limit && ofClient > limit / Math.max(1, clients.get());
   }

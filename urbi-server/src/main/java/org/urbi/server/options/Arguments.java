@@ -8,7 +8,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
-/** A command line that was understood. */
+/** The parsed arguments of a program. */
 public final class Arguments {
   private static final Pattern DURATION =
       Pattern.compile("(\\d{1,9}(?:\\.\\d{1,9})?)(ms|s|min|h|)");
@@ -25,8 +25,8 @@ public final class Arguments {
   }
 
   /** The last value of the option, or another one if it was not given. */
-  public String value(String option, String otherwise) {
-    return requireNonNullElse(value(option), otherwise);
+  public String value(String option, String defaultValue) {
+    return requireNonNullElse(value(option), defaultValue);
   }
 
   /** The last value of the option; null if it was not given, or takes none. */
@@ -43,32 +43,32 @@ public final class Arguments {
   /**
    * The value of an option that is a number.
    *
-   * @throws Failure if it is not a number from {@code least} to {@code most}
+   * @throws Failure if it is not a number from {@code min} to {@code max}
    */
-  public int number(String option, int otherwise, int least, int most) {
+  public int number(String option, int defaultValue, int min, int max) {
     String text = value(option);
-    return text == null ? otherwise : number(option, text, least, most);
+    return text == null ? defaultValue : number(option, text, min, max);
   }
 
   /**
    * Reads a number.
    *
    * @param what whose value it is, for the message
-   * @throws Failure if it is not a number from {@code least} to {@code most}
+   * @throws Failure if it is not a number from {@code min} to {@code max}
    */
-  public static int number(String what, String text, int least, int most) {
+  public static int number(String what, String text, int min, int max) {
     try {
       int number = Integer.parseInt(text.strip());
-      if (number >= least && number <= most) {
+      if (number >= min && number <= max) {
         return number;
       }
     } catch (NumberFormatException e) {
-      // Answered below, like a number that is out of range.
+      // Reported below, like a number that is out of range.
     }
     String range =
-        most == Integer.MAX_VALUE
-            ? "a number, " + least + " or more"
-            : "a number from " + least + " to " + most;
+        max == Integer.MAX_VALUE
+            ? "a number, " + min + " or more"
+            : "a number from " + min + " to " + max;
     throw Failure.usage("invalid " + what + ": " + text + " (" + range + ")");
   }
 
@@ -78,10 +78,10 @@ public final class Arguments {
    *
    * @throws Failure if it is none
    */
-  public Duration duration(String option, Duration otherwise) {
+  public Duration duration(String option, Duration defaultValue) {
     String text = value(option);
     if (text == null) {
-      return otherwise;
+      return defaultValue;
     }
     Matcher matcher = DURATION.matcher(text.strip());
     if (!matcher.matches()) {

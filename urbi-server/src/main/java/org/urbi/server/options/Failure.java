@@ -6,7 +6,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import org.jspecify.annotations.Nullable;
 
-/** Why a program cannot go on, in words for the user, and its exit status. */
+/** A program cannot continue: a message for the user, and the exit status. */
 public final class Failure extends RuntimeException {
   private static final long serialVersionUID = 1L;
   private static final int FAILED = 1;
@@ -19,7 +19,7 @@ public final class Failure extends RuntimeException {
     this.status = status;
   }
 
-  /** Something the program needs is not there: status 1. */
+  /** Something that the program needs is missing: status 1. */
   public static Failure of(@Nullable String message) {
     return new Failure(FAILED, message);
   }
@@ -29,18 +29,18 @@ public final class Failure extends RuntimeException {
     return new Failure(MISUSED, message);
   }
 
-  /** What the system says of a file that cannot be used. */
+  /** The system's description of an error with a file. */
   public static String reason(UncheckedIOException failure) {
     IOException cause = requireNonNull(failure.getCause(), "it is made of one");
     return String.valueOf(cause.getMessage());
   }
 
-  /** The exit status to leave with. */
+  /** The exit status of the program. */
   public int status() {
     return status;
   }
 
-  /** Whether a look at the help would be useful. */
+  /** Whether to refer the user to the help. */
   public boolean isMisuse() {
     return status == MISUSED;
   }

@@ -7,9 +7,9 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads command lines that are plain and right. For all others (mistakes, help, several letters
- * after one dash) there is picocli, which would however double the start-up time of a short script:
- * its classes are of a format that the start-up cache does not take.
+ * Parses simple, correct command lines without picocli, which would double the start-up time of a
+ * short script: its classes have a format that the start-up cache does not support. All other
+ * command lines (mistakes, help, several letters after one dash) are left to picocli.
  */
 final class FastParser {
   private final List<Option> options;
@@ -20,7 +20,7 @@ final class FastParser {
     this.stopAtArgument = stopAtArgument;
   }
 
-  /** What the command line says, or nothing if it takes more to understand it. */
+  /** The parsed command line, or nothing if it is not that simple. */
   Optional<ParsedCommandLine> read(String... args) {
     ParsedCommandLine reading = new ParsedCommandLine();
     Iterator<String> words = Arrays.asList(args).iterator();

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** What a command line says: options in their order, then the other arguments. */
+/** A parsed command line: options in their order, then the other arguments. */
 record ParsedCommandLine(List<Occurrence> options, List<String> rest) {
   /**
    * An option on the command line.

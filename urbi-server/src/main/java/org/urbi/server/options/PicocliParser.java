@@ -14,7 +14,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** Reads any command line, prints the help, and says what is wrong; the only user of picocli. */
+/** Parses any command line with picocli, prints the help, and reports mistakes. */
 final class PicocliParser {
   private static final int HELP_WIDTH = 100;
 
@@ -86,7 +86,7 @@ final class PicocliParser {
   }
 
   /**
-   * What the command line says, or nothing if it asked for the help or the version and got it.
+   * The parsed command line, or nothing if the help or the version was printed.
    *
    * @throws Failure if it makes no sense
    */

@@ -34,12 +34,12 @@ public final class Program {
     return this;
   }
 
-  /** Adds an option with a value; if it comes often the last one counts. */
+  /** Adds an option with a value; if it is repeated, the last value counts. */
   public Program option(String label, String description, String... names) {
     return each(label, description, value -> {}, names);
   }
 
-  /** Adds an option that may come often; its values are taken in the order of the command line. */
+  /** Adds an option that may be repeated; its values are taken in the order of the command line. */
   public Program each(String label, String description, Consumer<String> taker, String... names) {
     options.add(new Option(List.of(names), label, description, taker));
     return this;
@@ -82,14 +82,14 @@ public final class Program {
     }
   }
 
-  /** The common way to read a command line; nothing if it is not as plain as that. */
+  /** Parses a simple command line; nothing if it is not that simple. */
   Optional<ParsedCommandLine> readQuickly(String... args) {
     return new FastParser(options, stopAtArgument)
         .read(args)
         .filter(reading -> argumentLabel != null || reading.rest().isEmpty());
   }
 
-  /** The thorough way to read a command line; nothing if it has been answered already. */
+  /** Parses any command line; nothing if the help or the version was printed. */
   Optional<ParsedCommandLine> readFully(String[] args, PrintStream out) {
     return new PicocliParser(
             name, description, options, argumentLabel, argumentDescription, stopAtArgument)

@@ -7,8 +7,8 @@ import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
 
 /**
- * What the options {@code --expression} and {@code --file} want to be executed, in the order of the
- * command line and as if it were one text.
+ * The code in the options {@code --expression} and {@code --file}, in the order of the command
+ * line, as one text.
  */
 public final class Inputs {
   private final List<Supplier<String>> parts = new ArrayList<>();
@@ -40,13 +40,13 @@ public final class Inputs {
     parts.add(() -> SourceText.loadModule(name));
   }
 
-  /** Whether there is nothing. */
+  /** Whether there is no code. */
   public boolean isEmpty() {
     return parts.isEmpty();
   }
 
   /**
-   * The text, a byte in each character.
+   * The text; each character is a byte.
    *
    * @throws Failure if a file cannot be read
    */

@@ -8,7 +8,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import org.urbi.server.options.Failure;
 
-/** Text on its way to a lobby: one character for each byte, files with their name around them. */
+/** Prepares text for a lobby: each character is a byte, and files are framed by their names. */
 public final class SourceText {
   private static final String PUSH = "//#push";
 
@@ -45,7 +45,7 @@ public final class SourceText {
     return bytes("loadModule(\"" + escaped(module) + "\");\n");
   }
 
-  /** Adds a text to another; a frame counts only at the beginning of a line, and gets one. */
+  /** Appends a text to another. A frame must begin a line, so a line break is added if needed. */
   public static void append(StringBuilder text, String more) {
     if (more.startsWith(PUSH) && !text.isEmpty() && text.charAt(text.length() - 1) != '\n') {
       text.append('\n');

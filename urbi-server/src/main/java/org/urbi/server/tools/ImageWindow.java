@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.server.options.Failure;
 import urbi.UImage;
 
-/** A window that shows one image after the other. */
+/** A window that shows a sequence of images. */
 final class ImageWindow extends JComponent implements AutoCloseable {
   private static final long serialVersionUID = 1L;
 
@@ -40,7 +40,7 @@ final class ImageWindow extends JComponent implements AutoCloseable {
   }
 
   /**
-   * Makes one, which appears with its first image.
+   * Makes a window, which appears with its first image.
    *
    * @param scale how much larger than the image it is
    * @throws Failure where there is no display
@@ -51,12 +51,12 @@ final class ImageWindow extends JComponent implements AutoCloseable {
         return new ImageWindow(title, scale);
       }
     } catch (HeadlessException | LinkageError e) {
-      // A display that cannot be used is none.
+      // An unusable display counts as missing.
     }
     throw Failure.of("no display to show images on: --output=FILE saves one instead");
   }
 
-  /** Whether its user has not closed it. */
+  /** Whether the user has not closed the window. */
   boolean isOpen() {
     return open;
   }

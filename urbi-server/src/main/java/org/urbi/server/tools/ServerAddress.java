@@ -16,11 +16,11 @@ import urbi.UClientException;
 import urbi.USyncClient;
 
 /**
- * The server that a tool is to talk to: options {@code --host}, {@code --port}, {@code
+ * The address of the server that a tool connects to: options {@code --host}, {@code --port}, {@code
  * --port-file}.
  */
 public record ServerAddress(String host, int port) {
-  /** Where an Urbi server listens by custom. */
+  /** The usual port of an Urbi server. */
   public static final int DEFAULT_PORT = 54000;
 
   private static final int CONNECT_MILLISECONDS = 10_000;
@@ -61,7 +61,7 @@ public record ServerAddress(String host, int port) {
     }
   }
 
-  /** Whatever this process connects to is shown that token from now on. */
+  /** Shows that token to every server that this process connects to. */
   private static void useToken(@Nullable String file) {
     if (file != null) {
       try {
@@ -73,7 +73,7 @@ public record ServerAddress(String host, int port) {
   }
 
   /**
-   * Connects as a client that asks and waits for answers.
+   * Connects a client that can wait for answers.
    *
    * @throws Failure if nobody answers
    */

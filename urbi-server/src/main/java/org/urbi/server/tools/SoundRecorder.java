@@ -6,7 +6,7 @@ import urbi.UConversion;
 import urbi.USound;
 import urbi.USoundFormat;
 
-/** Sounds that come one after the other, as one: all in the way of the first. */
+/** Joins consecutive sounds into one, converted to the format of the first. */
 final class SoundRecorder implements AutoCloseable {
   private final @Nullable Loudspeaker loudspeaker;
   private final ByteArrayOutputStream samples = new ByteArrayOutputStream();
@@ -21,7 +21,7 @@ final class SoundRecorder implements AutoCloseable {
   }
 
   /**
-   * Takes the next one.
+   * Adds the next sound.
    *
    * @throws urbi.UConversionException if it cannot be converted
    */
@@ -49,12 +49,12 @@ final class SoundRecorder implements AutoCloseable {
     return sound;
   }
 
-  /** How many there were. */
+  /** The number of sounds. */
   int sounds() {
     return count;
   }
 
-  /** All that were kept. */
+  /** All kept sounds as one. */
   USound sound() {
     USound all = first == null ? new USound() : like(first);
     all.setSoundFormat(USoundFormat.SOUND_RAW);

@@ -139,7 +139,7 @@ public final class UrbiImage {
     throw Failure.usage("invalid --scale: " + text + " (a number, up to " + MAX_SCALE + ")");
   }
 
-  /** Not every camera has everything that a tool may ask for. */
+  /** Sets a slot of the device if it exists: not every camera has all of them. */
   private void setIfThere(USyncClient client, String device, String slot, int value) {
     String code =
         "if (%1$s.hasSlot(\"%2$s\")) { %1$s.%2$s = %3$d | 1 } else 0"

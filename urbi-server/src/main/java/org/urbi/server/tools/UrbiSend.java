@@ -67,7 +67,7 @@ public final class UrbiSend {
     boolean quit = arguments.has("--quit");
     String text = inputs.text() + (quit ? "quit;\n" : "");
     try (Socket socket = target.connect()) {
-      // Written beside reading: a server that waits for its answers to be read stops reading.
+      // Writes while reading: a server whose answers are not read stops reading.
       Thread.ofPlatform().daemon().start(() -> write(socket, text));
       if (!quit) {
         err.println("urbi-send: connected, hit Ctrl-C to end the connection.");
@@ -113,7 +113,7 @@ public final class UrbiSend {
       to.write(text.getBytes(StandardCharsets.ISO_8859_1));
       to.flush();
     } catch (IOException e) {
-      // The reader sees the same, and says so.
+      // The reader gets the same error and reports it.
     }
   }
 }

@@ -103,13 +103,13 @@ public final class UrbiSound {
     }
   }
 
-  /** Has each new value of the device sent, for some time. */
+  /** Makes the server send each new value of the device, for some time. */
   private static void record(
       USyncClient client, String device, int seconds, SoundRecorder recording) {
     String tag = client.fresh();
     CompletableFuture<Void> done = new CompletableFuture<>();
     client.setCallback(message -> take(message, device, recording, done), tag);
-    // Asking for the value is how a device that is not there is noticed at once.
+    // Asking for the value reveals a missing device at once.
     client.syncGet(TIMEOUT, device + ".val | 0");
     client.syncGet(
         TIMEOUT.plusSeconds(seconds),

@@ -11,7 +11,7 @@ import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
 
 /**
- * The options of {@code urbi} that say who is let in, and as what.
+ * The options of {@code urbi} for access control: which clients are accepted, with which roles.
  *
  * @param accessPolicy of clients of the network
  * @param userDirectory where users have files; null when they have none
@@ -74,7 +74,7 @@ public record AccessOptions(
   }
 
   /**
-   * Refuses to let other machines in without a token, unless that is wanted.
+   * Refuses to accept other machines without tokens, unless {@code --insecure} allows it.
    *
    * @return a warning; null when nothing is to be feared
    * @throws Failure if it is not wanted

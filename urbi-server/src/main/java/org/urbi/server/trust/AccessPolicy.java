@@ -4,16 +4,16 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.trust.Role;
 
 /**
- * Who is let in over the network.
+ * Which clients of the network are accepted, and with which roles.
  *
  * @param tokens what clients may show; null when nobody is asked
- * @param otherwise the role of those who show none; null when they are not let in
+ * @param defaultRole the role of those who show none; null when they are not let in
  */
-public record AccessPolicy(@Nullable Tokens tokens, @Nullable Role otherwise) {
-  /** Everybody is let in and may do everything. */
+public record AccessPolicy(@Nullable Tokens tokens, @Nullable Role defaultRole) {
+  /** Accepts everybody, with the role owner. */
   public static final AccessPolicy ALL = new AccessPolicy(null, Role.OWNER);
 
-  /** Who shows that token; null if nobody does. */
+  /** The holder of that token; null if it is unknown. */
   public Tokens.@Nullable TokenHolder holder(String token) {
     return tokens == null ? null : tokens.holder(token);
   }

@@ -5,8 +5,8 @@ import java.util.Map;
 import org.urbi.kernel.time.Clock;
 
 /**
- * Those who have shown wrong tokens, so that nobody tries them all: each wrong one has its address
- * wait before the next one is looked at, twice as long each time. On one thread.
+ * Delays clients after wrong tokens, so that nobody can try many: after each wrong token its
+ * address has to wait, twice as long each time. Not thread-safe.
  */
 public final class TokenThrottle {
   private static final long FIRST_WAIT = 1_000_000_000L;
@@ -30,22 +30,22 @@ public final class TokenThrottle {
     this.clock = clock;
   }
 
-  /** For how many seconds nothing from there is looked at; 0 if it is. */
+  /** For how many seconds that address still has to wait; 0 for none. */
   public long secondsToWait(String address) {
     Offender offender = offenders.get(address);
     long left = offender == null ? 0 : offender.until - clock.now();
     return left <= 0 ? 0 : (left - 1) / FIRST_WAIT + 1;
   }
 
-  /** Somebody has shown a wrong token. */
-  public void note(String address) {
+  /** Records a wrong token from that address. */
+  public void recordFailure(String address) {
     Offender known = offenders.remove(address);
     int count = known == null ? 0 : Math.min(known.count + 1, MAX_DOUBLINGS);
     offenders.put(address, new Offender(count, clock.now() + (FIRST_WAIT << count)));
   }
 
-  /** Somebody there has shown one that is right. */
-  public void forgive(String address) {
+  /** Forgets the wrong tokens of that address after a right one. */
+  public void recordSuccess(String address) {
     offenders.remove(address);
   }
 }

@@ -17,9 +17,9 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.trust.Role;
 
-/** The tokens that a server knows: what a client shows that it is somebody, without its name. */
+/** The tokens that a server accepts; a client authenticates with one. */
 public final class Tokens {
-  /** Shorter ones can be guessed. */
+  /** The minimum length of a token; shorter ones can be guessed. */
   static final int MIN_LENGTH = 16;
 
   private static final String HASHED = "sha256:";
@@ -31,7 +31,7 @@ public final class Tokens {
           PosixFilePermission.OTHERS_WRITE);
 
   /**
-   * Who shows a token.
+   * The holder of a token.
    *
    * @param name for people
    */
@@ -110,7 +110,10 @@ public final class Tokens {
     }
   }
 
-  /** Who shows that token; null if nobody does. How long it takes tells nothing of the tokens. */
+  /**
+   * The holder of that token; null if it is unknown. The time that this takes reveals nothing about
+   * the tokens.
+   */
   public @Nullable TokenHolder holder(String token) {
     byte[] hash = hash(token);
     TokenHolder found = null;

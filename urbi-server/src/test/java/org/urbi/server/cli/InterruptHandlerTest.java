@@ -22,7 +22,7 @@ class InterruptHandlerTest {
   }
 
   @Test
-  void twoInARowShutDownAndAThirdEndsTheProcess() {
+  void secondInterruptShutsDownAndThirdEndsTheProcess() {
     InterruptHandler interrupts = interrupts(true);
     interrupts.interrupted();
     interrupts.interrupted();
@@ -31,7 +31,7 @@ class InterruptHandlerTest {
   }
 
   @Test
-  void aSecondOneThatIsLateKillsTheForegroundAgain() {
+  void lateSecondInterruptKillsTheForegroundAgain() {
     InterruptHandler interrupts = interrupts(true);
     interrupts.interrupted();
     timer.get().run();

@@ -27,7 +27,7 @@ class SearchPathTest {
         ": = STANDARD",
         "a::b::c = a STANDARD b c"
       })
-  void aLoneColonIsTheStandardPath(String value, String expected) {
+  void loneColonIsTheStandardPath(String value, String expected) {
     SearchPath path = SearchPath.of(value, List.of(Path.of("STANDARD")));
     assertEquals(
         expected, path.directories().stream().map(Path::toString).collect(Collectors.joining(" ")));

@@ -157,7 +157,7 @@ class UrbiCommandTest {
   }
 
   @Test
-  void aTerminatedServerLeavesNoPortFile() throws Exception {
+  void terminatedServerRemovesItsPortFile() throws Exception {
     Path portFile = folder.resolve("port");
     try (UrbiProcess urbi =
         new UrbiProcess(
@@ -184,7 +184,7 @@ class UrbiCommandTest {
   }
 
   @Test
-  void whatIsMissingIsSaid() throws Exception {
+  void missingInputsAreReported() throws Exception {
     assertEquals(new Result(1, "", "urbi: no such file: no/such.u"), urbi("-f", "no/such.u"));
     Result bad = urbi("--bogus");
     assertEquals(2, bad.status());
@@ -195,7 +195,7 @@ class UrbiCommandTest {
   }
 
   @Test
-  void aPortThatIsTakenIsSaid() throws Exception {
+  void portInUseIsReported() throws Exception {
     try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
       Result run = urbi("-q", "-P", String.valueOf(taken.getLocalPort()));
       assertEquals(1, run.status());

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.time.SystemClock;
 import org.urbi.kernel.time.VirtualClock;
-import org.urbi.server.Patience;
+import org.urbi.server.TestTimeout;
 
 class WatchdogTest {
   private final ByteArrayOutputStream told = new ByteArrayOutputStream();
@@ -34,11 +34,11 @@ class WatchdogTest {
   }
 
   private int status() throws Exception {
-    return end.get(Patience.LONG.toSeconds(), TimeUnit.SECONDS);
+    return end.get(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS);
   }
 
   @Test
-  void aNetworkThatDoesNotTurnEndsTheProcess() throws Exception {
+  void blockedNetworkThreadEndsTheProcess() throws Exception {
     try (Kernel kernel = Kernel.builder().start()) {
       Watchdog watchdog = watchdog(kernel, 90_000_000_000L, Duration.ofSeconds(60));
       assertEquals(ExitStatus.STUCK, status());
@@ -50,7 +50,7 @@ class WatchdogTest {
   }
 
   @Test
-  void whoIsToldToTerminateAndDoesNotIsEnded() throws Exception {
+  void processThatIgnoresTerminationIsEnded() throws Exception {
     try (Kernel kernel = Kernel.builder().start()) {
       Watchdog watchdog = watchdog(kernel, 0, Duration.ZERO);
       watchdog.terminating();

@@ -108,7 +108,7 @@ class UmakeJavaTest {
   }
 
   @Test
-  void whatWasMadeBeforeIsNotPackedAgain() throws Exception {
+  void earlierResultIsNotPackedAgain() throws Exception {
     Path inside = sources.resolve("machine.jar");
     make("-q", sources, "-o", inside);
     List<String> first = entries(inside);
@@ -158,7 +158,7 @@ class UmakeJavaTest {
   }
 
   @Test
-  void aModuleWithoutUObjectIsWarnedOf() throws Exception {
+  void moduleWithoutUObjectCausesAWarning() throws Exception {
     ToolResult run = make("-q", sources.resolve("parts"), "-o", jar);
     assertEquals(0, run.status());
     assertTrue(run.err().contains("warning: no class in " + jar + " calls UStart"), run.err());
@@ -176,7 +176,7 @@ class UmakeJavaTest {
   }
 
   @Test
-  void whatMakesNoSenseIsSaid() throws Exception {
+  void nonsenseIsReported() throws Exception {
     Path empty = Files.createDirectory(folder.resolve("empty"));
     assertEquals(
         new ToolResult(1, "", "umake-java: no Java sources in %s\n".formatted(empty)), make(empty));
@@ -192,7 +192,7 @@ class UmakeJavaTest {
   }
 
   @Test
-  void anOutputThatCannotBeWrittenIsSaid() {
+  void unwritableOutputIsReported() {
     ToolResult run = make("-q", sources, "-o", folder.resolve("none/machine.jar"));
     assertEquals(1, run.status());
     assertTrue(run.err().startsWith("umake-java: cannot write "), run.err());

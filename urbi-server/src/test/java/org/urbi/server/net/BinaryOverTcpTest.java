@@ -103,7 +103,7 @@ class BinaryOverTcpTest {
   }
 
   @Test
-  void anEscapeInAStringTakesAllBytes() throws IOException {
+  void escapeInAStringTakesAllBytes() throws IOException {
     byte[] data = allBytes();
     send(statement("Binary.new(\"a; b\", \"\\B(" + data.length + ")(", data, ")\");3;"));
     expect("[] ", " a; b", data);
@@ -139,7 +139,7 @@ class BinaryOverTcpTest {
   }
 
   @Test
-  void anImageThereAndBack() throws IOException {
+  void imageGoesToTheProcessAndBack() throws IOException {
     byte[] image = new byte[640 * 480 * 3];
     new Random(7).nextBytes(image);
     for (int i = 0; i < 3; i++) {
@@ -168,7 +168,7 @@ class BinaryOverTcpTest {
   }
 
   @Test
-  void aHeaderThatIsNoneIsAnError() throws IOException {
+  void invalidHeaderIsAnError() throws IOException {
     send("BIN x;1;\n".getBytes(StandardCharsets.US_ASCII));
     expectLine("[:error] !!! 1.5: syntax error: unexpected identifier");
     expectLine("[] 1");

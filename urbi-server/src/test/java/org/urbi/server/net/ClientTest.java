@@ -25,7 +25,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.Kernel;
-import org.urbi.server.Patience;
+import org.urbi.server.TestTimeout;
 import org.urbi.server.Trace;
 import urbi.UBinary;
 import urbi.UCallbackAction;
@@ -68,8 +68,8 @@ class ClientTest {
   }
 
   private USyncClient syncClient() {
-    USyncClient client = USyncClient.connect(HOST, server.port(), Patience.LONG);
-    client.setDefaultTimeout(Patience.LONG);
+    USyncClient client = USyncClient.connect(HOST, server.port(), TestTimeout.LONG);
+    client.setDefaultTimeout(TestTimeout.LONG);
     return client;
   }
 
@@ -146,7 +146,7 @@ class ClientTest {
       client.send("class Global.servo { var val = 1.5; var valn = 0.25; };");
       assertEquals(1.5, client.syncGetDevice("servo"));
       assertEquals(0.25, client.syncGetNormalizedDevice("servo"));
-      assertTrue(client.ping(Patience.LONG).toNanos() > 0);
+      assertTrue(client.ping(TestTimeout.LONG).toNanos() > 0);
     }
   }
 
@@ -162,7 +162,7 @@ class ClientTest {
           "ask");
       client.send("Channel.new(\"ask\") << 21;");
       assertEquals(42, answers.take());
-      UClient plain = UClient.connect(HOST, server.port(), Patience.LONG);
+      UClient plain = UClient.connect(HOST, server.port(), TestTimeout.LONG);
       plain.setCallback(
           message -> {
             try {
@@ -202,7 +202,7 @@ class ClientTest {
       client.send("camera.val = ");
       client.sendBinary(data, "rgb 640 480");
       client.send(";");
-      UImage image = client.syncGetImage("camera", UImageFormat.IMAGE_RGB, Patience.LONG);
+      UImage image = client.syncGetImage("camera", UImageFormat.IMAGE_RGB, TestTimeout.LONG);
       assertEquals(640, image.getWidth());
       assertArrayEquals(data, image.getData());
       UBinary odd = new UBinary("what, ever: (this)", data);
@@ -216,12 +216,12 @@ class ClientTest {
   }
 
   @Test
-  void soundsAreHeardForAWhile() {
+  void soundsAreRecordedForTheGivenTime() {
     try (USyncClient client = syncClient()) {
       client.send(
           "var Global.micro = Object.new | var micro.val = 0 |"
               + " every (10ms) micro.val = Binary.new(\"raw 1 8000 8 2\", \"ab\"),");
-      var sound = client.syncGetSound("micro", 200, Patience.LONG);
+      var sound = client.syncGetSound("micro", 200, TestTimeout.LONG);
       assertEquals(8000, sound.getRate());
       assertTrue(sound.getSize() >= 4 && sound.getSize() % 2 == 0, sound.toString());
     }
@@ -229,7 +229,7 @@ class ClientTest {
 
   @Test
   void versions() {
-    try (UClient client = UClient.connect(HOST, server.port(), Patience.LONG)) {
+    try (UClient client = UClient.connect(HOST, server.port(), TestTimeout.LONG)) {
       assertTrue(client.kernelVersion().matches("\\d+\\.\\d+.*"), client.kernelVersion());
       assertTrue(client.kernelMajor() >= 2);
       assertTrue(client.connectionID().startsWith("0x"), client.connectionID());
@@ -245,13 +245,13 @@ class ClientTest {
     assertNotEquals(0, client.error());
     assertEquals(1, client.send("1;"));
     assertTrue(client.errorMessage().startsWith("cannot connect to 127.0.0.1:" + port + ": "));
-    assertThrows(UClientException.class, () -> UClient.connect(HOST, port, Patience.LONG));
+    assertThrows(UClientException.class, () -> UClient.connect(HOST, port, TestTimeout.LONG));
     USyncClient asking = new USyncClient(HOST, port);
     assertThrows(UClientException.class, () -> asking.syncEval("1"));
   }
 
   @Test
-  void aServerThatDiesIsNoticed() throws Exception {
+  void endOfTheServerIsNoticed() throws Exception {
     USyncClient client = syncClient();
     client.setClientErrorCallback(this::keep);
     Thread killer =
@@ -277,15 +277,15 @@ class ClientTest {
   }
 
   @Test
-  void aServerThatIsSilentIsNoticed() throws Exception {
+  void silentServerIsNoticed() throws Exception {
     try (ServerSocket silent = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      UClient client = UClient.connect(HOST, silent.getLocalPort(), Patience.LONG);
+      UClient client = UClient.connect(HOST, silent.getLocalPort(), TestTimeout.LONG);
       client.setClientErrorCallback(this::keep);
       client.setKeepAliveCheck(20, 50);
       assertEquals("the server does not answer within 50 ms", next().getMessage());
       client.onClosed().get();
     }
-    try (UClient client = UClient.connect(HOST, server.port(), Patience.LONG)) {
+    try (UClient client = UClient.connect(HOST, server.port(), TestTimeout.LONG)) {
       client.setKeepAliveCheck(10, 10_000);
       Thread.sleep(100);
       assertEquals(0, client.error());
@@ -293,9 +293,9 @@ class ClientTest {
   }
 
   @Test
-  void whatIsNoServerIsNoticed() throws Exception {
+  void otherProgramOnThePortIsNoticed() throws Exception {
     try (ServerSocket other = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      UClient client = UClient.connect(HOST, other.getLocalPort(), Patience.LONG);
+      UClient client = UClient.connect(HOST, other.getLocalPort(), TestTimeout.LONG);
       client.setClientErrorCallback(this::keep);
       try (Socket peer = other.accept()) {
         peer.getOutputStream()

@@ -74,7 +74,7 @@ class ConsoleHandlerTest {
   }
 
   @Test
-  void anEndedStreamIsFinishedAndAVanishedClientIsNot() {
+  void endedInputIsFinishedAndALostClientIsClosed() {
     EmbeddedChannel channel = new EmbeddedChannel(handler);
     channel.pipeline().fireUserEventTriggered(ChannelInputShutdownEvent.INSTANCE);
     channel.pipeline().fireUserEventTriggered(TelnetInterrupt.INSTANCE);
@@ -83,7 +83,7 @@ class ConsoleHandlerTest {
   }
 
   @Test
-  void aClientThatHasEndedItsStreamIsNotServedForEver() {
+  void clientThatEndedItsInputIsServedForALimitedTime() {
     EmbeddedChannel channel = new EmbeddedChannel(handler);
     channel.freezeTime();
     channel.pipeline().fireUserEventTriggered(ChannelInputShutdownEvent.INSTANCE);
@@ -117,7 +117,7 @@ class ConsoleHandlerTest {
   }
 
   @Test
-  void aClientThatDoesNotReadIsLetGo() {
+  void clientThatDoesNotReadIsDisconnected() {
     EmbeddedChannel channel = new EmbeddedChannel(new Stuck(), handler);
     handler.output("x".repeat(1000));
     channel.runPendingTasks();
@@ -133,7 +133,7 @@ class ConsoleHandlerTest {
   }
 
   @Test
-  void aClientThatReadsIsNot() {
+  void clientThatReadsStaysConnected() {
     EmbeddedChannel channel = new EmbeddedChannel(handler);
     for (int i = 0; i < 10; ++i) {
       handler.output("x".repeat(1000));

@@ -63,7 +63,7 @@ class ConsoleServerTest {
   }
 
   @Test
-  void aPageInABrowserRunsNothing() throws IOException {
+  void browserPageCannotRunCode() throws IOException {
     try (TestClient judge = client();
         TestClient page = client()) {
       page.send(
@@ -78,7 +78,7 @@ class ConsoleServerTest {
   }
 
   @Test
-  void thereAreNoMoreClientsThanThereMayBeAndPlacesBecomeFree() throws Exception {
+  void clientsAreLimitedAndPlacesBecomeFree() throws Exception {
     try (ConsoleServer small = listen(0, Limits.DEFAULT.withConnections(2));
         TestClient one = new TestClient(small.port())) {
       assertEquals("[] 1", one.ask("1;"));
@@ -100,7 +100,7 @@ class ConsoleServerTest {
   }
 
   @Test
-  void aStatementMayBeCutAnywhere() throws IOException {
+  void statementMayBeCutAnywhere() throws IOException {
     try (TestClient client = client()) {
       for (char c : "echo(\"cut\" + 1".toCharArray()) {
         client.send(String.valueOf(c));
@@ -128,7 +128,7 @@ class ConsoleServerTest {
   }
 
   @Test
-  void aClientThatEndsItsInputGetsItsAnswers() throws IOException {
+  void clientThatEndsItsInputStillGetsAnswers() throws IOException {
     try (TestClient client = client()) {
       client.send("{ sleep(50ms); echo(\"later\") }, echo(\"now\");");
       client.end();
@@ -157,7 +157,7 @@ class ConsoleServerTest {
   }
 
   @Test
-  void aClientThatDoesNotReadHarmsNobody() throws IOException {
+  void clientThatDoesNotReadDisturbsNobody() throws IOException {
     try (ConsoleServer strict = listen(0, new Limits(1 << 20, 1 << 16, 1 << 20, 30, 0, ""));
         TestClient deaf = new TestClient(strict.port());
         TestClient other = new TestClient(strict.port())) {
@@ -206,7 +206,7 @@ class ConsoleServerTest {
   }
 
   @Test
-  void aPortThatIsTakenIsSaid() {
+  void portInUseIsReported() {
     IOException failure =
         assertThrows(IOException.class, () -> listen(server.port(), Limits.DEFAULT));
     assertTrue(failure.getMessage().contains(":" + server.port()), failure.getMessage());

@@ -48,7 +48,7 @@ class ForeignProtocolFilterTest {
         "\u0016\u0003\u0001\u0002\0\u0001\0\u0001\u00fc\u0003\u0003;shutdown;\n",
         "\0\u0003\0\u0008\u0021\u0012\u00a4\u0042;shutdown;\n",
       })
-  void whatABrowserSendsForAPageNeverReachesTheLobbyWhereverItIsCut(String request) {
+  void browserRequestsNeverReachTheLobbyWhereverTheyAreCut(String request) {
     for (int cut = 0; cut <= request.length(); cut++) {
       EmbeddedChannel channel = channel();
       channel.writeInbound(bytes(request.substring(0, cut)));
@@ -92,7 +92,7 @@ class ForeignProtocolFilterTest {
   }
 
   @Test
-  void whatIsInDoubtAtTheEndOfTheStreamIsPassedOn() {
+  void undecidedBytesArePassedOnAtTheEndOfTheStream() {
     EmbeddedChannel channel = channel();
     channel.writeInbound(bytes("POST /"));
     assertEquals("", received(channel));
@@ -102,7 +102,7 @@ class ForeignProtocolFilterTest {
   }
 
   @Test
-  void aRequestLineWithoutEndIsNotKeptForEver() {
+  void endlessRequestLineIsNotKept() {
     EmbeddedChannel channel = channel();
     channel.writeInbound(bytes("GET /"));
     for (int i = 0; i < 64 && channel.isOpen(); i++) {

@@ -72,7 +72,7 @@ class SilentProcessTest {
   }
 
   @Test
-  void isAskedAndThenGivenUp() {
+  void silentPeerIsProbedAndThenDisconnected() {
     pass(Protocol.SILENCE_SECONDS - 1);
     assertNull(sent());
     pass(1);
@@ -84,7 +84,7 @@ class SilentProcessTest {
   }
 
   @Test
-  void isNotGivenUpIfItAnswers() {
+  void peerThatAnswersStaysConnected() {
     for (int i = 0; i < 10; i++) {
       pass(Protocol.TIMEOUT_SECONDS - 1);
       channel.writeInbound(Unpooled.wrappedBuffer(PONG));

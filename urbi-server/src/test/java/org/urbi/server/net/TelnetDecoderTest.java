@@ -62,7 +62,7 @@ class TelnetDecoderTest {
   }
 
   /** Whole, byte by byte, and cut in two at every point: all must agree. */
-  private static Outcome feedEveryWay(String input) {
+  private static Outcome feedCutAtEveryPosition(String input) {
     Outcome whole = feed(List.of(input));
     assertEquals(whole, feed(input.chars().mapToObj(c -> String.valueOf((char) c)).toList()));
     for (int cut = 1; cut < input.length(); ++cut) {
@@ -75,43 +75,46 @@ class TelnetDecoderTest {
   @Test
   void textGoesThrough() {
     String text = "echo(\"\u00c3\u00a9\");\n// BINARY, not a literal\nBIN;\nBIN x;\n";
-    assertEquals(new Outcome(text, "", List.of()), feedEveryWay(text));
+    assertEquals(new Outcome(text, "", List.of()), feedCutAtEveryPosition(text));
   }
 
   @Test
   void theLineEndsOfTelnetLoseTheirZero() {
-    assertEquals("1;\r2;\r\n3;\r", feedEveryWay("1;\r\0" + "2;\r\n3;\r\0").text());
+    assertEquals("1;\r2;\r\n3;\r", feedCutAtEveryPosition("1;\r\0" + "2;\r\n3;\r\0").text());
   }
 
   @Test
   void optionsAreRefused() {
     assertEquals(
         new Outcome("1;2;", WONT + "\u0001" + DONT + "\u0003", List.of()),
-        feedEveryWay("1" + DO + "\u0001" + ";" + WILL + "\u0003" + WONT + "x" + DONT + "y2;"));
+        feedCutAtEveryPosition(
+            "1" + DO + "\u0001" + ";" + WILL + "\u0003" + WONT + "x" + DONT + "y2;"));
   }
 
   @Test
   void subnegotiationsAreSkipped() {
     assertEquals(
         new Outcome("12", "", List.of()),
-        feedEveryWay("1" + SB + "\u0018 anything, even " + IAC + IAC + " here" + SE + "2"));
+        feedCutAtEveryPosition(
+            "1" + SB + "\u0018 anything, even " + IAC + IAC + " here" + SE + "2"));
   }
 
   @Test
   void theInterruptKeyIsAnEvent() {
     assertEquals(
         new Outcome("12", "", List.of(TelnetInterrupt.INSTANCE)),
-        feedEveryWay("1" + INTERRUPT + "2"));
+        feedCutAtEveryPosition("1" + INTERRUPT + "2"));
   }
 
   @Test
   void areYouThereIsAnswered() {
-    assertEquals(new Outcome("12", "[yes]\r\n", List.of()), feedEveryWay("1" + AYT + "2"));
+    assertEquals(
+        new Outcome("12", "[yes]\r\n", List.of()), feedCutAtEveryPosition("1" + AYT + "2"));
   }
 
   @Test
   void aDoubledEscapeIsOneByte() {
-    assertEquals("a" + IAC + "b", feedEveryWay("a" + IAC + IAC + "b").text());
+    assertEquals("a" + IAC + "b", feedCutAtEveryPosition("a" + IAC + IAC + "b").text());
   }
 
   @ParameterizedTest
@@ -124,14 +127,14 @@ class TelnetDecoderTest {
       })
   void binaryPayloadsGoThrough(String form) {
     String text = form.replace("%s", IAC + "\u00f4\r\0");
-    assertEquals(new Outcome(text, "", List.of()), feedEveryWay(text));
+    assertEquals(new Outcome(text, "", List.of()), feedCutAtEveryPosition(text));
   }
 
   @ParameterizedTest
   @CsvSource({"BIN 2;ab,BIN 2;ab", "BIN 0;,BIN 0;", "XBIN 3;,XBIN 3;", "BIN ;,BIN ;"})
-  void afterThePayloadCommandsCountAgain(String before, String text) {
+  void commandsAreRecognisedAfterThePayload(String before, String text) {
     assertEquals(
         new Outcome(text + ".", "", List.of(TelnetInterrupt.INSTANCE)),
-        feedEveryWay(before + INTERRUPT + "."));
+        feedCutAtEveryPosition(before + INTERRUPT + "."));
   }
 }

@@ -95,7 +95,7 @@ class TokenAuthenticatorTest {
   }
 
   @Test
-  void whoShowsATokenHasItsRole() throws IOException {
+  void clientWithATokenHasItsRole() throws IOException {
     try (TestClient owner = client();
         TestClient user = client()) {
       owner.send("//token " + OWNER + "\n");
@@ -111,7 +111,7 @@ class TokenAuthenticatorTest {
   }
 
   @Test
-  void whoShowsNoneIsNotEvenHeard() throws IOException {
+  void clientWithoutATokenIsNotServed() throws IOException {
     for (String said :
         new String[] {
           "var Global.taken = 1;\n", "//\n", "\n", "//token\nvar Global.taken = 1;\n"
@@ -134,7 +134,7 @@ class TokenAuthenticatorTest {
   }
 
   @Test
-  void aWrongTokenIsNotTriedOftenNorFollowedByWhatItSays() throws IOException {
+  void wrongTokensAreDelayedAndTheirInputIsNotExecuted() throws IOException {
     try (TestClient nobody = client()) {
       nobody.send("//token " + OWNER + "x\nvar Global.taken = 1;\n");
       assertRefused(nobody, "wrong token");
@@ -146,7 +146,7 @@ class TokenAuthenticatorTest {
   }
 
   @Test
-  void thoseWithoutATokenCanHaveARoleAndShowOneLater() throws IOException {
+  void clientsWithoutATokenGetTheDefaultRoleAndCanShowOneLater() throws IOException {
     listen(Role.OBSERVER);
     try (TestClient silent = client();
         TestClient owner = client()) {
@@ -159,7 +159,7 @@ class TokenAuthenticatorTest {
   }
 
   @Test
-  void aProcessThatBringsObjectsNeedsTheRoleOwner() throws IOException {
+  void processWithObjectsNeedsTheRoleOwner() throws IOException {
     try (TestClient user = client();
         TestClient owner = client()) {
       user.send("//token " + USER + "\n" + Protocol.request());
@@ -178,7 +178,7 @@ class TokenAuthenticatorTest {
   }
 
   @Test
-  void aServerThatAsksNobodyPassesOverTokens() throws IOException {
+  void serverWithoutTokensIgnoresTokenLines() throws IOException {
     server.close();
     server =
         new ConsoleServer(

@@ -61,14 +61,14 @@ class ProgramTest {
   }
 
   @Test
-  void whatFollowsTheScriptBelongsToIt() {
+  void argumentsAfterTheScriptBelongToIt() {
     run("-n5", "script.u", "-q", "--bogus", "12");
     assertEquals("false 5 [script.u, -q, --bogus, 12]", seen);
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"--bogus", "-n", "--number=eleven", "--number=11", "-e"})
-  void mistakesAreSaidInOneLineWithAHint(String mistake) {
+  void mistakesAreReportedInOneLineWithAHint(String mistake) {
     assertEquals(2, run(mistake));
     List<String> lines = err.toString(StandardCharsets.UTF_8).lines().toList();
     assertEquals(2, lines.size(), lines.toString());
@@ -152,7 +152,7 @@ class ProgramTest {
   @ParameterizedTest
   @ValueSource(
       strings = {"-qe", "--quiet=yes", "--bogus", "-x", "--", "-h", "--version", "--num=3", "-"})
-  void whatIsNotPlainIsLeftToTheFullReader(String argument) {
+  void unusualCommandLinesAreLeftToPicocli(String argument) {
     assertTrue(program().readQuickly(argument).isEmpty());
   }
 }

@@ -237,7 +237,7 @@ class RecordedRunTest {
   }
 
   @Test
-  void whatWasCutOffIsReplayedSoFar() throws IOException {
+  void truncatedRecordingIsReplayedUpToItsEnd() throws IOException {
     recordLittle();
     byte[] bytes = Files.readAllBytes(recording);
     Files.write(recording, Arrays.copyOf(bytes, bytes.length - 3));
@@ -279,7 +279,7 @@ class RecordedRunTest {
 
   /** A full disk is told of once, and the run goes on. */
   @Test
-  void aFullDiskEndsTheRecordingAlone() throws Exception {
+  void fullDiskEndsTheRecordingOnly() throws Exception {
     CompletableFuture<String> told = new CompletableFuture<>();
     OutputStream full =
         new OutputStream() {

@@ -40,7 +40,7 @@ class OriginalServerTest {
   }
 
   @Test
-  void aProgramSaysInOneLineThatItCannot() throws Exception {
+  void programReportsAnOtherServerInOneLine() throws Exception {
     try (ServerSocket listener = new ServerSocket(0, 5, InetAddress.getLoopbackAddress())) {
       CompletableFuture<String> heard = CompletableFuture.supplyAsync(() -> serve(listener));
       ByteArrayOutputStream said = new ByteArrayOutputStream();

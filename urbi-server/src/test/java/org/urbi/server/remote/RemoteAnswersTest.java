@@ -18,7 +18,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.job.JobThreads;
-import org.urbi.server.Patience;
+import org.urbi.server.TestTimeout;
 import org.urbi.server.Trace;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
@@ -58,8 +58,8 @@ class RemoteAnswersTest {
             kernel::connectRemote,
             Limits.DEFAULT,
             new Trace(Trace.Level.NONE, nowhere));
-    client = USyncClient.connect(HOST, server.port(), Patience.LONG);
-    client.setDefaultTimeout(Patience.LONG);
+    client = USyncClient.connect(HOST, server.port(), TestTimeout.LONG);
+    client.setDefaultTimeout(TestTimeout.LONG);
   }
 
   @AfterEach
@@ -119,7 +119,7 @@ class RemoteAnswersTest {
   }
 
   @Test
-  void whatCameBeforeAnAnswerIsDoneBeforeIt() {
+  void messagesBeforeAnAnswerAreProcessedBeforeIt() {
     try (RemoteContext ignored = remote("Counter", Counter::new)) {
       assertEquals(
           "[3000, 0]",
@@ -131,10 +131,10 @@ class RemoteAnswersTest {
   }
 
   @Test
-  void whateverJobsRunOn() throws IOException {
+  void orderIsTheSameOnTheOtherBackEnd() throws IOException {
     stop();
     start(JobThreads.BATON);
-    whatCameBeforeAnAnswerIsDoneBeforeIt();
+    messagesBeforeAnAnswerAreProcessedBeforeIt();
   }
 
   @Test
@@ -180,7 +180,7 @@ class RemoteAnswersTest {
   }
 
   @Test
-  void aBusyKernelStillHearsThatAProcessHasGone() {
+  void busyKernelNoticesThatAProcessHasEnded() {
     RemoteContext remote = remote("Counter", Counter::new);
     eval("for| (var i = 0; i < 1000; i += 1) Counter.echo(i)");
     client.send("var Global.stop = false | while (!stop) { 1 },");
@@ -191,7 +191,7 @@ class RemoteAnswersTest {
   }
 
   @Test
-  void aProcessThatGoesInTheMiddleOfACall() throws Exception {
+  void processEndsDuringACall() throws Exception {
     RemoteContext remote = remote("Counter", Counter::new);
     client.send("for| (var i = 0; i < 1000; i += 1) Counter.echo(i) | var Global.hot = 1;");
     eval("{ while (!Global.hasSlot(\"hot\")) sleep(1ms) }");
@@ -213,7 +213,7 @@ class RemoteAnswersTest {
 
   /** Code that never lets others run: a keep-alive question is answered all the same. */
   @Test
-  void aKernelThatComputesForLongDoesNotLeaveTheConnectionUnread() throws Exception {
+  void busyKernelStillReadsTheConnection() throws Exception {
     try (RawProcess process = new RawProcess(server.port())) {
       client.send(
           "for| (var i = 0; i < 1000; i += 1) Raw.echo(i) |"

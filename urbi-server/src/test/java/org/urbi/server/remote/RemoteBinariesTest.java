@@ -53,7 +53,7 @@ class RemoteBinariesTest extends RemoteSession {
   }
 
   @Test
-  void bigOnesGoBothWays() throws Exception {
+  void largeBinariesTravelBothWays() throws Exception {
     remote.start(type("Store", Store::new));
     client.syncEval("var Global.big = Binary.new(\"raw 1\", \"abcdefgh\" * " + BIG / 8 + "); 0");
     assertEquals("1", eval("if (Store.same(big) == big) 1 else 0"));
@@ -77,7 +77,7 @@ class RemoteBinariesTest extends RemoteSession {
   }
 
   @Test
-  void whatIsDestroyedHearsNothingMore() throws Exception {
+  void destroyedObjectGetsNoNotifications() throws Exception {
     remote.start(type("Store", Store::new));
     Store.SEEN.clear();
     client.syncEval("var Global.s = Store.new; 0");

@@ -17,7 +17,7 @@ import java.util.Random;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
-import org.urbi.server.Patience;
+import org.urbi.server.TestTimeout;
 import org.urbi.server.Trace;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
@@ -44,15 +44,15 @@ class RemoteConnectionTest extends RemoteSession {
   }
 
   @Test
-  void aLostRemoteIsNoticedAndMayComeBack() throws Exception {
+  void lostRemoteIsNoticedAndCanReconnect() throws Exception {
     remote.start(type("Stuck", Stuck::new));
     remote.start(type("Adder", RemoteUObjectTest.Adder::new));
     client.syncEval("var Global.a = Adder.new(5)");
     CompletableFuture<String> error =
         CompletableFuture.supplyAsync(() -> {
-          try (USyncClient other = USyncClient.connect(HOST, server.port(), Patience.LONG)) {
+          try (USyncClient other = USyncClient.connect(HOST, server.port(), TestTimeout.LONG)) {
             return assertThrows(
-                    UClientException.class, () -> other.syncEval("Stuck.hang", Patience.LONG))
+                    UClientException.class, () -> other.syncEval("Stuck.hang", TestTimeout.LONG))
                 .getMessage();
           }
         });
@@ -69,7 +69,7 @@ class RemoteConnectionTest extends RemoteSession {
   }
 
   @Test
-  void aKernelThatEndsIsNoticed() throws Exception {
+  void endOfTheKernelIsNoticed() throws Exception {
     remote.start(type("Adder", RemoteUObjectTest.Adder::new));
     kernel.close();
     assertNotEquals(null, remote.onClosed().get());
@@ -78,7 +78,7 @@ class RemoteConnectionTest extends RemoteSession {
   }
 
   @Test
-  void garbageEndsTheConnectionAndNothingElse() throws Exception {
+  void garbageEndsOnlyItsConnection() throws Exception {
     Random random = new Random(9);
     for (int i = 0; i < 50; i++) {
       try (Socket socket = new Socket(HOST, server.port())) {
@@ -106,7 +106,7 @@ class RemoteConnectionTest extends RemoteSession {
   }
 
   @Test
-  void nothingIsLeftOfThoseWhoCameAndWent() {
+  void nothingIsLeftOfProcessesThatHaveEnded() {
     remote.start(type("Watcher", RemoteUObjectTest.Watcher::new));
     double jobs = client.syncEval("jobs.size").doubleValue();
     for (int i = 0; i < 100; i++) {

@@ -13,7 +13,7 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.Kernel;
-import org.urbi.server.Patience;
+import org.urbi.server.TestTimeout;
 import org.urbi.server.Trace;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
@@ -121,15 +121,15 @@ class RemoteLeakTest {
   }
 
   @Test
-  void aThousandComeAndGo() throws Exception {
+  void thousandProcessesConnectAndLeave() throws Exception {
     PrintStream nowhere =
         new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
     try (Kernel kernel = Kernel.builder().start();
         ConsoleServer opened = open(kernel, nowhere);
-        USyncClient asking = USyncClient.connect(HOST, opened.port(), Patience.LONG)) {
+        USyncClient asking = USyncClient.connect(HOST, opened.port(), TestTimeout.LONG)) {
       server = opened;
       client = asking;
-      client.setDefaultTimeout(Patience.LONG);
+      client.setDefaultTimeout(TestTimeout.LONG);
       client.send("loadModule(\"urbi/rtp\");");
       cycles(WARM_UP);
       Left before = settled(null);

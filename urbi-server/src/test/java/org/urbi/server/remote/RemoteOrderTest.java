@@ -56,7 +56,7 @@ class RemoteOrderTest {
   }
 
   @Test
-  void aChangeRightAfterTheFirstValueCounts() throws Exception {
+  void changeRightAfterTheFirstValueIsReceived() throws Exception {
     try (ServerSocket listener = new ServerSocket(0, 5, InetAddress.getLoopbackAddress())) {
       Thread.ofPlatform().daemon().start(() -> serve(listener));
       try (RemoteContext context = new RemoteContext("127.0.0.1", listener.getLocalPort())) {

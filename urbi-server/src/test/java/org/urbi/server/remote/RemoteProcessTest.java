@@ -25,7 +25,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.kernel.Kernel;
-import org.urbi.server.Patience;
+import org.urbi.server.TestTimeout;
 import org.urbi.server.Trace;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
@@ -97,8 +97,8 @@ class RemoteProcessTest {
   void start() throws IOException {
     kernel = Kernel.builder().start();
     server = listen(0);
-    client = USyncClient.connect("127.0.0.1", server.port(), Patience.LONG);
-    client.setDefaultTimeout(Patience.LONG);
+    client = USyncClient.connect("127.0.0.1", server.port(), TestTimeout.LONG);
+    client.setDefaultTimeout(TestTimeout.LONG);
   }
 
   private ConsoleServer listen(int port) throws IOException {
@@ -165,7 +165,7 @@ class RemoteProcessTest {
     Thread.ofVirtual()
         .start(() -> {
           try {
-            Thread.sleep(Patience.LONG);
+            Thread.sleep(TestTimeout.LONG);
             process.destroyForcibly();
           } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -188,7 +188,7 @@ class RemoteProcessTest {
   }
 
   @Test
-  void aJarThatIsKilledInTheMiddleOfACall() throws Exception {
+  void processIsKilledDuringACall() throws Exception {
     jar();
     Process process = umain("adder.jar", "--port", String.valueOf(server.port()));
     await(process, "running on ");
@@ -196,9 +196,10 @@ class RemoteProcessTest {
     assertEquals(39.4, eval("Adder.add(-2.6)"), 1e-9);
     CompletableFuture<String> error =
         CompletableFuture.supplyAsync(() -> {
-          try (USyncClient other = USyncClient.connect("127.0.0.1", server.port(), Patience.LONG)) {
+          try (USyncClient other =
+              USyncClient.connect("127.0.0.1", server.port(), TestTimeout.LONG)) {
             return assertThrows(
-                    UClientException.class, () -> other.syncEval("Adder.hang", Patience.LONG))
+                    UClientException.class, () -> other.syncEval("Adder.hang", TestTimeout.LONG))
                 .getMessage();
           }
         });
@@ -231,14 +232,14 @@ class RemoteProcessTest {
     server.close();
     client.close();
     server = listen(port);
-    client = USyncClient.connect("127.0.0.1", port, Patience.LONG);
-    client.setDefaultTimeout(Patience.LONG);
+    client = USyncClient.connect("127.0.0.1", port, TestTimeout.LONG);
+    client.setDefaultTimeout(TestTimeout.LONG);
     await(process, "running on ");
     assertEquals(43, eval("Adder.add(1)"));
   }
 
   @Test
-  void mistakesAreSaid() throws Exception {
+  void mistakesAreReported() throws Exception {
     await(umain("--help"), "usage: ");
     await(umain(), "urbi.UMain: no jar given");
     await(umain("missing.jar"), "urbi.UMain: JAR archive missing.jar not found");

@@ -30,7 +30,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.Kernel;
-import org.urbi.server.Patience;
+import org.urbi.server.TestTimeout;
 import org.urbi.server.Trace;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
@@ -72,8 +72,8 @@ class RemoteRtpTest {
             new Trace(Trace.Level.NONE, nowhere));
     relay = new UdpRelay(server.port());
     remote = new RemoteContext(HOST, server.port());
-    client = USyncClient.connect(HOST, server.port(), Patience.LONG);
-    client.setDefaultTimeout(Patience.LONG);
+    client = USyncClient.connect(HOST, server.port(), TestTimeout.LONG);
+    client.setDefaultTimeout(TestTimeout.LONG);
     client.syncEval("var Global.image = 0");
     remote.start(new UClass("Camera", new UModule("test"), Camera::new));
   }
@@ -155,7 +155,7 @@ class RemoteRtpTest {
   }
 
   @Test
-  void theLastOfSeveralOffersCounts() throws Exception {
+  void lastOfSeveralRtpOffersCounts() throws Exception {
     eval("loadModule(\"urbi/rtp\")");
     RtpOptions options = new RtpOptions(0, relay.port(), Duration.ofSeconds(5));
     for (int i = 0; i < 20; i++) {
@@ -197,7 +197,7 @@ class RemoteRtpTest {
   }
 
   @Test
-  void whatIsLostIsNotShown() throws Exception {
+  void lostImagesAreNotShown() throws Exception {
     use(500);
     AtomicInteger count = new AtomicInteger();
     // Of each image, seven datagrams: the second one loses its third.
@@ -252,7 +252,7 @@ class RemoteRtpTest {
   }
 
   @Test
-  void anOldImageDoesNotReplaceANewOne() throws Exception {
+  void oldImageDoesNotReplaceANewerOne() throws Exception {
     use(500);
     List<byte[]> first = new ArrayList<>();
     relay.setFate(each -> {
@@ -273,7 +273,7 @@ class RemoteRtpTest {
   }
 
   @Test
-  void strangersAreDropped() throws Exception {
+  void datagramsWithoutTheTokenAreDropped() throws Exception {
     use(500);
     eval("Camera.shoot(1, " + SMALL + ")");
     awaitImage(1);
@@ -298,7 +298,7 @@ class RemoteRtpTest {
   }
 
   @Test
-  void brokenDatagramsOfOurOwnAreDropped() throws Exception {
+  void invalidDatagramsWithTheRightTokenAreDropped() throws Exception {
     use(500);
     Random random = new Random(11);
     AtomicBoolean breaking = new AtomicBoolean(true);
@@ -331,7 +331,7 @@ class RemoteRtpTest {
   }
 
   @Test
-  void whatIsTooLargeForDatagramsGoesOverTheConnection() throws Exception {
+  void largeValuesGoOverTheConnection() throws Exception {
     use(256);
     int large = 5_000_000;
     eval("Camera.shoot(1, 1000)");
@@ -352,7 +352,7 @@ class RemoteRtpTest {
   }
 
   @Test
-  void withoutAWayThereValuesKeepToTheConnection() throws Exception {
+  void valuesGoOverTheConnectionWhenUdpIsBlocked() throws Exception {
     eval("loadModule(\"urbi/rtp\")");
     try (DatagramSocket hole = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
       RtpOptions options = new RtpOptions(0, hole.getLocalPort(), Duration.ofMillis(200));
@@ -364,7 +364,7 @@ class RemoteRtpTest {
   }
 
   @Test
-  void whenTheWayEndsValuesGoOverTheConnection() throws Exception {
+  void valuesGoOverTheConnectionWhenDatagramsStop() throws Exception {
     use(1440);
     eval("Camera.shoot(1, " + IMAGE + ")");
     awaitImage(1);
@@ -397,7 +397,7 @@ class RemoteRtpTest {
   }
 
   @Test
-  void eachVariableIsAskedWhetherItWants() throws Exception {
+  void rtpIsDecidedPerVariable() throws Exception {
     use(0);
     assertEquals("\"nil\"", eval("Camera.&number.rtp.asString"));
     eval("Camera.count(1)");

@@ -11,7 +11,7 @@ import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.urbi.kernel.Kernel;
-import org.urbi.server.Patience;
+import org.urbi.server.TestTimeout;
 import org.urbi.server.Trace;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
@@ -43,8 +43,8 @@ abstract class RemoteSession {
             Limits.DEFAULT,
             new Trace(Trace.Level.NONE, nowhere));
     remote = new RemoteContext(HOST, server.port());
-    client = USyncClient.connect(HOST, server.port(), Patience.LONG);
-    client.setDefaultTimeout(Patience.LONG);
+    client = USyncClient.connect(HOST, server.port(), TestTimeout.LONG);
+    client.setDefaultTimeout(TestTimeout.LONG);
   }
 
   @AfterEach

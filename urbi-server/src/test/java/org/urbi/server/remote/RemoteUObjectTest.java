@@ -13,7 +13,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.Test;
-import org.urbi.server.Patience;
+import org.urbi.server.TestTimeout;
 import urbi.LockMode;
 import urbi.UBinary;
 import urbi.UContext;
@@ -46,7 +46,7 @@ class RemoteUObjectTest extends RemoteSession {
   }
 
   @Test
-  void whatAFunctionHasBoundIsThereWhenItReturns() {
+  void slotsBoundByAFunctionExistWhenItReturns() {
     remote.start(type("Talented", ManyFunctions::new));
     for (int i = 0; i < 10; i++) {
       assertEquals("1", eval("Talented.new.talent" + (ManyFunctions.TALENTS - 1)));
@@ -261,7 +261,7 @@ class RemoteUObjectTest extends RemoteSession {
 
     /** Waits, and lets others be called, until one was. */
     public String waits() {
-      long deadline = System.nanoTime() + Patience.LONG.toNanos();
+      long deadline = System.nanoTime() + TestTimeout.LONG.toNanos();
       while (!called && System.nanoTime() - deadline < 0) {
         UContext.current().yieldFor(Duration.ofMillis(20));
       }
@@ -275,7 +275,7 @@ class RemoteUObjectTest extends RemoteSession {
   }
 
   @Test
-  void whoYieldsLetsOthersBeCalled() {
+  void yieldLetsOtherFunctionsRun() {
     remote.start(type("Yielding", Yielding::new));
     assertEquals(
         "[1, 1]",
@@ -392,7 +392,7 @@ class RemoteUObjectTest extends RemoteSession {
   }
 
   @Test
-  void anObjectIsSeenWhenItsConstructorHasBoundAll() throws InterruptedException {
+  void objectIsVisibleAfterItsConstructor() throws InterruptedException {
     Thread starter =
         Thread.ofPlatform().start(() -> remote.start(type("LateBinder", LateBinder::new)));
     LateBinder.BEGUN.await();
@@ -430,7 +430,7 @@ class RemoteUObjectTest extends RemoteSession {
   }
 
   @Test
-  void anAccessIsToldOnce() {
+  void accessIsNotifiedOnce() {
     remote.start(type("Accessed", Accessed::new));
     assertEquals(
         "[500, 0]",
@@ -441,7 +441,7 @@ class RemoteUObjectTest extends RemoteSession {
   }
 
   @Test
-  void aConditionDoesNotHearOfWhatItHasCaused() {
+  void conditionIsNotNotifiedOfItsOwnChanges() {
     remote.start(type("Accessed", Accessed::new));
     client.send("at (Accessed.v == -1) nil;");
     double reads =
@@ -452,7 +452,7 @@ class RemoteUObjectTest extends RemoteSession {
   }
 
   @Test
-  void whatIsSetHereHasTheTimeOfTheKernel() {
+  void remoteAssignmentHasTheTimeOfTheKernel() {
     remote.start(type("Accessed", Accessed::new));
     double age = client.syncEval("Accessed.age(System.time)").doubleValue();
     assertTrue(Math.abs(age) < 5, "off by " + age + " s");

@@ -120,7 +120,7 @@ class UrbiImageTest {
   }
 
   @Test
-  void aJpegStaysAsItIsUnlessAFactorIsWanted() throws Exception {
+  void jpegIsUnchangedUnlessAQualityIsGiven() throws Exception {
     byte[] jpeg = UConversion.convertRGBtoJPEG(gradient(), WIDTH, HEIGHT, 90);
     setImage(new UImage(UImageFormat.IMAGE_JPEG, WIDTH, HEIGHT, jpeg));
     assertArrayEquals(jpeg, saved("same.jpg"));
@@ -137,7 +137,7 @@ class UrbiImageTest {
   }
 
   @Test
-  void whatTheDeviceDoesNotHaveIsTold() throws Exception {
+  void missingSlotOfTheDeviceIsReported() throws Exception {
     ToolResult run = fetch("--reconstruct", "-o", folder.resolve("a.jpg").toString());
     assertEquals(0, run.status());
     assertTrue(run.err().contains("camera has no slot reconstruct"), run.err());
@@ -153,7 +153,7 @@ class UrbiImageTest {
   }
 
   @Test
-  void mistakesAreTold() {
+  void mistakesAreReported() {
     String file = folder.resolve("x.jpg").toString();
     fails(1, "lookup failed: nobody", "--device=nobody", "-o", file);
     server.kernel().eval("camera.val = 12");
@@ -170,7 +170,7 @@ class UrbiImageTest {
   }
 
   @Test
-  void aServerThatIsNotThereIsTold() throws Exception {
+  void missingServerIsReported() throws Exception {
     server.close();
     ToolResult run = fetch("-o", folder.resolve("x.jpg").toString());
     assertEquals(1, run.status());
@@ -179,7 +179,7 @@ class UrbiImageTest {
   }
 
   @Test
-  void withoutADisplayThereIsAHint() {
+  void missingDisplayIsReportedWithAHint() {
     assumeTrue(GraphicsEnvironment.isHeadless(), "skipped: this machine has a display");
     fails(1, "no display to show images on: --output=FILE saves one instead");
   }

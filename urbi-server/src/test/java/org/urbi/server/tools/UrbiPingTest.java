@@ -42,7 +42,7 @@ class UrbiPingTest {
   }
 
   @Test
-  void aServerThatHangsUpIsSaid() throws Exception {
+  void serverThatClosesTheConnectionIsReported() throws Exception {
     try (ScriptedServer server = new ScriptedServer(line -> null)) {
       ToolResult run = ping("-P" + server.port(), "-c1");
       assertEquals(1, run.status());

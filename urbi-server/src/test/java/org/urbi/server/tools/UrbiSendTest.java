@@ -71,7 +71,7 @@ class UrbiSendTest {
   }
 
   @Test
-  void aServerThatIsNotThereIsSaid() throws IOException {
+  void missingServerIsReported() throws IOException {
     int port;
     try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
       port = free.getLocalPort();
@@ -82,20 +82,20 @@ class UrbiSendTest {
   }
 
   @Test
-  void aPortFileThatIsNotThereIsSaid() {
+  void missingPortFileIsReported() {
     ToolResult run = send("--port-file", "no/such/file");
     assertEquals(1, run.status());
     assertTrue(run.err().contains("no/such/file"), run.err());
   }
 
   @Test
-  void aMissingFileIsSaidBeforeAnythingIsSent() {
+  void missingFileIsReportedBeforeAnythingIsSent() {
     ToolResult run = send("-P1", "-f", "no/such.u");
     assertEquals(new ToolResult(1, "", "urbi-send: no such file: no/such.u\n"), run);
   }
 
   @Test
-  void whatHoldsTheServerCanBeInterrupted() throws Exception {
+  void codeThatHoldsTheServerCanBeInterrupted() throws Exception {
     Kernel kernel = Kernel.builder().maxHold(Duration.ofHours(1)).log(line -> {}).start();
     try (ConsoleServer server =
             new ConsoleServer(

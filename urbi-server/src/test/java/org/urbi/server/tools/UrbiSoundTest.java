@@ -138,7 +138,7 @@ class UrbiSoundTest {
   }
 
   @Test
-  void mistakesAreTold() throws Exception {
+  void mistakesAreReported() throws Exception {
     String file = folder.resolve("x.wav").toString();
     fails(1, "lookup failed: nobody", "-d", "nobody", "-D1", "-o", file);
     fails(1, "micro.val has not changed: nothing was heard", "-D1", "-o", file);
@@ -153,7 +153,7 @@ class UrbiSoundTest {
   }
 
   @Test
-  void withoutSoundOutputThereIsAHint() {
+  void missingSoundOutputIsReportedWithAHint() {
     assumeTrue(AudioSystem.getMixerInfo().length == 0, "skipped: this machine has a sound output");
     fails(1, "no sound output (this machine has none): --output=FILE saves the sound instead");
   }

@@ -51,7 +51,7 @@ class TokensTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"rw-r-----", "rw----r--", "rw-rw----", "rw-rw-rw-"})
-  void aFileThatOthersReadIsRefused(String permissions) throws IOException {
+  void tokenFileThatOthersCanReadIsRefused(String permissions) throws IOException {
     Path file = file("owner 0123456789abcdef\n", permissions);
     assertTrue(
         assertThrows(IOException.class, () -> Tokens.read(file)).getMessage().contains("chmod"));
@@ -68,37 +68,37 @@ class TokensTest {
         "owner sha256:12\n",
         "owner sha256:xyz\n"
       })
-  void aFileThatMakesNoSenseIsRefusedWithoutShowingAToken(String text) throws IOException {
+  void invalidTokenFileIsRefusedWithoutShowingTokens(String text) throws IOException {
     Path file = file(text, "rw-------");
     String message = assertThrows(IOException.class, () -> Tokens.read(file)).getMessage();
     assertFalse(message.contains("0123456789abcdef"), message);
   }
 
   @Test
-  void eachWrongTokenMakesItsAddressWaitTwiceAsLong() {
+  void eachWrongTokenDoublesTheDelayOfItsAddress() {
     VirtualClock clock = new VirtualClock();
     TokenThrottle wrong = new TokenThrottle(clock);
     assertEquals(0, wrong.secondsToWait("a"));
     long expected = 1;
     for (int i = 0; i < 10; i++) {
-      wrong.note("a");
+      wrong.recordFailure("a");
       assertEquals(expected, wrong.secondsToWait("a"));
       assertEquals(0, wrong.secondsToWait("b"));
       clock.advanceTo(clock.now() + expected * 1_000_000_000L);
       assertEquals(0, wrong.secondsToWait("a"));
       expected = Math.min(expected * 2, 64);
     }
-    wrong.note("a");
-    wrong.forgive("a");
+    wrong.recordFailure("a");
+    wrong.recordSuccess("a");
     assertEquals(0, wrong.secondsToWait("a"));
     for (int i = 0; i < 100_000; i++) {
-      wrong.note("address " + i);
+      wrong.recordFailure("address " + i);
     }
     assertTrue(wrong.secondsToWait("address 99999") > 0);
   }
 
   @Test
-  void otherMachinesAreNotLetInWithoutATokenUnlessThatIsWanted() throws IOException {
+  void otherMachinesNeedATokenOrTheInsecureOption() throws IOException {
     InetSocketAddress everywhere = new InetSocketAddress("0.0.0.0", 0);
     InetSocketAddress here = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
     AccessOptions open = new AccessOptions(AccessPolicy.ALL, null, false);

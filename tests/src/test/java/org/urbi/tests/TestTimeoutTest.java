@@ -12,8 +12,11 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** No test knows how busy the machine is: one limit, in the pom, is for all. */
-class PatienceTest {
+/**
+ * No test has a time limit of its own: the pom sets one limit for all, because no test knows how
+ * busy the machine is.
+ */
+class TestTimeoutTest {
   private static final Pattern LIMIT = Pattern.compile("@" + "Timeout\\b|\\.orTimeout\\(");
 
   @Test
@@ -25,7 +28,7 @@ class PatienceTest {
               .filter(file -> file.toString().endsWith(".java"))
               .toList();
       assertTrue(tests.size() > 100, tests.toString());
-      List<Path> limited = tests.stream().filter(PatienceTest::hasLimit).toList();
+      List<Path> limited = tests.stream().filter(TestTimeoutTest::hasLimit).toList();
       assertEquals(List.of(), limited);
     }
   }
@@ -33,7 +36,7 @@ class PatienceTest {
   private static boolean hasLimit(Path file) {
     try {
       String source = Files.readString(file, StandardCharsets.UTF_8);
-      return !file.endsWith("PatienceTest.java") && LIMIT.matcher(source).find();
+      return !file.endsWith("TestTimeoutTest.java") && LIMIT.matcher(source).find();
     } catch (IOException e) {
       throw new AssertionError(e);
     }
