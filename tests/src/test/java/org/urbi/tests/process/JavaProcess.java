@@ -15,15 +15,20 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.urbi.tests.TestTimeout;
 
-/** A Java program in a process of its own, whose output can be waited for. */
+/**
+ * A Java program in a process of its own, whose output can be waited for. {@code ./check} has it
+ * run from the distribution, with the start-up cache ({@code -Durbi.distribution.flags} and {@code
+ * -Durbi.distribution.jars}); otherwise it is run from the classes of this build.
+ */
 final class JavaProcess implements AutoCloseable {
   private static final List<String> FLAGS =
-      List.of(
-          "--add-opens=java.base/java.lang=ALL-UNNAMED",
-          "--enable-native-access=ALL-UNNAMED",
-          "-XX:+UseSerialGC",
-          "-XX:TieredStopAtLevel=1",
-          "-Durbi.stdin.terminal=false");
+      List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-Durbi.stdin.terminal=false");
+
+  private static final String[] DISTRIBUTION_FLAGS =
+      System.getProperty(
+              "urbi.distribution.flags",
+              "--add-opens=java.base/java.lang=ALL-UNNAMED --enable-native-access=ALL-UNNAMED")
+          .split(" ");
 
   private final String name;
   private final Process process;
@@ -44,11 +49,10 @@ final class JavaProcess implements AutoCloseable {
     /** In a folder, with all the classes of the project. */
     static Setting in(Path folder) {
       // Surefire hides the class path of the tests in a jar.
+      String classes =
+          System.getProperty("surefire.test.class.path", System.getProperty("java.class.path"));
       return new Setting(
-          folder,
-          Map.of(),
-          System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")),
-          List.of());
+          folder, Map.of(), System.getProperty("urbi.distribution.jars", classes), List.of());
     }
 
     /** With one more variable in its environment. */
@@ -77,6 +81,7 @@ final class JavaProcess implements AutoCloseable {
       throws IOException {
     List<String> command = new ArrayList<>(setting.before);
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(List.of(DISTRIBUTION_FLAGS));
     command.addAll(FLAGS);
     command.addAll(List.of("-Durbi.root=" + setting.folder, "-cp", setting.classPath, mainClass));
     command.addAll(arguments);

@@ -9,8 +9,20 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 
-/** The program {@code urbi} in a process of its own, as the launcher starts it. */
+/**
+ * The program {@code urbi} in a process of its own, as the launcher starts it: in {@code ./check}
+ * from the distribution, with its start-up cache, otherwise from the classes of this build.
+ */
 final class UrbiProcess implements AutoCloseable {
+  private static final String[] FLAGS =
+      System.getProperty(
+              "urbi.distribution.flags",
+              "--add-opens=java.base/java.lang=ALL-UNNAMED --enable-native-access=ALL-UNNAMED")
+          .split(" ");
+
+  private static final String CLASS_PATH =
+      System.getProperty("urbi.distribution.jars", System.getProperty("java.class.path"));
+
   /** What is left of a process: its exit status and its output without time stamps. */
   record Result(int status, String out, String err) {}
 
@@ -20,10 +32,10 @@ final class UrbiProcess implements AutoCloseable {
   UrbiProcess(Path folder, Map<String, String> environment, String... args) throws IOException {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.addAll(List.of("--add-opens", "java.base/java.lang=ALL-UNNAMED"));
-    command.addAll(List.of("--enable-native-access=ALL-UNNAMED", "-XX:+UseSerialGC"));
+    command.addAll(List.of(FLAGS));
+    command.addAll(List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1"));
     command.addAll(List.of("-Durbi.root=" + folder, "-Durbi.stdin.terminal=false"));
-    command.addAll(List.of("-cp", System.getProperty("java.class.path")));
+    command.addAll(List.of("-cp", CLASS_PATH));
     command.add(UrbiCommand.class.getName());
     Collections.addAll(command, args);
     ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
