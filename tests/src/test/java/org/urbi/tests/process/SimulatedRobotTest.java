@@ -45,7 +45,7 @@ class SimulatedRobotTest {
   private static String colours(String canvas) {
     return """
     const canvas = document.querySelector('%s');
-    if (!canvas.width || !canvas.height) return 0;
+    if (!canvas || !canvas.width || !canvas.height) return 0;
     const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
     return new Set(new Uint32Array(pixels.buffer)).size;
     """
