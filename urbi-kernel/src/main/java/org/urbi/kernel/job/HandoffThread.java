@@ -13,7 +13,7 @@ import org.urbi.kernel.message.Message;
  */
 final class HandoffThread implements JobThread {
   private final Factory factory;
-  private final Job job;
+  private @Nullable Job job;
   private @Nullable Thread thread;
   private volatile boolean jobHasBaton;
 
@@ -38,10 +38,20 @@ final class HandoffThread implements JobThread {
 
   private void run() {
     try {
-      job.run();
+      takeJob().run();
     } finally {
       giveBack();
     }
+  }
+
+  /**
+   * The thread goes on for a moment after its job has ended, long on a busy machine: what the job
+   * referred to must not live that long.
+   */
+  private Job takeJob() {
+    Job own = requireNonNull(job, "a thread runs once");
+    job = null;
+    return own;
   }
 
   private void giveBack() {
