@@ -13,19 +13,19 @@ import urbi.UValue;
  * writes a kind of message never changes.
  */
 public sealed interface Message {
-  /** The receiver of what concerns the whole kernel. */
+  /** The receiver of messages to the whole kernel. */
   int KERNEL = 0;
 
-  /** The receiver of what the Java program around the kernel asks for. */
+  /** The receiver of requests of the embedding Java program. */
   int EMBEDDING = 1;
 
-  /** The receiver of what UObjects in the process of the kernel ask for. */
+  /** The receiver of requests of UObjects in the kernel's process. */
   int COMPONENTS = 2;
 
-  /** The receiver of what concerns jobs. */
+  /** The receiver of messages to jobs. */
   int JOBS = 3;
 
-  /** The first number of the receivers that come and go. */
+  /** The first number for receivers that are registered at run time. */
   int FIRST_FREE = 16;
 
   /** The number of its receiver. */
@@ -33,7 +33,7 @@ public sealed interface Message {
 
   // ------------------------------------------------------------------ the kernel
 
-  /** The kernel is to end, with that exit status. */
+  /** The kernel must end with that exit status. */
   record Shutdown(int status) implements Message {
     @Override
     public int to() {
@@ -55,10 +55,10 @@ public sealed interface Message {
    * A client has connected.
    *
    * @param connection the number of the connection from now on
-   * @param holdsTime whether a simulated time waits for its input
+   * @param holdsTime whether simulated time stands still while input may come
    * @param address the Internet address of the client; empty when it has none
-   * @param role the name of what its lobby may do
-   * @param budget what its lobby may have, in the form of options
+   * @param role the name of the role of its lobby
+   * @param budget the limits of its lobby, as in options
    */
   record ConnectionOpened(
       int connection, boolean holdsTime, String address, String role, String budget)
@@ -69,28 +69,28 @@ public sealed interface Message {
     }
   }
 
-  /** A client has shown who it is: its lobby may do what the role of that name may. */
+  /** A client has authenticated itself: its lobby gets the role of that name. */
   record RoleGranted(int to, String role) implements Message {}
 
   /** A client has sent bytes, one in each character. */
   record ConsoleBytes(int to, String bytes) implements Message {}
 
-  /** A client will send no more. */
+  /** A client has ended its input. */
   record InputEnded(int to) implements Message {}
 
-  /** A client wants the statement that is executed to end. */
+  /** A client wants to interrupt the statement being executed. */
   record Interrupted(int to) implements Message {}
 
-  /** All that a lobby does is to end, for that reason. */
+  /** All jobs of a lobby must end, for that reason. */
   record Evicted(int to, String reason) implements Message {}
 
-  /** A client has gone. */
+  /** A client has disconnected. */
   record ConnectionClosed(int to) implements Message {}
 
-  /** What carries the text of a client has failed, by a fault of our own. */
+  /** The code that carries a client's text has failed because of a bug of ours. */
   record ConnectionFailed(int to, String error) implements Message {}
 
-  /** A client wants to know how a text can go on. */
+  /** A client asks for the completions of a text. */
   record CompletionRequested(int to, int question, String text) implements Message {}
 
   // ------------------------------------------------------------------ remote processes
@@ -111,60 +111,60 @@ public sealed interface Message {
   /** A process has sent a frame (docs/protocol.md), here without its length. */
   record RemoteFrame(int to, byte[] frame) implements Message {}
 
-  /** So much waits to be sent to a process that values of variables had better wait. */
+  /** So much output waits for a process that new values of variables are held back. */
   record RemoteCongested(int to) implements Message {}
 
-  /** What waited to be sent to a process has left. */
+  /** The output that waited for a process has been sent. */
   record RemoteDrained(int to) implements Message {}
 
   /** The connection to a process is lost. */
   record RemoteLost(int to, String reason) implements Message {}
 
-  /** The kernel thread may read what a process sends, while it has nothing else to do. */
+  /** The kernel thread may itself read what a process sends while it is idle. */
   record RemoteReadable(int to) implements Message {}
 
-  /** Is the kernel thread there to read what a process sends? */
+  /** Asks whether the kernel thread is idle, so that it can itself read what a process sends. */
   record PollingRequested(int to) implements Message {}
 
   // ------------------------------------------------------------------ the rest of the machine
 
-  /** What a job waits for is there. */
+  /** The result for which a job waits. */
   record Answer(int to, Outcome outcome) implements Message {}
 
-  /** A pipe or a connection has bytes to be read. */
+  /** Bytes have arrived from a pipe or a connection. */
   record BytesArrived(int to, byte[] bytes) implements Message {}
 
   /**
-   * A pipe or a connection has nothing more to be read.
+   * A pipe or a connection has reached its end.
    *
    * @param error what went wrong, or null
    */
   record BytesEnded(int to, @Nullable String error) implements Message {}
 
-  /** So many bytes have been written. */
+  /** That number of bytes has been written. */
   record BytesWritten(int to, int count) implements Message {}
 
-  /** Bytes cannot be written any more. */
+  /** Writing has failed, and no more bytes will be written. */
   record WritingFailed(int to, String error) implements Message {}
 
-  /** A program has ended, with that status of the operating system. */
+  /** A child process has ended, with that status of the operating system. */
   record ProcessEnded(int to, int status) implements Message {}
 
-  /** Somebody has connected to a place where the program listens. */
+  /** A server socket has accepted a connection. */
   record Accepted(int to, InetSocketAddress local, InetSocketAddress remote) implements Message {}
 
-  /** Nobody can connect any more. */
+  /** A server socket was closed. */
   record ListeningEnded(int to) implements Message {}
 
-  /** There is a new file in a directory that is watched. */
+  /** A file was created in a watched directory. */
   record FileCreated(int to, String name) implements Message {}
 
-  /** A file has gone from a directory that is watched. */
+  /** A file was deleted from a watched directory. */
   record FileDeleted(int to, String name) implements Message {}
 
   // ------------------------------------------------------------------ UObjects in this process
 
-  /** A UObject wants urbiscript code executed. */
+  /** A UObject asks for urbiscript code to be executed. */
   record ComponentCode(String code) implements Message {
     @Override
     public int to() {
@@ -172,7 +172,7 @@ public sealed interface Message {
     }
   }
 
-  /** A UObject calls a function of urbiscript, and does not wait for its end. */
+  /** A UObject calls an urbiscript function without waiting for its end. */
   record ComponentCall(String object, String method, UValue[] arguments) implements Message {
     @Override
     public int to() {
@@ -188,7 +188,7 @@ public sealed interface Message {
     }
   }
 
-  /** A thread of a UObject waits until what it asks for is done. */
+  /** A request of a thread of a UObject, which waits for it. */
   record ComponentRequest(int number) implements Message {
     @Override
     public int to() {
@@ -196,7 +196,7 @@ public sealed interface Message {
     }
   }
 
-  /** A threaded function has ended of which nobody waits for the result. */
+  /** A threaded function has ended, for whose result nobody waits. */
   record ComponentDone() implements Message {
     @Override
     public int to() {
@@ -204,7 +204,7 @@ public sealed interface Message {
     }
   }
 
-  /** Nobody refers any more to the urbiscript object of a UObject. */
+  /** The urbiscript object of a UObject is no longer referenced. */
   record ComponentGone(String name) implements Message {
     @Override
     public int to() {
@@ -215,9 +215,9 @@ public sealed interface Message {
   // ------------------------------------------------------------------ the program around
 
   /**
-   * The program around the kernel asks for something.
+   * A request of the embedding program.
    *
-   * @param what for people
+   * @param what a description for messages
    */
   record EmbeddingCall(int number, String what) implements Message {
     @Override
@@ -226,7 +226,7 @@ public sealed interface Message {
     }
   }
 
-  /** What the program around the kernel asked for, or listens to, is no longer wanted. */
+  /** The embedding program cancels a request or removes a listener. */
   record EmbeddingCancel(int number) implements Message {
     @Override
     public int to() {
@@ -234,7 +234,7 @@ public sealed interface Message {
     }
   }
 
-  /** So many threads of the program wait for the end of the kernel. */
+  /** The number of threads of the embedding program that wait for the end of the kernel. */
   record EmbeddingWaits(int threads) implements Message {
     @Override
     public int to() {

@@ -30,8 +30,7 @@ public record Outcome(@Nullable Object value, @Nullable Throwable failure) {
   /**
    * The result.
    *
-   * @throws IOException as the work did, or because of what else it threw; memory that was not
-   *     enough for the work is no reason for anything else to end
+   * @throws IOException what the work threw, wrapped if it was no IOException; an OutOfMemoryError of the work is wrapped, too, so that it ends nothing but the work
    */
   @SuppressWarnings("unchecked")
   public <T> @Nullable T get() throws IOException {

@@ -1,6 +1,6 @@
 package org.urbi.kernel.message;
 
-/** Whom a message is for. */
+/** The receiver of a message. */
 @FunctionalInterface
 public interface Receiver {
   /** Takes a message; on the kernel thread, between the jobs. It must not wait. */

@@ -1,5 +1,5 @@
 /**
- * What comes into a kernel from the outside: data alone, which can be written down and read again.
+ * The messages that come into a kernel from outside: pure data, which can be recorded and replayed.
  */
 @NullMarked
 package org.urbi.kernel.message;

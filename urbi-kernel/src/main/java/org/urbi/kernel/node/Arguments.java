@@ -11,7 +11,7 @@ final class Arguments {
   /**
    * The value of a node that a construct uses.
    *
-   * @param at the construct, which is where the error is
+   * @param at the construct, which is where an error is reported
    */
   static UrbiObject notVoid(Frame frame, Node node, Span at) {
     UrbiObject value = node.execute(frame);
@@ -26,8 +26,7 @@ final class Arguments {
   }
 
   /**
-   * Evaluates the arguments into an array of at least that size, from its beginning. The call says
-   * where the error is.
+   * Evaluates the arguments into an array of at least that size, from its beginning. An error is reported at the location of the call.
    */
   static UrbiObject[] evaluate(Frame frame, Node[] nodes, int size) {
     UrbiObject[] values = new UrbiObject[size];

@@ -20,11 +20,11 @@ public final class Assertion extends Node {
     String text();
   }
 
-  /** A claim of which the message shows the value alone. */
+  /** A claim of which the message shows only the value. */
   public record PlainClaim(String text, Node code) implements Claim {}
 
   /**
-   * A claim that is a message, taken apart so that the values of its parts can be shown.
+   * A claim that is a message send, split so that the values of its parts can be shown.
    *
    * @param operator as it was written, or null
    * @param target null for {@code this}
@@ -37,7 +37,7 @@ public final class Assertion extends Node {
       List<Node> arguments)
       implements Claim {}
 
-  /** What is declared among the claims; like them, only if they are checked. */
+  /** A declaration among the claims; like them, it is executed only if assertions are enabled. */
   public static final class DeclarationClaim extends Node {
     private final Node declaration;
 
@@ -78,7 +78,7 @@ public final class Assertion extends Node {
   private void check(Frame frame, PlainClaim whole) {
     UrbiObject value = whole.code.execute(frame);
     if (!holds(frame, value)) {
-      // A construct, printed on lines of its own, says what it does: no value is added.
+      // A construct that is printed on several lines is shown without its value.
       fail(
           frame,
           whole.text.indexOf('\n') >= 0
@@ -116,7 +116,7 @@ public final class Assertion extends Node {
     throw frame.located(error.build(), span());
   }
 
-  /** What holds where a comparison does not. */
+  /** The comparison that is true where the given one is false. */
   private static @Nullable String opposite(String operator) {
     return switch (operator) {
       case "==" -> "!=";

@@ -16,7 +16,7 @@ final class Background implements AutoCloseable {
     group = new JobGroup(parent);
   }
 
-  /** Starts a statement, with variables of its own but for those it shares by name. */
+  /** Starts a statement, with a copy of the variables except for those in cells. */
   void start(Frame frame, Node statement) {
     frame.job.checkInterrupted();
     ForkedCode branch = branch(statement);
@@ -24,10 +24,10 @@ final class Background implements AutoCloseable {
   }
 
   /**
-   * Starts a statement with a variable of its own, as if it were called through these.
+   * Starts a statement with its own value of a loop variable, as if called through these call sites.
    *
-   * @param inner the call by which errors say that it was called
-   * @param outer the call by which that was called
+   * @param inner the innermost call shown in backtraces
+   * @param outer the call around that
    */
   void start(
       Frame frame,
@@ -57,7 +57,7 @@ final class Background implements AutoCloseable {
     });
   }
 
-  /** Executes the code that goes on meanwhile. */
+  /** Executes the code that runs beside the background jobs. */
   UrbiObject guard(Supplier<UrbiObject> code) {
     try {
       return code.get();

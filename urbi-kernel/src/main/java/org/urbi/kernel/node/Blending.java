@@ -16,9 +16,7 @@ import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
- * What becomes of several assignments of one slot at a time (properties of variables, {@code
- * blend}). Those of different jobs in one cycle are at the same time, and so are motions ({@code x
- * = 1 time: 2s}) from their beginning to their end.
+ * Combines simultaneous assignments to one slot (the property {@code blend}). Assignments of different jobs in one cycle are simultaneous, as are motions ({@code x = 1 time: 2s}) from start to end.
  */
 public final class Blending {
   private final BlendMode mode;
@@ -26,7 +24,7 @@ public final class Blending {
   private final Map<Job, Part> parts = new LinkedHashMap<>();
   private final Set<Job> waiting = new LinkedHashSet<>();
 
-  /** What a job has assigned last. */
+  /** The last assignment of a job. */
   private record Part(double value, long cycle) {}
 
   public Blending(BlendMode mode) {
@@ -35,7 +33,7 @@ public final class Blending {
 
   // ------------------------------------------------------------------ motions
 
-  /** Executes a motion, at its time; void when there is none. */
+  /** Executes a motion when the blend mode allows it; void if it is dropped. */
   UrbiObject move(Frame frame, Supplier<UrbiObject> motion) {
     Job job = frame.job;
     if (motions.containsKey(job)) {
@@ -62,7 +60,7 @@ public final class Blending {
     }
   }
 
-  /** Whether the job may assign now; waits for that where it has to. */
+  /** Whether the job may assign; waits for its turn if the mode is {@code queue}. */
   private boolean begin(Frame frame) {
     switch (mode) {
       case DISCARD -> {
@@ -104,7 +102,7 @@ public final class Blending {
 
   // ------------------------------------------------------------------ values
 
-  /** The value that the slot gets when a job assigns this one; null when it keeps its own. */
+  /** The new value of the slot when a job assigns this one; null if the slot is not changed. */
   @Nullable UrbiObject assigned(Frame frame, UrbiObject value) {
     Job job = frame.job;
     if (mode == BlendMode.MIX || mode == BlendMode.ADD) {

@@ -17,14 +17,14 @@ public final class CallMessages {
     private final @Nullable Argument argument;
 
     /**
-     * @param argument null in the prototype and in those made by hand
+     * @param argument null in the prototype and in objects created by programs
      */
     public Lazy(Shape shape, @Nullable Argument argument) {
       super(shape);
       this.argument = argument;
     }
 
-    /** The argument; null in the prototype and in those made by hand. */
+    /** The argument; null in the prototype and in objects created by programs. */
     public @Nullable Argument argument() {
       return argument;
     }
@@ -39,10 +39,10 @@ public final class CallMessages {
    * An argument as it was written.
    *
    * @param frame the activation of the caller
-   * @param lobby for which it is evaluated if its evaluator may do something else
+   * @param lobby the lobby with whose permissions it is evaluated
    */
   public record Argument(Node code, Frame frame, UrbiObject lobby) {
-    /** Evaluates it in the activation of the caller; each time anew. */
+    /** Evaluates it in the activation of the caller, each time again. */
     public UrbiObject evaluate(Frame evaluator) {
       Job job = evaluator.job;
       return job.doFor(lobby, () -> code.execute(frame.in(job)));

@@ -5,7 +5,7 @@ import org.urbi.lang.source.Span;
 
 /** A place in the code from which something is called. */
 public interface CallSite {
-  /** Has no arguments that are code. */
+  /** No arguments. */
   Node[] NO_CODE = {};
 
   /** The name in the backtrace. */
@@ -14,12 +14,12 @@ public interface CallSite {
   /** The place in the backtrace; null when there is none. */
   @Nullable Span calledSpan();
 
-  /** Whether backtraces tell of it. */
+  /** Whether backtraces show it. */
   default boolean isTraced() {
     return true;
   }
 
-  /** Whether a name was called: Java code also calls functions that it has from elsewhere. */
+  /** Whether a name was called; Java code also calls function values. */
   default boolean isNamed() {
     return true;
   }

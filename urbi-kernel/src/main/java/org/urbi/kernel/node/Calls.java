@@ -3,7 +3,7 @@ package org.urbi.kernel.node;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 
-/** How code calls what a lookup has found. */
+/** Calls the value that a lookup has found. */
 final class Calls {
   private Calls() {}
 
@@ -25,7 +25,7 @@ final class Calls {
     return code.call(frame, site, self, Arguments.evaluate(frame, arguments, arguments.length));
   }
 
-  /** Lazy primitives look at the code of their arguments; only the number counts here. */
+  /** Placeholders for the arguments of a lazy primitive, which reads their code: only their number matters. */
   private static UrbiObject[] placeholders(Node[] arguments) {
     return new UrbiObject[arguments.length];
   }
@@ -40,7 +40,7 @@ final class Calls {
         frame, site, value, self, Arguments.evaluate(frame, arguments, arguments.length));
   }
 
-  /** There is no such slot: the object may have a {@code fallback} to answer in its place. */
+  /** Handles a missing slot: the {@code fallback} of the object is called, if it has one. */
   static UrbiObject fallback(
       Frame frame, CallSite site, UrbiObject self, Symbol name, Node[] arguments) {
     UrbiObject fallback = self.lookup(frame.interpreter.symbols().fallback);

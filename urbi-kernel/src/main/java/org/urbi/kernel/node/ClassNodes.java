@@ -9,7 +9,7 @@ import org.urbi.lang.source.Span;
 public final class ClassNodes {
   private ClassNodes() {}
 
-  /** Gives an object the slots by which its type is known: {@code type} and {@code asType}. */
+  /** Gives an object the slots that tell its type: {@code type} and {@code asType}. */
   public static void nameType(Interpreter interpreter, UrbiObject object, String name) {
     var world = interpreter.world();
     object.addSlot(world.symbol("type"), interpreter.values().string(name));
@@ -51,7 +51,7 @@ public final class ClassNodes {
     }
   }
 
-  /** An object that has been declared, and the body evaluated on it. */
+  /** The declaration of an object, followed by its body, which is evaluated on it. */
   public static final class WithBody extends Node {
     private final Node declaration;
     private final Node body;

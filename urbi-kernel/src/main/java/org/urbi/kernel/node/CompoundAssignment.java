@@ -10,12 +10,12 @@ import org.urbi.lang.source.Span;
 
 /**
  * {@code a += b}, which is {@code a = a.'+='(b)}, and {@code a++}, which sets {@code a} to {@code
- * a.'++'} and returns its former value. What {@code a} consists of is evaluated once.
+ * a.'++'} and returns its former value. The parts of {@code a} are evaluated only once.
  */
 public final class CompoundAssignment extends Node implements CallSite {
   /** What is modified. */
   public sealed interface Access {
-    /** Evaluates the parts: an array of the target, and what else there is. */
+    /** Evaluates the parts: an array with the target, then the others. */
     UrbiObject[] parts(Frame frame);
 
     UrbiObject read(Frame frame, UrbiObject[] parts);
@@ -121,7 +121,7 @@ public final class CompoundAssignment extends Node implements CallSite {
     }
   }
 
-  /** A value that has no place: only the operator is called. */
+  /** A value that cannot be assigned: only the operator is called. */
   public record Constant(Node value) implements Access {
     @Override
     public UrbiObject[] parts(Frame frame) {
@@ -145,10 +145,10 @@ public final class CompoundAssignment extends Node implements CallSite {
   private final @Nullable UrbiObject original;
   private int intactEpoch = -1;
 
-  /** The index of the plain local variable modified, or -1 when it is something else. */
+  /** The index of the plain local variable that is modified, or -1 for anything else. */
   private final int local;
 
-  /** What is added to a number when that is known beforehand; otherwise NaN. */
+  /** The number that is added, if it is a constant; otherwise NaN. */
   private final double step;
 
   /**
@@ -197,7 +197,7 @@ public final class CompoundAssignment extends Node implements CallSite {
     return modify(frame);
   }
 
-  /** A number in a plain local variable, which needs neither the access nor, often, the operand. */
+  /** The fast path for a number in a plain local variable. */
   private UrbiObject count(Frame frame, UrbiFloat before) {
     if (!Double.isNaN(step) && before.shape() == values.floatShape && isIntact()) {
       UrbiObject after = values.number(before.value() + step);

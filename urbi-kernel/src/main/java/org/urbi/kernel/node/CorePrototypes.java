@@ -4,7 +4,7 @@ import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Values;
 
-/** The prototypes of what the interpreter makes, besides everyday values. */
+/** The prototypes of objects that the interpreter creates, other than everyday values. */
 public final class CorePrototypes {
   public final UrbiObject executable;
   public final UrbiObject code;
@@ -20,7 +20,7 @@ public final class CorePrototypes {
   /** The function {@code asType} of types: returns its target. */
   final UrbiObject asThis;
 
-  /** Where implicit tags are made. */
+  /** The object below which implicit tags are created. */
   public final UrbiObject tags;
 
   /**

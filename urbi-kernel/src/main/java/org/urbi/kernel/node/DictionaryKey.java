@@ -45,7 +45,7 @@ public final class DictionaryKey {
     }
   }
 
-  /** Any other object: asks it. */
+  /** A key of any other type: calls its {@code ==} and {@code hash}. */
   private record ObjectKey(Frame frame, int hash, UrbiObject value) implements UrbiDictionary.Key {
     @Override
     public @Nullable Comparable<?> rank() {

@@ -13,7 +13,7 @@ import org.urbi.lang.source.Span;
 
 /**
  * {@code for (var x : range) body}: sends {@code each} (or {@code each|}, {@code each&}) to the
- * range. Numbers and lists whose {@code each} is that of the library are gone through directly.
+ * range. Numbers and lists are iterated directly if their {@code each} is the library's.
  */
 public final class ForEach extends Node implements CallSite {
   private final Flavor flavor;
@@ -23,7 +23,7 @@ public final class ForEach extends Node implements CallSite {
   private final Symbol each;
   private final CallSite entry;
 
-  /** How backtraces show that the turns of a loop are called. */
+  /** The call that backtraces show for the turns of a loop. */
   private record Entry(String calledName, Span calledSpan) implements CallSite {}
 
   public ForEach(
@@ -144,7 +144,7 @@ public final class ForEach extends Node implements CallSite {
     return values.voidObject;
   }
 
-  /** One turn; what the loop is to return when that was the last one, or null. */
+  /** Executes one turn; returns the result of the loop if that was the last one, otherwise null. */
   private @Nullable UrbiObject turn(Frame frame, UrbiObject element) {
     variable.declare(frame, element);
     UrbiObject value;
@@ -172,7 +172,7 @@ public final class ForEach extends Node implements CallSite {
     try {
       frame.interpreter.send(frame, this, over, each, action);
     } catch (UrbiException e) {
-      // What has no such function is told of where it would be called: at the body.
+      // The error about a missing {@code each} is reported where it would be called: at the body.
       throw frame.located(e, over.lookup(each) == null ? body.span() : range.span());
     }
     return frame.interpreter.values().voidObject;

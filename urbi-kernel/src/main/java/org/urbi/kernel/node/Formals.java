@@ -18,7 +18,7 @@ public final class Formals {
    * @param defaults the default value of each parameter, or null
    * @param types the type that each parameter must have, or null
    * @param parameterCells the cell of each parameter, or -1
-   * @param variadic whether the last one takes what is left, as a list
+   * @param variadic whether the last one receives the remaining arguments as a list
    */
   public Formals(
       String[] names, Node[] defaults, Node[] types, int[] parameterCells, boolean variadic) {
@@ -52,7 +52,7 @@ public final class Formals {
     return variadic ? Integer.MAX_VALUE : names.length;
   }
 
-  /** Whether each argument simply goes to its place. */
+  /** Whether each argument is simply stored at its index. */
   boolean isSimple(int given) {
     return given == names.length && !variadic && !hasDefaults;
   }
@@ -67,7 +67,7 @@ public final class Formals {
     }
   }
 
-  /** The variables of a call: the arguments in their places, room for the others. */
+  /** Creates the variables of a call: the arguments at their indices, then room for the others. */
   UrbiObject[] bind(Frame caller, CallSite site, Function called, UrbiObject[] arguments) {
     int given = arguments.length;
     check(caller, site, given);

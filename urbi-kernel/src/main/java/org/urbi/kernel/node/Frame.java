@@ -12,7 +12,7 @@ import org.urbi.lang.source.Span;
 
 /** One activation of a function: its variables, its target, and who called it. */
 public final class Frame {
-  /** How a statement list ended, when it did not end by itself. */
+  /** The jump that ended a statement list. */
   enum Completion {
     BREAK,
     CONTINUE,
@@ -24,13 +24,13 @@ public final class Frame {
   private static final int INNERMOST_CALLS = 100;
   private static final int OUTERMOST_CALLS = 50;
 
-  /** The kernel, for those who need more than objects. */
+  /** The interpreter. */
   final Interpreter interpreter;
 
   final Job job;
   final int depth;
 
-  /** Who called; null at the top level, and in jobs that outlive their caller. */
+  /** The frame of the caller; null at the top level, and in jobs that outlive their caller. */
   final @Nullable Frame caller;
 
   /** Where the call was made, or null. */
@@ -45,22 +45,22 @@ public final class Frame {
   final UrbiObject[] locals;
   final Cell[] cells;
 
-  /** The same for all the frames of one activation, and for no others. */
+  /** Identifies the activation: the same object in all of its frames. */
   final Object activation;
 
-  /** Set by {@code break}, {@code continue} and {@code return}; null while all goes on. */
+  /** Set by {@code break}, {@code continue} and {@code return}; null during normal execution. */
   @Nullable Completion completion;
 
   /** The exception that the {@code catch} clause being executed has caught, or null. */
   @Nullable UrbiException caught;
 
-  /** The jobs to which the scope being executed has given statements, or null. */
+  /** The background jobs of the scope being executed, or null. */
   @Nullable Background background;
 
-  /** The loop being executed, for the jobs that its code detaches; or null. */
+  /** The jobs detached by the loop being executed; or null. */
   @Nullable LoopJobs loopJobs;
 
-  /** What is to be done when the innermost marked scope being executed is left, or null. */
+  /** The actions at the end of the innermost marked scope being executed, or null. */
   @Nullable ScopeEnd scopeEnd;
 
   private Frame(
@@ -136,15 +136,15 @@ public final class Frame {
   }
 
   /**
-   * The same activation in another job, with variables of its own but for the cells.
+   * The same activation in another job, with a copy of the variables except for those in cells.
    *
-   * @param waited whether the frame waits for that job, so that it is among its callers
+   * @param waited whether this frame waits for that job, and so belongs to its callers
    */
   public Frame fork(Job other, boolean waited) {
     return copy(other, waited, null);
   }
 
-  /** Like {@link #fork}, for a job that is waited for, as if called through these, inner first. */
+  /** Like {@link #fork}, for a job for which the code waits, as if called through these call sites. */
   Frame forkThrough(Job other, CallSite inner, CallSite outer) {
     Frame around = fork(other, true);
     Frame through = around.calledAt(outer, around);
@@ -170,7 +170,7 @@ public final class Frame {
   /**
    * The same activation with a copy of its variables.
    *
-   * @param how what stands in the backtrace for a caller that is not kept, or null
+   * @param how the call shown in backtraces instead of a caller that is not kept, or null
    */
   private Frame copy(Job other, boolean waited, @Nullable CallSite how) {
     boolean kept = keepsCaller(waited);
@@ -189,12 +189,12 @@ public final class Frame {
             activation));
   }
 
-  /** A job that outlives its caller must not keep it alive, unless it can ask for it. */
+  /** Whether the copy keeps its caller: a job that outlives its caller must not keep it alive, unless its code can ask for it. */
   private boolean keepsCaller(boolean waited) {
     return waited || (function != null && function.usesCall());
   }
 
-  /** The same activation, variables included, seen by code that another job evaluates for it. */
+  /** The same activation with the same variables, for code that another job evaluates. */
   public Frame in(Job evaluator) {
     return evaluator == job
         ? this
@@ -215,7 +215,7 @@ public final class Frame {
 
   // ------------------------------------------------------------------ for the library
 
-  /** Whether {@code return}, {@code break} or {@code continue} is leaving the code around. */
+  /** Whether {@code return}, {@code break} or {@code continue} is leaving the surrounding code. */
   public boolean isLeaving() {
     return completion != null;
   }
@@ -238,7 +238,7 @@ public final class Frame {
     return site;
   }
 
-  /** Who called; null at the top level. */
+  /** The frame of the caller; null at the top level. */
   public @Nullable Frame caller() {
     return caller;
   }
@@ -254,21 +254,20 @@ public final class Frame {
   }
 
   /**
-   * The end of the scope being executed: of the innermost one that is marked, or else of the
-   * function; null at the top level.
+   * The actions at the end of the innermost marked scope being executed, or else of the function; null at the top level.
    */
   public @Nullable ScopeEnd scopeEnd() {
     return scopeEnd == null && function != null ? ((Frame) activation).functionEnd() : scopeEnd;
   }
 
-  /** The variables of the code around that the function has captured. */
-  // No check, since variables are read here: code that reads what it has captured is a function's.
+  /** The variables of surrounding code that the function has captured. */
+  // No null check, for speed: only the code of a function reads captured variables.
   @SuppressWarnings("NullAway")
   Cell[] captured() {
     return function.captured();
   }
 
-  /** The end of the function, in the frame that its call has made. */
+  /** The actions at the end of the function, kept in the frame of its call. */
   private ScopeEnd functionEnd() {
     if (scopeEnd == null) {
       scopeEnd = new ScopeEnd();
@@ -276,7 +275,7 @@ public final class Frame {
     return scopeEnd;
   }
 
-  /** The activation that a {@code return} in the closure that runs ends; null if there is none. */
+  /** The activation that a {@code return} in the running closure ends; null if there is none. */
   @Nullable Object home() {
     return function == null ? null : function.home();
   }
@@ -291,7 +290,7 @@ public final class Frame {
     return false;
   }
 
-  /** What is thrown for a problem by what is called at that site. */
+  /** Creates the exception for a problem in a function called at that site. */
   public UrbiException error(CallSite at, Problem problem, Object... places) {
     return interpreter.errors().primitive(at.calledName(), problem, places);
   }
@@ -302,8 +301,7 @@ public final class Frame {
   }
 
   /**
-   * The calls that are going on, innermost first. Of a recursion that ran away both ends are told,
-   * and how many calls are between them.
+   * The calls in progress, innermost first. Of a runaway recursion only both ends are listed, with the number of calls between them.
    */
   public List<UrbiException.Call> backtrace() {
     List<UrbiException.Call> calls = new ArrayList<>();
@@ -335,7 +333,7 @@ public final class Frame {
     return new UrbiException.Call(from.calledName(), from.calledSpan());
   }
 
-  /** Says where an exception was thrown, if that is not known yet. */
+  /** Adds to an exception where it was thrown, if that is not known yet. */
   public UrbiException located(UrbiException exception, Span span) {
     if (!exception.isLocated()) {
       exception.locate(span, backtrace());

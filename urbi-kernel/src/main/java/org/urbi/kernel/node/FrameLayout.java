@@ -2,7 +2,7 @@ package org.urbi.kernel.node;
 
 import org.urbi.kernel.object.UrbiObject;
 
-/** How many variables an activation needs; known when its code has been compiled whole. */
+/** The number of variables of an activation; complete once all of its code has been compiled. */
 public final class FrameLayout {
   private static final UrbiObject[] NO_LOCALS = {};
   private static final Cell[] NO_CELLS = {};
@@ -10,12 +10,12 @@ public final class FrameLayout {
   private int locals;
   private int cells;
 
-  /** A new place for a variable that only one job can reach. */
+  /** Adds a variable that only one job can reach, and returns its index. */
   public int addLocal() {
     return locals++;
   }
 
-  /** A new place for a variable that closures or other jobs reach. */
+  /** Adds a variable that closures or other jobs can reach, and returns the index of its cell. */
   public int addCell() {
     return cells++;
   }

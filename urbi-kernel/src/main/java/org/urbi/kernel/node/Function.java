@@ -10,24 +10,24 @@ import org.urbi.lang.ast.Ast;
 
 /** A function written in urbiscript (manual, "Code"), with the variables that it captured. */
 public final class Function extends Code {
-  /** How many calls are left by an exception before others may run; a power of two. */
+  /** After how many calls unwound by an exception others may run; a power of two. */
   private static final int CALLS_PER_BREATH = 1 << 10;
 
-  /** What all the closures over one function text share. */
+  /** The part that all closures of one function text share. */
   public static final class Body {
     final Ast.Function source;
     final FrameLayout layout;
     final @Nullable Formals formals;
 
-    /** Where the parameters that are cells stand, by parameter; -1 for plain ones. */
+    /** For each parameter the index of its cell; -1 for plain ones. */
     final int @Nullable [] parameterCells;
 
     final boolean usesCall;
 
-    /** Whether it is a closure with a {@code return}, which leaves the function around it. */
+    /** Whether it is a closure with a {@code return}, which leaves the surrounding function. */
     final boolean leavesHome;
 
-    /** Whether the parameters are ready as soon as the arguments are there. */
+    /** Whether the parameters need no preparation: no cells, defaults or types. */
     final boolean plain;
 
     final Node code;
@@ -64,8 +64,7 @@ public final class Function extends Code {
   private final @Nullable UrbiObject boundSelf;
 
   /**
-   * The lobby of closures, for which their code runs, and of all functions that were made for a
-   * lobby which may not do everything: whoever calls them lends them no rights. Null in others.
+   * The lobby with whose permissions the code runs: of closures, and of functions defined in a lobby with limited permissions, so that they do not gain those of their callers. Null for other functions.
    */
   private final @Nullable UrbiObject boundLobby;
 
@@ -92,7 +91,7 @@ public final class Function extends Code {
     return body.source;
   }
 
-  /** Whether the other one has captured the same variables, and the same target. */
+  /** Whether another function has captured the same variables and target. */
   public boolean capturesAs(Function other) {
     return boundSelf == other.boundSelf && Arrays.equals(captured, other.captured);
   }
@@ -135,7 +134,7 @@ public final class Function extends Code {
     return run(caller, site, self, locals);
   }
 
-  /** Runs with the variables made ready: the parameters first, then room for the others. */
+  /** Runs with prepared variables: the parameters first, then room for the others. */
   UrbiObject run(Frame caller, CallSite site, UrbiObject self, UrbiObject[] locals) {
     if (boundLobby != null && boundLobby != caller.job.lobby() && changesLobby(caller)) {
       UrbiObject lobby = caller.job.lobby();
@@ -151,7 +150,7 @@ public final class Function extends Code {
         : execute(caller, site, self, locals);
   }
 
-  /** Code of the caller is not evaluated for a lobby that may do more. */
+  /** Whether the call changes the lobby of the job. Lazy arguments of the caller must not run with the permissions of a more privileged lobby. */
   private boolean changesLobby(Frame caller) {
     return caller.job.isOwner() || !isLazy();
   }

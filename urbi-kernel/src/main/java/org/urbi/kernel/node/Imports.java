@@ -9,17 +9,15 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
 /**
- * Packages and imports. A package is an object below {@code 'package'}. {@code import a.b.*} has
- * names that are nobody's looked up in {@code a.b}, {@code import a.b} the name {@code b} in {@code
- * a}, to the end of the scope around; what is further inside goes first.
+ * Packages and imports. A package is an object below {@code 'package'}. Up to the end of the surrounding scope, {@code import a.b.*} looks names up in {@code a.b} that are not found otherwise, and {@code import a.b} does so for the name {@code b} in {@code a}. Inner imports take precedence.
  */
 public final class Imports {
-  /** An object that names are imported from at the top level, and the only name if it is one. */
+  /** An object from which names are imported at the top level, and the name if it is only one. */
   public record Imported(UrbiObject from, @Nullable String only) {}
 
   private final List<Imported> all = new ArrayList<>();
 
-  /** What the statements before have imported, oldest first. */
+  /** The imports of earlier statements, oldest first. */
   public List<Imported> all() {
     return all;
   }
@@ -30,8 +28,8 @@ public final class Imports {
     private final Symbol[] path;
 
     /**
-     * @param root what the first name is looked up in
-     * @param path the names of the objects on the way
+     * @param root the object in which the first name is looked up
+     * @param path the names to follow from there
      */
     public Source(Span span, Node root, List<Symbol> path) {
       super(span);
@@ -57,7 +55,7 @@ public final class Imports {
     return found;
   }
 
-  /** Where the first name of an {@code import} is: with the receiver, or among the packages. */
+  /** Finds the first name of an {@code import}: in the receiver, or among the packages. */
   public static final class Root extends Node {
     private final Node receiver;
     private final Symbol name;
@@ -95,7 +93,7 @@ public final class Imports {
       if (only != null) {
         member(frame, from, only, span());
       }
-      // What the lobby inherits from is known anyway.
+      // Names that the lobby inherits are found without the import.
       if (only == null && frame.self.isA(from)) {
         return frame.interpreter.values().voidObject;
       }
@@ -114,7 +112,7 @@ public final class Imports {
 
     /**
      * @param only the only name that is imported, or null
-     * @param place where the object is kept for the code that follows
+     * @param place the variable that holds the object for the code that follows
      */
     public Local(Node source, @Nullable Symbol only, Variables.Place place) {
       super(source.span());
@@ -134,7 +132,7 @@ public final class Imports {
     }
   }
 
-  /** An object that was imported from before. */
+  /** An object from which an earlier statement has imported. */
   public static final class Known extends Node {
     private final UrbiObject object;
 
@@ -149,15 +147,15 @@ public final class Imports {
     }
   }
 
-  /** Who has a name that was written without a target. */
+  /** Finds the receiver of a name without a target. */
   public static final class Receiver extends Node {
     private final Symbol name;
     private final Node[] inner;
     private final Node[] outer;
 
     /**
-     * @param inner what is imported where {@code this} is the same, the innermost first
-     * @param outer what is imported around that
+     * @param inner the imports of scopes with the same {@code this}, innermost first
+     * @param outer the imports of the scopes around these
      */
     public Receiver(Span span, Symbol name, List<Node> inner, List<Node> outer) {
       super(span);
@@ -183,7 +181,7 @@ public final class Imports {
       for (Node source : sources) {
         UrbiObject from = source.execute(frame);
         UrbiObject holder = from.locate(name);
-        // What every object has is not imported.
+        // Slots that every object has are not imported.
         if (holder != null && (holder == from || !everybody.isA(holder))) {
           return from;
         }
@@ -192,7 +190,7 @@ public final class Imports {
     }
   }
 
-  /** {@code package name}: the package of that name, made when it is not there. */
+  /** {@code package name}: the package of that name, which is created if it does not exist. */
   public static final class Package extends Node {
     private final Symbol[] path;
 
@@ -203,7 +201,7 @@ public final class Imports {
 
     @Override
     public UrbiObject execute(Frame frame) {
-      // A package in a package is a part of it.
+      // A package declared inside a package becomes a part of it.
       UrbiObject at = frame.self instanceof UrbiPackage ? frame.self : packages(frame);
       for (Symbol name : path) {
         UrbiObject known = at.localSlot(name);

@@ -21,8 +21,7 @@ import org.urbi.kernel.object.World;
 import org.urbi.lang.source.Span;
 
 /**
- * What executing code needs besides the code: the objects of the kernel, its scheduler, its errors;
- * and the ways to call urbiscript from Java.
+ * The environment of executing code: the objects of the kernel, its scheduler, its errors; and the methods by which Java code calls urbiscript.
  */
 public final class Interpreter {
   /** A call made by Java code: it does not show in backtraces. */
@@ -38,7 +37,7 @@ public final class Interpreter {
     }
   }
 
-  /** No data are nested as deeply, unless they are within themselves. */
+  /** How deeply calls from Java may be nested: data nested more deeply must contain itself. */
   private static final int MAXIMUM_NESTED_SENDS = 10_000;
 
   private static final CallSite FROM_JAVA = new JavaCallSite("apply", false);
@@ -58,8 +57,7 @@ public final class Interpreter {
   private int maximumDepth;
 
   /**
-   * The deepest call that need not look at anything: as deep as calls may be, or none while some
-   * code is to be interrupted. So calls that never end can be interrupted at no cost.
+   * The depth up to which a call needs no check: the maximum depth, or -1 while some code must be interrupted. So endless recursion can be interrupted at no extra cost.
    */
   private volatile int callLimit;
 
@@ -97,7 +95,7 @@ public final class Interpreter {
     return symbols;
   }
 
-  /** The prototypes of what the interpreter makes, besides everyday values. */
+  /** The prototypes of objects that the interpreter creates, other than everyday values. */
   public CorePrototypes prototypes() {
     return prototypes;
   }
@@ -108,12 +106,12 @@ public final class Interpreter {
     setCallLimit();
   }
 
-  /** Called by several threads: the last one sees what all have done. */
+  /** Synchronized because several threads call it: the last one must see the changes of all. */
   private synchronized void setCallLimit() {
     callLimit = scheduler.interruptions().arePending() ? -1 : maximumDepth;
   }
 
-  /** What every function does when it is called. */
+  /** The checks at the start of each function call. */
   void enter(Frame frame) {
     if (frame.depth > callLimit) {
       frame.job.checkInterrupted();
@@ -123,7 +121,7 @@ public final class Interpreter {
     }
   }
 
-  /** Ends the running job here, if there is one and somebody wants it. */
+  /** Throws if somebody has asked to end the running job. */
   public void checkInterrupted() {
     Job job = scheduler.running();
     if (job != null) {
@@ -136,7 +134,7 @@ public final class Interpreter {
     return maximumDepth;
   }
 
-  /** Whether calls have to be counted: some job is, or has been, observed. */
+  /** Whether calls must be counted, because some job is or was profiled. */
   public boolean isProfiling() {
     return profiling;
   }
@@ -145,7 +143,7 @@ public final class Interpreter {
   void startProfiling() {
     profiling = true;
     world.profiled = true;
-    // Whoever has looked up an operator does so again.
+    // Invalidates all cached lookups of operators.
     values.floatProto.setProtos(values.floatProto.protos());
   }
 
@@ -168,7 +166,7 @@ public final class Interpreter {
     return new JavaCallSite(name, true);
   }
 
-  /** Calls a function; what is no function is its own value. */
+  /** Calls a function; any other value is returned as it is. */
   public UrbiObject call(Frame caller, UrbiObject code, UrbiObject self, UrbiObject... arguments) {
     CallSite site =
         code instanceof Code own && own.name() != null ? javaSite(own.name()) : FROM_JAVA;
@@ -199,8 +197,7 @@ public final class Interpreter {
   }
 
   /**
-   * Sends a message. What recurs here without end, such as the comparison of a list with another
-   * one when both are their own elements, has exhausted the stack.
+   * Sends a message. Endless recursion through this method, such as comparing two lists that contain themselves, throws the error of an exhausted stack.
    */
   public UrbiObject send(Frame caller, UrbiObject target, String message, UrbiObject... arguments) {
     caller.job.checkInterrupted();
@@ -249,7 +246,7 @@ public final class Interpreter {
     return value;
   }
 
-  /** The value of a slot as it is: neither called, nor computed by a getter. */
+  /** The stored value of a slot: neither called, nor computed by a getter. */
   public UrbiObject getRaw(UrbiObject target, Symbol name) {
     UrbiObject value = SlotLookup.findRaw(target, name);
     if (value == null) {
@@ -307,7 +304,7 @@ public final class Interpreter {
     describer = how;
   }
 
-  /** Does what is to be done when a statement of the top level is over. */
+  /** Runs the actions that follow each statement of the top level. */
   public void statementOver(Frame frame) {
     afterStatements.accept(frame);
   }
@@ -317,7 +314,7 @@ public final class Interpreter {
     afterStatements = action;
   }
 
-  /** Tells the people behind a lobby of an error which no code will catch. */
+  /** Reports an error that no code will catch to the client of the job's lobby. */
   public void report(Job job, Throwable failure) {
     scheduler.report(job, failure);
   }
@@ -330,7 +327,7 @@ public final class Interpreter {
     return value;
   }
 
-  /** Says where an exception was thrown, if that is not known yet. */
+  /** Adds to an exception where it was thrown, if that is not known yet. */
   static UrbiException located(UrbiException exception, Frame frame, Span span) {
     return frame.located(exception, span);
   }

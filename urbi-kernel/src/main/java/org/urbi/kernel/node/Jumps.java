@@ -18,8 +18,8 @@ public final class Jumps {
 
     /**
      * @param value null for void
-     * @param inClosure whether it stands in a closure, and leaves the function in which that stands
-     * @param seen whether the statements around see how this one ended; otherwise it is thrown
+     * @param inClosure whether it is in a closure, and so leaves the function around that closure
+     * @param seen whether the surrounding statements check how this one ended; if not, an exception is thrown
      */
     public Return(Span span, @Nullable Node value, boolean inClosure, boolean seen) {
       super(span);
@@ -69,12 +69,12 @@ public final class Jumps {
     }
   }
 
-  /** {@code throw value}, or {@code throw} again what was caught. */
+  /** {@code throw value}, or {@code throw} alone, which rethrows what was caught. */
   public static final class Throw extends Node {
     private final @Nullable Node value;
 
     /**
-     * @param value null to throw again
+     * @param value null to rethrow
      */
     public Throw(Span span, @Nullable Node value) {
       super(span);

@@ -8,7 +8,7 @@ import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
-/** Literals: each evaluation makes a new object. */
+/** Literals: each evaluation creates a new object. */
 public final class Literals {
   private Literals() {}
 
@@ -108,15 +108,14 @@ public final class Literals {
     }
   }
 
-  /** A function text: makes a function with the variables that it captures. */
+  /** A function text: creates a function with the variables that it captures. */
   public static final class Closure extends Node {
     private final Function.Body body;
     private final int[] capturedFrom;
     private final boolean bound;
 
     /**
-     * @param capturedFrom for each captured variable, its cell in the frame around, or -1 - n for
-     *     the n-th variable captured by the function around
+     * @param capturedFrom for each captured variable, its cell in the surrounding frame, or -1 - n for the n-th variable captured by the surrounding function
      * @param bound whether {@code this} is that of the definition
      */
     public Closure(Span span, Function.Body body, int[] capturedFrom, boolean bound) {
@@ -141,7 +140,7 @@ public final class Literals {
           body.leavesHome ? home(frame) : null);
     }
 
-    /** The activation of the function around all the closures; null at the top level. */
+    /** The activation of the function around all closures; null at the top level. */
     private static @Nullable Object home(Frame frame) {
       if (frame.function == null) {
         return null;

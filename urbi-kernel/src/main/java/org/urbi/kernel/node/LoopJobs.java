@@ -6,8 +6,7 @@ import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.TagState;
 
 /**
- * The jobs that code of a loop has detached: {@code break} ends them, as it ends everything under
- * the loop (manual, "Control", {@code detach}).
+ * The jobs that the code of a loop has detached: {@code break} ends them like everything else in the loop (manual, "Control", {@code detach}).
  */
 public final class LoopJobs {
   private final @Nullable LoopJobs outer;

@@ -18,9 +18,9 @@ public final class Loops {
     private final boolean yields;
 
     /**
-     * @param init done once before, or null
-     * @param condition null when there is none: endless
-     * @param step done after each turn, or null
+     * @param init executed once before the loop, or null
+     * @param condition null for an endless loop
+     * @param step executed after each turn, or null
      */
     public Sequential(
         Span span,

@@ -4,7 +4,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Source;
 import org.urbi.lang.source.Span;
 
-/** A piece of code, ready to be executed. */
+/** A node of executable code. */
 public abstract class Node {
   private static final Span NOWHERE =
       new Span(new Source("", 1, new Source.Line(0, null, 1)), 0, 0);
@@ -15,7 +15,7 @@ public abstract class Node {
     this.span = span;
   }
 
-  /** Code that Java makes in the place of what is written. */
+  /** A node that does not stand for source text. */
   protected Node() {
     this(NOWHERE);
   }

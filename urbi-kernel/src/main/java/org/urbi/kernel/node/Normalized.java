@@ -9,7 +9,7 @@ import org.urbi.lang.source.Span;
 
 /**
  * {@code target.slot'n}: the value of a slot on the scale from 0, its {@code rangemin}, to 1, its
- * {@code rangemax}. Of a slot without both it is the message {@code 'n} to its value.
+ * {@code rangemax}. If the slot has no range, it is the message {@code 'n} to its value.
  */
 public final class Normalized extends Node {
   private final Node target;
@@ -18,8 +18,8 @@ public final class Normalized extends Node {
   private final @Nullable Node value;
 
   /**
-   * @param plain what it means for a slot without a range
-   * @param value what is assigned, or null
+   * @param plain the node to execute for a slot without a range
+   * @param value the assigned value, or null
    */
   public Normalized(Span span, Node target, Symbol slot, Node plain, @Nullable Node value) {
     super(span);

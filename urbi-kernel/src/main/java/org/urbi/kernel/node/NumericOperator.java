@@ -34,10 +34,10 @@ public final class NumericOperator extends Node {
   private final @Nullable UrbiObject original;
   private int intactEpoch = -1;
 
-  /** The index of a left operand that is a plain local variable, or -1. */
+  /** The index of the left operand if it is a plain local variable, or -1. */
   private final int local;
 
-  /** The value of a right operand that is a literal, which needs no object then; or NaN. */
+  /** The value of the right operand if it is a literal, for which no object is created then; or NaN. */
   private final double literal;
 
   private NumericOperator(
@@ -60,7 +60,7 @@ public final class NumericOperator extends Node {
     this.literal = right instanceof Literals.Number number ? number.value() : Double.NaN;
   }
 
-  /** The operator of that name computed in place, or null if there is no such. */
+  /** Creates the node for an operator that can be computed in place; null for other operators. */
   public static @Nullable Node make(
       Span span, Node left, Node right, MessageSend message, Interpreter interpreter) {
     UrbiObject original = interpreter.operatorOfNumbers(message.name());
@@ -101,7 +101,7 @@ public final class NumericOperator extends Node {
     return message.sendTo(frame, a);
   }
 
-  /** A comparison needs no Boolean object to be a condition. */
+  /** As a condition, a comparison creates no Boolean object. */
   @Override
   public boolean test(Frame frame) {
     if (kind < LESS) {
@@ -121,7 +121,7 @@ public final class NumericOperator extends Node {
     return Truth.of(frame, message.sendTo(frame, a));
   }
 
-  /** The left operand; a local variable is read here, which spares a call. */
+  /** The left operand; a local variable is read here, which saves a call. */
   private UrbiObject leftValue(Frame frame) {
     if (local >= 0 && frame.locals[local] instanceof UrbiFloat number) {
       return number;
@@ -149,7 +149,7 @@ public final class NumericOperator extends Node {
     };
   }
 
-  /** Whether the operator of numbers is the one of the library. */
+  /** Whether the operator of numbers is still the library's. */
   private boolean isIntact() {
     int epoch = name.epoch();
     if (epoch != intactEpoch) {

@@ -4,12 +4,12 @@ import java.util.List;
 import org.urbi.kernel.job.JobGroup;
 import org.urbi.kernel.object.UrbiObject;
 
-/** How library functions do something with many values at once, each in a job of its own. */
+/** Runs an action of a library function on many values at once, each in a job of its own. */
 public final class ParallelCalls {
-  /** What is done with one value. */
+  /** The action for one value. */
   @FunctionalInterface
   public interface Action {
-    /** Does it in the job of that frame. */
+    /** Runs the action in the job of that frame. */
     void run(Frame frame, UrbiObject value);
   }
 

@@ -9,9 +9,9 @@ import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
-/** What a value can be matched against (manual, "Structural Pattern Matching"). */
+/** A pattern that a value can be matched against (manual, "Structural Pattern Matching"). */
 public abstract class Pattern {
-  /** Whether the value matches; variables of the pattern are bound as it goes. */
+  /** Whether the value matches; binds the variables of the pattern on the way. */
   public abstract boolean matches(Frame frame, UrbiObject value);
 
   /** {@code var x}: matches anything. */
@@ -50,7 +50,7 @@ public abstract class Pattern {
     }
   }
 
-  /** Any other expression: matches what is equal to its value. */
+  /** Any other expression: matches values that are equal to its value. */
   public static final class Equal extends Pattern {
     private final Node expression;
 

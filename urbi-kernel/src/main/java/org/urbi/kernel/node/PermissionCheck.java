@@ -6,7 +6,7 @@ import org.urbi.kernel.job.Job;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.trust.Role;
 
-/** Keeps code from what the lobby for which it runs may not do. */
+/** Refuses what the lobby of the running code is not permitted to do. */
 public final class PermissionCheck {
   private PermissionCheck() {}
 
@@ -27,7 +27,7 @@ public final class PermissionCheck {
   /**
    * Refuses to change an object if the job of the caller may not.
    *
-   * @param routine what would change it
+   * @param routine the function that would change it
    */
   public static void checkChange(Frame caller, String routine, UrbiObject target) {
     if (allowsChange(caller.job, target)) {
@@ -42,21 +42,21 @@ public final class PermissionCheck {
         caller, routine, systems ? Problem.CHANGES_SYSTEM : Problem.CHANGES_LOBBY, Role.OWNER);
   }
 
-  /** Refuses to touch a job, unless it runs for the lobby of the caller. */
+  /** Refuses to change a job, unless it runs for the lobby of the caller. */
   public static void checkChange(Frame caller, String routine, Job target) {
     if (!caller.job.isOwner() && target.lobby() != caller.job.lobby()) {
       throw refused(caller, routine, Problem.CHANGES_JOB, Role.OWNER);
     }
   }
 
-  /** Refuses what wants a higher role than that of the caller. */
+  /** Refuses what needs a higher role than the caller's. */
   public static void checkRole(Frame caller, String routine, Role least) {
     if (caller.job.role().compareTo(least) < 0) {
       throw refused(caller, routine, Problem.NEEDS_ROLE, least);
     }
   }
 
-  /** An observer may change what it makes, and nobody else. */
+  /** Makes a new object the observer's own: only that lobby may change it. */
   public static void claimForObserver(Frame maker, UrbiObject made) {
     if (maker.job.role() == Role.OBSERVER && made.ownerLobby() == null) {
       made.setOwnerLobby(maker.job.lobby());

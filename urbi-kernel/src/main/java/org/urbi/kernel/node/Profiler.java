@@ -10,7 +10,7 @@ import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.object.UrbiObject;
 
-/** What a piece of code calls, how often, and for how long (manual, "Profile"). */
+/** Counts and times the calls that a piece of code makes (manual, "Profile"). */
 public final class Profiler {
   /** The calls of one function; times are in nanoseconds. */
   public static final class Calls {
@@ -57,7 +57,7 @@ public final class Profiler {
     job.observe(new Stack());
   }
 
-  /** The code has been executed; what it has started is still observed. */
+  /** Ends the profiling of the code in that job; jobs that it has started are still observed. */
   public void finished(Job job) {
     wallClock = clock.measure() - begin;
     job.observe(null);
@@ -77,7 +77,7 @@ public final class Profiler {
     return yields;
   }
 
-  /** From the beginning of the code to its end, in nanoseconds. */
+  /** The time from the beginning of the code to its end, in nanoseconds. */
   public long wallClock() {
     return wallClock;
   }
@@ -92,17 +92,16 @@ public final class Profiler {
   }
 
   /**
-   * Code that a job leaves behind, to be executed later and perhaps elsewhere: what that does then
-   * still counts for the profiler of the job.
+   * Wraps code of a job that is executed later, perhaps by another job, so that it still counts for the profiler of this job.
    *
-   * @param name what the executions of the code count as
+   * @param name the name under which executions of the code are counted
    * @return the code itself, when nobody observes the job
    */
   public static Node observing(Job job, String name, Node code) {
     return job.observer() instanceof Stack stack ? stack.profiler().new Observed(name, code) : code;
   }
 
-  /** Code that counts for this profiler, whoever executes it. */
+  /** Code that counts for this profiler in whatever job it is executed. */
   private final class Observed extends Node {
     private final String name;
     private final Node code;
@@ -130,7 +129,7 @@ public final class Profiler {
     }
   }
 
-  /** The calls that are going on in one job. */
+  /** The calls in progress in one job. */
   public final class Stack implements Job.Observer {
     private final ArrayDeque<Calls> going = new ArrayDeque<>();
     private long since = clock.measure();
@@ -152,7 +151,7 @@ public final class Profiler {
       maximumDepth = Math.max(maximumDepth, going.size());
     }
 
-    /** The call that was entered last is over. */
+    /** The innermost call has ended. */
     public void leave() {
       account();
       going.poll();

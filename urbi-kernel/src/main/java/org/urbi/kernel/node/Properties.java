@@ -29,7 +29,7 @@ public final class Properties {
     return data == null ? null : data.properties.get(property);
   }
 
-  /** The event emitted when the slot is assigned, made when it is first asked for. */
+  /** The event that is emitted when the slot is assigned; it is created on first use. */
   private static UrbiObject changed(Frame frame, UrbiObject holder, Symbol slot) {
     SlotData data = holder.ensureSlotData(slot);
     if (data.changed == null) {
@@ -48,7 +48,7 @@ public final class Properties {
     return holder;
   }
 
-  /** Sets a property, and does what the system's own properties do. */
+  /** Sets a property, with the effect of the system's own properties. */
   public static void set(
       Frame frame, UrbiObject target, Symbol slot, String property, UrbiObject value) {
     if (target instanceof SlotProxy proxy && target.shape().indexOf(slot) < 0) {
@@ -74,7 +74,7 @@ public final class Properties {
     holder.slotDataChanged(slot);
   }
 
-  /** What the slot needs to be assigned so; null for nothing. */
+  /** The state that the slot needs for that blend mode; null for none. */
   private static @Nullable Blending blending(Frame frame, UrbiObject value) {
     BlendMode mode = BlendMode.of(value);
     if (mode == null) {

@@ -5,11 +5,11 @@ import java.util.List;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
-/** What is to be done when a scope is left, however it is (manual, "Scope tags"). */
+/** The actions that run when a scope is left, in whatever way (manual, "Scope tags"). */
 public final class ScopeEnd {
   private final List<Runnable> actions = new ArrayList<>(1);
 
-  /** Adds an action; they are run in their order. */
+  /** Adds an action; actions run in the order in which they were added. */
   public void add(Runnable action) {
     actions.add(action);
   }
@@ -18,7 +18,7 @@ public final class ScopeEnd {
     actions.forEach(Runnable::run);
   }
 
-  /** A scope whose code may ask for something to be done at its end. */
+  /** A scope whose code may add actions for its end. */
   public static final class Marked extends Node {
     private final Node body;
 

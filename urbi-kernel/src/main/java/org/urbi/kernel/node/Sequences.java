@@ -75,7 +75,7 @@ public final class Sequences {
     }
   }
 
-  /** A statement followed by {@code ,}: goes on in the background of the scope around it. */
+  /** A statement followed by {@code ,}: it runs in the background of the surrounding scope. */
   public static final class Spawn extends Node {
     private final Node statement;
 
@@ -92,7 +92,7 @@ public final class Sequences {
     }
   }
 
-  /** A scope that has statements in its background, and waits for them in the end. */
+  /** A scope with background statements, for which it waits at its end. */
   public static final class WithBackground extends Node {
     private final Node body;
 
@@ -119,7 +119,7 @@ public final class Sequences {
     }
   }
 
-  /** Code that has a place of its own: braces and all. */
+  /** Code with a source location of its own, which includes its braces. */
   public static final class Located extends Node {
     private final Node code;
 

@@ -9,8 +9,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
 /**
- * Finds a slot by name from one place in the code, and remembers for the shapes it has seen where
- * it was. A remembered place holds as long as the epoch of the name stays the same.
+ * An inline cache: looks up a slot by name for one place in the code, and remembers for each shape that it has seen where the slot was. An entry is valid as long as the epoch of the name stays the same.
  */
 final class SlotLookup {
   private static final int LIMIT = 6;
@@ -72,7 +71,7 @@ final class SlotLookup {
     if (holder.shape().readSpecial(index)) {
       return read(frame, target, holder, name);
     }
-    // Forgets what no longer holds, and the oldest when there are too many.
+    // Drops invalid entries, and the oldest one if there are too many.
     Entry kept = null;
     int count = 0;
     for (Entry entry = entries; entry != null && count < LIMIT - 1; entry = entry.next) {
@@ -87,7 +86,7 @@ final class SlotLookup {
     return holder.slotAt(index);
   }
 
-  /** The value of a slot, or null, without memory; a getter is called. */
+  /** The value of a slot, or null, without a cache; a getter is called. */
   static @Nullable UrbiObject find(Frame frame, UrbiObject target, Symbol name) {
     UrbiObject holder = target.locate(name);
     Dependencies.Tracker tracker = target.world().tracker;
@@ -97,7 +96,7 @@ final class SlotLookup {
     }
     if (tracker != null) {
       UrbiObject value = holder.localSlot(name);
-      // Functions and constants do not change.
+      // Functions and constants do not change, so they are not tracked.
       if (!(value instanceof Code) || holder.slotData(name) != null) {
         if (holder != target) {
           target.noteStructureRead();
@@ -111,7 +110,7 @@ final class SlotLookup {
     return read(frame, target, holder, name);
   }
 
-  /** The value of a slot, or null, as it is: no getter is called. */
+  /** The stored value of a slot, or null: no getter is called. */
   static @Nullable UrbiObject findRaw(UrbiObject target, Symbol name) {
     UrbiObject holder = target.locate(name);
     if (holder == null) {

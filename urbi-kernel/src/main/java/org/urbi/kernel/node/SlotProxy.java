@@ -3,7 +3,7 @@ package org.urbi.kernel.node;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 
-/** An object that stands for others: what is done to its slots is done to theirs. */
+/** An object that stands for others: operations on its slots apply to theirs. */
 public interface SlotProxy {
   /** {@code target.slot = value}; returns the value of the assignment. */
   UrbiObject updateSlot(Frame frame, Symbol slot, UrbiObject value);

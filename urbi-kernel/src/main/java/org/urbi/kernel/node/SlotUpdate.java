@@ -8,16 +8,16 @@ import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 
-/** Writing slots: creation, assignment with copy on write, and what slots with properties do. */
+/** Writes slots: creation, assignment with copy on write, and the effects of properties. */
 public final class SlotUpdate {
   private SlotUpdate() {}
 
-  /** What the {@code changed} property of a slot is, seen from here: something to emit. */
+  /** The value of the {@code changed} property of a slot: an event, which this package only knows how to emit. */
   public interface Signal {
     void emit(Frame frame, UrbiObject... payload);
   }
 
-  /** A setter that does all there is to do: it tells those who watch the slot, too. */
+  /** Marks a setter that does the whole assignment, including the notification of those who watch the slot. */
   public interface Whole {}
 
   /**
@@ -39,8 +39,7 @@ public final class SlotUpdate {
   /**
    * {@code updateSlot}: assigns a slot; one that is inherited is created in the object itself.
    *
-   * @return the value that the assignment has: what was given, or what the slot's range or its
-   *     {@code updateHook} made of it
+   * @return the value of the assignment: the given one, or what the slot's range or its {@code updateHook} has made of it
    * @throws org.urbi.kernel.error.UrbiException when there is no such slot, or it is constant
    */
   public static UrbiObject assign(Frame frame, UrbiObject target, Symbol name, UrbiObject value) {
@@ -72,7 +71,7 @@ public final class SlotUpdate {
       }
       UrbiObject accepted = accepted(frame, target, name, data, value);
       if (target.shape().indexOf(name) >= 0) {
-        // Its hook has made the slot meanwhile.
+        // The hook has created the slot meanwhile.
         return assign(frame, target, name, accepted);
       }
       target.addSlot(name, accepted);
@@ -86,7 +85,7 @@ public final class SlotUpdate {
     return requireNonNull(holder.slotData(name), "what is special about a slot is in its data");
   }
 
-  /** What the slot's {@code updateHook} and its range make of a value. */
+  /** The value after the slot's {@code updateHook} and its range have been applied. */
   private static UrbiObject accepted(
       Frame frame, UrbiObject target, Symbol name, SlotData data, UrbiObject given) {
     UrbiObject value = given;
@@ -107,7 +106,7 @@ public final class SlotUpdate {
     return value;
   }
 
-  /** What an assignment means that finds no slot: an error, unless the object says otherwise. */
+  /** Handles an assignment to a missing slot: an error, unless the object defines otherwise. */
   private static void assignMissing(Frame frame, UrbiObject target, Symbol name, UrbiObject value) {
     Symbol updateSlot = frame.interpreter.world().symbol("updateSlot");
     UrbiObject own = target.lookup(updateSlot);
@@ -124,7 +123,8 @@ public final class SlotUpdate {
     if (data.constant) {
       throw frame.interpreter.errors().constness();
     }
-    // A setter is a UVar's, which knows its range, or a program's, which wants all values.
+    // With a setter no range is applied: a UVar applies its own, and a program's setter gets all
+    // values.
     UrbiObject value = data.setter == null ? accepted(frame, target, name, data, given) : given;
     if (holder.slotData(name) != data) {
       // Its hook has replaced the slot.
@@ -136,7 +136,7 @@ public final class SlotUpdate {
         return value;
       }
       if (holder.slotData(name) != data) {
-        // It has waited, and the slot is not any more what it was.
+        // The assignment has waited, and the slot has changed meanwhile.
         assign(frame, target, name, blended);
         return value;
       }
@@ -170,7 +170,7 @@ public final class SlotUpdate {
     }
   }
 
-  /** Makes a slot constant, or not any more. */
+  /** Makes a slot constant, or assignable again. */
   public static void setConstant(UrbiObject target, Symbol name, UrbiObject flag, boolean on) {
     SlotData data = target.ensureSlotData(name);
     data.constant = on;

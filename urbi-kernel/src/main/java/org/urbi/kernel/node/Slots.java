@@ -21,9 +21,9 @@ public final class Slots {
     private final Span nameSpan;
 
     /**
-     * @param nameSpan where the name alone is written
+     * @param nameSpan the location of the name alone
      * @param value null for void
-     * @param type the type that it must have, or null
+     * @param type the required type, or null
      */
     public Declare(
         Span span,
@@ -71,7 +71,7 @@ public final class Slots {
     private int knownIndex;
 
     /**
-     * @param place where what is assigned to is written: where errors are told
+     * @param place the location of the assigned expression, where errors are reported
      */
     public Assign(Span span, Span place, Node target, Symbol name, Node value) {
       super(span);
@@ -137,7 +137,7 @@ public final class Slots {
     }
   }
 
-  /** Makes lookups for the compiler. */
+  /** Creates slot lookups for the compiler. */
   public static SlotLookup lookup(Interpreter interpreter, String name) {
     return new SlotLookup(interpreter.world(), interpreter.world().symbol(name));
   }

@@ -14,11 +14,10 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
 /**
- * {@code x = target time: 5s}: hands a way to read and one to write the variable, and the
- * attributes, to {@code TrajectoryGenerator} (manual, "TrajectoryGenerator").
+ * {@code x = target time: 5s}: passes functions that read and write the variable, and the attributes, to {@code TrajectoryGenerator} (manual, "TrajectoryGenerator").
  */
 public final class Trajectory extends Node implements CallSite {
-  /** The properties of the slot that its motions keep to. */
+  /** The properties of the slot that limit its motions. */
   private static final List<String> LIMITS = List.of("speedmin", "speedmax", "delta");
 
   private final Node variable;
@@ -30,17 +29,17 @@ public final class Trajectory extends Node implements CallSite {
   private final Node[] values;
 
   /**
-   * A slot that is moved.
+   * The slot that is moved.
    *
-   * @param owner the object that has it
+   * @param owner the object that has the slot
    */
   public record Slot(Node owner, Symbol name) {}
 
   /**
-   * @param variable reads what is moved
-   * @param slot what is moved; null when it is no slot
-   * @param written where the next value is put before {@code write} is executed
-   * @param write assigns it to what is moved
+   * @param variable reads the variable
+   * @param slot the slot that is moved; null if it is another variable
+   * @param written the local variable that receives the next value before {@code write} is executed
+   * @param write assigns that value
    */
   public Trajectory(
       Span span,
@@ -75,7 +74,7 @@ public final class Trajectory extends Node implements CallSite {
   public UrbiObject execute(Frame frame) {
     Interpreter interpreter = frame.interpreter;
     Map<UrbiDictionary.Key, UrbiObject> attributes = new LinkedHashMap<>();
-    // There must be something to move: the error is where it is written.
+    // Reading the variable first reports a missing one at its location.
     variable.execute(frame);
     SlotData data = data(frame);
     if (data != null) {
@@ -101,7 +100,7 @@ public final class Trajectory extends Node implements CallSite {
         : follow(frame, end, attributes);
   }
 
-  /** What the slot has besides its value, or null. */
+  /** The properties of the slot, or null. */
   private @Nullable SlotData data(Frame frame) {
     if (slot == null) {
       return null;

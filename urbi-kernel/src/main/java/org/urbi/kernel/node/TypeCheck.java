@@ -2,11 +2,11 @@ package org.urbi.kernel.node;
 
 import org.urbi.kernel.object.UrbiObject;
 
-/** The types of typed formals and variables: a value fits if it inherits from the type. */
+/** Checks typed formals and variables: the value must inherit from the type. */
 final class TypeCheck {
   private TypeCheck() {}
 
-  /** Checks an argument of the function whose activation this is. */
+  /** Checks an argument of the function that runs in a frame. */
   static void check(Frame frame, String name, int index, UrbiObject value, UrbiObject type) {
     if (!value.isA(type)) {
       String routine = frame.calledAs() == null ? name : frame.calledAs();

@@ -10,7 +10,7 @@ import org.urbi.lang.source.Span;
 public final class Variables {
   private Variables() {}
 
-  /** The cell at an index of the frame, or, from -1 down, of the captured variables. */
+  /** The cell with that index in the frame; a negative index means a captured variable. */
   static Cell cell(Frame frame, int index) {
     if (index < 0) {
       return frame.captured()[-1 - index];
@@ -60,7 +60,7 @@ public final class Variables {
     }
   }
 
-  /** Where a variable is written. */
+  /** The storage of a variable. */
   public static final class Place {
     private final int index;
     private final boolean shared;
@@ -68,8 +68,8 @@ public final class Variables {
     private final boolean constant;
 
     /**
-     * @param begun whether the variable lives already when it is declared: another job declares it
-     * @param constant whether it keeps the value of its declaration
+     * @param begun whether the variable exists before its declaration is executed, because another job executes that
+     * @param constant whether it cannot be assigned
      */
     public Place(int index, boolean shared, boolean begun, boolean constant) {
       this.index = index;
@@ -78,12 +78,12 @@ public final class Variables {
       this.constant = constant;
     }
 
-    /** The index of a plain variable that may change among the locals of its frame, or -1. */
+    /** The index among the locals of the frame if it is a plain variable that is not constant, or -1. */
     int local() {
       return shared || constant ? -1 : index;
     }
 
-    /** Begins the life of the variable. */
+    /** Creates the variable. */
     public void declare(Frame frame, UrbiObject value) {
       if (begun) {
         store(frame, value);
@@ -123,7 +123,7 @@ public final class Variables {
     private final String name;
 
     /**
-     * @param span where the name is written
+     * @param span the location of the name
      * @param value null for void
      * @param type the type that it must have, or null
      */
@@ -159,7 +159,7 @@ public final class Variables {
 
     @Override
     public UrbiObject execute(Frame frame) {
-      // The variable is there before the function captures it.
+      // Create the variable before the function captures it.
       place.declare(frame, frame.interpreter.values().voidObject);
       UrbiObject value = function.execute(frame);
       place.assign(frame, value);
@@ -167,7 +167,7 @@ public final class Variables {
     }
   }
 
-  /** The initial value of a variable: void when there is none, but void itself is refused. */
+  /** The initial value of a variable: void if none is given. An expression that evaluates to void is an error. */
   static UrbiObject initialValue(Frame frame, @Nullable Node value, Span at) {
     return value == null
         ? frame.interpreter.values().voidObject

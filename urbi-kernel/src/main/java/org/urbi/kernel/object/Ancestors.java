@@ -7,23 +7,22 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Goes through an object and all from which it inherits, each once, depth first and in the order of
- * the prototypes: however many there are, without recurring.
+ * Iterates over an object and all objects from which it inherits, each once, depth first and in the order of the prototypes. It does not recurse, however many there are.
  */
 final class Ancestors {
-  /** After so many steps it is asked whether to go on; a power of two. */
+  /** After this many steps the check for interruption is called; a power of two. */
   private static final int STEPS_PER_QUESTION = 1 << 12;
 
   private final Set<UrbiObject> visited = new HashSet<>();
 
-  /** What is still to be visited, next one last. */
+  /** The objects still to be visited; the next one is last. */
   private final Deque<UrbiObject> pending = new ArrayDeque<>();
 
   Ancestors(UrbiObject from) {
     pending.push(from);
   }
 
-  /** The next one; null when there is none. */
+  /** The next object; null at the end. */
   @Nullable UrbiObject next() {
     while (!pending.isEmpty()) {
       UrbiObject next = pending.pop();

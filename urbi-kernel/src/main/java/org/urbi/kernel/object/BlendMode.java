@@ -3,20 +3,20 @@ package org.urbi.kernel.object;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 
-/** What becomes of several assignments of one slot at a time: its property {@code blend}. */
+/** How simultaneous assignments to one slot are combined: its property {@code blend}. */
 public enum BlendMode {
-  // In the order of the numbers that UObjects know them by.
-  /** The average of what is assigned. */
+  // The order is that of the numbers that UObjects use.
+  /** The average of the assigned values. */
   MIX,
-  /** The sum of what is assigned. */
+  /** The sum of the assigned values. */
   ADD,
-  /** Whoever comes during a motion is ignored. */
+  /** Assignments during a motion are ignored. */
   DISCARD,
-  /** Whoever comes during a motion waits for its end. */
+  /** Assignments during a motion wait for its end. */
   QUEUE,
-  /** Whoever comes ends the motions that are going on. */
+  /** An assignment ends the motions in progress. */
   CANCEL,
-  /** Each assigns, the last one counts. */
+  /** Each assignment is executed; the last one counts. */
   NORMAL;
 
   /** The name in urbiscript. */
@@ -24,7 +24,7 @@ public enum BlendMode {
     return name().toLowerCase(Locale.ROOT);
   }
 
-  /** The mode that a value of the property stands for, a name or a number; null when none is. */
+  /** The mode for a value of the property, a name or a number; null if there is none. */
   public static @Nullable BlendMode of(UrbiObject value) {
     for (BlendMode mode : values()) {
       if (value instanceof UrbiString name && name.value().equals(mode.text())

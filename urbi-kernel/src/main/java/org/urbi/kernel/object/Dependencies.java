@@ -10,21 +10,21 @@ import java.util.Set;
  * a container, a local variable): the conditions which read it when they were last evaluated.
  */
 public final class Dependencies {
-  /** A condition that wants to be evaluated again. */
+  /** A condition that must be evaluated again after a change. */
   public interface Watcher {
     /** Something that the condition read has changed. */
     void invalidated();
   }
 
-  /** Collects what is read while a condition is evaluated. */
+  /** Collects what the evaluation of a condition reads. */
   public interface Tracker {
-    /** The condition depends on this. */
+    /** The condition has read this. */
     void read(Dependencies source);
   }
 
   private final Set<Watcher> watchers = new LinkedHashSet<>();
 
-  /** The watcher hears of the next changes, until it is removed. */
+  /** Adds a watcher, which is called at each change until it is removed. */
   public void add(Watcher watcher) {
     watchers.add(watcher);
   }
@@ -37,13 +37,13 @@ public final class Dependencies {
     return watchers.isEmpty();
   }
 
-  /** Tells every watcher, in the order in which they came. */
+  /** Calls every watcher, in the order in which they were added. */
   public void changed() {
     switch (watchers.size()) {
       case 0 -> {}
       case 1 -> watchers.iterator().next().invalidated();
       default -> {
-        // Watchers come and go while they are told.
+        // Iterate over a copy: watchers are added and removed while they are called.
         List<Watcher> told = new ArrayList<>(watchers);
         for (Watcher watcher : told) {
           if (watchers.contains(watcher)) {

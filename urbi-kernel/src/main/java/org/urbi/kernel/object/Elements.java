@@ -9,8 +9,7 @@ import java.util.RandomAccess;
 import java.util.function.Predicate;
 
 /**
- * The elements of a list: an array that is used as a ring, so that adding and removing is quick at
- * both ends, as programs that use lists as queues expect.
+ * The elements of a list, in a ring buffer: adding and removing is fast at both ends, because programs use lists as queues.
  */
 public final class Elements extends AbstractList<UrbiObject> implements RandomAccess {
   private static final int FIRST_CAPACITY = 8;
@@ -21,7 +20,7 @@ public final class Elements extends AbstractList<UrbiObject> implements RandomAc
   private int head;
   private int size;
 
-  /** Without elements, but with room for so many. */
+  /** Creates an empty list with room for that many elements. */
   public Elements(int capacity) {
     ring = new UrbiObject[ringFor(capacity)];
   }

@@ -6,13 +6,10 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What objects of the same build have in common (a "hidden class"): their prototypes, the names of
- * their slots in the order of their creation, and which of these slots are special. A lookup site
+ * A "hidden class": what objects of the same structure have in common, namely their prototypes, the names of their slots in the order of creation, and which of these slots are special. A lookup site
  * that has seen a shape knows at which index a slot stands.
  *
- * <p>Shapes form a tree of transitions, one by each slot added, and do not change. An object with
- * very many slots has a shape of its own with a table, which changes as slots are added; whatever
- * would move a slot or change how it is accessed gives the object another shape.
+ * <p>Shapes form a tree, with a transition for each slot added, and are immutable. Only an object with very many slots has a shape of its own with a table, which grows as slots are added. Any change that moves a slot, or affects how it is accessed, gives the object another shape.
  */
 public final class Shape {
   static final UrbiObject[] NO_PROTOS = {};
@@ -40,12 +37,12 @@ public final class Shape {
   /** The slots of an object with very many; null for others, whose slots are the names. */
   private final @Nullable SlotTable table;
 
-  /** Keeps the shape alive that this one was made from: objects will pass through it again. */
+  /** Keeps alive the shape from which this one was made, because new objects will pass through it again. */
   private final @Nullable Shape parent;
 
   private @Nullable Map<Symbol, Integer> index;
 
-  /** How often a slot has been searched one by one: most shapes are only passed on the way. */
+  /** How many linear searches there were: an index is only built for shapes that are searched often. */
   private int searches;
 
   private @Nullable Transitions additions;
@@ -135,7 +132,7 @@ public final class Shape {
   Shape with(Symbol name) {
     if (table != null) {
       table.add(name);
-      // Whoever has found the name elsewhere for objects of this shape must look again.
+      // Lookups that found the name elsewhere for objects of this shape become invalid.
       name.epoch++;
       return this;
     }
@@ -199,12 +196,12 @@ public final class Shape {
     return table != null;
   }
 
-  /** Whether there are so many holes that {@link #compact} is worth its time. */
+  /** Whether there are so many holes that {@link #compact} pays off. */
   boolean isSparse() {
     return table != null && table.isSparse();
   }
 
-  /** This shape without holes: the slots that there are, in their order. */
+  /** This shape without holes: the remaining slots, in their order. */
   Shape compact() {
     if (table == null) {
       return this;

@@ -4,8 +4,7 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a slot has besides its value (manual, "Properties"): plain slots have none of this and do
- * not pay for it.
+ * The properties of a slot (manual, "Properties"). Plain slots have none of this, and do not pay for it.
  */
 public final class SlotData {
   /** Properties by name, {@code constant} included, in the order in which they are listed. */
@@ -14,7 +13,7 @@ public final class SlotData {
   /** May the slot be assigned? */
   public boolean constant;
 
-  /** Emitted at each assignment: the {@code changed} property, made when first asked for. */
+  /** The property {@code changed}, emitted at each assignment; created on first use. */
   public @Nullable UrbiObject changed;
 
   /** A function called for the value instead of the slot, or null. */
@@ -23,10 +22,10 @@ public final class SlotData {
   /** A function called with the value that is assigned, or null. */
   public @Nullable UrbiObject setter;
 
-  /** A function that is asked for the value to assign instead of the one given, or null. */
+  /** A function that computes the value to assign from the given one, or null. */
   public @Nullable UrbiObject updateHook;
 
-  /** The least and the greatest number that an assignment leaves; null when there is no limit. */
+  /** The limits to which assigned numbers are clamped; null for none. */
   public @Nullable UrbiObject least;
 
   /** See {@link #least}. */
@@ -38,7 +37,7 @@ public final class SlotData {
   /** Whether the slot is no longer there. */
   public boolean removed;
 
-  /** What those who execute code know of assignments at the same time, {@code blend}; or null. */
+  /** The state of simultaneous assignments ({@code blend}), which the interpreter keeps here; or null. */
   public @Nullable Object blending;
 
   byte flags() {

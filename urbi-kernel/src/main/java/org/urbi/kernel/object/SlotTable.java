@@ -7,8 +7,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The slots of one object that has very many: names by index, and indexes by name. A slot that is
- * removed leaves a hole, so that the others stay where they are.
+ * The slots of an object with very many: names by index, and indexes by name. A removed slot leaves a hole, so that the others keep their index.
  */
 final class SlotTable {
   private final Map<Symbol, Integer> index = new HashMap<>();
@@ -65,7 +64,7 @@ final class SlotTable {
     flags[i] = 0;
   }
 
-  /** Whether most of it are holes. */
+  /** Whether most entries are holes. */
   boolean isSparse() {
     return index.size() < size / 2;
   }

@@ -3,8 +3,7 @@ package org.urbi.kernel.object;
 /**
  * The name of a slot, interned per kernel, so that names compare by identity.
  *
- * <p>Its epoch counts the changes after which a remembered lookup of this name may no longer hold:
- * each time a slot of this name appears in, or vanishes from, an object that others inherit from.
+ * <p>Its epoch counts the changes that may invalidate cached lookups of this name: each slot of this name that is added to, or removed from, an object that others inherit from.
  */
 public final class Symbol {
   private final String name;
@@ -19,8 +18,7 @@ public final class Symbol {
   }
 
   /**
-   * Changes whenever a lookup of this name that was {@linkplain World#remember remembered} must be
-   * made again.
+   * Changes whenever lookups of this name that were {@linkplain World#remember remembered} become invalid.
    */
   public int epoch() {
     return epoch;

@@ -7,8 +7,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 
 /**
- * The names of one kernel, each once. A name that no object and no code has any more is forgotten:
- * what clients call their variables comes and goes with them.
+ * The symbols of one kernel, one for each name. A name that no object and no code uses any more is forgotten, so that the variable names of clients that have left take no memory.
  */
 final class Symbols {
   private static final class Known extends WeakReference<Symbol> {
@@ -23,7 +22,7 @@ final class Symbols {
   private final Map<String, Known> byName = new HashMap<>();
   private final ReferenceQueue<Symbol> forgotten = new ReferenceQueue<>();
 
-  /** The one symbol of that name. */
+  /** The unique symbol of that name. */
   Symbol get(String name) {
     Known known = byName.get(name);
     Symbol symbol = known == null ? null : known.get();

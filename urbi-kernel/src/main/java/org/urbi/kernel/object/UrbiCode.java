@@ -1,8 +1,7 @@
 package org.urbi.kernel.object;
 
 /**
- * What is executed when it is the value of a message. Objects know it from other values because a
- * slot that holds code and is overwritten ends what lookup sites have remembered of its name.
+ * A value that is executed when a message finds it in a slot. Objects tell it from other values because overwriting a slot that holds code invalidates the cached lookups of its name.
  */
 public abstract class UrbiCode extends UrbiObject {
   protected UrbiCode(Shape shape) {

@@ -7,8 +7,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A dictionary (manual, "Dictionary"). Keys are compared as {@code ==} and {@code hash} of
- * urbiscript say; {@link Key} stands for a key and does so.
+ * A dictionary (manual, "Dictionary"). Keys are compared by urbiscript's {@code ==} and {@code hash}; {@link Key} wraps a key to do so.
  */
 public final class UrbiDictionary extends UrbiObject {
   /** A key, with the equality of its value. */
@@ -19,7 +18,7 @@ public final class UrbiDictionary extends UrbiObject {
     @Nullable Comparable<?> rank();
   }
 
-  /** Strings, then numbers, each in their order, then the other keys as they came. */
+  /** Strings, then numbers, each in their natural order, then the other keys in the order of insertion. */
   private static final Comparator<Map.Entry<Key, UrbiObject>> ORDER =
       (a, b) -> {
         Comparable<?> left = a.getKey().rank();
@@ -50,7 +49,7 @@ public final class UrbiDictionary extends UrbiObject {
     return entries;
   }
 
-  /** The entries in an order that does not depend on how they came. */
+  /** The entries in an order that does not depend on the order of insertion. */
   public List<Map.Entry<Key, UrbiObject>> sorted() {
     noteContentRead();
     return entries.entrySet().stream().sorted(ORDER).toList();

@@ -1,6 +1,6 @@
 package org.urbi.kernel.object;
 
-/** What stands for a value in the search for it (manual, "Hash"): equal values have equal ones. */
+/** The hash of a value (manual, "Hash"): equal values have equal hashes. */
 public final class UrbiHash extends UrbiObject {
   /** Codes have as many bits as a Float shows exactly. */
   private static final long MASK = (1L << 52) - 1;
@@ -17,7 +17,7 @@ public final class UrbiHash extends UrbiObject {
     return code;
   }
 
-  /** Makes it the hash of all it was the hash of, followed by something else. */
+  /** Combines it with the hash of a further value. */
   public void combine(long other) {
     code = mix(code, other);
   }

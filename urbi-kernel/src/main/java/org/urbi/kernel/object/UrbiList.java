@@ -12,7 +12,7 @@ public final class UrbiList extends UrbiObject {
     this.elements = new Elements(elements);
   }
 
-  /** Takes the elements as they are, without a copy. */
+  /** Uses the given elements directly, without a copy. */
   public UrbiList(Shape shape, Elements elements) {
     super(shape);
     this.elements = elements;

@@ -17,16 +17,16 @@ public class UrbiObject {
 
   private Shape shape;
 
-  /** Null as long as the object has nothing of its own, as most numbers: they stay small. */
+  /** Null as long as the object has no slots of its own, as most numbers, which stay small. */
   private @Nullable Storage storage;
 
-  /** What an object has of its own. */
+  /** The data of an object with slots of its own. */
   private static final class Storage {
     UrbiObject[] slots = NO_SLOTS;
     @Nullable Extra extra;
   }
 
-  /** What few objects need. */
+  /** Data that only few objects need. */
   private static final class Extra {
     long uid;
     @Nullable Shape cloneShape;
@@ -70,9 +70,9 @@ public class UrbiObject {
     return s;
   }
 
-  /** What an object has of its own that has a slot. */
-  // No check, since every access of a slot passes here: an index of a slot is only had of an
-  // object that has one.
+  /** The storage of an object that has a slot. */
+  // No null check, for the speed of each slot access: an index of a slot exists only for an object
+  // that has one.
   @SuppressWarnings("NullAway")
   private Storage present() {
     return storage;
@@ -91,14 +91,13 @@ public class UrbiObject {
   }
 
   /**
-   * A new object whose only prototype is this one. Objects that hold a value of Java (numbers,
-   * lists…) redefine it: their clones hold a copy of the value.
+   * A new object whose only prototype is this one. Objects that hold a Java value (numbers, lists…) override it: their clones hold a copy of the value.
    */
   public UrbiObject cloned() {
     return new UrbiObject(cloneShape());
   }
 
-  /** The shape of a fresh clone of this object. */
+  /** The shape of a new clone of this object. */
   public final Shape cloneShape() {
     Extra x = extra();
     if (x.cloneShape == null) {
@@ -135,7 +134,7 @@ public class UrbiObject {
     return i < 0 ? null : present().slots[i];
   }
 
-  /** The value of the object's own slot, which is there. */
+  /** The value of the object's own slot, which must exist. */
   public final UrbiObject existingSlot(Symbol name) {
     return slotAt(shape.indexOf(name));
   }
@@ -224,7 +223,7 @@ public class UrbiObject {
     UrbiObject[] fewer = new UrbiObject[Math.max(last, 4)];
     System.arraycopy(s.slots, 0, fewer, 0, i);
     System.arraycopy(s.slots, i + 1, fewer, i, last - i);
-    // Those behind it have moved.
+    // The slots behind it have moved.
     for (int moved = i + 1; moved <= last && inherited; moved++) {
       shape.nameAt(moved).epoch++;
     }
@@ -232,7 +231,7 @@ public class UrbiObject {
     shape = shape.without(i);
   }
 
-  /** The slots without the holes between them; lookups that found them here are forgotten. */
+  /** The slots without the holes between them; cached lookups that found them here become invalid. */
   private static UrbiObject[] compacted(Shape shape, UrbiObject[] sparse, boolean inherited) {
     UrbiObject[] dense = new UrbiObject[shape.names().length];
     int next = 0;
@@ -245,7 +244,7 @@ public class UrbiObject {
     return dense;
   }
 
-  /** A slot of that name has come or gone. */
+  /** A slot of that name was added or removed. */
   private void slotsChanged(Symbol name) {
     Extra x = present().extra;
     if (x != null) {
@@ -277,7 +276,7 @@ public class UrbiObject {
     }
   }
 
-  /** The data of the object's own slot, made when missing; call {@link #slotDataChanged} after. */
+  /** The data of the object's own slot, created if missing; call {@link #slotDataChanged} afterwards. */
   public final SlotData ensureSlotData(Symbol name) {
     Extra x = extra();
     if (x.slotData == null) {
@@ -286,7 +285,7 @@ public class UrbiObject {
     return x.slotData.computeIfAbsent(name, n -> new SlotData());
   }
 
-  /** To be called when the data of a slot were made or changed. */
+  /** To be called when the data of a slot were created or changed. */
   public final void slotDataChanged(Symbol name) {
     int i = shape.indexOf(name);
     SlotData data = slotData(name);
@@ -301,7 +300,7 @@ public class UrbiObject {
 
   // ------------------------------------------------------------------ prototypes
 
-  /** The prototypes, first looked up first; not to be modified. */
+  /** The prototypes in lookup order; not to be modified. */
   public final UrbiObject[] protos() {
     noteStructureRead();
     return shape.protos;
@@ -370,15 +369,14 @@ public class UrbiObject {
   // ------------------------------------------------------------------ who may change it
 
   /**
-   * Whose it is, so that not everybody may change it: the lobby to which it belongs, the prototype
-   * of all objects when it belongs to the system; null when it is anybody's.
+   * The owner, which alone may change the object: a lobby, or the prototype of all objects if the system owns it; null if anybody may change it.
    */
   public @Nullable UrbiObject ownerLobby() {
     Extra x = extraOrNull();
     return x == null ? null : x.ownerLobby;
   }
 
-  /** From now on it belongs to that lobby; to the system if it is the prototype of all objects. */
+  /** Sets the owner: a lobby, or the prototype of all objects for the system. */
   public final void setOwnerLobby(UrbiObject whose) {
     extra().ownerLobby = whose;
   }
@@ -414,7 +412,7 @@ public class UrbiObject {
     }
   }
 
-  /** The condition being evaluated, if any, depends on a slot that is nowhere to be found. */
+  /** The condition being evaluated, if any, depends on a slot that does not exist. */
   public final void noteAbsence() {
     if (shape.world.tracker != null) {
       Ancestors ancestors = new Ancestors(this);
@@ -435,7 +433,7 @@ public class UrbiObject {
     }
   }
 
-  /** Somebody wants to hear of changes of the content of this container. */
+  /** Adds a watcher that is called at each change of the content of this container. */
   public final void watchContent(Dependencies.Watcher watcher) {
     Extra x = extra();
     if (x.content == null) {

@@ -8,20 +8,19 @@ import org.jspecify.annotations.Nullable;
  * A string (manual, "String"): a sequence of bytes, each of which is a {@code char} from 0 to 255.
  * Assigning to a range of it changes it in place.
  *
- * <p>Long strings that grow by appending share one buffer, each of them a beginning of it, so that
- * a text of n pieces takes n steps and not n².
+ * <p>Long strings that grow by appending share one buffer, of which each is a prefix, so that building a text of n pieces takes linear time.
  */
 public final class UrbiString extends UrbiObject {
-  /** Shorter ones are copied: that is cheap, and needs one object less. */
+  /** Shorter strings are copied, which is cheap and needs one object less. */
   private static final int SHARED_LENGTH = 1024;
 
-  /** Null as long as nobody has asked for it, and only the buffer has it. */
+  /** The text; null while it is only in the buffer. */
   private @Nullable String value;
 
   /** The buffer that begins with this string, or null. */
   private @Nullable StringBuilder buffer;
 
-  /** Whether the buffer is no other string's: what is assigned to parts is put there. */
+  /** Whether no other string shares the buffer, so that it can be modified in place. */
   private boolean own;
 
   private int length;
@@ -89,7 +88,7 @@ public final class UrbiString extends UrbiObject {
     noteContentChange();
   }
 
-  /** A new string of that shape: this one, and then the other. */
+  /** A new string of that shape: this one followed by the other. */
   UrbiString followedBy(Shape shape, String other) {
     if (length + other.length() < SHARED_LENGTH) {
       return new UrbiString(shape, value().concat(other));

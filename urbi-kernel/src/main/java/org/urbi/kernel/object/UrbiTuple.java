@@ -25,7 +25,7 @@ public final class UrbiTuple extends UrbiObject {
     noteContentChange();
   }
 
-  /** Replaces all the elements: what a constructor does. */
+  /** Replaces all elements; for constructors. */
   public void setElements(List<? extends UrbiObject> others) {
     elements = others.toArray(UrbiObject[]::new);
     noteContentChange();

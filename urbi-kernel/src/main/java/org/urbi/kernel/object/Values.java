@@ -5,8 +5,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The constants of a kernel, and the makers of its everyday values: each evaluation of a literal
- * makes a new object.
+ * The constants of a kernel, and the factory methods of its everyday values: each evaluation of a literal creates a new object.
  */
 public final class Values {
   /** {@code Object}, from which everything inherits. */
@@ -62,7 +61,7 @@ public final class Values {
     return new UrbiString(stringShape, value);
   }
 
-  /** A new string: one, and then the other. */
+  /** A new string: the first followed by the second. */
   public UrbiString concatenation(UrbiString first, String second) {
     return first.followedBy(stringShape, second);
   }
@@ -76,7 +75,7 @@ public final class Values {
     return new UrbiList(listShape, elements);
   }
 
-  /** A list which takes the elements over. */
+  /** A list that uses the given elements directly. */
   public UrbiList listOf(Elements elements) {
     return new UrbiList(listShape, elements);
   }

@@ -7,8 +7,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.time.RandomNumbers;
 
 /**
- * What all the objects of one kernel share: the names, and the state of their lookups. Two kernels
- * in one process have nothing in common.
+ * The state that all objects of one kernel share: names, prototypes of types, and the state of lookup caches. Two kernels in one process share nothing.
  */
 public final class World {
   private final Symbols symbols = new Symbols();
@@ -24,18 +23,18 @@ public final class World {
   private long lastUid = 0x7f00_0000L;
   private Runnable checkpoint = () -> {};
 
-  /** Who wants to know which slots are read, while a condition is evaluated; usually null. */
+  /** Collects the slots that the condition being evaluated reads; usually null. */
   public Dependencies.@Nullable Tracker tracker;
 
   /** Whether calls are counted, so that operators must be called as they are written. */
   public boolean profiled;
 
-  /** Sets what is asked again and again in a long walk, to end it by an exception. */
+  /** Sets an action that is called regularly in long loops over objects, and may end them by an exception. */
   public void setCheckpoint(Runnable question) {
     checkpoint = question;
   }
 
-  /** A long walk goes on. */
+  /** Calls that action; from a long loop. */
   void passCheckpoint() {
     checkpoint.run();
   }
@@ -45,7 +44,7 @@ public final class World {
     return symbols.get(name);
   }
 
-  /** The constants and the makers of values. */
+  /** The constants and the factory methods of values. */
   public Values values() {
     return values;
   }
@@ -60,7 +59,7 @@ public final class World {
     return prototypes.get(type);
   }
 
-  /** The prototype of a type that the library has declared, whatever programs call it now. */
+  /** The prototype of a type that the library has declared, even if a program has rebound its name. */
   public UrbiObject prototype(String type) {
     UrbiObject known = prototypes.get(type);
     if (known == null) {
@@ -74,7 +73,7 @@ public final class World {
     return randomNumbers;
   }
 
-  /** The next number of the counter of that name, which begins with the first one given here. */
+  /** The next number of the counter of that name; the first call sets its first number. */
   public long count(String counter, long first) {
     long number = counters.getOrDefault(counter, first);
     counters.put(counter, number + 1);
@@ -86,7 +85,7 @@ public final class World {
     return orphanShape;
   }
 
-  /** Forgets every remembered lookup: somebody's prototypes changed. */
+  /** Invalidates all cached lookups, because the prototypes of an object have changed. */
   void invalidateLookups() {
     if (remembers) {
       remembers = false;
@@ -94,13 +93,13 @@ public final class World {
     }
   }
 
-  /** The epoch of a name of which a lookup is remembered from now on. */
+  /** The epoch of a name, for a lookup that is cached from now on. */
   public int remember(Symbol name) {
     remembers = true;
     return name.epoch();
   }
 
-  /** Identifiers in the order in which they are asked for, so that runs repeat to the byte. */
+  /** The next unique identifier: they are given in order, so that runs can be repeated exactly. */
   long nextUid() {
     return lastUid += 0x10;
   }

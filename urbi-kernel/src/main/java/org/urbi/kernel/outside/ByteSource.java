@@ -4,7 +4,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import org.urbi.kernel.job.Job;
 
-/** Bytes to be read one after the other; on the kernel thread. */
+/** A source of bytes, which are read one after the other; used on the kernel thread. */
 public interface ByteSource extends Closeable {
   /**
    * The next byte, -1 at the end. The job waits until there is one.

@@ -14,7 +14,7 @@ import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.message.Message;
 
-/** A running program: its pipes, and its end. On the kernel thread. */
+/** A running program: its pipes, and its end. Used on the kernel thread. */
 public final class ChildProcess {
   /** Shells and the JDK add this to the number of the signal that ended a program. */
   private static final int SIGNALED = 128;
@@ -43,7 +43,7 @@ public final class ChildProcess {
     outside.scheduler().pace().begin();
     int number = outside.inbox().register(message -> ended(outside, message));
     if (process != null) {
-      // The process holds on to what kills it as long as it runs.
+      // While the process runs, it keeps alive the object that kills it.
       Closeable end = process::destroyForcibly;
       outside.opened(end);
       process
@@ -88,7 +88,7 @@ public final class ChildProcess {
   }
 
   /**
-   * Runs a program which has the input and the output of this one, and returns its status.
+   * Runs a program that inherits the input and output of this process, and returns its exit status.
    *
    * @throws IOException when there is no such program, or it cannot be run
    */
@@ -143,12 +143,12 @@ public final class ChildProcess {
     return status == null;
   }
 
-  /** The job waits until the program has ended. */
+  /** Makes the job wait until the program has ended. */
   public void join(Job job) {
     waiters.await(job, () -> status != null);
   }
 
-  /** Ends the program; it is not asked. */
+  /** Kills the program. */
   public void kill() {
     if (process != null) {
       process.destroyForcibly();
@@ -169,7 +169,7 @@ public final class ChildProcess {
     return requireNonNull(status, "asked for after the end");
   }
 
-  /** The signal that a status of the JDK stands for, or 0. */
+  /** The signal encoded in an exit status of the JDK, or 0. */
   public static int signal(int status) {
     int signal = status - SIGNALED;
     return signal > 0 && signal <= LAST_SIGNAL ? signal : 0;

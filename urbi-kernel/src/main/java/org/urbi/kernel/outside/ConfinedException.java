@@ -3,7 +3,7 @@ package org.urbi.kernel.outside;
 import java.io.IOException;
 import org.urbi.kernel.error.Problem;
 
-/** A confined kernel may not do that; the message says what. */
+/** Something that a confined kernel may not do; the message says what. */
 public final class ConfinedException extends IOException {
   private static final long serialVersionUID = 1;
 

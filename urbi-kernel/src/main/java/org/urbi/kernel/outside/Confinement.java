@@ -12,8 +12,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 
 /**
- * What one kernel, or one kind of its clients, may do to the machine around it. Everything in this
- * package that touches files, processes or connections asks here first.
+ * The limits for what one kernel, or one kind of its clients, may do to the machine. All code in this package that uses files, processes or connections checks here first.
  */
 public final class Confinement {
   private static final int MOST_LINKS = 40;
@@ -33,16 +32,16 @@ public final class Confinement {
   }
 
   /**
-   * What was allowed to a kernel that was recorded.
+   * The limits of a kernel whose run was recorded.
    *
-   * @param directory the one to which it was confined, or null
-   * @param working where relative paths started from
+   * @param directory the directory to which it was confined, or null
+   * @param working the directory from which relative paths started
    */
   public static Confinement recorded(@Nullable String directory, String working) {
     return new Confinement(directory == null ? null : Path.of(directory), Path.of(working), false);
   }
 
-  /** All is allowed that the operating system allows. */
+  /** No limits except those of the operating system. */
   public static Confinement none() {
     return new Confinement(null, Path.of("").toAbsolutePath(), false);
   }
@@ -53,7 +52,7 @@ public final class Confinement {
   }
 
   /**
-   * Files below that directory only, wherever links lead; no processes and no connections.
+   * Allows only files below that directory, after links are resolved; no processes and no connections.
    *
    * @throws IOException when there is no such directory
    */
@@ -75,15 +74,15 @@ public final class Confinement {
     return !closed;
   }
 
-  /** Where relative paths start from in the beginning. */
+  /** The initial directory for relative paths. */
   public Path workingDirectory() {
     return working;
   }
 
   /**
-   * The file to which a path leads, links followed.
+   * The file to which a path leads when links are followed.
    *
-   * @throws ConfinedException when it may not be used
+   * @throws ConfinedException if it may not be used
    */
   Path followed(Path path) throws IOException {
     checkFiles();
@@ -133,7 +132,7 @@ public final class Confinement {
     return resolved;
   }
 
-  /** Where a path leads, whether there is something or not. */
+  /** The path without links, whether or not such a file exists. */
   private static Path resolved(Path path) throws IOException {
     Deque<Path> names = new ArrayDeque<>();
     path.forEach(names::addLast);
@@ -169,7 +168,7 @@ public final class Confinement {
     }
   }
 
-  /** Refuses code of the machine, such as a program could have written to a file. */
+  /** Refuses to load native or Java code, which a program could have written to a file. */
   public void checkModules() throws ConfinedException {
     if (isConfined()) {
       throw new ConfinedException(Problem.CONFINED_MODULES);

@@ -15,7 +15,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** What is done to a whole directory and all that is in it; links are not followed. */
+/** Operations on a whole directory with everything in it; links are not followed. */
 final class DirectoryTree {
   private DirectoryTree() {}
 
@@ -73,7 +73,7 @@ final class DirectoryTree {
 
   /** Copies it; there must not be anything of the new name. */
   static void copy(Path from, Path to) throws IOException {
-    // To copy a directory into itself would never end.
+    // Listed first: copying a directory into itself would never end.
     List<Path> entries;
     try (var walk = Files.walk(from)) {
       entries = walk.toList();

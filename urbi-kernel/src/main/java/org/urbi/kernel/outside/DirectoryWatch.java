@@ -20,13 +20,13 @@ import org.urbi.kernel.message.Message;
 
 /** Notices the files that are created in directories and deleted from them. */
 public final class DirectoryWatch implements Closeable {
-  /** Told of what happens in a directory, on the kernel thread. */
+  /** Called on the kernel thread for what happens in a directory. */
   public interface Listener {
     void created(String name);
 
     void deleted(String name);
 
-    /** Passes on what a message tells of. */
+    /** Passes on the event of a message. */
     default void take(Message message) {
       switch (message) {
         case Message.FileCreated file -> created(file.name());
@@ -59,10 +59,10 @@ public final class DirectoryWatch implements Closeable {
   }
 
   /**
-   * Tells of what happens in a directory from now on; from any thread but that of the kernel.
+   * Watches a directory from now on; from any thread but the kernel's.
    *
    * @param listener the number of the receiver of the messages
-   * @throws IOException when there is no such directory, or the machine watches no more of them
+   * @throws IOException when there is no such directory, or the system cannot watch more
    */
   void watch(Path directory, int listener) throws IOException {
     WatchKey key =
@@ -125,7 +125,7 @@ public final class DirectoryWatch implements Closeable {
     return names;
   }
 
-  /** Too much has happened to be told of one by one: looks what has changed. */
+  /** Events were lost because there were too many: compares the directory with its last known content. */
   private void compare(Watched at) {
     Set<String> now;
     try {

@@ -17,12 +17,10 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 
 /**
- * The files and directories of the machine, so far as one kernel may use them. All paths are
- * absolute. What goes wrong is an {@link IOException}; what is forbidden, a {@link
- * ConfinedException}.
+ * The files and directories that one kernel may use. All paths are absolute. Failures are {@link IOException}s, forbidden operations {@link ConfinedException}s.
  */
 public final class Disk {
-  /** What is no regular file is read as far as that, in bytes. */
+  /** The limit for reading what is no regular file, in bytes. */
   private static final int LARGEST_DEVICE = 1 << 26;
 
   private final Outside outside;
@@ -31,7 +29,7 @@ public final class Disk {
     this.outside = outside;
   }
 
-  /** What is allowed to the code that asks. */
+  /** The limits of the calling code. */
   private Confinement confinement() {
     return outside.confinement();
   }
@@ -42,12 +40,12 @@ public final class Disk {
 
   // ------------------------------------------------------------------ looking
 
-  /** Whether there is something of that name; a link to nowhere is nothing. */
+  /** Whether a file of that name exists; a dangling link does not count. */
   public boolean exists(Path path) throws IOException {
     return outside.query(() -> Files.exists(confinement().followed(path)));
   }
 
-  /** Whether there is something of that name, be it a link to nowhere. */
+  /** Whether a file of that name exists; a dangling link counts. */
   public boolean hasEntry(Path path) throws IOException {
     return outside.query(() -> Files.exists(confinement().entry(path), LinkOption.NOFOLLOW_LINKS));
   }
@@ -68,7 +66,7 @@ public final class Disk {
     return outside.query(() -> Files.isWritable(confinement().followed(path)));
   }
 
-  /** By what a file is known, whatever the links that lead there. */
+  /** The real path of a file, with all links resolved. */
   public Path real(Path path) throws IOException {
     return outside.query(() -> confinement().followed(path).toRealPath());
   }
@@ -105,7 +103,7 @@ public final class Disk {
     }
   }
 
-  /** Gives a file that content; it is made if there is none. */
+  /** Writes the content of a file, which is created if it does not exist. */
   public void write(Path path, byte[] bytes) throws IOException {
     change(() -> {
       Files.write(
@@ -125,7 +123,7 @@ public final class Disk {
             () -> FileChannel.open(confinement().followed(path), StandardOpenOption.READ)));
   }
 
-  /** The end of a regular file, to write there. */
+  /** Opens a regular file to append to it. */
   public FileSink sink(Path path) throws IOException {
     return new FileSink(
         outside,
@@ -136,26 +134,26 @@ public final class Disk {
                 StandardOpenOption.APPEND)));
   }
 
-  /** The bytes of what may let its readers wait; null in a replay. */
+  /** Opens a file whose readers may have to wait, such as a pipe; null in a replay. */
   public @Nullable InputStream input(Path path) throws IOException {
     return outside.open(() -> new FileInputStream(confinement().followed(path).toFile()));
   }
 
-  /** The end of what may let its writers wait; null in a replay. */
+  /** Opens for writing a file whose writers may have to wait, such as a pipe; null in a replay. */
   public @Nullable OutputStream output(Path path) throws IOException {
     return outside.open(() -> new FileOutputStream(confinement().followed(path).toFile(), true));
   }
 
   // ------------------------------------------------------------------ files
 
-  /** Copies a file; there must not be anything of the new name. */
+  /** Copies a file; the new name must not exist. */
   public void copy(Path from, Path to) throws IOException {
     change(() -> {
       Files.copy(confinement().followed(from), confinement().changed(to));
     });
   }
 
-  /** Gives a file another name; what has that name is replaced. */
+  /** Renames a file; an existing file of that name is replaced. */
   public void replace(Path from, Path to) throws IOException {
     change(() -> {
       Files.move(
@@ -165,14 +163,14 @@ public final class Disk {
     });
   }
 
-  /** Gives a file or directory another name, which nothing must have. */
+  /** Renames a file or directory; the new name must not exist. */
   public void move(Path from, Path to) throws IOException {
     change(() -> {
       Files.move(confinement().changed(from), confinement().changed(to));
     });
   }
 
-  /** Deletes a file, or a directory in which there is nothing. */
+  /** Deletes a file, or an empty directory. */
   public void delete(Path path) throws IOException {
     change(() -> {
       Files.delete(confinement().changed(path));
@@ -181,14 +179,14 @@ public final class Disk {
 
   // ------------------------------------------------------------------ directories
 
-  /** Creates a directory; there must not be anything of that name. */
+  /** Creates a directory; the name must not exist. */
   public void createDirectory(Path path) throws IOException {
     change(() -> {
       Files.createDirectory(confinement().changed(path));
     });
   }
 
-  /** Creates a directory and those around it, if they are missing. */
+  /** Creates a directory and its missing parents. */
   public void createDirectories(Path path) throws IOException {
     change(() -> {
       Files.createDirectories(confinement().followed(path));
@@ -209,7 +207,7 @@ public final class Disk {
     return outside.query(() -> DirectoryTree.size(confinement().entry(path)));
   }
 
-  /** Copies a directory and all that is in it; there must not be anything of the new name. */
+  /** Copies a directory and all that is in it; the new name must not exist. */
   public void copyTree(Path from, Path to) throws IOException {
     change(() -> {
       DirectoryTree.copy(confinement().entry(from), confinement().changed(to));

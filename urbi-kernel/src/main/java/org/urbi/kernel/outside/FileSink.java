@@ -6,7 +6,7 @@ import java.nio.channels.FileChannel;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 
-/** The end of a regular file. What is written is there for everybody at once. */
+/** Appends to a regular file. What is written is visible to everybody at once. */
 public final class FileSink implements ByteSink {
   private final Outside outside;
 

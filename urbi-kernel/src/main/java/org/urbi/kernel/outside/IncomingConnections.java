@@ -9,17 +9,17 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Consumer;
 import org.urbi.kernel.message.Message;
 
-/** The connections that come in at one place, on their way to the kernel thread. */
+/** Accepts the connections of one server socket, and hands them to the kernel thread. */
 final class IncomingConnections {
   private final Outside outside;
   private final Consumer<Network.OpenConnection> listener;
   private final int number;
 
-  /** Those of which a message tells, in the same order. */
+  /** Accepted connections, in the order of the messages that announce them. */
   private final Queue<SocketChannel> accepted = new ConcurrentLinkedQueue<>();
 
   /**
-   * @param listener told of each connection, on the kernel thread
+   * @param listener called for each connection, on the kernel thread
    */
   IncomingConnections(Outside outside, Consumer<Network.OpenConnection> listener) {
     this.outside = outside;
@@ -27,14 +27,14 @@ final class IncomingConnections {
     number = outside.inbox().register(this::take);
   }
 
-  /** Waits for connections until the place is closed; on a thread of its own. */
+  /** Accepts connections until the server socket is closed; on a thread of its own. */
   void accept(ServerSocketChannel place) {
     try {
       while (place.isOpen()) {
         arrived(place.accept());
       }
     } catch (IOException e) {
-      // Nobody listens any more.
+      // The server socket was closed.
     } finally {
       outside.closed(place);
       outside.inbox().post(new Message.ListeningEnded(number));

@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Job;
 
-/** Makes connections, and listens for them. */
+/** Opens connections, and listens for them. */
 public final class Network {
   private static final int MAXIMUM_PORT = 65_535;
   private static final Path SERVICES = Path.of("/etc/services");
@@ -31,7 +31,7 @@ public final class Network {
   public record OpenConnection(
       SocketConnection link, InetSocketAddress local, InetSocketAddress remote) {}
 
-  /** A place where connections come in, until it is closed. */
+  /** A server socket, which accepts connections until it is closed. */
   public record ListeningSocket(InetSocketAddress local, Closeable place) {}
 
   /**
@@ -80,7 +80,7 @@ public final class Network {
    * Listens for connections.
    *
    * @param port a number, 0 for any that is free, or the name of a service
-   * @param listener told of each connection, on the kernel thread
+   * @param listener called for each connection, on the kernel thread
    * @throws IOException when it is not possible; the message says why
    */
   public static ListeningSocket listen(
@@ -143,7 +143,7 @@ public final class Network {
         }
       }
     } catch (NoSuchFileException e) {
-      // Then there are no names.
+      // The machine has no table of services.
     }
     throw new IOException(Problem.UNKNOWN_SERVICE.text(name));
   }
@@ -170,7 +170,7 @@ public final class Network {
         outside.awaitOpen(
             job,
             () -> {
-              // The line has to be raw before the first byte comes.
+              // The line must be in raw mode before the first byte arrives.
               Process stty =
                   new ProcessBuilder(
                           "stty",

@@ -26,17 +26,16 @@ import org.urbi.kernel.message.Outcome;
 import org.urbi.kernel.trust.Role;
 
 /**
- * What one kernel has to do with the machine around it: threads for what takes time, so that the
- * kernel thread never waits, and everything that is to be closed when the kernel ends.
+ * The access of one kernel to the machine: it runs slow operations on threads of their own, so that the kernel thread never waits, and closes everything that is open when the kernel ends.
  */
 public final class Outside implements Closeable {
   /** Some milliseconds of waiting without letting others run. */
   private static final int SPINS = 200_000;
 
-  /** As long as it takes the JDK to begin to watch directories; once. */
+  /** How long to spin for the start of watching directories, which takes the JDK longer once. */
   private static final int WATCH_SPINS = 10_000_000;
 
-  /** What is allowed to the job for which a thread of the outside works. */
+  /** The limits of the job for which a thread of this package works. */
   private static final ScopedValue<Confinement> LENT = ScopedValue.newInstance();
 
   private final Scheduler scheduler;
@@ -51,8 +50,8 @@ public final class Outside implements Closeable {
   private boolean closed;
 
   /**
-   * @param confinement what is allowed to the kernel
-   * @param users what is allowed to the code of users
+   * @param confinement the limits of the kernel
+   * @param users the limits of the code of users
    */
   public Outside(Scheduler scheduler, Confinement confinement, Confinement users) {
     this.scheduler = scheduler;
@@ -61,7 +60,7 @@ public final class Outside implements Closeable {
     disk = new Disk(this);
   }
 
-  /** What is allowed to the code that runs; to the kernel itself, when none does. */
+  /** The limits of the running code; those of the kernel, when no code runs. */
   public Confinement confinement() {
     if (LENT.isBound()) {
       return LENT.get();
@@ -79,9 +78,9 @@ public final class Outside implements Closeable {
   }
 
   /**
-   * Where relative paths of the code that runs start from.
+   * The directory from which relative paths of the running code start.
    *
-   * @param otherwise unless it has a directory of its own
+   * @param otherwise the directory for code that has none of its own
    */
   public Path startOfPaths(Path otherwise) {
     Confinement own = confinement();
@@ -101,14 +100,13 @@ public final class Outside implements Closeable {
     return scheduler.inbox();
   }
 
-  /** Whether the rest of the machine is only a recording, and its live things are null. */
+  /** Whether the machine is only a recording, so that live objects are null. */
   boolean isReplay() {
     return scheduler.journal().isReplay();
   }
 
   /**
-   * What a look at the machine shows, which does not wait: data, which from the kernel thread is
-   * written down; from another one its answer will be.
+   * Queries the machine without waiting. The result is data, which is recorded: here if called on the kernel thread; on another thread, with the answer that it sends to the kernel thread.
    *
    * @throws IOException as the work does
    */
@@ -117,7 +115,7 @@ public final class Outside implements Closeable {
   }
 
   /**
-   * Like {@link #query}, for something live, such as a file that is opened: null in a replay.
+   * Like {@link #query}, for a live object, such as an open file: null in a replay.
    *
    * @throws IOException as the work does
    */
@@ -125,18 +123,18 @@ public final class Outside implements Closeable {
     return scheduler.isKernelThread() ? scheduler.journal().query(work) : Outcome.of(work).get();
   }
 
-  /** What a look or a change is for: in a replay neither is made. */
+  /** A live object that is needed by work which is not executed in a replay. */
   static <T> T live(@Nullable T thing) {
     return requireNonNull(thing, "a replay does nothing to the machine");
   }
 
-  /** Something that is done to the machine, without a result. */
+  /** A change of the machine, without a result. */
   interface Change {
     void make() throws IOException;
   }
 
   /**
-   * Changes something, which does not wait; in a replay, only its failure is there.
+   * Makes a change that does not wait; in a replay it is not made, but fails if it had failed.
    *
    * @throws IOException as the change does
    */
@@ -147,7 +145,7 @@ public final class Outside implements Closeable {
     });
   }
 
-  /** Runs something that may wait for long inside the operating system; in a replay it does not. */
+  /** Runs a task that may wait for long inside the operating system; not in a replay. */
   public void start(Runnable task) {
     if (isReplay()) {
       return;
@@ -160,8 +158,7 @@ public final class Outside implements Closeable {
   }
 
   /**
-   * Runs something that waits for the network. A virtual thread that is started by a job would run
-   * on the kernel thread; hence the detour.
+   * Runs a task that waits for the network on a virtual thread. It is started by way of another thread, because a virtual thread started by a job would run on the kernel thread.
    */
   public void startVirtual(Runnable task) {
     Runnable guarded = FailureLog.guarding("a thread for the network", task);
@@ -169,8 +166,7 @@ public final class Outside implements Closeable {
   }
 
   /**
-   * Tells of the files that come and go in a directory from now on: nothing that happens later is
-   * missed.
+   * Watches the files of a directory: nothing that happens after the call is missed.
    *
    * @throws IOException when there is no such directory, or the machine watches no more of them
    */
@@ -198,8 +194,7 @@ public final class Outside implements Closeable {
   }
 
   /**
-   * Like {@link #await}, for work that takes less than the others would notice: as a rule none of
-   * them runs before it is done. It may have no result, and none that is live in a replay.
+   * Like {@link #await}, for work so short that other jobs would not notice: usually none of them runs before it is done. Its result may be null, and must be null in a replay if it is a live object.
    *
    * @throws IOException as the work did
    */
@@ -208,7 +203,7 @@ public final class Outside implements Closeable {
   }
 
   /**
-   * Has work done on a thread of its own while the job waits, and the others go on.
+   * Runs work on a thread of its own while the job waits and the others run.
    *
    * @throws IOException as the work did
    */
@@ -217,7 +212,7 @@ public final class Outside implements Closeable {
   }
 
   /**
-   * Like {@link #await}, for something live, such as a program that is started: null in a replay.
+   * Like {@link #await}, for a live object, such as a started program: null in a replay.
    *
    * @throws IOException as the work did
    */
@@ -249,14 +244,14 @@ public final class Outside implements Closeable {
     return Runtime.getRuntime().maxMemory();
   }
 
-  /** What went wrong, in a word. */
+  /** A short text for an I/O error. */
   static String reason(IOException e) {
     return e.getMessage() == null ? Problem.INPUT_OUTPUT.text() : e.getMessage();
   }
 
   // ------------------------------------------------------------------ the end
 
-  /** Something is open: it is closed with the kernel, unless nobody knows it any more. */
+  /** Registers an open resource: it is closed when the kernel ends, unless it was garbage collected before. */
   public void opened(Closeable resource) {
     synchronized (open) {
       if (!closed) {
@@ -287,7 +282,7 @@ public final class Outside implements Closeable {
     threads.shutdown();
   }
 
-  /** Closes what nobody can be told of any more. */
+  /** Closes a resource; nobody is left to whom a failure could be reported. */
   static void closeQuietly(Closeable resource) {
     try {
       resource.close();

@@ -12,13 +12,12 @@ import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
 
 /**
- * Writes to what may let its writers wait: a pipe, a connection. A thread does the writing, in the
- * order of the calls; there is none before the first.
+ * Writes to a pipe or a connection, whose writers may have to wait. A thread of its own, which is started at the first call, writes in the order of the calls.
  */
 public final class PipeSink implements ByteSink {
   private static final byte[] END = new byte[0];
 
-  /** How much may wait to be written before jobs wait, too. */
+  /** How many bytes may wait to be written before jobs have to wait. */
   private static final int LARGE = 1 << 20;
 
   private final Outside outside;
@@ -109,7 +108,7 @@ public final class PipeSink implements ByteSink {
     }
   }
 
-  /** Nobody reads any more: the thread ends, and what is written from now on fails. */
+  /** The reader has gone: the thread ends, and writing fails from now on. */
   void readerGone() {
     if (!closed && failure == null) {
       failure = Problem.BROKEN_PIPE.text();
@@ -118,7 +117,7 @@ public final class PipeSink implements ByteSink {
     }
   }
 
-  /** Closes it as soon as all that was given to it is written. */
+  /** Closes it as soon as everything is written. */
   @Override
   public void close() {
     if (!closed) {

@@ -12,13 +12,12 @@ import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
 
 /**
- * The bytes of a pipe, or of anything else that lets its readers wait. A thread reads ahead, so far
- * as memory allows; so the program at the other end of a pipe can go on, and end.
+ * The bytes of a pipe, or of anything else whose readers may have to wait. A thread reads ahead up to a limit, so that the program at the other end can continue, and end.
  */
 public final class PipeSource implements ByteSource {
   private static final int CHUNK = 1 << 13;
 
-  /** How much is read before somebody wants it. */
+  /** How many bytes are read ahead. */
   private static final int AHEAD = 1 << 24;
 
   private final Outside outside;
@@ -30,13 +29,13 @@ public final class PipeSource implements ByteSource {
   private boolean ended;
   private @Nullable String failure;
 
-  /** How much is waiting; guarded by this object, which tells the thread to go on. */
+  /** How many bytes were read ahead; guarded by this object, on which the thread waits. */
   private int ahead;
 
   private boolean closed;
 
   /**
-   * Reads from now on.
+   * Starts to read.
    *
    * @param in null in a replay
    */
@@ -117,7 +116,7 @@ public final class PipeSource implements ByteSource {
   public synchronized void close() {
     closed = true;
     notifyAll();
-    // What the thread waits for may never come: somebody else closes the pipe under it.
+    // The reading thread may be blocked for ever, so another thread closes the pipe.
     outside.start(() -> Outside.closeQuietly(in));
   }
 }

@@ -7,12 +7,12 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** The file of a recording: the user of the machine names it, not the code that runs. */
+/** Opens the file of a recording. It is named by the user of the machine, not by urbiscript code, so it is not confined. */
 public final class RecordingFile {
   private RecordingFile() {}
 
   /**
-   * Makes the file, or empties it.
+   * Creates the file, or empties it.
    *
    * @throws IOException if it cannot be written
    */

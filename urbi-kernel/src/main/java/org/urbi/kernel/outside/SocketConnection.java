@@ -12,14 +12,14 @@ import org.urbi.kernel.job.Job;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
 
-/** An open connection: a thread reads what comes, another one writes what is to be sent. */
+/** An open connection: one thread reads, another one writes. */
 public final class SocketConnection implements Closeable {
-  /** Told of what comes, on the kernel thread and in order. */
+  /** Receives the input, on the kernel thread and in order. */
   public interface Listener {
     void received(byte[] bytes);
 
     /**
-     * Nothing more will come.
+     * The input has ended.
      *
      * @param error what went wrong, or null when the other end has closed the connection
      */
@@ -28,7 +28,7 @@ public final class SocketConnection implements Closeable {
 
   private static final int CHUNK = 1 << 16;
 
-  /** How much may have come that nobody has looked at. */
+  /** How many received bytes may wait to be consumed. */
   private static final int AHEAD = 1 << 22;
 
   private final Outside outside;
@@ -39,13 +39,13 @@ public final class SocketConnection implements Closeable {
   private @Nullable Listener listener;
   private int number;
 
-  /** Guarded by this object, which tells the reader to go on. */
+  /** The received bytes that wait to be consumed; guarded by this object, on which the reader waits. */
   private int ahead;
 
   private volatile boolean closed;
 
   /**
-   * @param connection what is to be closed in the end
+   * @param connection closed at the end
    * @param network whether reading waits for the network, not inside the operating system
    */
   SocketConnection(
@@ -57,7 +57,7 @@ public final class SocketConnection implements Closeable {
     sink = new PipeSink(outside, closing(out), network);
   }
 
-  /** The thread that writes closes the connection behind the last byte. */
+  /** A stream whose end closes the connection: the writing thread does so after the last byte. */
   private OutputStream closing(OutputStream out) {
     return new OutputStream() {
       @Override
@@ -152,23 +152,23 @@ public final class SocketConnection implements Closeable {
     close();
   }
 
-  /** So many of the received bytes have been looked at. */
+  /** That number of received bytes has been consumed. */
   public synchronized void consumed(int bytes) {
     ahead -= bytes;
     notifyAll();
   }
 
-  /** Sends bytes soon; the job waits while too much is under way. */
+  /** Sends bytes in the background; the job waits while too many are pending. */
   public void write(Job job, byte[] bytes) throws IOException {
     sink.write(job, bytes);
   }
 
-  /** The job waits until all has been sent. */
+  /** Makes the job wait until everything has been sent. */
   public void flush(Job job) throws IOException {
     sink.flush(job);
   }
 
-  /** Closes the connection as soon as all is sent. */
+  /** Closes the connection as soon as everything has been sent. */
   @Override
   public void close() {
     synchronized (this) {
@@ -177,7 +177,7 @@ public final class SocketConnection implements Closeable {
     }
     sink.close();
     if (!network && listener != null) {
-      // A thread that reads a device does not notice that somebody closes it.
+      // A thread that reads a device does not notice that it was closed, so its end is posted here.
       outside.inbox().post(new Message.BytesEnded(number, null));
     }
   }

@@ -10,17 +10,17 @@ import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.KernelPoller;
 
 /**
- * Waits until one of several sockets can be read from; for one thread, but for {@link #wake}.
+ * Waits until one of several sockets is readable. Used by one thread, except for {@link #wake}.
  *
- * @param <T> whose the sockets are
+ * @param <T> the type of the sockets' owners
  */
 public final class SocketSelector<T> implements KernelPoller.Wait, AutoCloseable {
-  /** A socket that can be watched, by one watch. */
+  /** A socket that can be added to one selector. */
   public static final class Socket {
     private final SocketChannel channel;
 
     /**
-     * @param channel one that does not block
+     * @param channel in non-blocking mode
      */
     public Socket(SocketChannel channel) {
       this.channel = channel;
@@ -31,7 +31,7 @@ public final class SocketSelector<T> implements KernelPoller.Wait, AutoCloseable
   private long limit;
 
   /**
-   * @throws IOException if the system has no room for one more
+   * @throws IOException if the system has no more selectors
    */
   public SocketSelector() throws IOException {
     selector = Selector.open();
@@ -56,19 +56,19 @@ public final class SocketSelector<T> implements KernelPoller.Wait, AutoCloseable
     }
   }
 
-  /** Watches a socket no longer; it may be added again. */
+  /** Removes a socket; it may be added again. */
   public void remove(Socket socket) {
     SelectionKey key = socket.channel.keyFor(selector);
     if (key != null) {
       try {
         key.interestOps(0);
       } catch (CancelledKeyException e) {
-        // It is closed, and not watched any more.
+        // It was closed, and so was removed.
       }
     }
   }
 
-  /** Waits for at most so many milliseconds, the next time; 0 for any time. */
+  /** Limits the next wait, in milliseconds; 0 for no limit. */
   public void limit(long milliseconds) {
     limit = milliseconds;
   }
@@ -78,7 +78,7 @@ public final class SocketSelector<T> implements KernelPoller.Wait, AutoCloseable
     select(limit);
   }
 
-  /** Looks at the sockets without waiting; the system is given back those that have been closed. */
+  /** Polls the sockets without waiting, which also releases those that have been closed. */
   public void pollNow() {
     select(-1);
   }
@@ -96,7 +96,7 @@ public final class SocketSelector<T> implements KernelPoller.Wait, AutoCloseable
     }
   }
 
-  /** Adds the owners of the sockets that could be read from, the last time. */
+  /** Adds the owners of the sockets that were readable at the last wait or poll. */
   @SuppressWarnings("unchecked")
   public void ready(Collection<T> owners) {
     for (SelectionKey key : selector.selectedKeys()) {

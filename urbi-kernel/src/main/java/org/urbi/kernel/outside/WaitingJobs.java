@@ -10,7 +10,7 @@ import org.urbi.kernel.job.Job;
 final class WaitingJobs {
   private final Set<Job> jobs = new LinkedHashSet<>();
 
-  /** The job waits until the condition holds. */
+  /** Makes the job wait until the condition holds. */
   void await(Job job, BooleanSupplier condition) {
     while (!condition.getAsBoolean()) {
       jobs.add(job);
@@ -22,7 +22,7 @@ final class WaitingJobs {
     }
   }
 
-  /** Something has changed: they look again. */
+  /** Something has changed: wakes the jobs, which check their conditions again. */
   void wake() {
     List.copyOf(jobs).forEach(Job::wake);
   }

@@ -1,6 +1,5 @@
 /**
- * The rest of the machine: threads that wait for it, pipes, processes, connections, directories.
- * Nothing here knows urbiscript; what happens is told to the kernel through its inbox.
+ * The machine around the kernel: files, directories, pipes, processes, connections, and the threads that wait for them. Nothing here knows urbiscript; events are posted to the kernel's inbox.
  */
 @NullMarked
 package org.urbi.kernel.outside;

@@ -11,20 +11,15 @@ import org.urbi.kernel.job.KernelPoller;
 import org.urbi.kernel.outside.SocketSelector;
 
 /**
- * Hears on the kernel thread what remote processes answer, while that has nothing to do but to wait
- * for it: a thread of the network's that were woken first, to wake the kernel, would double the
- * time of a call. The frames are posted to the inbox, as the network's thread does. Only a kernel
- * that makes one call after the other does so; and not when something is to be done within a
- * millisecond, since a selector's deadlines are no finer. When it waits for no answer, the
- * network's thread reads again.
+ * Reads the answers of remote processes on the kernel thread while it has nothing to do but to wait for them: waking a network thread first, which then wakes the kernel, would double the time of a call. The frames are posted to the inbox, as the network thread does. This is only done by a kernel that makes one call after another; and not if something is due within a millisecond, because the deadlines of a selector are no finer. When the kernel waits for no answer, the network thread reads again.
  */
 public final class AnswerPoller implements KernelPoller {
-  /** How many times in a row there was nothing to do but to wait for an answer. */
+  /** After this many waits in a row for nothing but an answer, the kernel thread reads itself. */
   private static final int OFTEN = 16;
 
   private static final long MILLISECOND = 1_000_000;
 
-  /** How long a busy kernel does not look whether there is an answer, in nanoseconds. */
+  /** How long a busy kernel goes without polling for answers, in nanoseconds. */
   private static final long LONG = 200_000;
 
   private final List<RemotePeer> asked = new ArrayList<>();
@@ -36,14 +31,14 @@ public final class AnswerPoller implements KernelPoller {
   private boolean looking;
   private long looked;
 
-  /** A process has been asked something. */
+  /** A request was sent to a process. */
   void asked(RemotePeer peer) {
     if (!asked.contains(peer)) {
       asked.add(peer);
     }
   }
 
-  /** A process has gone. */
+  /** A process has disconnected. */
   void forget(RemotePeer peer) {
     asked.remove(peer);
     if (read.remove(peer)) {
@@ -80,7 +75,7 @@ public final class AnswerPoller implements KernelPoller {
     pass();
   }
 
-  /** The network has left a connection to the kernel. */
+  /** The network thread has handed a connection over to the kernel thread. */
   void begin(RemotePeer peer) {
     SocketSelector.Socket socket = peer.socket();
     if (socket == null) {
@@ -127,7 +122,7 @@ public final class AnswerPoller implements KernelPoller {
     pass();
   }
 
-  /** Posts what there is. */
+  /** Posts the frames that have arrived. */
   private void pass() {
     watch().ready(ready);
     for (int i = ready.size() - 1; i >= 0; i--) {
@@ -158,7 +153,7 @@ public final class AnswerPoller implements KernelPoller {
         watch.close();
       }
     } catch (IOException e) {
-      // It is of no use any more.
+      // The selector is no longer usable.
     }
   }
 }

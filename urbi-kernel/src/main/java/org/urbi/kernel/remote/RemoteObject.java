@@ -12,7 +12,7 @@ import urbi.UCallback;
 import urbi.UObject;
 import urbi.UValue;
 
-/** A UObject of another process, as the kernel sees it: its functions are called there. */
+/** The kernel's representation of a UObject of another process, where its functions are called. */
 public final class RemoteObject extends UObject implements AutoCloseable, Reclaimable {
   private static final MethodHandle CALL;
 
@@ -33,14 +33,14 @@ public final class RemoteObject extends UObject implements AutoCloseable, Reclai
   private final Map<String, Integer> arities = new HashMap<>();
 
   /**
-   * @param process which has the object
+   * @param process the process that has the object
    */
   public RemoteObject(RemoteProcess process, String name) {
     super(name);
     this.process = process;
   }
 
-  /** Makes a function of the process one of the urbiscript object. */
+  /** Binds a function of the process to the urbiscript object. */
   public void bindRemote(String function, int arity) {
     Integer known = arities.put(function, arity);
     if (known == null || known != arity) {
@@ -51,7 +51,7 @@ public final class RemoteObject extends UObject implements AutoCloseable, Reclai
     }
   }
 
-  /** What another one has bound when it was constructed, this one will have, too. */
+  /** Binds the same functions as another object of the class. */
   void bindLike(RemoteObject other) {
     other.arities.forEach(this::bindRemote);
   }

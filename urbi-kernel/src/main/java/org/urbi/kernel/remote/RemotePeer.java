@@ -37,8 +37,7 @@ import urbi.wire.WireOutput;
 /**
  * One remote process: its classes, objects and variables.
  *
- * <p>What it asks for is done by one job, in the order in which it came. Results for jobs that wait
- * pass by it, so that it may itself wait for one.
+ * <p>One job executes its requests in order. Results for waiting jobs do not pass through that job, so it may itself wait for one.
  */
 public final class RemotePeer implements RemoteProcess {
   /** How long an access waits for the process to set the value. */
@@ -57,7 +56,7 @@ public final class RemotePeer implements RemoteProcess {
   private final Function<RuntimeException, String> describe;
   private final Map<String, UClass> classes = new LinkedHashMap<>();
 
-  /** What shows the classes to everybody that are being constructed. */
+  /** Actions that publish the classes which are being constructed. */
   private final List<Runnable> unseen = new ArrayList<>();
 
   private final Map<String, RemoteObject> objects = new LinkedHashMap<>();
@@ -77,8 +76,8 @@ public final class RemotePeer implements RemoteProcess {
   /**
    * @param number of the receiver of its messages
    * @param name of the process, for people
-   * @param describe says what went wrong; called in a job
-   * @param reading reads answers on the kernel thread
+   * @param describe gives the text of a failure; called in a job
+   * @param reading polls for answers on the kernel thread
    */
   public RemotePeer(
       int number,
@@ -101,27 +100,27 @@ public final class RemotePeer implements RemoteProcess {
 
   // ------------------------------------------------------------------ from any thread
 
-  /** Takes a frame, without its length. */
+  /** Receives a frame, without its length. */
   public void receive(byte[] frame) {
     scheduler.inbox().post(new Message.RemoteFrame(number, frame));
   }
 
-  /** The connection is lost: calls that wait fail, and what the process has brought goes. */
+  /** The connection is lost: waiting calls fail, and the objects of the process end. */
   public void lost(String why) {
     scheduler.inbox().post(new Message.RemoteLost(number, why));
   }
 
-  /** So much waits to be sent that values of variables had better wait. */
+  /** So much output is waiting that new values of variables are held back. */
   public void behind() {
     scheduler.inbox().post(new Message.RemoteCongested(number));
   }
 
-  /** What waited to be sent has left. */
+  /** The waiting output has been sent. */
   public void drained() {
     scheduler.inbox().post(new Message.RemoteDrained(number));
   }
 
-  /** The connection, with this socket, is left to the kernel thread. */
+  /** The network thread hands the connection, with this socket, over to the kernel thread. */
   public void mayRead(SocketSelector.Socket left) {
     socket = left;
     scheduler.inbox().post(new Message.RemoteReadable(number));
@@ -135,14 +134,14 @@ public final class RemotePeer implements RemoteProcess {
     return socket;
   }
 
-  /** Asks the kernel thread whether it is there to read. */
+  /** Asks the kernel thread whether it is idle, so that it can read. */
   public void askForAttention() {
     scheduler.inbox().post(new Message.PollingRequested(number));
   }
 
   // ------------------------------------------------------------------ messages
 
-  /** The kernel takes note of it. */
+  /** Registers the process with the kernel. */
   public void open() {
     scheduler.inbox().register(number, this::take);
     rtpEnd = context.rtp().onTurn(this::rtpTurned);
@@ -183,7 +182,7 @@ public final class RemotePeer implements RemoteProcess {
         default -> tasks.add(requests.of(type, in), frame.length);
       }
     } catch (RuntimeException e) {
-      // Whatever a process sends, nobody else is to suffer from it.
+      // Invalid input of a process must not affect anybody else.
       broken = true;
       wire.close("the remote process does not keep to the protocol: " + e.getMessage());
     }
@@ -199,7 +198,7 @@ public final class RemotePeer implements RemoteProcess {
     }
   }
 
-  /** What was thrown in the process, in the log of which its stack trace is. */
+  /** An exception for one thrown in the process; its stack trace is in the log of that process. */
   private static RuntimeException thrownThere(String text) {
     RuntimeException thrown = new RuntimeException(text);
     thrown.setStackTrace(new StackTraceElement[0]);
@@ -207,7 +206,8 @@ public final class RemotePeer implements RemoteProcess {
   }
 
   private void complete(int number, @Nullable UValue value, @Nullable RuntimeException error) {
-    // Whoever waits finds done what came before the result: what the function has bound, say.
+    // Requests that came before the result are finished first: the caller may rely on them, for
+    // instance on functions bound by the call.
     tasks.finishFirst();
     CompletableFuture<UValue> call = calls.remove(number);
     if (call != null) {
@@ -221,12 +221,12 @@ public final class RemotePeer implements RemoteProcess {
 
   // ------------------------------------------------------------------ in the job
 
-  /** The process tells from it when it sets variables itself. */
+  /** Sends the kernel's time, by which the process dates its own assignments. */
   private void tellTime() {
     write(o -> o.begin(Frame.TIME).number(scheduler.measure() / 1000).end());
   }
 
-  /** Has something done in turn. */
+  /** Adds a task, which is executed in turn. */
   void later(Runnable task) {
     tasks.add(task, 0);
   }
@@ -235,7 +235,7 @@ public final class RemotePeer implements RemoteProcess {
     context.report(module.name() + ": " + describe.apply(e));
   }
 
-  /** Makes a class known that the process has. */
+  /** Registers a class of the process. */
   UValue startClass(String name) {
     UClass type = new UClass(name, module, objectName -> make(name, objectName));
     classes.put(name, type);
@@ -248,14 +248,14 @@ public final class RemotePeer implements RemoteProcess {
     return new UValue();
   }
 
-  /** The constructors of the classes that were started have bound all they bind. */
+  /** Publishes the started classes: their constructors have bound all functions. */
   UValue showClasses() {
     unseen.forEach(Runnable::run);
     unseen.clear();
     return new UValue();
   }
 
-  /** An urbiscript object has been made, and wants its other side. */
+  /** Creates the counterpart of a new urbiscript object. */
   private RemoteObject make(String className, String name) {
     if (lost != null) {
       throw new IllegalStateException(lost);
@@ -273,8 +273,7 @@ public final class RemotePeer implements RemoteProcess {
   }
 
   /**
-   * Has the process make the other side, and waits for it: what its constructor binds is there for
-   * whoever has asked for the object. What it throws, calls of the object will tell.
+   * Makes the process create the object, and waits for it, so that the functions bound by its constructor exist when the caller gets the object. A failure is reported by later calls of the object.
    */
   private void constructThere(String className, String name) {
     var done = new CompletableFuture<UValue>();
@@ -287,7 +286,7 @@ public final class RemotePeer implements RemoteProcess {
     }
   }
 
-  /** The process has made an object by itself. */
+  /** Registers an object that the process has created by itself. */
   UValue attach(String className) {
     UClass type =
         classes.getOrDefault(
@@ -295,7 +294,7 @@ public final class RemotePeer implements RemoteProcess {
     UContext before = UContext.enter(context);
     making = true;
     try {
-      // The context chooses the name; this one only tells the object of which class it is.
+      // The context chooses the name; the name given here only tells the class.
       return new UValue(type.create(className).get__name());
     } catch (RuntimeException e) {
       throw e;
@@ -307,7 +306,7 @@ public final class RemotePeer implements RemoteProcess {
     }
   }
 
-  /** Of an object that has gone meanwhile, nothing is bound any more. */
+  /** Binds a function, unless the object has ended meanwhile. */
   void bind(String name, String function, int arity) {
     RemoteObject object = objects.get(name);
     if (object != null) {
@@ -315,7 +314,7 @@ public final class RemotePeer implements RemoteProcess {
     }
   }
 
-  /** The process has done with an object. */
+  /** Removes an object that the process has destroyed. */
   void detach(String name) {
     RemoteObject object = objects.remove(name);
     if (object != null) {
@@ -335,7 +334,7 @@ public final class RemotePeer implements RemoteProcess {
     }
   }
 
-  /** Makes a variable known to both sides, by a number. */
+  /** Opens a variable under a number that both sides use. */
   UValue open(int id, boolean port, String name) {
     RemoteVariable variable =
         new RemoteVariable(this, id, port ? context.inputPort(name) : context.variable(name));
@@ -347,7 +346,7 @@ public final class RemotePeer implements RemoteProcess {
     return port ? new UValue() : variable.slot().get();
   }
 
-  /** The process has done with a variable. */
+  /** Closes a variable that the process no longer uses. */
   void close(int id) {
     variable(id).close();
     variables.remove(id);
@@ -366,7 +365,7 @@ public final class RemotePeer implements RemoteProcess {
     return variable;
   }
 
-  /** Emits an event; only makes it if there is no payload. */
+  /** Emits an event; without a payload, only creates it. */
   void emit(String name, UValue @Nullable [] payload) {
     UEmitter emitter = events.computeIfAbsent(name, context::event);
     if (payload != null) {
@@ -376,12 +375,12 @@ public final class RemotePeer implements RemoteProcess {
 
   // ------------------------------------------------------------------ on the kernel thread
 
-  /** Whether an answer is to come. */
+  /** Whether the kernel waits for an answer. */
   boolean isAsked() {
     return !calls.isEmpty();
   }
 
-  /** Would like to read the answers. */
+  /** Asks to let the kernel thread read the answers. */
   void wantToRead() {
     if (!wanting) {
       wanting = true;
@@ -389,14 +388,14 @@ public final class RemotePeer implements RemoteProcess {
     }
   }
 
-  /** Reads; false if the network does so again. */
+  /** Reads what has arrived; false if the network thread reads again. */
   boolean read(ByteBuffer space) {
     boolean more = wire.read(space);
     wanting = more;
     return more;
   }
 
-  /** Has the network read again. */
+  /** Lets the network thread read again. */
   void stopReading() {
     wanting = false;
     wire.stopReading();
@@ -422,7 +421,7 @@ public final class RemotePeer implements RemoteProcess {
     return result;
   }
 
-  /** Tells the process of a new value; false if it is too far behind to be told now. */
+  /** Sends the process a new value; false if it is too far behind to get it now. */
   boolean tell(RemoteVariable variable, UValue value) {
     if (lost != null) {
       return true;
@@ -455,7 +454,7 @@ public final class RemotePeer implements RemoteProcess {
     return true;
   }
 
-  /** Tells the process how a variable is to be sent. */
+  /** Tells the process whether a variable is sent in datagrams. */
   void tellRtp(RemoteVariable variable) {
     if (lost == null) {
       int mode = variable.rtp().ordinal();
@@ -463,7 +462,7 @@ public final class RemotePeer implements RemoteProcess {
     }
   }
 
-  /** The process would like values to be sent in datagrams. */
+  /** The process offers to exchange values in datagrams. */
   void openDatagrams(RtpParameters terms) {
     if (context.rtp().isOn()) {
       wire.openDatagrams(terms);
@@ -476,7 +475,7 @@ public final class RemotePeer implements RemoteProcess {
     write(o -> o.begin(Frame.RTP_REFUSED).text(RtpOptions.MODULE + " is " + why).end());
   }
 
-  /** The module that has values sent in datagrams was loaded, or unloaded. */
+  /** The module that enables datagrams was loaded or unloaded. */
   private void rtpTurned(boolean on) {
     if (lost != null) {
       return;
@@ -496,15 +495,13 @@ public final class RemotePeer implements RemoteProcess {
     }
   }
 
-  /** Counts, or no longer counts, a process that only keeps a copy of a variable. */
+  /** Changes the number of processes that only keep a copy of a variable. */
   void countMirror(UrbiUVar variable, boolean one) {
     context.countMirror(variable, one);
   }
 
   /**
-   * A variable is about to be read: lets the process set it before. Not where that happens because
-   * of something the process asks for: it may wait for that itself, and nothing else is done for it
-   * meanwhile.
+   * A variable is about to be read: lets the process set it before. This is skipped while a request of the process is executed, because the process may wait for that, and no other request is executed meanwhile.
    */
   void announceAccess(RemoteVariable variable) {
     if (lost != null || tasks.areRunning()) {
@@ -519,7 +516,7 @@ public final class RemotePeer implements RemoteProcess {
     calls.remove(number);
   }
 
-  /** Has frames sent at the end of the tick. */
+  /** Queues frames, which are sent at the end of the tick. */
   void write(Consumer<WireOutput> frame) {
     try {
       frame.accept(out);
@@ -539,7 +536,7 @@ public final class RemotePeer implements RemoteProcess {
     out.reset();
     if (lost == null) {
       if (!context.rtp().isOn()) {
-        // What travels in datagrams instead depends on the network.
+        // Only frames are recorded: what is sent in datagrams depends on the network.
         scheduler.journal().sent(number, frames);
       }
       wire.send(frames);

@@ -4,7 +4,7 @@ import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
 import urbi.UValue;
 
-/** A process with UObjects, whatever it speaks. On the kernel thread. */
+/** A process with UObjects, whatever protocol it uses. Used on the kernel thread. */
 public interface RemoteProcess {
   /** Calls a function of one of its objects. */
   CompletionStage<UValue> call(String object, String function, UValue... arguments);

@@ -10,13 +10,13 @@ import urbi.wire.Frame;
 import urbi.wire.WireException;
 import urbi.wire.WireInput;
 
-/** What a remote process asks for: of the bytes of a frame makes what is to be done in turn. */
+/** Decodes the requests of a remote process: turns a frame into an action. */
 final class RemoteRequests {
   private final RemotePeer peer;
   private final Function<RuntimeException, String> describe;
 
   /**
-   * @param describe says what went wrong; called in a job
+   * @param describe gives the text of a failure; called in a job
    */
   RemoteRequests(RemotePeer peer, Function<RuntimeException, String> describe) {
     this.peer = peer;
@@ -24,9 +24,9 @@ final class RemoteRequests {
   }
 
   /**
-   * What a frame asks for; nothing has been done yet.
+   * Decodes a frame to the action that it requests, which is not executed yet.
    *
-   * @throws WireException if it is no request
+   * @throws WireException if it is no valid request
    */
   Runnable of(int type, WireInput in) {
     return switch (type) {
@@ -128,7 +128,7 @@ final class RemoteRequests {
     throw new WireException("no property: " + text);
   }
 
-  /** Does something, and answers the process with the result, or with why there is none. */
+  /** Wraps an action so that its result, or its failure, is sent to the process. */
   private Runnable answering(int number, Supplier<UValue> question) {
     return () -> {
       try {

@@ -12,11 +12,10 @@ import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
- * What a remote process has asked for, and the job that does it, one after the other. On the kernel
- * thread.
+ * The requests of a remote process, and the job that executes them one after the other. Used on the kernel thread.
  */
 final class RemoteTasks {
-  /** How many are done before others have their turn. */
+  /** How many tasks are executed before other jobs have their turn. */
   private static final int TURN = 256;
 
   private record Task(Runnable action, int size) {}
@@ -28,7 +27,7 @@ final class RemoteTasks {
   private final ArrayDeque<Task> tasks = new ArrayDeque<>();
   private long added;
 
-  /** Up to this one, tasks are done without a break. */
+  /** The number of the last task to execute without letting others run. */
   private long urgent;
 
   private @Nullable Job job;
@@ -36,8 +35,8 @@ final class RemoteTasks {
   private boolean ended;
 
   /**
-   * @param consumed is told how many bytes of input have been done
-   * @param failed is told what a task has thrown
+   * @param consumed called with the number of input bytes that a task has consumed
+   * @param failed called with what a task has thrown
    */
   RemoteTasks(
       Scheduler scheduler,
@@ -50,7 +49,7 @@ final class RemoteTasks {
     this.failed = failed;
   }
 
-  /** Adds a task, which is done soon. */
+  /** Adds a task. */
   void add(Runnable action, int size) {
     if (ended) {
       return;
@@ -66,7 +65,7 @@ final class RemoteTasks {
     }
   }
 
-  /** Has all that has been added done before others have their turn. */
+  /** Executes all tasks added so far before other jobs have their turn. */
   void finishFirst() {
     urgent = added;
   }
@@ -103,12 +102,12 @@ final class RemoteTasks {
     }
   }
 
-  /** Whether the job that is running is the one that does the tasks. */
+  /** Whether the running job is the one that executes the tasks. */
   boolean areRunning() {
     return job != null && scheduler.running() == job;
   }
 
-  /** There is nothing more to be done. */
+  /** Ends the job: no more tasks will come. */
   void end() {
     ended = true;
   }

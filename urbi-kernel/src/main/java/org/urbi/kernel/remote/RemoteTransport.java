@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 import urbi.rtp.RtpParameters;
 import urbi.rtp.RtpSession;
 
-/** The way to a remote process. Its methods may be called from any thread, and never wait. */
+/** The connection to a remote process, as the kernel uses it. Its methods may be called from any thread, and never wait. */
 public interface RemoteTransport {
   /** Sends whole frames. */
   void send(byte[] frames);
@@ -14,38 +14,37 @@ public interface RemoteTransport {
   void close(String reason);
 
   /**
-   * Takes up the offer of datagrams, and tells the process the terms, or that there are none.
+   * Accepts the offer of datagrams, and sends the process the parameters, or a refusal.
    *
-   * @param terms those of the process
+   * @param terms the parameters of the process
    */
   void openDatagrams(RtpParameters terms);
 
-  /** The datagrams that were agreed upon; null without. */
+  /** The datagram session; null if there is none. */
   @Nullable RtpSession datagrams();
 
   /** Ends the datagrams, if there are any. */
   void closeDatagrams();
 
-  /** The kernel has done so much of what has come in. */
+  /** The kernel has processed that many bytes of input. */
   void consumed(int bytes);
 
   /**
-   * Asks for the connection to be left to the kernel thread, which reads from it by {@link #read}
-   * from when {@link RemotePeer#mayRead} is called on; if ever.
+   * Asks to hand the connection over to the kernel thread. Once {@link RemotePeer#mayRead} is called, if ever, the kernel thread reads by {@link #read}.
    */
   void wantToRead();
 
   /**
-   * Reads what there is, without waiting, and gives it to the peer; on the kernel thread.
+   * Reads what has arrived, without waiting, and passes it to the peer; on the kernel thread.
    *
    * @param space for the bytes
-   * @return false if the network reads again, from now on
+   * @return false if the network thread reads again from now on
    */
   boolean read(ByteBuffer space);
 
-  /** The network is to read again. */
+  /** Lets the network thread read again. */
   void stopReading();
 
-  /** The kernel thread, to which the connection has been left, is there to read. */
+  /** Confirms that the kernel thread, which has taken over the connection, is idle and can read. */
   void attended();
 }

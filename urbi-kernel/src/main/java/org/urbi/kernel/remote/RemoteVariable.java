@@ -71,7 +71,7 @@ final class RemoteVariable {
     return UCallback.of(slot.name(), handle.bindTo(this));
   }
 
-  /** How much the process wants to be told about. */
+  /** Sets which changes the process wants to be sent. */
   void watch(int how) {
     watch = how;
     if (notification != null && how == NOTHING) {
@@ -83,7 +83,7 @@ final class RemoteVariable {
     reviewMirror();
   }
 
-  /** A process that sets the value when it is read does not have it read to hear of that. */
+  /** Decides whether the process only keeps a copy: one that sets the value on access must not trigger that access itself. */
   private void reviewMirror() {
     boolean now =
         notification != null && interception != null && watch != ALL_CHANGES && !slot.isOwned();
@@ -93,7 +93,7 @@ final class RemoteVariable {
     }
   }
 
-  /** The process owns the variable: it hears of other changes than before. */
+  /** The process becomes the owner of the variable, so it is sent other changes than before. */
   void own() {
     int how = watch;
     watch(NOTHING);
@@ -111,7 +111,7 @@ final class RemoteVariable {
     reviewMirror();
   }
 
-  /** The process sets the value; what it has set it need not be told, unless it became another. */
+  /** The process sets the value, which is not sent back unless the kernel has modified it. */
   void set(UValue value) {
     if (accesses > 0) {
       accessed = value;
@@ -136,7 +136,7 @@ final class RemoteVariable {
     }
   }
 
-  /** What could not be told in time is told now: the latest value. */
+  /** Sends the latest value, which was held back. */
   void refresh() {
     if (stale) {
       stale = false;
@@ -145,8 +145,7 @@ final class RemoteVariable {
   }
 
   /**
-   * The variable is about to be read: what the process sets it to meanwhile is set by the job that
-   * reads, as a plugged object does, so that a condition does not hear of what it has caused.
+   * The variable is about to be read. A value that the process sets for this access is assigned by the reading job, as with a plugged object, so that a condition does not react to a change that it has caused itself.
    */
   void accessed() {
     accesses++;

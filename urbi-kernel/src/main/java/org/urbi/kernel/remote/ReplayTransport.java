@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 import urbi.rtp.RtpParameters;
 import urbi.rtp.RtpSession;
 
-/** The way to a process that is only a recording. */
+/** The transport of a replay, where the process is only a recording. */
 public final class ReplayTransport implements RemoteTransport {
   @Override
   public void send(byte[] frames) {}

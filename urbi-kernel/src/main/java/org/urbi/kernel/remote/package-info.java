@@ -1,7 +1,5 @@
 /**
- * UObjects that live in other processes, on the side of the kernel: for each such process, a
- * context is asked to do what the process asks for, and what the context asks for is sent there
- * (docs/protocol.md).
+ * The kernel's side of UObjects in other processes: requests of such a process are passed to a context, and requests of the context are sent to the process (docs/protocol.md).
  */
 @NullMarked
 package org.urbi.kernel.remote;

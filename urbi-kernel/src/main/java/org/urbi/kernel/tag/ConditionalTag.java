@@ -14,11 +14,11 @@ import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
-/** Code under a tag of its own, which something else stops or freezes. */
+/** Code under a tag of its own, which a timeout or a watchdog stops or freezes. */
 public final class ConditionalTag {
   private ConditionalTag() {}
 
-  /** Such code has no value, unless it is left by a {@code return}, which has. */
+  /** Executes code without a value, unless a {@code return} leaves it with one. */
   private static UrbiObject valueless(Frame frame, UrbiObject value) {
     return frame.isLeaving() ? value : frame.interpreter().values().voidObject;
   }
@@ -69,7 +69,7 @@ public final class ConditionalTag {
     private final Node body;
 
     /**
-     * @param place where the tag of the body is kept for the watchdog
+     * @param place the variable that holds the tag of the body for the watchdog
      * @param watchdog an {@code at} which controls that tag
      */
     public StopOrFreezeIf(Span span, Variables.Place place, Node watchdog, Node body) {
@@ -102,8 +102,7 @@ public final class ConditionalTag {
   }
 
   /**
-   * The tag of the body. What the watchdog wants before the body has begun, because the condition
-   * holds already, is done when the body lets others run for the first time.
+   * The tag of the body. If the condition holds before the body has begun, the action of the watchdog is delayed until the body lets others run for the first time.
    */
   private static final class Controlled extends UrbiTag {
     private boolean begun;
@@ -140,7 +139,7 @@ public final class ConditionalTag {
     }
   }
 
-  /** What the watchdog does to the tag. */
+  /** The action of the watchdog on the tag. */
   public static final class Control extends Node {
     private final Node tag;
     private final Consumer<TagState> action;

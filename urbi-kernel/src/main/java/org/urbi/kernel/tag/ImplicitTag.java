@@ -10,8 +10,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
 /**
- * The tag of {@code name: code} where no such name is known: it is made, among the global tags;
- * that of {@code a.b: code} is made in the tag {@code a}, under which it stands (manual, "Tag").
+ * The tag of {@code name: code} where that name is unknown: it is created among the global tags. The tag of {@code a.b: code} is created as a child of the tag {@code a} (manual, "Tag").
  */
 public final class ImplicitTag extends Node {
   private final @Nullable Node target;
@@ -19,8 +18,8 @@ public final class ImplicitTag extends Node {
   private final Node tag;
 
   /**
-   * @param target the tag in which the name is looked up, made if it must be; null for a plain name
-   * @param tag the expression as it would be evaluated anyway
+   * @param target the parent tag, in which the name is looked up and created if needed; null for a plain name
+   * @param tag the tag as a normal expression, used if it can be evaluated
    */
   public ImplicitTag(
       Span span, Interpreter interpreter, @Nullable Node target, String name, Node tag) {

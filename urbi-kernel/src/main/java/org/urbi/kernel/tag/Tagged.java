@@ -37,7 +37,7 @@ public final class Tagged extends Node {
     return run(frame, label, body);
   }
 
-  /** Executes code under a tag, and under the tags that it stands under. */
+  /** Executes code under a tag and its parent tags. */
   public static UrbiObject run(Frame frame, UrbiTag tag, Node body) {
     List<UrbiTag> tags = new ArrayList<>();
     for (UrbiTag at = tag; at != null; at = at.parent()) {
@@ -47,10 +47,9 @@ public final class Tagged extends Node {
   }
 
   /**
-   * Enters the tags from the outermost to the innermost; nobody is told before none of them holds
-   * the code back.
+   * Enters the tags from the outermost to the innermost. Their events are emitted only when no tag blocks or freezes the code.
    *
-   * @param told which tags have been told that code enters
+   * @param told the tags that have been notified of the code entering
    */
   private static UrbiObject run(
       Frame frame, List<UrbiTag> tags, int index, boolean[] told, Node body) {

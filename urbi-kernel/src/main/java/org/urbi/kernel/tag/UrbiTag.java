@@ -16,13 +16,13 @@ public class UrbiTag extends UrbiObject {
   private @Nullable UrbiEvent enter;
   private @Nullable UrbiEvent leave;
 
-  @SuppressWarnings("this-escape") // The state only keeps the tag that it is of.
+  @SuppressWarnings("this-escape") // The state refers to this tag, so that it can be found from a scope.
   public UrbiTag(Shape shape) {
     super(shape);
     this.state = new TagState(this);
   }
 
-  /** A clone of a type of tags is a tag of that type, a clone of a tag stands under it. */
+  /** A clone of a tag type is a new tag of that type; a clone of a tag is its child. */
   @Override
   public UrbiObject cloned() {
     UrbiTag clone = new UrbiTag(cloneShape());
@@ -32,14 +32,14 @@ public class UrbiTag extends UrbiObject {
     return clone;
   }
 
-  /** A fresh tag with that name. */
+  /** A new tag with that name. */
   public static UrbiTag named(Interpreter interpreter, String name) {
     UrbiTag tag = (UrbiTag) interpreter.prototypes().tag.cloned();
     tag.addSlot(interpreter.world().symbol("name"), interpreter.values().string(name));
     return tag;
   }
 
-  /** Code has entered and is about to be executed; types of tags do here what they are for. */
+  /** Code has entered and is about to be executed. Subclasses such as Mutex and Timeout act here. */
   protected void entering(Frame frame) {}
 
   /** Code that has {@linkplain #entering entered} leaves, for whatever reason. */
@@ -54,12 +54,12 @@ public class UrbiTag extends UrbiObject {
     return state;
   }
 
-  /** The tag which this one stands under, or null: whoever controls it controls this one too. */
+  /** The parent tag, or null: operations on the parent apply to this tag, too. */
   public @Nullable UrbiTag parent() {
     return parent;
   }
 
-  /** While code under the tag can run, code of a lower priority does not; 0 at first. */
+  /** The priority: while code under the tag can run, code of a lower priority does not. Initially 0. */
   public double priority() {
     return priority;
   }
@@ -68,12 +68,12 @@ public class UrbiTag extends UrbiObject {
     priority = value;
   }
 
-  /** Emitted when code enters; null when nobody has asked for it. */
+  /** The event emitted when code enters; null until somebody asks for it. */
   public @Nullable UrbiEvent enterEvent() {
     return enter;
   }
 
-  /** Emitted when code leaves; null when nobody has asked for it. */
+  /** The event emitted when code leaves; null until somebody asks for it. */
   public @Nullable UrbiEvent leaveEvent() {
     return leave;
   }

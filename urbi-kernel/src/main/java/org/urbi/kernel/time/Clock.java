@@ -1,8 +1,7 @@
 package org.urbi.kernel.time;
 
 /**
- * Where time comes from. The scheduler reads it once at the beginning of each tick, and nobody else
- * does: what happens within a tick happens at the same time.
+ * The source of time. Only the scheduler reads it, once at the beginning of each tick: everything within a tick happens at the same time.
  */
 public interface Clock {
   /** Nanoseconds since the kernel was started. */
@@ -12,11 +11,10 @@ public interface Clock {
   double startTime();
 
   /**
-   * Whether time passes by itself. When it does not, nobody waits: the scheduler moves the time to
-   * the next deadline with {@link #advanceTo} as soon as nothing is left to run.
+   * Whether this is real time. If not, the scheduler moves the time to the next deadline by {@link #advanceTo} as soon as nothing is left to run.
    */
   boolean isReal();
 
-  /** Moves a simulated time forward; does nothing when the time passes by itself. */
+  /** Moves simulated time forward; does nothing for real time. */
   void advanceTo(long nanoseconds);
 }

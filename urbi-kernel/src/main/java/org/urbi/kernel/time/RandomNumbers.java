@@ -1,8 +1,7 @@
 package org.urbi.kernel.time;
 
 /**
- * The random numbers of one kernel. They follow from the seed alone, which is always the same one
- * until somebody sets another: so that runs can be repeated.
+ * The random numbers of one kernel. They depend only on the seed, which is the same in each run until a program sets another, so that runs can be repeated.
  */
 public final class RandomNumbers {
   private long state;
@@ -12,7 +11,7 @@ public final class RandomNumbers {
     state = seed;
   }
 
-  /** The next integer from 0 to a bound, which it is always less than. */
+  /** The next integer that is at least 0 and less than the bound. */
   public double below(double bound) {
     return Math.floor((next() >>> 11) * 0x1p-53 * bound);
   }

@@ -1,4 +1,4 @@
-/** Where time comes from; nobody else may read a clock. */
+/** The sources of time and random numbers; no other code may read a clock. */
 @NullMarked
 package org.urbi.kernel.time;
 

@@ -2,12 +2,12 @@ package org.urbi.kernel.trust;
 
 import org.jspecify.annotations.Nullable;
 
-/** What the code of a lobby may do; each may do what those before it may (docs/networking.md). */
+/** The permissions of a lobby's code; each role includes those of the roles before it (docs/networking.md). */
 public enum Role {
-  /** Reads and subscribes, and changes nothing but what is its own. */
+  /** May read and subscribe, but only change its own objects. */
   OBSERVER,
 
-  /** Changes what neither the system nor another lobby has; files below a directory only. */
+  /** May change objects that belong neither to the system nor to another lobby, and use files below one directory. */
   USER,
 
   /** Everything. */

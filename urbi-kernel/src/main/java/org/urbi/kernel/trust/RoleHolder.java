@@ -2,12 +2,12 @@ package org.urbi.kernel.trust;
 
 import org.jspecify.annotations.Nullable;
 
-/** Something for which code runs, and which says what that may do. */
+/** An object (a lobby) on whose behalf code runs, and whose role tells what that code may do. */
 public interface RoleHolder {
-  /** What the code may do. */
+  /** The role of the code. */
   Role role();
 
-  /** The role of that thing; everything is allowed to what has none. */
+  /** The role of an object; an object that is no role holder has all permissions. */
   static Role roleOf(@Nullable Object of) {
     return of instanceof RoleHolder trusted ? trusted.role() : Role.OWNER;
   }

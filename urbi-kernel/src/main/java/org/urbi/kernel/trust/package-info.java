@@ -1,4 +1,4 @@
-/** Who may do what. */
+/** Roles: which code may do what. */
 @NullMarked
 package org.urbi.kernel.trust;
 

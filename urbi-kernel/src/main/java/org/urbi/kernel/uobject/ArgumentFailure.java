@@ -1,6 +1,6 @@
 package org.urbi.kernel.uobject;
 
-/** A function elsewhere has not taken one of its arguments; it carries no Java stack trace. */
+/** A function of a remote process has rejected one of its arguments. It has no Java stack trace. */
 public final class ArgumentFailure extends RuntimeException {
   private static final long serialVersionUID = 1;
 
@@ -8,7 +8,7 @@ public final class ArgumentFailure extends RuntimeException {
   private final String expected;
 
   /**
-   * @param place which one, from 1 on
+   * @param place the number of the argument, from 1
    * @param expected the type in urbiscript
    */
   public ArgumentFailure(int place, String expected) {

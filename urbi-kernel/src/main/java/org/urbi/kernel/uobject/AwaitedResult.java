@@ -22,7 +22,7 @@ final class AwaitedResult {
   /**
    * Waits for the result.
    *
-   * @throws CompletionException if it is a failure
+   * @throws CompletionException if the result is a failure
    */
   @Nullable Object await(CompletionStage<?> stage) {
     stage.whenComplete((result, thrown) -> complete(new Outcome(result, thrown)));
@@ -35,8 +35,7 @@ final class AwaitedResult {
   }
 
   /**
-   * What the kernel thread brings about follows from a message already. What was there when the
-   * wait began does not: who knows since when.
+   * Delivers the outcome. If the kernel thread completes the wait, a recorded message has caused that. If the result was there before the wait began, its time is unknown, so it is posted as a message.
    */
   private void complete(Outcome outcome) {
     if (scheduler.isKernelThread() && waiting) {

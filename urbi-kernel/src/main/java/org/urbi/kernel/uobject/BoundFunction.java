@@ -19,7 +19,7 @@ final class BoundFunction extends Code {
   private final UCallback callback;
   private final int arity;
 
-  /** From the arguments in urbiscript to the result there, all in one. */
+  /** Converts the urbiscript arguments, calls the function and converts its result; null if that cannot be combined. */
   private final @Nullable MethodHandle whole;
 
   private final CallStatistics.Entry statistics;
@@ -38,7 +38,7 @@ final class BoundFunction extends Code {
     return callback;
   }
 
-  /** The object has gone: a call is an error from now on, which tells why. */
+  /** The object has ended: from now on a call is an error with that reason. */
   void end(String why) {
     gone = why;
   }

@@ -7,10 +7,9 @@ import urbi.UDataType;
 import urbi.UValue;
 
 /**
- * What Java code has written to a variable in bypass mode: whoever is notified of it gets the same
- * object.
+ * A value that Java code has written to a variable in bypass mode: those who are notified get the same object.
  *
- * @param value which is not copied
+ * @param value the value, which is not copied
  */
 record BypassValue(ValueConversion conversion, UValue value) implements Datum.Foreign {
   @Override
@@ -18,7 +17,7 @@ record BypassValue(ValueConversion conversion, UValue value) implements Datum.Fo
     return conversion.toUrbi(value);
   }
 
-  /** A copy for those who look at it later. */
+  /** A copy, for later reads. */
   UValue copied() {
     return value.getType() == UDataType.DATA_BINARY
         ? new UValue(new UBinary(value.ubinaryValue()))

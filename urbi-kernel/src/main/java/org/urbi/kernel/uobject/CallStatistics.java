@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.event.CallTimes;
 
 /**
- * How often functions of UObjects are called and how long they take, while somebody asks for it.
+ * Counts and times the calls of functions of UObjects, while that is enabled.
  */
 public final class CallStatistics {
   /** The calls of one function. */
@@ -62,7 +62,7 @@ public final class CallStatistics {
     enabled = on;
   }
 
-  /** Who is told of each call; null for nobody. */
+  /** Sets a consumer that gets the name of each called function; null for none. */
   public void trace(@Nullable Consumer<String> told) {
     trace = told;
   }

@@ -25,9 +25,7 @@ import urbi.UVar;
 import urbi.spi.ArgumentTypes;
 
 /**
- * Calls Java functions with values of urbiscript: each parameter gets a converter of its own once,
- * when the function is bound; numbers, strings and the like go directly, the others by way of a
- * {@link UValue}.
+ * Calls Java functions with values of urbiscript: a converter for each parameter is chosen once, when the function is bound. Numbers, strings and the like are converted directly, other types by way of a {@link UValue}.
  */
 final class Converters {
   private static final MethodHandles.Lookup LOOKUP = MethodHandles.lookup();
@@ -36,7 +34,7 @@ final class Converters {
   private final ValueConversion conversion;
   private final Values values;
 
-  /** Converters of arguments that need nothing but the argument. */
+  /** Converters that need nothing but the argument. */
   private final Map<Class<?>, MethodHandle> direct = new HashMap<>();
 
   Converters(PluggedContext context, ValueConversion conversion) {
@@ -82,7 +80,7 @@ final class Converters {
 
   // ------------------------------------------------------------------ whole functions
 
-  /** A function from an array of arguments in urbiscript to a result there. */
+  /** A method handle from an array of urbiscript arguments to an urbiscript result. */
   MethodHandle whole(UCallback callback) {
     MethodHandle handle = callback.handle();
     List<Type> types = callback.parameterTypes();
@@ -120,7 +118,7 @@ final class Converters {
     return MethodHandles.filterReturnValue(handle, result);
   }
 
-  /** From a value of urbiscript to an argument. */
+  /** A method handle from an urbiscript value to a Java argument. */
   private MethodHandle argument(Type type, Class<?> raw) {
     Class<?> primitive = MethodType.methodType(raw).unwrap().returnType();
     MethodHandle known = direct.get(primitive);
@@ -251,7 +249,7 @@ final class Converters {
     return result == null ? values.voidObject : values.string(Utf8Text.toUrbi(result));
   }
 
-  /** A result that need not be there yet. */
+  /** A result that may be computed later (a future). */
   private UrbiObject waited(@Nullable Object result) {
     return result(
         result instanceof CompletionStage<?> stage

@@ -12,8 +12,7 @@ import urbi.UClass;
 import urbi.UObject;
 
 /**
- * An urbiscript object and the Java object behind it. It keeps the urbiscript object alive only
- * while something of it is called periodically.
+ * An urbiscript object and the Java object behind it. It keeps the urbiscript object alive only while one of its functions is called periodically.
  */
 final class Instance {
   private final String name;
@@ -27,7 +26,7 @@ final class Instance {
   private boolean published;
 
   /**
-   * @param lobby for which it was made: what it does by itself is done for that
+   * @param lobby the lobby for which it was created, and for which its own activities run
    */
   Instance(String name, UClass type, UrbiObject object, UrbiObject lobby) {
     this.name = name;
@@ -40,7 +39,7 @@ final class Instance {
     return name;
   }
 
-  /** The urbiscript object; null when it has gone. */
+  /** The urbiscript object; null once it was garbage collected. */
   @Nullable UrbiObject object() {
     return object.get();
   }
@@ -53,7 +52,7 @@ final class Instance {
     return type;
   }
 
-  /** The Java object; null while it is being made. */
+  /** The Java object; null while it is being created. */
   @Nullable UObject java() {
     return java;
   }
@@ -62,7 +61,7 @@ final class Instance {
     java = behind;
   }
 
-  /** Another class of the same name has taken over. */
+  /** Sets another class of the same name, which has replaced the old one. */
   void setType(UClass other) {
     type = other;
   }
@@ -81,7 +80,7 @@ final class Instance {
     return functions;
   }
 
-  /** What its {@code init} was called with; null if it was not called. */
+  /** The arguments of its {@code init}; null if it was not called. */
   UrbiObject @Nullable [] initArguments() {
     return initArguments;
   }
@@ -110,7 +109,7 @@ final class Instance {
     return false;
   }
 
-  /** Keeps the urbiscript object alive, or no longer. */
+  /** Sets whether it keeps the urbiscript object alive. */
   void keepAlive(boolean alive) {
     keptAlive = alive ? object.get() : null;
   }

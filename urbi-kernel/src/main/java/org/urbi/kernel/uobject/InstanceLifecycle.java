@@ -21,8 +21,7 @@ import urbi.UClass;
 import urbi.UObject;
 
 /**
- * Makes and ends UObjects: pairs of an urbiscript object and a Java object (manual, "Creating new
- * instances"). On the kernel thread.
+ * Creates and ends UObjects: pairs of an urbiscript object and a Java object (manual, "Creating new instances"). Used on the kernel thread.
  */
 public final class InstanceLifecycle {
   private final PluggedContext context;
@@ -30,10 +29,10 @@ public final class InstanceLifecycle {
   private final World world;
   private final InstanceReplacement replacement;
 
-  /** The first objects of the classes, which stay as long as the class does. */
+  /** The prototype object of each class, which exists as long as the class. */
   private final Map<String, UrbiObject> prototypes = new LinkedHashMap<>();
 
-  /** Objects whose Java side is being made. */
+  /** Objects whose Java object is being created. */
   private final Map<String, Instance> pending = new LinkedHashMap<>();
 
   InstanceLifecycle(PluggedContext context) {
@@ -50,9 +49,9 @@ public final class InstanceLifecycle {
   // ------------------------------------------------------------------ classes
 
   /**
-   * Makes a class known; one of the same name gets new objects behind its own.
+   * Registers a class. If one of that name exists, the Java objects behind its urbiscript objects are replaced.
    *
-   * @return what shows it to everybody
+   * @return the action that publishes it
    */
   Runnable start(Frame frame, UClass type) {
     if (prototypes.containsKey(type.name())) {
@@ -115,7 +114,7 @@ public final class InstanceLifecycle {
     return objects().add(name, type, object, frame.job().lobby());
   }
 
-  /** Calls {@code init}, and looks at what it returns. */
+  /** Calls {@code init}, and checks its result. */
   void initialize(
       Frame frame, CallSite site, Instance instance, UrbiObject object, UrbiObject... arguments) {
     Symbol init = interpreter.symbols().init;
@@ -133,7 +132,7 @@ public final class InstanceLifecycle {
     }
   }
 
-  /** Makes the Java side. */
+  /** Creates the Java object. */
   void create(Frame frame, Instance instance, UClass type) {
     pending.put(instance.name(), instance);
     try {
@@ -174,7 +173,7 @@ public final class InstanceLifecycle {
         : told;
   }
 
-  /** A Java object is being constructed: for an urbiscript object, or for one to be made. */
+  /** Connects a Java object that is being constructed with an urbiscript object, which is created if needed. */
   String attach(Frame frame, UObject object, @Nullable String name) {
     Instance instance = name == null ? null : pending.get(name);
     if (instance == null) {
@@ -188,7 +187,7 @@ public final class InstanceLifecycle {
     return instance.name();
   }
 
-  /** A Java object is done with. */
+  /** Disconnects a Java object. */
   void detach(UObject object) {
     context.periods().end(object);
     Instance instance = objects().named(object.get__name());
@@ -214,7 +213,7 @@ public final class InstanceLifecycle {
     return why == null ? Problem.OBJECT_DESTROYED.text() : why;
   }
 
-  /** Ends an object: the Java side is told, and the name no longer known. */
+  /** Ends an object: notifies the Java object, and removes its name. */
   public void end(Frame frame, Instance instance) {
     UObject java = instance.java();
     if (java == null) {
@@ -229,7 +228,7 @@ public final class InstanceLifecycle {
     }
   }
 
-  /** {@code destroy}: ends the object behind which there is Java code; false if there is none. */
+  /** {@code destroy}: ends a UObject; false if the object is none. */
   public boolean destroy(Frame frame, UrbiObject object) {
     Instance instance = objects().of(object);
     if (instance == null) {
@@ -263,7 +262,7 @@ public final class InstanceLifecycle {
 
   // ------------------------------------------------------------------ the end
 
-  /** The kernel has ended: all the objects are told. */
+  /** The kernel has ended: notifies all Java objects. */
   void close() {
     for (Instance instance : objects().all()) {
       if (instance.java() != null) {

@@ -14,9 +14,7 @@ import urbi.UClass;
 import urbi.UObject;
 
 /**
- * Puts new Java objects behind urbiscript objects that stay: another version of a class. They are
- * initialized as the old ones were, and find their variables with the values that they had. One
- * that cannot be made leaves the old one in its place.
+ * Replaces the Java objects behind urbiscript objects by those of another version of their class. The new ones are initialized with the same arguments, and their variables keep their values. If a new one cannot be created, the old one stays.
  */
 final class InstanceReplacement {
   private static final CallSite SITE =
@@ -40,16 +38,16 @@ final class InstanceReplacement {
     this.creation = creation;
   }
 
-  /** What a variable had before. */
+  /** The values of a variable before the replacement. */
   private record PreviousValues(Datum target, Datum sensed) {}
 
-  /** What an object had before. */
+  /** The state of an object before the replacement. */
   private record PreviousInstance(
       UObject java,
       UClass type,
       Map<String, BoundFunction> functions,
       Map<UrbiUVar, PreviousValues> values) {
-    /** The variables get their values back, and tell of changes again. */
+    /** Restores the values of the variables, and enables their notifications again. */
     void restore() {
       values.forEach((variable, known) -> {
         variable.restore(known.target, known.sensed);
@@ -58,7 +56,7 @@ final class InstanceReplacement {
     }
   }
 
-  /** Replaces what is behind all the objects of the class of that name. */
+  /** Replaces the Java objects of all instances of the class. */
   void replace(Frame frame, UClass type) {
     for (Instance instance : context.objects().all()) {
       UObject java = instance.java();

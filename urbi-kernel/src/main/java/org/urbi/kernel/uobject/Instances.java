@@ -24,7 +24,7 @@ import urbi.UClass;
 
 /** The UObjects of one kernel, by their names: slots of {@code uobjects}. */
 final class Instances {
-  /** Has a thread; made when there is a UObject. */
+  /** Holds the cleaner, which has a thread, so that it is created only with the first UObject. */
   private static final class Reclamation {
     static final Cleaner CLEANER = Cleaner.create();
   }
@@ -36,7 +36,7 @@ final class Instances {
   private final Map<UrbiObject, Instance> byObject = new WeakHashMap<>();
 
   /**
-   * @param onGone told of each one whose urbiscript object nobody refers to any more
+   * @param onGone called for each one whose urbiscript object was garbage collected
    */
   Instances(World world, Inbox inbox, Consumer<Instance> onGone) {
     this.world = world;
@@ -79,7 +79,7 @@ final class Instances {
         instance.object(), () -> inbox.post(new Message.ComponentGone(name)));
   }
 
-  /** Makes it a slot of {@code uobjects} which does. */
+  /** Makes it a slot of {@code uobjects} that keeps the object alive. */
   void publishClass(Instance instance) {
     setSlot(namespace(), world.symbol(Utf8Text.toUrbi(instance.name())), present(instance));
   }
@@ -88,7 +88,7 @@ final class Instances {
     return requireNonNull(instance.object(), "it has just been made");
   }
 
-  /** Nobody referred any more to the urbiscript object of that name, a moment ago. */
+  /** The urbiscript object of that name was reported as garbage collected. */
   void gone(String name) {
     Instance instance = byName.get(name);
     if (instance != null && instance.object() == null) {
@@ -106,7 +106,7 @@ final class Instances {
     namespace().removeSlot(world.symbol(Utf8Text.toUrbi(instance.name())));
   }
 
-  /** The one of that name, or null. */
+  /** The instance of that name, or null. */
   @Nullable Instance named(String name) {
     return byName.get(name);
   }
@@ -117,7 +117,7 @@ final class Instances {
     return instance == null ? null : instance.object();
   }
 
-  /** That of an object itself, or null. */
+  /** The instance of that very object, or null. */
   @Nullable Instance of(UrbiObject object) {
     return byObject.get(object);
   }
@@ -128,7 +128,7 @@ final class Instances {
     return instance == null ? null : instance.name();
   }
 
-  /** That of an object or of the nearest of its ancestors; or null. */
+  /** The instance of an object or of its nearest ancestor that has one; or null. */
   @Nullable Instance nearest(UrbiObject object) {
     Instance own = byObject.get(object);
     if (own != null) {

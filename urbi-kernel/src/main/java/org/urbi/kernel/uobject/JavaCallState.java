@@ -6,14 +6,14 @@ import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.JobLocal;
 import org.urbi.kernel.node.Frame;
 
-/** Where a job stands between urbiscript and the Java code of UObjects, which call each other. */
+/** The state of a job in nested calls between urbiscript and the Java code of UObjects. */
 final class JavaCallState {
   private static final JobLocal<JavaCallState> OF_JOB = new JobLocal<>();
 
-  /** The activation that has called Java code, while that code runs; else null. */
+  /** The activation that has called the running Java code; null if none runs. */
   @Nullable Frame caller;
 
-  /** What unwinds the job although Java code may have caught it; usually null. */
+  /** The exception that unwinds the job, even if Java code has caught it; usually null. */
   @Nullable ControlFlowException unwinding;
 
   static JavaCallState of(Job job) {

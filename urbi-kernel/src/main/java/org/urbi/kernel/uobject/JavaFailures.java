@@ -14,12 +14,12 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Utf8Text;
 import urbi.UCastException;
 
-/** What becomes of the failures of Java code in urbiscript. */
+/** Turns failures of Java code into urbiscript errors. */
 final class JavaFailures {
   private JavaFailures() {}
 
   /**
-   * What a function that was called has thrown.
+   * The error for what a called function has thrown.
    *
    * @param function its full name
    */
@@ -89,15 +89,15 @@ final class JavaFailures {
         expected == null ? context.interpreter().values().nil : expected);
   }
 
-  /** What is done for a component whose function is called. */
+  /** The description of a call of a component's function. */
   static String calling(String function) {
     return "calling " + function;
   }
 
   /**
-   * What people are told of what a component has thrown, whose stack trace goes to the log.
+   * The message for what a component has thrown; the stack trace goes to the log.
    *
-   * @param doing what was being done for the component
+   * @param doing the activity that failed
    */
   static String caught(String doing, Throwable failure) {
     if (!(failure instanceof ConversionFailure)) {
@@ -106,7 +106,7 @@ final class JavaFailures {
     return Problem.CAUGHT_IN_COMPONENT.text(doing, text(failure));
   }
 
-  /** What went wrong, for people. */
+  /** The text of a failure. */
   static String text(Throwable failure) {
     Throwable cause = failure;
     while ((cause instanceof CompletionException || cause instanceof ExecutionException)

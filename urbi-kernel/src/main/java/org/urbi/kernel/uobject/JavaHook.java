@@ -17,7 +17,7 @@ import org.urbi.kernel.variable.UrbiUVar;
 import urbi.UCallback;
 import urbi.UCast;
 
-/** Tells a function of a UObject of changes of a variable, or of accesses to it. */
+/** Calls a function of a UObject when a variable changes, or is read. */
 final class JavaHook implements Hook {
   private static final UrbiObject[] NONE = {};
 
@@ -25,10 +25,10 @@ final class JavaHook implements Hook {
   private final UCallback callback;
   private final CallStatistics.Entry statistics;
 
-  /** From the value in urbiscript, if it is wanted, to a result there. */
+  /** Converts the urbiscript value, if the function takes it, and calls the function. */
   private final @Nullable MethodHandle whole;
 
-  /** From a value that was not copied, if it is wanted; null if it is not. */
+  /** The same for a value that was not copied; null if the function takes no value. */
   private final @Nullable MethodHandle uncopied;
 
   JavaHook(PluggedContext context, UCallback callback) {

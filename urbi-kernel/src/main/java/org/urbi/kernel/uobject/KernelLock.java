@@ -9,8 +9,7 @@ import org.urbi.kernel.job.KernelThreadPin;
 import org.urbi.kernel.node.Frame;
 
 /**
- * A thread that has the kernel for itself ({@link urbi.UContext#lock}): a job keeps the kernel
- * thread, and does what that thread asks for, until it says that it has done or has gone.
+ * The lock of the kernel by a thread ({@link urbi.UContext#lock}): a job occupies the kernel thread and executes only the requests of the owner, until that unlocks it or dies.
  */
 final class KernelLock {
   private static final long POLL_MILLISECONDS = 50;
@@ -29,17 +28,17 @@ final class KernelLock {
     this.over = over;
   }
 
-  /** Asks for something; by the owner. */
+  /** Adds a request; called by the owner. */
   void add(Consumer<Frame> task) {
     tasks.add(task);
   }
 
-  /** The owner wants it once more. */
+  /** The owner locks once more. */
   void enter() {
     depth++;
   }
 
-  /** The owner wants it once less: true if that was the last time. */
+  /** The owner unlocks once: true if that was the outermost lock. */
   boolean end() {
     ended = --depth == 0;
     if (ended) {
@@ -48,7 +47,7 @@ final class KernelLock {
     return ended;
   }
 
-  /** Does what the owner asks for, and nothing else, until the end; in a job. */
+  /** Executes the requests of the owner, and nothing else, until it unlocks; in a job. */
   void serve(Frame frame) {
     KernelThreadPin.pin();
     try {

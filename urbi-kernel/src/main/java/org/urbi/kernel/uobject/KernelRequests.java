@@ -15,10 +15,10 @@ import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
 
-/** What other threads want done on the kernel thread: each becomes a job, and the thread waits. */
+/** Requests of other threads to the kernel thread: each is executed by a job, and the thread waits. */
 final class KernelRequests {
   private record Request<T>(Function<Frame, T> task, CompletableFuture<T> future) {
-    /** Does it; in a job. */
+    /** Executes it; in a job. */
     void perform(Frame frame) {
       try {
         future.complete(task.apply(frame));
@@ -39,7 +39,7 @@ final class KernelRequests {
   }
 
   /**
-   * Has something done by a job, and waits.
+   * Executes a task in a job, and waits.
    *
    * @throws IllegalStateException if the kernel has ended
    * @throws CancellationException if the thread is interrupted
@@ -76,7 +76,7 @@ final class KernelRequests {
     }
   }
 
-  /** Starts a job that does what was asked for; false if nobody waits for it any more. */
+  /** Starts the job for a request; false if nobody waits for it any more. */
   boolean start(int number, UrbiObject lobby) {
     Request<?> request = pending.get(number);
     if (request == null) {
@@ -93,7 +93,7 @@ final class KernelRequests {
     return true;
   }
 
-  /** From now on the kernel does nothing but what this thread asks for, until {@link #unlock}. */
+  /** Locks the kernel: until {@link #unlock} it executes only requests of this thread. */
   void lock() {
     KernelLock present = held.get();
     if (present != null) {
@@ -136,7 +136,7 @@ final class KernelRequests {
     return new IllegalStateException(Problem.KERNEL_ENDED.text());
   }
 
-  /** The kernel has ended: nobody waits any longer. */
+  /** The kernel has ended: fails all waiting requests. */
   void close() {
     over = true;
     pending.values().forEach(request -> request.future().completeExceptionally(ended()));

@@ -25,7 +25,7 @@ import urbi.spi.ModuleFiles;
  * module that is loaded again is replaced if its file has changed: its urbiscript objects stay.
  */
 public final class Modules {
-  /** A module, and how its file was when it was read. */
+  /** A module, with the state of its file when it was loaded. */
   private record Loaded(UModule module, long modified, long size) {}
 
   private final PluggedContext context;
@@ -42,7 +42,7 @@ public final class Modules {
     this.outside = outside;
   }
 
-  /** Where modules are looked for, first to last. */
+  /** The folders in which modules are searched, in order. */
   public List<Path> searchPath() {
     return searchPath;
   }
@@ -56,7 +56,7 @@ public final class Modules {
    * The file of a module: a path, or a name that is looked for in the search path; the suffix may
    * be left out.
    *
-   * @param working where relative paths start from
+   * @param working the directory from which relative paths start
    * @return null if there is none
    */
   public @Nullable Path find(Path working, String name) {
@@ -81,7 +81,7 @@ public final class Modules {
     return null;
   }
 
-  /** What may be missing at the end of a name. */
+  /** The suffixes that may be left out. */
   private static List<String> suffixes(String name) {
     List<String> suffixes = new ArrayList<>(List.of(""));
     List<String> known = ModuleFiles.suffixes();
@@ -151,7 +151,7 @@ public final class Modules {
     }
   }
 
-  /** Ends the classes that the new version of a module lacks. */
+  /** Ends the classes that the new version of a module no longer has. */
   private void endRest(Frame frame, UModule old, UModule present) {
     for (UClass type : old.classes()) {
       if (present.classes().stream().noneMatch(other -> other.name().equals(type.name()))) {

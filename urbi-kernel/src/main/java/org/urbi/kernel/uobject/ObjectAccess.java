@@ -12,8 +12,7 @@ import urbi.USlot;
 import urbi.UValue;
 
 /**
- * The UObjects of a kernel, their variables and events, as somebody needs them who brings UObjects
- * by urbiscript. On the kernel thread.
+ * Access to the UObjects of a kernel, their variables and events, for processes that declare UObjects by urbiscript. Used on the kernel thread.
  */
 public final class ObjectAccess {
   private final PluggedContext context;
@@ -27,7 +26,7 @@ public final class ObjectAccess {
     return context.objects().find(name);
   }
 
-  /** Makes a UObject that is being constructed a slot of {@code uobjects}. */
+  /** Publishes a UObject that is being constructed as a slot of {@code uobjects}. */
   public void show(String name) {
     Instance instance = context.objects().named(name);
     if (instance != null) {
@@ -35,7 +34,7 @@ public final class ObjectAccess {
     }
   }
 
-  /** The name of the UObject of which that one has been cloned; null if there is none. */
+  /** The name of the UObject from which that one was cloned; null if there is none. */
   public @Nullable String parentOf(String name) {
     UrbiObject object = find(name);
     if (object != null) {
