@@ -46,5 +46,5 @@ public @interface Builtin {
   boolean setter() default false;
 
   /** What a lobby needs to call it; by default what its class says. */
-  Need needs() default Need.AS_TYPE;
+  Permission needs() default Permission.AS_TYPE;
 }

@@ -53,7 +53,7 @@ final class Declaration {
       int lazyMin,
       int lazyMax,
       boolean setter,
-      Need needs,
+      Permission needs,
       boolean isStatic,
       boolean frame,
       boolean site,

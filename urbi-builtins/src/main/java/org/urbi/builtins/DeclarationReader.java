@@ -183,14 +183,14 @@ final class DeclarationReader {
   }
 
   /** What it needs: what it says itself, or what its class says. */
-  private static Need need(ExecutableElement method, Builtin builtin) {
-    if (builtin.needs() != Need.AS_TYPE) {
+  private static Permission need(ExecutableElement method, Builtin builtin) {
+    if (builtin.needs() != Permission.AS_TYPE) {
       return builtin.needs();
     }
     Element owner = requireNonNull(method.getEnclosingElement(), "a method is in a class");
     UrbiType type = owner.getAnnotation(UrbiType.class);
-    Need need = type == null ? owner.getAnnotation(UrbiTypePart.class).needs() : type.needs();
-    return need == Need.AS_TYPE ? Need.OWNER : need;
+    Permission need = type == null ? owner.getAnnotation(UrbiTypePart.class).needs() : type.needs();
+    return need == Permission.AS_TYPE ? Permission.OWNER : need;
   }
 
   private List<Declaration.Parameter> readArguments(ExecutableElement method, int from) {

@@ -29,5 +29,5 @@ public @interface UrbiType {
   String doc();
 
   /** What a lobby needs to call those of its builtins that do not say it; the most by default. */
-  Need needs() default Need.OWNER;
+  Permission needs() default Permission.OWNER;
 }

@@ -13,5 +13,5 @@ public @interface UrbiTypePart {
   String value();
 
   /** What a lobby needs to call those of its builtins that do not say it; the most by default. */
-  Need needs() default Need.OWNER;
+  Permission needs() default Permission.OWNER;
 }

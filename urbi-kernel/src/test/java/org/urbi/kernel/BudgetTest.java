@@ -26,8 +26,8 @@ class BudgetTest {
     kernel.close();
   }
 
-  private Visitor owner() {
-    return new Visitor(kernel, Role.OWNER);
+  private TestClient owner() {
+    return new TestClient(kernel, Role.OWNER);
   }
 
   private static void assertExhausted(String what, String answer) {
@@ -43,8 +43,8 @@ class BudgetTest {
         "every (1ms) detach({ sleep(1h) }), sleep(1s);",
       })
   void jobs(String program) {
-    Visitor bomb = owner();
-    Visitor judge = owner();
+    TestClient bomb = owner();
+    TestClient judge = owner();
     bomb.say("lobby.setBudget(\"jobs\", 100);");
     assertExhausted(
         "100 jobs", bomb.say("try {" + program + "} catch (var x) { echo(x.message) };"));
@@ -56,7 +56,7 @@ class BudgetTest {
 
   @Test
   void whatHasEndedIsCountedNoMore() {
-    Visitor one = owner();
+    TestClient one = owner();
     one.say("lobby.setBudget(\"jobs\", 100);");
     assertEquals("1", one.say("lobby.budgetUsed(\"jobs\");"));
     for (int i = 0; i < 5; i++) {
@@ -69,7 +69,7 @@ class BudgetTest {
 
   @Test
   void aLobbyThatCodeMakesSharesTheBudgetOfItsMaker() {
-    Visitor one = owner();
+    TestClient one = owner();
     one.say("lobby.setBudget(\"jobs\", 10); var Global.made = Lobby.create|;");
     String answer = one.say("made.receive(\"for& (20) sleep(1h);\"); sleep(1s);");
     assertExhausted("10 jobs", answer);
@@ -77,7 +77,7 @@ class BudgetTest {
 
   @Test
   void timers() {
-    Visitor one = owner();
+    TestClient one = owner();
     one.say("lobby.setBudget(\"timers\", 10);");
     assertExhausted("10 timers", one.say("for& (11) { timeout (1s) sleep(2s) };"));
     assertEquals("0", one.say("lobby.budgetUsed(\"timers\");"));
@@ -87,7 +87,7 @@ class BudgetTest {
 
   @Test
   void processes() {
-    Visitor one = owner();
+    TestClient one = owner();
     one.say("lobby.setBudget(\"processes\", 2);");
     one.say("function start() { var p = Process.new(\"sleep\", [\"1000\"]) | p.run | p }|;");
     one.say("var one = start|; var two = start|;");
@@ -103,7 +103,7 @@ class BudgetTest {
 
   @Test
   void input() {
-    Visitor one = owner();
+    TestClient one = owner();
     one.say("lobby.setBudget(\"input\", 200);");
     String answer = one.say("\"" + "x".repeat(300) + "\";");
     assertTrue(answer.contains("statement longer than 200 characters"), answer);
@@ -149,8 +149,8 @@ class BudgetTest {
   @Test
   void time() {
     try (Kernel real = Kernel.builder().log(line -> {}).start()) {
-      Visitor busy = new Visitor(real, Role.OWNER);
-      Visitor judge = new Visitor(real, Role.OWNER);
+      TestClient busy = new TestClient(real, Role.OWNER);
+      TestClient judge = new TestClient(real, Role.OWNER);
       assertEquals("0", judge.say("var Global.beats = 0;"));
       judge.say("every (1ms) Global.beats++,");
       busy.say("lobby.setBudget(\"time\", 20);");
@@ -164,7 +164,7 @@ class BudgetTest {
 
   @Test
   void onlyAnOwnerSetsBudgets() {
-    Visitor user = new Visitor(kernel, Role.USER);
+    TestClient user = new TestClient(kernel, Role.USER);
     assertTrue(user.say("lobby.setBudget(\"jobs\", inf);").contains("needs the role owner"));
     assertTrue(owner().say("lobby.budget(\"gold\");").contains("no such part of a budget: gold"));
     assertTrue(owner().say("lobby.setBudget(\"jobs\", -1);").contains("limit of 0 or more"));

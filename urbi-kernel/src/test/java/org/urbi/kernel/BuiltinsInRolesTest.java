@@ -64,8 +64,8 @@ class BuiltinsInRolesTest {
   void everyBuiltinAsksForWhatItDeclares(Role role) {
     try (Kernel started = Kernel.builder().virtualTime(true).log(line -> {}).start()) {
       kernel = started;
-      Visitor owner = new Visitor(kernel, Role.OWNER);
-      Visitor caller = new Visitor(kernel, role);
+      TestClient owner = new TestClient(kernel, Role.OWNER);
+      TestClient caller = new TestClient(kernel, role);
       owner.say("sleep(1s);");
       List<String> before = new ArrayList<>();
       KernelThread.run(

@@ -104,7 +104,7 @@ class ReverseConnectionTest {
 
   @Test
   void usersMayNot() {
-    Visitor user = new Visitor(kernel, Role.USER);
+    TestClient user = new TestClient(kernel, Role.USER);
     assertTrue(
         user.say("Lobby.reverseConnect(\"127.0.0.1\", " + port() + ");")
             .contains("needs the role owner"));

@@ -22,9 +22,9 @@ class RolesTest {
   @TempDir Path temporary;
   private Path files;
   private Kernel kernel;
-  private Visitor owner;
-  private Visitor user;
-  private Visitor observer;
+  private TestClient owner;
+  private TestClient user;
+  private TestClient observer;
 
   @BeforeEach
   void start() throws IOException {
@@ -32,9 +32,9 @@ class RolesTest {
     Files.writeString(files.resolve("own"), "own");
     Files.writeString(files.resolve("../secret"), "secret");
     kernel = Kernel.builder().virtualTime(true).userDirectory(files).log(line -> {}).start();
-    owner = new Visitor(kernel, Role.OWNER);
-    user = new Visitor(kernel, Role.USER);
-    observer = new Visitor(kernel, Role.OBSERVER);
+    owner = new TestClient(kernel, Role.OWNER);
+    user = new TestClient(kernel, Role.USER);
+    observer = new TestClient(kernel, Role.OBSERVER);
     assertEquals(
         "",
         owner.say(
@@ -56,7 +56,7 @@ class RolesTest {
     kernel.close();
   }
 
-  private static void assertRefused(Visitor visitor, String code, String text) {
+  private static void assertRefused(TestClient visitor, String code, String text) {
     String answer = visitor.say(code);
     assertTrue(answer.contains("!!! ") && answer.contains(text), code + " -> " + answer);
   }

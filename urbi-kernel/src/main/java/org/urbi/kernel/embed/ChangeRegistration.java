@@ -9,7 +9,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.tag.UrbiTag;
-import org.urbi.lang.parse.Parsed;
+import org.urbi.lang.parse.ParseResult;
 import org.urbi.lang.parse.UrbiParser;
 
 /** A {@code watch} of an expression (manual, "watch"); each new value is passed to the listener. */
@@ -27,7 +27,7 @@ final class ChangeRegistration implements Embedding.Task<ListenerRegistration> {
   @Override
   public ListenerRegistration run(Frame frame) {
     Interpreter interpreter = frame.interpreter();
-    Parsed parsed = UrbiParser.parse(expression, null);
+    ParseResult parsed = UrbiParser.parse(expression, null);
     if (!parsed.errors().isEmpty()) {
       throw interpreter.errors().syntax(parsed.errors().getFirst(), expression);
     }

@@ -30,7 +30,8 @@ public record Outcome(@Nullable Object value, @Nullable Throwable failure) {
   /**
    * The result.
    *
-   * @throws IOException what the work threw, wrapped if it was no IOException; an OutOfMemoryError of the work is wrapped, too, so that it ends nothing but the work
+   * @throws IOException what the work threw, wrapped if it was no IOException; an OutOfMemoryError
+   *     of the work is wrapped, too, so that it ends nothing but the work
    */
   @SuppressWarnings("unchecked")
   public <T> @Nullable T get() throws IOException {

@@ -24,7 +24,8 @@ final class Background implements AutoCloseable {
   }
 
   /**
-   * Starts a statement with its own value of a loop variable, as if called through these call sites.
+   * Starts a statement with its own value of a loop variable, as if called through these call
+   * sites.
    *
    * @param inner the innermost call shown in backtraces
    * @param outer the call around that

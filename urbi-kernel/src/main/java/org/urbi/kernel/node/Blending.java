@@ -16,7 +16,9 @@ import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
- * Combines simultaneous assignments to one slot (the property {@code blend}). Assignments of different jobs in one cycle are simultaneous, as are motions ({@code x = 1 time: 2s}) from start to end.
+ * Combines simultaneous assignments to one slot (the property {@code blend}). Assignments of
+ * different jobs in one cycle are simultaneous, as are motions ({@code x = 1 time: 2s}) from start
+ * to end.
  */
 public final class Blending {
   private final BlendMode mode;

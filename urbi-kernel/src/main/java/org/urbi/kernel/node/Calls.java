@@ -16,16 +16,23 @@ final class Calls {
       }
       if (formals.isSimple(arguments.length)) {
         return function.run(
-            frame, site, self, Arguments.evaluate(frame, arguments, function.layout().locals()));
+            frame,
+            site,
+            self,
+            ArgumentEvaluation.evaluate(frame, arguments, function.layout().locals()));
       }
       formals.check(frame, site, arguments.length);
     } else if (code.isLazy()) {
       return code.call(frame, site, self, placeholders(arguments));
     }
-    return code.call(frame, site, self, Arguments.evaluate(frame, arguments, arguments.length));
+    return code.call(
+        frame, site, self, ArgumentEvaluation.evaluate(frame, arguments, arguments.length));
   }
 
-  /** Placeholders for the arguments of a lazy primitive, which reads their code: only their number matters. */
+  /**
+   * Placeholders for the arguments of a lazy primitive, which reads their code: only their number
+   * matters.
+   */
   private static UrbiObject[] placeholders(Node[] arguments) {
     return new UrbiObject[arguments.length];
   }
@@ -37,7 +44,7 @@ final class Calls {
       return value;
     }
     return frame.interpreter.call(
-        frame, site, value, self, Arguments.evaluate(frame, arguments, arguments.length));
+        frame, site, value, self, ArgumentEvaluation.evaluate(frame, arguments, arguments.length));
   }
 
   /** Handles a missing slot: the {@code fallback} of the object is called, if it has one. */

@@ -33,7 +33,7 @@ public final class ClassNodes {
     public UrbiObject execute(Frame frame) {
       UrbiObject[] parents = new UrbiObject[protos.length];
       for (int i = 0; i < parents.length; i++) {
-        parents[i] = Arguments.notVoid(frame, protos[i], span());
+        parents[i] = ArgumentEvaluation.notVoid(frame, protos[i], span());
         if (parents[i].isA(interpreter.world().prototype("Finalizable"))) {
           UrbiException refused = interpreter.errors().finalizable("apply");
           refused.locate(null, frame.backtrace());

@@ -208,7 +208,7 @@ public final class CompoundAssignment extends Node implements CallSite {
       UrbiObject after =
           operand == null
               ? successor(frame, before)
-              : combined(frame, before, Arguments.notVoid(frame, operand, span()));
+              : combined(frame, before, ArgumentEvaluation.notVoid(frame, operand, span()));
       frame.locals[local] = after;
       return operand == null ? before : after;
     } catch (UrbiException e) {
@@ -225,7 +225,8 @@ public final class CompoundAssignment extends Node implements CallSite {
         access.write(frame, parts, successor(frame, before));
         return before;
       }
-      UrbiObject after = combined(frame, before, Arguments.notVoid(frame, operand, span()));
+      UrbiObject after =
+          combined(frame, before, ArgumentEvaluation.notVoid(frame, operand, span()));
       access.write(frame, parts, after);
       return after;
     } catch (UrbiException e) {

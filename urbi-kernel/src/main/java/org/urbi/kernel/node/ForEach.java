@@ -60,7 +60,7 @@ public final class ForEach extends Node implements CallSite {
 
   @Override
   public UrbiObject execute(Frame frame) {
-    UrbiObject over = Arguments.notVoid(frame, range, span());
+    UrbiObject over = ArgumentEvaluation.notVoid(frame, range, span());
     LoopJobs jobs = LoopJobs.begin(frame);
     boolean broken = false;
     try {

@@ -144,7 +144,9 @@ public final class Frame {
     return copy(other, waited, null);
   }
 
-  /** Like {@link #fork}, for a job for which the code waits, as if called through these call sites. */
+  /**
+   * Like {@link #fork}, for a job for which the code waits, as if called through these call sites.
+   */
   Frame forkThrough(Job other, CallSite inner, CallSite outer) {
     Frame around = fork(other, true);
     Frame through = around.calledAt(outer, around);
@@ -189,7 +191,10 @@ public final class Frame {
             activation));
   }
 
-  /** Whether the copy keeps its caller: a job that outlives its caller must not keep it alive, unless its code can ask for it. */
+  /**
+   * Whether the copy keeps its caller: a job that outlives its caller must not keep it alive,
+   * unless its code can ask for it.
+   */
   private boolean keepsCaller(boolean waited) {
     return waited || (function != null && function.usesCall());
   }
@@ -254,7 +259,8 @@ public final class Frame {
   }
 
   /**
-   * The actions at the end of the innermost marked scope being executed, or else of the function; null at the top level.
+   * The actions at the end of the innermost marked scope being executed, or else of the function;
+   * null at the top level.
    */
   public @Nullable ScopeEnd scopeEnd() {
     return scopeEnd == null && function != null ? ((Frame) activation).functionEnd() : scopeEnd;
@@ -301,7 +307,8 @@ public final class Frame {
   }
 
   /**
-   * The calls in progress, innermost first. Of a runaway recursion only both ends are listed, with the number of calls between them.
+   * The calls in progress, innermost first. Of a runaway recursion only both ends are listed, with
+   * the number of calls between them.
    */
   public List<UrbiException.Call> backtrace() {
     List<UrbiException.Call> calls = new ArrayList<>();

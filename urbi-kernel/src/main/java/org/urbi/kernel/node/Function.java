@@ -64,7 +64,9 @@ public final class Function extends Code {
   private final @Nullable UrbiObject boundSelf;
 
   /**
-   * The lobby with whose permissions the code runs: of closures, and of functions defined in a lobby with limited permissions, so that they do not gain those of their callers. Null for other functions.
+   * The lobby with whose permissions the code runs: of closures, and of functions defined in a
+   * lobby with limited permissions, so that they do not gain those of their callers. Null for other
+   * functions.
    */
   private final @Nullable UrbiObject boundLobby;
 
@@ -150,7 +152,10 @@ public final class Function extends Code {
         : execute(caller, site, self, locals);
   }
 
-  /** Whether the call changes the lobby of the job. Lazy arguments of the caller must not run with the permissions of a more privileged lobby. */
+  /**
+   * Whether the call changes the lobby of the job. Lazy arguments of the caller must not run with
+   * the permissions of a more privileged lobby.
+   */
   private boolean changesLobby(Frame caller) {
     return caller.job.isOwner() || !isLazy();
   }

@@ -9,7 +9,10 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
 /**
- * Packages and imports. A package is an object below {@code 'package'}. Up to the end of the surrounding scope, {@code import a.b.*} looks names up in {@code a.b} that are not found otherwise, and {@code import a.b} does so for the name {@code b} in {@code a}. Inner imports take precedence.
+ * Packages and imports. A package is an object below {@code 'package'}. Up to the end of the
+ * surrounding scope, {@code import a.b.*} looks names up in {@code a.b} that are not found
+ * otherwise, and {@code import a.b} does so for the name {@code b} in {@code a}. Inner imports take
+ * precedence.
  */
 public final class Imports {
   /** An object from which names are imported at the top level, and the name if it is only one. */

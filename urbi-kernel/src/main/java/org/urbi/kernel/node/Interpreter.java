@@ -21,7 +21,8 @@ import org.urbi.kernel.object.World;
 import org.urbi.lang.source.Span;
 
 /**
- * The environment of executing code: the objects of the kernel, its scheduler, its errors; and the methods by which Java code calls urbiscript.
+ * The environment of executing code: the objects of the kernel, its scheduler, its errors; and the
+ * methods by which Java code calls urbiscript.
  */
 public final class Interpreter {
   /** A call made by Java code: it does not show in backtraces. */
@@ -57,7 +58,8 @@ public final class Interpreter {
   private int maximumDepth;
 
   /**
-   * The depth up to which a call needs no check: the maximum depth, or -1 while some code must be interrupted. So endless recursion can be interrupted at no extra cost.
+   * The depth up to which a call needs no check: the maximum depth, or -1 while some code must be
+   * interrupted. So endless recursion can be interrupted at no extra cost.
    */
   private volatile int callLimit;
 
@@ -197,7 +199,8 @@ public final class Interpreter {
   }
 
   /**
-   * Sends a message. Endless recursion through this method, such as comparing two lists that contain themselves, throws the error of an exhausted stack.
+   * Sends a message. Endless recursion through this method, such as comparing two lists that
+   * contain themselves, throws the error of an exhausted stack.
    */
   public UrbiObject send(Frame caller, UrbiObject target, String message, UrbiObject... arguments) {
     caller.job.checkInterrupted();

@@ -19,7 +19,8 @@ public final class Jumps {
     /**
      * @param value null for void
      * @param inClosure whether it is in a closure, and so leaves the function around that closure
-     * @param seen whether the surrounding statements check how this one ended; if not, an exception is thrown
+     * @param seen whether the surrounding statements check how this one ended; if not, an exception
+     *     is thrown
      */
     public Return(Span span, @Nullable Node value, boolean inClosure, boolean seen) {
       super(span);

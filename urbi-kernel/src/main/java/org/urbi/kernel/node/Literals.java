@@ -66,7 +66,7 @@ public final class Literals {
     public UrbiObject execute(Frame frame) {
       var list = new Elements(elements.length);
       for (Node element : elements) {
-        list.add(Arguments.notVoid(frame, element, span()));
+        list.add(ArgumentEvaluation.notVoid(frame, element, span()));
       }
       var values = frame.interpreter.values();
       return tuple ? values.tuple(list) : values.listOf(list);
@@ -89,8 +89,8 @@ public final class Literals {
       Map<UrbiDictionary.Key, UrbiObject> entries = new LinkedHashMap<>();
       for (int i = 0; i < keys.length; i++) {
         entries.put(
-            DictionaryKey.of(frame, Arguments.notVoid(frame, keys[i], span())),
-            Arguments.notVoid(frame, values[i], span()));
+            DictionaryKey.of(frame, ArgumentEvaluation.notVoid(frame, keys[i], span())),
+            ArgumentEvaluation.notVoid(frame, values[i], span()));
       }
       return frame.interpreter.values().dictionary(entries);
     }
@@ -115,7 +115,8 @@ public final class Literals {
     private final boolean bound;
 
     /**
-     * @param capturedFrom for each captured variable, its cell in the surrounding frame, or -1 - n for the n-th variable captured by the surrounding function
+     * @param capturedFrom for each captured variable, its cell in the surrounding frame, or -1 - n
+     *     for the n-th variable captured by the surrounding function
      * @param bound whether {@code this} is that of the definition
      */
     public Closure(Span span, Function.Body body, int[] capturedFrom, boolean bound) {

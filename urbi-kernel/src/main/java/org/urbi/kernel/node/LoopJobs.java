@@ -6,7 +6,8 @@ import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.TagState;
 
 /**
- * The jobs that the code of a loop has detached: {@code break} ends them like everything else in the loop (manual, "Control", {@code detach}).
+ * The jobs that the code of a loop has detached: {@code break} ends them like everything else in
+ * the loop (manual, "Control", {@code detach}).
  */
 public final class LoopJobs {
   private final @Nullable LoopJobs outer;

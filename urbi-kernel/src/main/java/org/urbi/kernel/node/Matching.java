@@ -33,7 +33,7 @@ public final class Matching {
 
     @Override
     public UrbiObject execute(Frame frame) {
-      UrbiObject switched = Arguments.notVoid(frame, value, span());
+      UrbiObject switched = ArgumentEvaluation.notVoid(frame, value, span());
       for (Case one : cases) {
         if (one.pattern.matches(frame, switched) && (one.guard == null || one.guard.test(frame))) {
           return one.body.execute(frame);
@@ -58,7 +58,7 @@ public final class Matching {
 
     @Override
     public UrbiObject execute(Frame frame) {
-      UrbiObject matched = Arguments.notVoid(frame, value, span());
+      UrbiObject matched = ArgumentEvaluation.notVoid(frame, value, span());
       if (!pattern.matches(frame, matched)) {
         throw frame.located(frame.interpreter.errors().matchFailure(), span());
       }

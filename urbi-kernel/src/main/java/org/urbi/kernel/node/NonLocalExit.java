@@ -4,7 +4,9 @@ import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
- * {@code return}, {@code break} and {@code continue} as exceptions, where the surrounding statements cannot check for them: inside an expression, or in another job than the code that they leave.
+ * {@code return}, {@code break} and {@code continue} as exceptions, where the surrounding
+ * statements cannot check for them: inside an expression, or in another job than the code that they
+ * leave.
  */
 abstract class NonLocalExit extends ControlFlowException {
   /** Leaves a function. */

@@ -56,7 +56,7 @@ public final class Normalized extends Node {
 
   private UrbiObject write(
       Frame frame, UrbiObject object, Node assigned, double least, double most) {
-    UrbiObject part = Arguments.notVoid(frame, assigned, span());
+    UrbiObject part = ArgumentEvaluation.notVoid(frame, assigned, span());
     double scaled = least + number(frame, part) * (most - least);
     SlotUpdate.assign(frame, object, slot, frame.interpreter.values().number(scaled));
     return part;

@@ -37,7 +37,9 @@ public final class NumericOperator extends Node {
   /** The index of the left operand if it is a plain local variable, or -1. */
   private final int local;
 
-  /** The value of the right operand if it is a literal, for which no object is created then; or NaN. */
+  /**
+   * The value of the right operand if it is a literal, for which no object is created then; or NaN.
+   */
   private final double literal;
 
   private NumericOperator(

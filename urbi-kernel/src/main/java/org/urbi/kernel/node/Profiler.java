@@ -92,7 +92,8 @@ public final class Profiler {
   }
 
   /**
-   * Wraps code of a job that is executed later, perhaps by another job, so that it still counts for the profiler of this job.
+   * Wraps code of a job that is executed later, perhaps by another job, so that it still counts for
+   * the profiler of this job.
    *
    * @param name the name under which executions of the code are counted
    * @return the code itself, when nobody observes the job

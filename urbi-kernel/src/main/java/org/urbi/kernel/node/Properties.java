@@ -167,7 +167,7 @@ public final class Properties {
     @Override
     public UrbiObject execute(Frame frame) {
       UrbiObject object = target.execute(frame);
-      UrbiObject assigned = Arguments.notVoid(frame, value, span());
+      UrbiObject assigned = ArgumentEvaluation.notVoid(frame, value, span());
       try {
         set(frame, object, slot, property, assigned);
       } catch (UrbiException e) {

@@ -147,7 +147,7 @@ public final class Sequences {
 
     @Override
     public UrbiObject execute(Frame frame) {
-      UrbiObject object = Arguments.notVoid(frame, target, span());
+      UrbiObject object = ArgumentEvaluation.notVoid(frame, target, span());
       Frame inner = frame.withSelf(object);
       inner.background = frame.background;
       UrbiObject value = body.execute(inner);

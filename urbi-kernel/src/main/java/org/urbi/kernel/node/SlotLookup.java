@@ -9,7 +9,9 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
 /**
- * An inline cache: looks up a slot by name for one place in the code, and remembers for each shape that it has seen where the slot was. An entry is valid as long as the epoch of the name stays the same.
+ * An inline cache: looks up a slot by name for one place in the code, and remembers for each shape
+ * that it has seen where the slot was. An entry is valid as long as the epoch of the name stays the
+ * same.
  */
 final class SlotLookup {
   private static final int LIMIT = 6;

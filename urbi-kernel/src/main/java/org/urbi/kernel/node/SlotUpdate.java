@@ -12,12 +12,18 @@ import org.urbi.kernel.object.UrbiObject;
 public final class SlotUpdate {
   private SlotUpdate() {}
 
-  /** The value of the {@code changed} property of a slot: an event, which this package only knows how to emit. */
+  /**
+   * The value of the {@code changed} property of a slot: an event, which this package only knows
+   * how to emit.
+   */
   public interface Signal {
     void emit(Frame frame, UrbiObject... payload);
   }
 
-  /** Marks a setter that does the whole assignment, including the notification of those who watch the slot. */
+  /**
+   * Marks a setter that does the whole assignment, including the notification of those who watch
+   * the slot.
+   */
   public interface Whole {}
 
   /**
@@ -39,7 +45,8 @@ public final class SlotUpdate {
   /**
    * {@code updateSlot}: assigns a slot; one that is inherited is created in the object itself.
    *
-   * @return the value of the assignment: the given one, or what the slot's range or its {@code updateHook} has made of it
+   * @return the value of the assignment: the given one, or what the slot's range or its {@code
+   *     updateHook} has made of it
    * @throws org.urbi.kernel.error.UrbiException when there is no such slot, or it is constant
    */
   public static UrbiObject assign(Frame frame, UrbiObject target, Symbol name, UrbiObject value) {

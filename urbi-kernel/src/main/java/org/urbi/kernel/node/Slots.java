@@ -84,7 +84,7 @@ public final class Slots {
     @Override
     public UrbiObject execute(Frame frame) {
       UrbiObject object = target.execute(frame);
-      UrbiObject assigned = Arguments.notVoid(frame, value, span());
+      UrbiObject assigned = ArgumentEvaluation.notVoid(frame, value, span());
       return assign(frame, object, assigned);
     }
 

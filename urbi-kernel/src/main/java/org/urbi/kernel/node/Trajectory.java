@@ -14,7 +14,8 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
 /**
- * {@code x = target time: 5s}: passes functions that read and write the variable, and the attributes, to {@code TrajectoryGenerator} (manual, "TrajectoryGenerator").
+ * {@code x = target time: 5s}: passes functions that read and write the variable, and the
+ * attributes, to {@code TrajectoryGenerator} (manual, "TrajectoryGenerator").
  */
 public final class Trajectory extends Node implements CallSite {
   /** The properties of the slot that limit its motions. */
@@ -88,7 +89,7 @@ public final class Trajectory extends Node implements CallSite {
     for (int i = 0; i < names.length; i++) {
       attributes.put(
           DictionaryKey.of(frame, interpreter.values().string(names[i])),
-          Arguments.notVoid(frame, values[i], span()));
+          ArgumentEvaluation.notVoid(frame, values[i], span()));
     }
     UrbiObject goal = target.execute(frame);
     if (goal instanceof UrbiFloat number && Double.isNaN(number.value())) {

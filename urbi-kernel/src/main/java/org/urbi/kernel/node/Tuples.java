@@ -6,7 +6,9 @@ import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiTuple;
 
-/** The members of tuples, and of objects that inherit from Tuple and have a slot {@code members}. */
+/**
+ * The members of tuples, and of objects that inherit from Tuple and have a slot {@code members}.
+ */
 public final class Tuples {
   private Tuples() {}
 

@@ -68,7 +68,8 @@ public final class Variables {
     private final boolean constant;
 
     /**
-     * @param begun whether the variable exists before its declaration is executed, because another job executes that
+     * @param begun whether the variable exists before its declaration is executed, because another
+     *     job executes that
      * @param constant whether it cannot be assigned
      */
     public Place(int index, boolean shared, boolean begun, boolean constant) {
@@ -78,7 +79,10 @@ public final class Variables {
       this.constant = constant;
     }
 
-    /** The index among the locals of the frame if it is a plain variable that is not constant, or -1. */
+    /**
+     * The index among the locals of the frame if it is a plain variable that is not constant, or
+     * -1.
+     */
     int local() {
       return shared || constant ? -1 : index;
     }
@@ -167,11 +171,14 @@ public final class Variables {
     }
   }
 
-  /** The initial value of a variable: void if none is given. An expression that evaluates to void is an error. */
+  /**
+   * The initial value of a variable: void if none is given. An expression that evaluates to void is
+   * an error.
+   */
   static UrbiObject initialValue(Frame frame, @Nullable Node value, Span at) {
     return value == null
         ? frame.interpreter.values().voidObject
-        : Arguments.notVoid(frame, value, at);
+        : ArgumentEvaluation.notVoid(frame, value, at);
   }
 
   /** {@code x = value}. */
@@ -187,7 +194,7 @@ public final class Variables {
 
     @Override
     public UrbiObject execute(Frame frame) {
-      UrbiObject assigned = Arguments.notVoid(frame, value, span());
+      UrbiObject assigned = ArgumentEvaluation.notVoid(frame, value, span());
       try {
         place.assign(frame, assigned);
       } catch (UrbiException e) {

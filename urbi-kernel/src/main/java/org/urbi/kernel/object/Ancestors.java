@@ -7,7 +7,8 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Iterates over an object and all objects from which it inherits, each once, depth first and in the order of the prototypes. It does not recurse, however many there are.
+ * Iterates over an object and all objects from which it inherits, each once, depth first and in the
+ * order of the prototypes. It does not recurse, however many there are.
  */
 final class Ancestors {
   /** After this many steps the check for interruption is called; a power of two. */

@@ -9,7 +9,8 @@ import java.util.RandomAccess;
 import java.util.function.Predicate;
 
 /**
- * The elements of a list, in a ring buffer: adding and removing is fast at both ends, because programs use lists as queues.
+ * The elements of a list, in a ring buffer: adding and removing is fast at both ends, because
+ * programs use lists as queues.
  */
 public final class Elements extends AbstractList<UrbiObject> implements RandomAccess {
   private static final int FIRST_CAPACITY = 8;

@@ -6,10 +6,13 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A "hidden class": what objects of the same structure have in common, namely their prototypes, the names of their slots in the order of creation, and which of these slots are special. A lookup site
- * that has seen a shape knows at which index a slot stands.
+ * A "hidden class": what objects of the same structure have in common, namely their prototypes, the
+ * names of their slots in the order of creation, and which of these slots are special. A lookup
+ * site that has seen a shape knows at which index a slot stands.
  *
- * <p>Shapes form a tree, with a transition for each slot added, and are immutable. Only an object with very many slots has a shape of its own with a table, which grows as slots are added. Any change that moves a slot, or affects how it is accessed, gives the object another shape.
+ * <p>Shapes form a tree, with a transition for each slot added, and are immutable. Only an object
+ * with very many slots has a shape of its own with a table, which grows as slots are added. Any
+ * change that moves a slot, or affects how it is accessed, gives the object another shape.
  */
 public final class Shape {
   static final UrbiObject[] NO_PROTOS = {};
@@ -37,12 +40,17 @@ public final class Shape {
   /** The slots of an object with very many; null for others, whose slots are the names. */
   private final @Nullable SlotTable table;
 
-  /** Keeps alive the shape from which this one was made, because new objects will pass through it again. */
+  /**
+   * Keeps alive the shape from which this one was made, because new objects will pass through it
+   * again.
+   */
   private final @Nullable Shape parent;
 
   private @Nullable Map<Symbol, Integer> index;
 
-  /** How many linear searches there were: an index is only built for shapes that are searched often. */
+  /**
+   * How many linear searches there were: an index is only built for shapes that are searched often.
+   */
   private int searches;
 
   private @Nullable Transitions additions;

@@ -4,7 +4,8 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The properties of a slot (manual, "Properties"). Plain slots have none of this, and do not pay for it.
+ * The properties of a slot (manual, "Properties"). Plain slots have none of this, and do not pay
+ * for it.
  */
 public final class SlotData {
   /** Properties by name, {@code constant} included, in the order in which they are listed. */
@@ -37,7 +38,10 @@ public final class SlotData {
   /** Whether the slot is no longer there. */
   public boolean removed;
 
-  /** The state of simultaneous assignments ({@code blend}), which the interpreter keeps here; or null. */
+  /**
+   * The state of simultaneous assignments ({@code blend}), which the interpreter keeps here; or
+   * null.
+   */
   public @Nullable Object blending;
 
   byte flags() {

@@ -7,7 +7,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The slots of an object with very many: names by index, and indexes by name. A removed slot leaves a hole, so that the others keep their index.
+ * The slots of an object with very many: names by index, and indexes by name. A removed slot leaves
+ * a hole, so that the others keep their index.
  */
 final class SlotTable {
   private final Map<Symbol, Integer> index = new HashMap<>();

@@ -3,7 +3,8 @@ package org.urbi.kernel.object;
 /**
  * The name of a slot, interned per kernel, so that names compare by identity.
  *
- * <p>Its epoch counts the changes that may invalidate cached lookups of this name: each slot of this name that is added to, or removed from, an object that others inherit from.
+ * <p>Its epoch counts the changes that may invalidate cached lookups of this name: each slot of
+ * this name that is added to, or removed from, an object that others inherit from.
  */
 public final class Symbol {
   private final String name;
@@ -18,7 +19,8 @@ public final class Symbol {
   }
 
   /**
-   * Changes whenever lookups of this name that were {@linkplain World#remember remembered} become invalid.
+   * Changes whenever lookups of this name that were {@linkplain World#remember remembered} become
+   * invalid.
    */
   public int epoch() {
     return epoch;

@@ -7,7 +7,8 @@ import java.util.Map;
 import java.util.function.Consumer;
 
 /**
- * The symbols of one kernel, one for each name. A name that no object and no code uses any more is forgotten, so that the variable names of clients that have left take no memory.
+ * The symbols of one kernel, one for each name. A name that no object and no code uses any more is
+ * forgotten, so that the variable names of clients that have left take no memory.
  */
 final class Symbols {
   private static final class Known extends WeakReference<Symbol> {

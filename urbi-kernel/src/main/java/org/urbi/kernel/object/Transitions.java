@@ -6,7 +6,9 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The shapes that follow one shape when a slot is added. They are weak references: a shape lives as long as an object, or a place in the code, uses it, so that names used only for a while leave nothing behind.
+ * The shapes that follow one shape when a slot is added. They are weak references: a shape lives as
+ * long as an object, or a place in the code, uses it, so that names used only for a while leave
+ * nothing behind.
  */
 final class Transitions {
   private static final int SWEPT_FROM = 16;

@@ -7,7 +7,8 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A dictionary (manual, "Dictionary"). Keys are compared by urbiscript's {@code ==} and {@code hash}; {@link Key} wraps a key to do so.
+ * A dictionary (manual, "Dictionary"). Keys are compared by urbiscript's {@code ==} and {@code
+ * hash}; {@link Key} wraps a key to do so.
  */
 public final class UrbiDictionary extends UrbiObject {
   /** A key, with the equality of its value. */
@@ -18,7 +19,10 @@ public final class UrbiDictionary extends UrbiObject {
     @Nullable Comparable<?> rank();
   }
 
-  /** Strings, then numbers, each in their natural order, then the other keys in the order of insertion. */
+  /**
+   * Strings, then numbers, each in their natural order, then the other keys in the order of
+   * insertion.
+   */
   private static final Comparator<Map.Entry<Key, UrbiObject>> ORDER =
       (a, b) -> {
         Comparable<?> left = a.getKey().rank();

@@ -91,7 +91,8 @@ public class UrbiObject {
   }
 
   /**
-   * A new object whose only prototype is this one. Objects that hold a Java value (numbers, lists…) override it: their clones hold a copy of the value.
+   * A new object whose only prototype is this one. Objects that hold a Java value (numbers, lists…)
+   * override it: their clones hold a copy of the value.
    */
   public UrbiObject cloned() {
     return new UrbiObject(cloneShape());
@@ -231,7 +232,9 @@ public class UrbiObject {
     shape = shape.without(i);
   }
 
-  /** The slots without the holes between them; cached lookups that found them here become invalid. */
+  /**
+   * The slots without the holes between them; cached lookups that found them here become invalid.
+   */
   private static UrbiObject[] compacted(Shape shape, UrbiObject[] sparse, boolean inherited) {
     UrbiObject[] dense = new UrbiObject[shape.names().length];
     int next = 0;
@@ -276,7 +279,10 @@ public class UrbiObject {
     }
   }
 
-  /** The data of the object's own slot, created if missing; call {@link #slotDataChanged} afterwards. */
+  /**
+   * The data of the object's own slot, created if missing; call {@link #slotDataChanged}
+   * afterwards.
+   */
   public final SlotData ensureSlotData(Symbol name) {
     Extra x = extra();
     if (x.slotData == null) {
@@ -369,7 +375,8 @@ public class UrbiObject {
   // ------------------------------------------------------------------ who may change it
 
   /**
-   * The owner, which alone may change the object: a lobby, or the prototype of all objects if the system owns it; null if anybody may change it.
+   * The owner, which alone may change the object: a lobby, or the prototype of all objects if the
+   * system owns it; null if anybody may change it.
    */
   public @Nullable UrbiObject ownerLobby() {
     Extra x = extraOrNull();

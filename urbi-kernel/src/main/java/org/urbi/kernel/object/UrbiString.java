@@ -8,7 +8,8 @@ import org.jspecify.annotations.Nullable;
  * A string (manual, "String"): a sequence of bytes, each of which is a {@code char} from 0 to 255.
  * Assigning to a range of it changes it in place.
  *
- * <p>Long strings that grow by appending share one buffer, of which each is a prefix, so that building a text of n pieces takes linear time.
+ * <p>Long strings that grow by appending share one buffer, of which each is a prefix, so that
+ * building a text of n pieces takes linear time.
  */
 public final class UrbiString extends UrbiObject {
   /** Shorter strings are copied, which is cheap and needs one object less. */

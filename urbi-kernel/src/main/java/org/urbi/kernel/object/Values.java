@@ -5,7 +5,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The constants of a kernel, and the factory methods of its everyday values: each evaluation of a literal creates a new object.
+ * The constants of a kernel, and the factory methods of its everyday values: each evaluation of a
+ * literal creates a new object.
  */
 public final class Values {
   /** {@code Object}, from which everything inherits. */

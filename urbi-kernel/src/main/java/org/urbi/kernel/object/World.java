@@ -7,7 +7,8 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.time.RandomNumbers;
 
 /**
- * The state that all objects of one kernel share: names, prototypes of types, and the state of lookup caches. Two kernels in one process share nothing.
+ * The state that all objects of one kernel share: names, prototypes of types, and the state of
+ * lookup caches. Two kernels in one process share nothing.
  */
 public final class World {
   private final Symbols symbols = new Symbols();
@@ -29,7 +30,10 @@ public final class World {
   /** Whether calls are counted, so that operators must be called as they are written. */
   public boolean profiled;
 
-  /** Sets an action that is called regularly in long loops over objects, and may end them by an exception. */
+  /**
+   * Sets an action that is called regularly in long loops over objects, and may end them by an
+   * exception.
+   */
   public void setCheckpoint(Runnable question) {
     checkpoint = question;
   }
@@ -59,7 +63,9 @@ public final class World {
     return prototypes.get(type);
   }
 
-  /** The prototype of a type that the library has declared, even if a program has rebound its name. */
+  /**
+   * The prototype of a type that the library has declared, even if a program has rebound its name.
+   */
   public UrbiObject prototype(String type) {
     UrbiObject known = prototypes.get(type);
     if (known == null) {

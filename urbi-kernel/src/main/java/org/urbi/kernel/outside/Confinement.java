@@ -12,7 +12,8 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 
 /**
- * The limits for what one kernel, or one kind of its clients, may do to the machine. All code in this package that uses files, processes or connections checks here first.
+ * The limits for what one kernel, or one kind of its clients, may do to the machine. All code in
+ * this package that uses files, processes or connections checks here first.
  */
 public final class Confinement {
   private static final int MOST_LINKS = 40;
@@ -52,7 +53,8 @@ public final class Confinement {
   }
 
   /**
-   * Allows only files below that directory, after links are resolved; no processes and no connections.
+   * Allows only files below that directory, after links are resolved; no processes and no
+   * connections.
    *
    * @throws IOException when there is no such directory
    */

@@ -125,7 +125,10 @@ public final class DirectoryWatch implements Closeable {
     return names;
   }
 
-  /** Events were lost because there were too many: compares the directory with its last known content. */
+  /**
+   * Events were lost because there were too many: compares the directory with its last known
+   * content.
+   */
   private void compare(Watched at) {
     Set<String> now;
     try {

@@ -17,7 +17,8 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 
 /**
- * The files and directories that one kernel may use. All paths are absolute. Failures are {@link IOException}s, forbidden operations {@link ConfinedException}s.
+ * The files and directories that one kernel may use. All paths are absolute. Failures are {@link
+ * IOException}s, forbidden operations {@link ConfinedException}s.
  */
 public final class Disk {
   /** The limit for reading what is no regular file, in bytes. */

@@ -26,7 +26,8 @@ import org.urbi.kernel.message.Outcome;
 import org.urbi.kernel.trust.Role;
 
 /**
- * The access of one kernel to the machine: it runs slow operations on threads of their own, so that the kernel thread never waits, and closes everything that is open when the kernel ends.
+ * The access of one kernel to the machine: it runs slow operations on threads of their own, so that
+ * the kernel thread never waits, and closes everything that is open when the kernel ends.
  */
 public final class Outside implements Closeable {
   /** Some milliseconds of waiting without letting others run. */
@@ -106,7 +107,8 @@ public final class Outside implements Closeable {
   }
 
   /**
-   * Queries the machine without waiting. The result is data, which is recorded: here if called on the kernel thread; on another thread, with the answer that it sends to the kernel thread.
+   * Queries the machine without waiting. The result is data, which is recorded: here if called on
+   * the kernel thread; on another thread, with the answer that it sends to the kernel thread.
    *
    * @throws IOException as the work does
    */
@@ -158,7 +160,8 @@ public final class Outside implements Closeable {
   }
 
   /**
-   * Runs a task that waits for the network on a virtual thread. It is started by way of another thread, because a virtual thread started by a job would run on the kernel thread.
+   * Runs a task that waits for the network on a virtual thread. It is started by way of another
+   * thread, because a virtual thread started by a job would run on the kernel thread.
    */
   public void startVirtual(Runnable task) {
     Runnable guarded = FailureLog.guarding("a thread for the network", task);
@@ -194,7 +197,9 @@ public final class Outside implements Closeable {
   }
 
   /**
-   * Like {@link #await}, for work so short that other jobs would not notice: usually none of them runs before it is done. Its result may be null, and must be null in a replay if it is a live object.
+   * Like {@link #await}, for work so short that other jobs would not notice: usually none of them
+   * runs before it is done. Its result may be null, and must be null in a replay if it is a live
+   * object.
    *
    * @throws IOException as the work did
    */
@@ -251,7 +256,10 @@ public final class Outside implements Closeable {
 
   // ------------------------------------------------------------------ the end
 
-  /** Registers an open resource: it is closed when the kernel ends, unless it was garbage collected before. */
+  /**
+   * Registers an open resource: it is closed when the kernel ends, unless it was garbage collected
+   * before.
+   */
   public void opened(Closeable resource) {
     synchronized (open) {
       if (!closed) {

@@ -12,7 +12,8 @@ import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
 
 /**
- * Writes to a pipe or a connection, whose writers may have to wait. A thread of its own, which is started at the first call, writes in the order of the calls.
+ * Writes to a pipe or a connection, whose writers may have to wait. A thread of its own, which is
+ * started at the first call, writes in the order of the calls.
  */
 public final class PipeSink implements ByteSink {
   private static final byte[] END = new byte[0];

@@ -12,7 +12,8 @@ import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
 
 /**
- * The bytes of a pipe, or of anything else whose readers may have to wait. A thread reads ahead up to a limit, so that the program at the other end can continue, and end.
+ * The bytes of a pipe, or of anything else whose readers may have to wait. A thread reads ahead up
+ * to a limit, so that the program at the other end can continue, and end.
  */
 public final class PipeSource implements ByteSource {
   private static final int CHUNK = 1 << 13;

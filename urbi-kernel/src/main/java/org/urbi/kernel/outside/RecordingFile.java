@@ -7,7 +7,10 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Opens the file of a recording. It is named by the user of the machine, not by urbiscript code, so it is not confined. */
+/**
+ * Opens the file of a recording. It is named by the user of the machine, not by urbiscript code, so
+ * it is not confined.
+ */
 public final class RecordingFile {
   private RecordingFile() {}
 

@@ -39,7 +39,9 @@ public final class SocketConnection implements Closeable {
   private @Nullable Listener listener;
   private int number;
 
-  /** The received bytes that wait to be consumed; guarded by this object, on which the reader waits. */
+  /**
+   * The received bytes that wait to be consumed; guarded by this object, on which the reader waits.
+   */
   private int ahead;
 
   private volatile boolean closed;

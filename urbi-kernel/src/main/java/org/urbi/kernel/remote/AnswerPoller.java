@@ -11,7 +11,12 @@ import org.urbi.kernel.job.KernelPoller;
 import org.urbi.kernel.outside.SocketSelector;
 
 /**
- * Reads the answers of remote processes on the kernel thread while it has nothing to do but to wait for them: waking a network thread first, which then wakes the kernel, would double the time of a call. The frames are posted to the inbox, as the network thread does. This is only done by a kernel that makes one call after another; and not if something is due within a millisecond, because the deadlines of a selector are no finer. When the kernel waits for no answer, the network thread reads again.
+ * Reads the answers of remote processes on the kernel thread while it has nothing to do but to wait
+ * for them: waking a network thread first, which then wakes the kernel, would double the time of a
+ * call. The frames are posted to the inbox, as the network thread does. This is only done by a
+ * kernel that makes one call after another; and not if something is due within a millisecond,
+ * because the deadlines of a selector are no finer. When the kernel waits for no answer, the
+ * network thread reads again.
  */
 public final class AnswerPoller implements KernelPoller {
   /** After this many waits in a row for nothing but an answer, the kernel thread reads itself. */

@@ -37,7 +37,8 @@ import urbi.wire.WireOutput;
 /**
  * One remote process: its classes, objects and variables.
  *
- * <p>One job executes its requests in order. Results for waiting jobs do not pass through that job, so it may itself wait for one.
+ * <p>One job executes its requests in order. Results for waiting jobs do not pass through that job,
+ * so it may itself wait for one.
  */
 public final class RemotePeer implements RemoteProcess {
   /** How long an access waits for the process to set the value. */
@@ -273,7 +274,9 @@ public final class RemotePeer implements RemoteProcess {
   }
 
   /**
-   * Makes the process create the object, and waits for it, so that the functions bound by its constructor exist when the caller gets the object. A failure is reported by later calls of the object.
+   * Makes the process create the object, and waits for it, so that the functions bound by its
+   * constructor exist when the caller gets the object. A failure is reported by later calls of the
+   * object.
    */
   private void constructThere(String className, String name) {
     var done = new CompletableFuture<UValue>();
@@ -501,7 +504,9 @@ public final class RemotePeer implements RemoteProcess {
   }
 
   /**
-   * A variable is about to be read: lets the process set it before. This is skipped while a request of the process is executed, because the process may wait for that, and no other request is executed meanwhile.
+   * A variable is about to be read: lets the process set it before. This is skipped while a request
+   * of the process is executed, because the process may wait for that, and no other request is
+   * executed meanwhile.
    */
   void announceAccess(RemoteVariable variable) {
     if (lost != null || tasks.areRunning()) {

@@ -12,7 +12,8 @@ import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
- * The requests of a remote process, and the job that executes them one after the other. Used on the kernel thread.
+ * The requests of a remote process, and the job that executes them one after the other. Used on the
+ * kernel thread.
  */
 final class RemoteTasks {
   /** How many tasks are executed before other jobs have their turn. */

@@ -5,7 +5,10 @@ import org.jspecify.annotations.Nullable;
 import urbi.rtp.RtpParameters;
 import urbi.rtp.RtpSession;
 
-/** The connection to a remote process, as the kernel uses it. Its methods may be called from any thread, and never wait. */
+/**
+ * The connection to a remote process, as the kernel uses it. Its methods may be called from any
+ * thread, and never wait.
+ */
 public interface RemoteTransport {
   /** Sends whole frames. */
   void send(byte[] frames);
@@ -30,7 +33,8 @@ public interface RemoteTransport {
   void consumed(int bytes);
 
   /**
-   * Asks to hand the connection over to the kernel thread. Once {@link RemotePeer#mayRead} is called, if ever, the kernel thread reads by {@link #read}.
+   * Asks to hand the connection over to the kernel thread. Once {@link RemotePeer#mayRead} is
+   * called, if ever, the kernel thread reads by {@link #read}.
    */
   void wantToRead();
 

@@ -83,7 +83,10 @@ final class RemoteVariable {
     reviewMirror();
   }
 
-  /** Decides whether the process only keeps a copy: one that sets the value on access must not trigger that access itself. */
+  /**
+   * Decides whether the process only keeps a copy: one that sets the value on access must not
+   * trigger that access itself.
+   */
   private void reviewMirror() {
     boolean now =
         notification != null && interception != null && watch != ALL_CHANGES && !slot.isOwned();
@@ -145,7 +148,9 @@ final class RemoteVariable {
   }
 
   /**
-   * The variable is about to be read. A value that the process sets for this access is assigned by the reading job, as with a plugged object, so that a condition does not react to a change that it has caused itself.
+   * The variable is about to be read. A value that the process sets for this access is assigned by
+   * the reading job, as with a plugged object, so that a condition does not react to a change that
+   * it has caused itself.
    */
   void accessed() {
     accesses++;

@@ -102,7 +102,8 @@ public final class ConditionalTag {
   }
 
   /**
-   * The tag of the body. If the condition holds before the body has begun, the action of the watchdog is delayed until the body lets others run for the first time.
+   * The tag of the body. If the condition holds before the body has begun, the action of the
+   * watchdog is delayed until the body lets others run for the first time.
    */
   private static final class Controlled extends UrbiTag {
     private boolean begun;

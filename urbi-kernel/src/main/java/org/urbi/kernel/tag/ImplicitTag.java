@@ -10,7 +10,8 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
 /**
- * The tag of {@code name: code} where that name is unknown: it is created among the global tags. The tag of {@code a.b: code} is created as a child of the tag {@code a} (manual, "Tag").
+ * The tag of {@code name: code} where that name is unknown: it is created among the global tags.
+ * The tag of {@code a.b: code} is created as a child of the tag {@code a} (manual, "Tag").
  */
 public final class ImplicitTag extends Node {
   private final @Nullable Node target;
@@ -18,7 +19,8 @@ public final class ImplicitTag extends Node {
   private final Node tag;
 
   /**
-   * @param target the parent tag, in which the name is looked up and created if needed; null for a plain name
+   * @param target the parent tag, in which the name is looked up and created if needed; null for a
+   *     plain name
    * @param tag the tag as a normal expression, used if it can be evaluated
    */
   public ImplicitTag(

@@ -47,7 +47,8 @@ public final class Tagged extends Node {
   }
 
   /**
-   * Enters the tags from the outermost to the innermost. Their events are emitted only when no tag blocks or freezes the code.
+   * Enters the tags from the outermost to the innermost. Their events are emitted only when no tag
+   * blocks or freezes the code.
    *
    * @param told the tags that have been notified of the code entering
    */

@@ -16,7 +16,8 @@ public class UrbiTag extends UrbiObject {
   private @Nullable UrbiEvent enter;
   private @Nullable UrbiEvent leave;
 
-  @SuppressWarnings("this-escape") // The state refers to this tag, so that it can be found from a scope.
+  @SuppressWarnings(
+      "this-escape") // The state refers to this tag, so that it can be found from a scope.
   public UrbiTag(Shape shape) {
     super(shape);
     this.state = new TagState(this);
@@ -39,7 +40,9 @@ public class UrbiTag extends UrbiObject {
     return tag;
   }
 
-  /** Code has entered and is about to be executed. Subclasses such as Mutex and Timeout act here. */
+  /**
+   * Code has entered and is about to be executed. Subclasses such as Mutex and Timeout act here.
+   */
   protected void entering(Frame frame) {}
 
   /** Code that has {@linkplain #entering entered} leaves, for whatever reason. */
@@ -59,7 +62,9 @@ public class UrbiTag extends UrbiObject {
     return parent;
   }
 
-  /** The priority: while code under the tag can run, code of a lower priority does not. Initially 0. */
+  /**
+   * The priority: while code under the tag can run, code of a lower priority does not. Initially 0.
+   */
   public double priority() {
     return priority;
   }

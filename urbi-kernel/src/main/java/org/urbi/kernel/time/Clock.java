@@ -1,7 +1,8 @@
 package org.urbi.kernel.time;
 
 /**
- * The source of time. Only the scheduler reads it, once at the beginning of each tick: everything within a tick happens at the same time.
+ * The source of time. Only the scheduler reads it, once at the beginning of each tick: everything
+ * within a tick happens at the same time.
  */
 public interface Clock {
   /** Nanoseconds since the kernel was started. */
@@ -11,7 +12,8 @@ public interface Clock {
   double startTime();
 
   /**
-   * Whether this is real time. If not, the scheduler moves the time to the next deadline by {@link #advanceTo} as soon as nothing is left to run.
+   * Whether this is real time. If not, the scheduler moves the time to the next deadline by {@link
+   * #advanceTo} as soon as nothing is left to run.
    */
   boolean isReal();
 

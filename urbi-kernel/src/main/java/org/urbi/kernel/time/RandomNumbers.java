@@ -1,7 +1,8 @@
 package org.urbi.kernel.time;
 
 /**
- * The random numbers of one kernel. They depend only on the seed, which is the same in each run until a program sets another, so that runs can be repeated.
+ * The random numbers of one kernel. They depend only on the seed, which is the same in each run
+ * until a program sets another, so that runs can be repeated.
  */
 public final class RandomNumbers {
   private long state;

@@ -1,7 +1,8 @@
 package org.urbi.kernel.time;
 
 /**
- * Simulated time (option {@code --fast}): it stands still while jobs run, and jumps to the next deadline when none can, so that a run depends on its input alone.
+ * Simulated time (option {@code --fast}): it stands still while jobs run, and jumps to the next
+ * deadline when none can, so that a run depends on its input alone.
  */
 public final class VirtualClock implements Clock {
   /** 2010-01-01, so that dates look like dates and never change from one run to the other. */

@@ -2,12 +2,18 @@ package org.urbi.kernel.trust;
 
 import org.jspecify.annotations.Nullable;
 
-/** The permissions of a lobby's code; each role includes those of the roles before it (docs/networking.md). */
+/**
+ * The permissions of a lobby's code; each role includes those of the roles before it
+ * (docs/networking.md).
+ */
 public enum Role {
   /** May read and subscribe, but only change its own objects. */
   OBSERVER,
 
-  /** May change objects that belong neither to the system nor to another lobby, and use files below one directory. */
+  /**
+   * May change objects that belong neither to the system nor to another lobby, and use files below
+   * one directory.
+   */
   USER,
 
   /** Everything. */

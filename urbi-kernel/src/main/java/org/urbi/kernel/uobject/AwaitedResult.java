@@ -35,7 +35,9 @@ final class AwaitedResult {
   }
 
   /**
-   * Delivers the outcome. If the kernel thread completes the wait, a recorded message has caused that. If the result was there before the wait began, its time is unknown, so it is posted as a message.
+   * Delivers the outcome. If the kernel thread completes the wait, a recorded message has caused
+   * that. If the result was there before the wait began, its time is unknown, so it is posted as a
+   * message.
    */
   private void complete(Outcome outcome) {
     if (scheduler.isKernelThread() && waiting) {

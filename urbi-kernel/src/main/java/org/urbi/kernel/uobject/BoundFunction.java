@@ -19,7 +19,10 @@ final class BoundFunction extends Code {
   private final UCallback callback;
   private final int arity;
 
-  /** Converts the urbiscript arguments, calls the function and converts its result; null if that cannot be combined. */
+  /**
+   * Converts the urbiscript arguments, calls the function and converts its result; null if that
+   * cannot be combined.
+   */
   private final @Nullable MethodHandle whole;
 
   private final CallStatistics.Entry statistics;

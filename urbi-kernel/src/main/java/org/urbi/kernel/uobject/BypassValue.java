@@ -7,7 +7,8 @@ import urbi.UDataType;
 import urbi.UValue;
 
 /**
- * A value that Java code has written to a variable in bypass mode: those who are notified get the same object.
+ * A value that Java code has written to a variable in bypass mode: those who are notified get the
+ * same object.
  *
  * @param value the value, which is not copied
  */

@@ -7,9 +7,7 @@ import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.event.CallTimes;
 
-/**
- * Counts and times the calls of functions of UObjects, while that is enabled.
- */
+/** Counts and times the calls of functions of UObjects, while that is enabled. */
 public final class CallStatistics {
   /** The calls of one function. */
   final class Entry {

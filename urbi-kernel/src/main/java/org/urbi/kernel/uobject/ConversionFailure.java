@@ -3,7 +3,10 @@ package org.urbi.kernel.uobject;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 
-/** An urbiscript value cannot be converted to the type that Java code expects. It has no Java stack trace. */
+/**
+ * An urbiscript value cannot be converted to the type that Java code expects. It has no Java stack
+ * trace.
+ */
 final class ConversionFailure extends RuntimeException {
   private final transient UrbiObject given;
   private final @Nullable String expected;

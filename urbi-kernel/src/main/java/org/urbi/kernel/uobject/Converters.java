@@ -25,7 +25,9 @@ import urbi.UVar;
 import urbi.spi.ArgumentTypes;
 
 /**
- * Calls Java functions with values of urbiscript: a converter for each parameter is chosen once, when the function is bound. Numbers, strings and the like are converted directly, other types by way of a {@link UValue}.
+ * Calls Java functions with values of urbiscript: a converter for each parameter is chosen once,
+ * when the function is bound. Numbers, strings and the like are converted directly, other types by
+ * way of a {@link UValue}.
  */
 final class Converters {
   private static final MethodHandles.Lookup LOOKUP = MethodHandles.lookup();

@@ -12,7 +12,8 @@ import urbi.UClass;
 import urbi.UObject;
 
 /**
- * An urbiscript object and the Java object behind it. It keeps the urbiscript object alive only while one of its functions is called periodically.
+ * An urbiscript object and the Java object behind it. It keeps the urbiscript object alive only
+ * while one of its functions is called periodically.
  */
 final class Instance {
   private final String name;

@@ -21,7 +21,8 @@ import urbi.UClass;
 import urbi.UObject;
 
 /**
- * Creates and ends UObjects: pairs of an urbiscript object and a Java object (manual, "Creating new instances"). Used on the kernel thread.
+ * Creates and ends UObjects: pairs of an urbiscript object and a Java object (manual, "Creating new
+ * instances"). Used on the kernel thread.
  */
 public final class InstanceLifecycle {
   private final PluggedContext context;
@@ -49,7 +50,8 @@ public final class InstanceLifecycle {
   // ------------------------------------------------------------------ classes
 
   /**
-   * Registers a class. If one of that name exists, the Java objects behind its urbiscript objects are replaced.
+   * Registers a class. If one of that name exists, the Java objects behind its urbiscript objects
+   * are replaced.
    *
    * @return the action that publishes it
    */
@@ -173,7 +175,10 @@ public final class InstanceLifecycle {
         : told;
   }
 
-  /** Connects a Java object that is being constructed with an urbiscript object, which is created if needed. */
+  /**
+   * Connects a Java object that is being constructed with an urbiscript object, which is created if
+   * needed.
+   */
   String attach(Frame frame, UObject object, @Nullable String name) {
     Instance instance = name == null ? null : pending.get(name);
     if (instance == null) {

@@ -14,7 +14,9 @@ import urbi.UClass;
 import urbi.UObject;
 
 /**
- * Replaces the Java objects behind urbiscript objects by those of another version of their class. The new ones are initialized with the same arguments, and their variables keep their values. If a new one cannot be created, the old one stays.
+ * Replaces the Java objects behind urbiscript objects by those of another version of their class.
+ * The new ones are initialized with the same arguments, and their variables keep their values. If a
+ * new one cannot be created, the old one stays.
  */
 final class InstanceReplacement {
   private static final CallSite SITE =

@@ -9,7 +9,8 @@ import org.urbi.kernel.job.KernelThreadPin;
 import org.urbi.kernel.node.Frame;
 
 /**
- * The lock of the kernel by a thread ({@link urbi.UContext#lock}): a job occupies the kernel thread and executes only the requests of the owner, until that unlocks it or dies.
+ * The lock of the kernel by a thread ({@link urbi.UContext#lock}): a job occupies the kernel thread
+ * and executes only the requests of the owner, until that unlocks it or dies.
  */
 final class KernelLock {
   private static final long POLL_MILLISECONDS = 50;

@@ -3,7 +3,8 @@ package org.urbi.kernel.uobject;
 import org.urbi.kernel.error.Problem;
 
 /**
- * The kernel refuses a request of a component. If the component does not catch it, it becomes an urbiscript error of the called function, and does not count as a failure of the component.
+ * The kernel refuses a request of a component. If the component does not catch it, it becomes an
+ * urbiscript error of the called function, and does not count as a failure of the component.
  */
 final class KernelRefusal extends IllegalArgumentException {
   private static final long serialVersionUID = 1;

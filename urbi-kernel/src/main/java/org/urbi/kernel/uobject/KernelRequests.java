@@ -15,7 +15,9 @@ import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
 
-/** Requests of other threads to the kernel thread: each is executed by a job, and the thread waits. */
+/**
+ * Requests of other threads to the kernel thread: each is executed by a job, and the thread waits.
+ */
 final class KernelRequests {
   private record Request<T>(Function<Frame, T> task, CompletableFuture<T> future) {
     /** Executes it; in a job. */

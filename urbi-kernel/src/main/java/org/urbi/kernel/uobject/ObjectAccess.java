@@ -12,7 +12,8 @@ import urbi.USlot;
 import urbi.UValue;
 
 /**
- * Access to the UObjects of a kernel, their variables and events, for processes that declare UObjects by urbiscript. Used on the kernel thread.
+ * Access to the UObjects of a kernel, their variables and events, for processes that declare
+ * UObjects by urbiscript. Used on the kernel thread.
  */
 public final class ObjectAccess {
   private final PluggedContext context;

@@ -1,13 +1,13 @@
 package org.urbi.kernel.compile;
 
 import org.junit.jupiter.api.Test;
-import org.urbi.kernel.Dialogue;
+import org.urbi.kernel.ConsoleTranscript;
 
 /** Names, scopes and what code is made of (manual, "Scopes", "Functions", "Syntactic sugar"). */
 class ScopeTest {
   @Test
   void variablesOfAScopeHideThoseAround() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 1|;
         { var x = 2; { var x = 3; echo(x) }; echo(x); x = 4; echo(x) };
@@ -29,7 +29,7 @@ class ScopeTest {
 
   @Test
   void functionsSeeTheirVariablesNotThoseOfTheCaller() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = "lobby"|;
         function f() { x }|;
@@ -52,7 +52,7 @@ class ScopeTest {
 
   @Test
   void turnsOfALoopHaveVariablesOfTheirOwn() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var all = []|;
         for| (var i : 3) { var j = i * 10; all << closure () { "%s %s" % [i, j] } }|;
@@ -69,7 +69,7 @@ class ScopeTest {
 
   @Test
   void closuresKeepThisAndFunctionsDoNot() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         class A { var n = 1; function f() { closure () { n } }; function g() { function () { n } } }|;
         var n = "lobby"|;
@@ -85,7 +85,7 @@ class ScopeTest {
 
   @Test
   void argumentsAreVariables() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         function f(a, b = a + 1, c[]) { a = a * 2; [a, b, c] }|;
         f(1); f(1, 5); f(1, 5, 6, 7);
@@ -104,7 +104,7 @@ class ScopeTest {
 
   @Test
   void operatorsBindAsTheManualSays() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         1 + 2 * 3 ** 2; -2 ** 2; (1 + 2) * 3; 10 - 3 - 2; 2 ** 3 ** 2;
         [00000000] 19
@@ -139,7 +139,7 @@ class ScopeTest {
 
   @Test
   void jumpsLeaveTheNearestLoop() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         for| (var i : 5) { if (i == 1) continue; if (i == 3) break; echo(i) };
         [00000000] *** 0
@@ -162,7 +162,7 @@ class ScopeTest {
 
   @Test
   void switchAndPatternsBind() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         function f(v) { switch (v) { case 1: "one"; case [var a, 2]: a; case ["k" => var b]: b; case "x" if false: "never"; default: "default" } }|;
         f(1); f([7, 2]); f([7, 3]); f(["k" => 8]); f("x");
@@ -178,7 +178,7 @@ class ScopeTest {
 
   @Test
   void exceptionsAreCaughtByPatterns() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         try { throw 1 } catch (2) { "two" } catch (var x if x == 1) { "one %s" % x } catch { "any" };
         [00000000] "one 1"
@@ -201,7 +201,7 @@ class ScopeTest {
 
   @Test
   void whatFollowsASemicolonLetsOthersRunAndABarDoesNot() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         { { echo("a1"); echo("a2") } & { echo("b1"); echo("b2") } };
         [00000000] *** a1

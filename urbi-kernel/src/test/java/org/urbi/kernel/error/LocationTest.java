@@ -1,7 +1,7 @@
 package org.urbi.kernel.error;
 
 import org.junit.jupiter.api.Test;
-import org.urbi.kernel.Dialogue;
+import org.urbi.kernel.ConsoleTranscript;
 
 /**
  * Errors tell where they are: the line, the columns, the calls that led there (manual, "Errors").
@@ -9,7 +9,7 @@ import org.urbi.kernel.Dialogue;
 class LocationTest {
   @Test
   void theLineAndTheColumnsAreThoseOfTheCall() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         missing;
         [00000000:error] !!! 1.1-7: lookup failed: missing
@@ -39,7 +39,7 @@ class LocationTest {
 
   @Test
   void eachStatementOfALineHasItsColumns() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         1 / 0; 2 / 0; { 3 / 0 };
         [00000000:error] !!! 1.1-5: /: division by 0
@@ -56,7 +56,7 @@ class LocationTest {
 
   @Test
   void aCallOverSeveralLinesBeginsAndEnds() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         Math.cos(1,
           2,
@@ -73,7 +73,7 @@ class LocationTest {
 
   @Test
   void theCallsThatLedThereAreTold() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         function inner(x) { 1 / x }|;
         function outer(x)
@@ -96,7 +96,7 @@ class LocationTest {
 
   @Test
   void whatOneThrowsIsWhereItIsThrown() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         function f()
         {
@@ -121,7 +121,7 @@ class LocationTest {
 
   @Test
   void errorsOfSyntaxPointAtTheToken() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         1 + ;
         [00000000:error] !!! 1.5: syntax error: unexpected ;
@@ -142,7 +142,7 @@ class LocationTest {
 
   @Test
   void anErrorInTheBackgroundHasItsPlaceToo() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         {
           sleep(1s);
@@ -163,7 +163,7 @@ class LocationTest {
 
   @Test
   void linesAreCountedInWhatIsLoaded() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         eval("1;\\n2 / 0;");
         [00000000:error] !!! 2.1-5: /: division by 0
@@ -179,7 +179,7 @@ class LocationTest {
 
   @Test
   void aNameAndALineMayBeGiven() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         //#push 10 "my.u"
         missing;
@@ -195,7 +195,7 @@ class LocationTest {
 
   @Test
   void slotsAndArgumentsAreToldWhereTheyAreUsed() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var o = Object.new|;
         o.x = 1;
@@ -225,7 +225,7 @@ class LocationTest {
 
   @Test
   void theTextOfAnErrorIsThatOfItsType() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         try { missing } catch (var e) { [e.message, e.isA(Exception.Lookup)] };
         [00000000] ["lookup failed: missing", true]

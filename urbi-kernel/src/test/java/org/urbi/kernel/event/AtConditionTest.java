@@ -1,13 +1,13 @@
 package org.urbi.kernel.event;
 
 import org.junit.jupiter.api.Test;
-import org.urbi.kernel.Dialogue;
+import org.urbi.kernel.ConsoleTranscript;
 
 /** What is done when a condition begins to hold (manual, "at"). */
 class AtConditionTest {
   @Test
   void itIsDoneWhenTheConditionBeginsToHoldAndWhenItCeasesTo() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 0|;
         at (2 < x) echo("high") onleave echo("low");
@@ -27,7 +27,7 @@ class AtConditionTest {
 
   @Test
   void whatHoldsFromTheStartIsDoneAtOnce() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 5|;
         at (2 < x) echo("high") onleave echo("low");
@@ -41,7 +41,7 @@ class AtConditionTest {
 
   @Test
   void itMustHoldLongEnough() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 0|;
         at (2 < x ~ 1s) echo("high") onleave echo("low");
@@ -62,7 +62,7 @@ class AtConditionTest {
 
   @Test
   void itHeldFromTheStartLongEnough() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 5|;
         at (2 < x ~ 1s) echo("high") onleave echo("low");
@@ -73,7 +73,7 @@ class AtConditionTest {
 
   @Test
   void aFrozenOneDoesNotSee() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         var x = 0|;
@@ -91,7 +91,7 @@ class AtConditionTest {
 
   @Test
   void aStoppedOneIsGone() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         var x = 0|;
@@ -107,7 +107,7 @@ class AtConditionTest {
 
   @Test
   void itIsWatchedThroughObjectsListsAndFunctions() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         class Tank { var level = 1 }|;
         var tank = Tank.new|;
@@ -133,7 +133,7 @@ class AtConditionTest {
 
   @Test
   void synchronousOnesAreDoneByWhoChanges() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 0|;
         at sync (x == 1) { sleep(1s); echo("in") } onleave { sleep(1s); echo("out") };
@@ -148,7 +148,7 @@ class AtConditionTest {
 
   @Test
   void aConditionThatFailsIsToldAndForgotten() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 1|;
         at (1 / x == 1) echo("one") onleave echo("not one");
@@ -168,7 +168,7 @@ class AtConditionTest {
 
   @Test
   void whatIsNoTruthIsTold() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         at (void) echo("never");
         [00000000:error] !!! 1.5-8: unexpected void
@@ -183,7 +183,7 @@ class AtConditionTest {
 
   @Test
   void aConditionThatChangesWhatItReadsEnds() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 0|;
         var count = 0|;
@@ -199,7 +199,7 @@ class AtConditionTest {
 
   @Test
   void conditionsOnTimePassing() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 0|;
         at (x > 1) echo("x") onleave echo("not x");
@@ -213,7 +213,7 @@ class AtConditionTest {
 
   @Test
   void persistTellsWhetherSomethingHasHeldLong() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 0|;
         var p = persist(x == 1, 1s)|;
@@ -246,7 +246,7 @@ class AtConditionTest {
 
   @Test
   void aStoppedPersistenceStaysAsItWas() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         var x = 1|;

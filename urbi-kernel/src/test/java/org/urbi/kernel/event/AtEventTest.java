@@ -1,13 +1,13 @@
 package org.urbi.kernel.event;
 
 import org.junit.jupiter.api.Test;
-import org.urbi.kernel.Dialogue;
+import org.urbi.kernel.ConsoleTranscript;
 
 /** What is done when an event is emitted (manual, "Event handlers"). */
 class AtEventTest {
   @Test
   void eachEmissionIsHandled() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         at (e?) echo("one");
@@ -23,7 +23,7 @@ class AtEventTest {
 
   @Test
   void thePayloadIsMatchedAndBound() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         at (e?(var x)) echo("one: " + x);
@@ -49,7 +49,7 @@ class AtEventTest {
 
   @Test
   void aGuardHasItsSay() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         at (e?(var x) if 2 < x) echo("more: " + x) onleave echo("no more: " + x);
@@ -64,7 +64,7 @@ class AtEventTest {
 
   @Test
   void handlersEnterAndLeaveInTheirOrder() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         at (e?) echo("enter 1") onleave echo("leave 1");
@@ -88,7 +88,7 @@ class AtEventTest {
 
   @Test
   void anEmissionMayLast() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         at (e?(var x)) echo("enter " + x) onleave echo("leave " + x);
@@ -107,7 +107,7 @@ class AtEventTest {
 
   @Test
   void whoComesLateHearsOfWhatLasts() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         { e!(7) ~ 2s; echo("over") },
@@ -123,7 +123,7 @@ class AtEventTest {
 
   @Test
   void anEmissionMustLastLongEnough() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         at (e? ~ 1s) echo("enter") onleave echo("leave");
@@ -139,7 +139,7 @@ class AtEventTest {
 
   @Test
   void twoEmissionsThatLastAreTwo() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         at (e?(var x) ~ 1s) echo("enter " + x) onleave echo("leave " + x);
@@ -154,7 +154,7 @@ class AtEventTest {
 
   @Test
   void theBodyOfAnEventIsRunByJobsOfItsOwn() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         at (e?(var x)) { sleep(1s); echo("done " + x) };
@@ -178,7 +178,7 @@ class AtEventTest {
 
   @Test
   void aStoppedHandlerIsGone() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         var e = Event.new|;
@@ -194,7 +194,7 @@ class AtEventTest {
 
   @Test
   void aFrozenHandlerIsDeaf() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         var e = Event.new|;
@@ -211,7 +211,7 @@ class AtEventTest {
 
   @Test
   void aHandlerThatFailsKeepsNobodyFromHearing() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         at (e?) throw Exception.new("first");
@@ -226,7 +226,7 @@ class AtEventTest {
 
   @Test
   void variablesOfActivationsAreTheirOwn() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         for (var i : [1, 2]) at (e?(var x)) { var mine = x * i; sleep(1s); echo("%s %s %s" % [i, x, mine]) };
@@ -241,7 +241,7 @@ class AtEventTest {
 
   @Test
   void whatIsNoEventMayBeSeenAsOne() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         class Bell { var event = Event.new; function asEvent() { event } }|;
         var bell = Bell.new|;
@@ -261,7 +261,7 @@ class AtEventTest {
 
   @Test
   void whatLooksLikeAnEventHasAnEmitOfItsOwn() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         class Loud { function emit(args[]) { echo("emit " + args) } }|;
         var loud = Loud.new|;
@@ -276,7 +276,7 @@ class AtEventTest {
 
   @Test
   void aDurationIsANumber() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         e! ~ "long";
@@ -292,7 +292,7 @@ class AtEventTest {
 
   @Test
   void whoBeginsToListenIsTold() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         var e.onSubscribe = Event.new|;
@@ -306,7 +306,7 @@ class AtEventTest {
 
   @Test
   void aHandlerAddedWhileOthersAreToldWaitsForTheNext() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         at sync (e?) { at (e?) echo("inner") };
@@ -320,7 +320,7 @@ class AtEventTest {
 
   @Test
   void aHandlerStoppedWhileOthersAreToldIsNotTold() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         var e = Event.new|;
@@ -334,7 +334,7 @@ class AtEventTest {
 
   @Test
   void anEmissionEndsForThoseWhoListenStill() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         var e = Event.new|;
@@ -352,7 +352,7 @@ class AtEventTest {
 
   @Test
   void whatWasToBeDoneLaterIsNotWhenItIsStopped() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         var e = Event.new|;
@@ -366,7 +366,7 @@ class AtEventTest {
 
   @Test
   void aTriggeredEventLastsUntilItIsEnded() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         at (e?(var x)) echo("enter " + x) onleave echo("leave " + x);
@@ -383,7 +383,7 @@ class AtEventTest {
 
   @Test
   void anEmissionThatIsStoppedIsOver() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         var e = Event.new|;

@@ -1,13 +1,13 @@
 package org.urbi.kernel.event;
 
 import org.junit.jupiter.api.Test;
-import org.urbi.kernel.Dialogue;
+import org.urbi.kernel.ConsoleTranscript;
 
 /** What must hold for some time counts anew when it has not held; what handlers are worth. */
 class HoldingTest {
   @Test
   void atCountsAnew() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 0|;
         at (x == 1 ~ 1s) echo("held");
@@ -23,7 +23,7 @@ class HoldingTest {
 
   @Test
   void wheneverCountsAnew() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 0|;
         whenever (x == 1 ~ 1s) { echo("held"); sleep(10s) },
@@ -39,7 +39,7 @@ class HoldingTest {
 
   @Test
   void waituntilCountsAnew() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 0|;
         { waituntil (x == 1 ~ 1s); echo("held") },
@@ -55,7 +55,7 @@ class HoldingTest {
 
   @Test
   void persistCountsAnew() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 0|;
         var p = persist(x == 1, 1s)|;
@@ -72,7 +72,7 @@ class HoldingTest {
 
   @Test
   void anEventCountsForEachEmission() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         at (e? ~ 1s) echo("at");
@@ -90,7 +90,7 @@ class HoldingTest {
 
   @Test
   void handlersAreWorthNothing() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         var x = 0|;
@@ -116,7 +116,7 @@ class HoldingTest {
 
   @Test
   void aWatchThatFailsIsOver() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 0|;
         watch(1 / 0);
@@ -128,7 +128,7 @@ class HoldingTest {
 
   @Test
   void eventsAreSubscribedToOnceMore() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         var f = Event.new|;

@@ -1,13 +1,13 @@
 package org.urbi.kernel.event;
 
 import org.junit.jupiter.api.Test;
-import org.urbi.kernel.Dialogue;
+import org.urbi.kernel.ConsoleTranscript;
 
 /** Who listens to an event, on terms of his own (manual, "Customizing data-flow links"). */
 class SubscriptionTest {
   @Test
   void theyAreSwitchedOffAndOn() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         at (e?(var x)) echo("one " + x);
@@ -43,7 +43,7 @@ class SubscriptionTest {
 
   @Test
   void thereIsALeastTimeBetweenTwoCalls() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         at (e?(var x)) echo(x);
@@ -74,7 +74,7 @@ class SubscriptionTest {
 
   @Test
   void anAsynchronousOneIsCalledByAJobAndDropsWhatComesMeanwhile() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         at sync (e?(var x)) { echo("in " + x); sleep(1s); echo("out " + x) };
@@ -103,7 +103,7 @@ class SubscriptionTest {
 
   @Test
   void callsAreCountedAndTimed() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         at sync (e?(var x)) { sleep(x) };
@@ -140,7 +140,7 @@ class SubscriptionTest {
 
   @Test
   void emissionsThatLastAreSubjectToTheTermsToo() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         at (e?) echo("in") onleave echo("out");
@@ -156,7 +156,7 @@ class SubscriptionTest {
 
   @Test
   void functionsListenWithTheEventAndItsPayload() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         e.onEvent(closure (ev, args) { if (args[0] > 1) args[0] else void }, closure (ev, args, v) { echo("enter %s %s" % [args, v]) }, closure (ev, args, v) { echo("leave %s %s" % [args, v]) });
@@ -174,7 +174,7 @@ class SubscriptionTest {
 
   @Test
   void functionsThatAreStoppedAreGone() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         var e = Event.new|;
@@ -192,7 +192,7 @@ class SubscriptionTest {
 
   @Test
   void functionsThatAreFrozenAreDeaf() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         var e = Event.new|;

@@ -1,7 +1,7 @@
 package org.urbi.kernel.event;
 
 import org.junit.jupiter.api.Test;
-import org.urbi.kernel.Dialogue;
+import org.urbi.kernel.ConsoleTranscript;
 
 /**
  * Code that goes on again and again, or waits for its time (manual, "whenever", "waituntil",
@@ -10,7 +10,7 @@ import org.urbi.kernel.Dialogue;
 class WaitingTest {
   @Test
   void wheneverRepeatsAsLongAsTheConditionHolds() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 0|;
         whenever (x < 2) { echo("less"); sleep(1s) } else { echo("enough"); sleep(1s) },
@@ -30,7 +30,7 @@ class WaitingTest {
 
   @Test
   void wheneverNeedNotHaveAnElse() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 5|;
         whenever (x < 2) { echo("less"); sleep(1s) },
@@ -46,7 +46,7 @@ class WaitingTest {
 
   @Test
   void wheneverWaitsUntilTheConditionHasHeld() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 0|;
         whenever (x == 1 ~ 1s) { echo("held"); sleep(1s) },
@@ -65,7 +65,7 @@ class WaitingTest {
 
   @Test
   void wheneverOnAnEventRepeatsWhileItLasts() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         whenever (e?(var x)) { echo("on " + x); sleep(1s) } else { echo("off"); sleep(1s) },
@@ -90,7 +90,7 @@ class WaitingTest {
 
   @Test
   void wheneverOnAnEventHasAGuardAndADuration() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         whenever (e?(var x) if 5 < x ~ 1s) { echo("on " + x); sleep(1s) },
@@ -106,7 +106,7 @@ class WaitingTest {
 
   @Test
   void twoEmissionsAtATimeAreFollowedBoth() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         whenever (e?(var x)) { echo("on " + x); sleep(1s) } else { echo("off"); sleep(10s) },
@@ -124,7 +124,7 @@ class WaitingTest {
 
   @Test
   void wheneverIsStoppedAndFrozenByItsTag() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         var x = 1|;
@@ -146,7 +146,7 @@ class WaitingTest {
 
   @Test
   void wheneverOnAnEventIsStoppedByItsTag() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         var e = Event.new|;
@@ -173,7 +173,7 @@ class WaitingTest {
 
   @Test
   void wheneverNeedsATruth() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         whenever (1 / 0) echo("never");
         [00000000:error] !!! 1.11-15: /: division by 0
@@ -191,7 +191,7 @@ class WaitingTest {
 
   @Test
   void waituntilWaitsForACondition() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 0|;
         { waituntil (x == 2); echo("two") },
@@ -208,7 +208,7 @@ class WaitingTest {
 
   @Test
   void waituntilWaitsUntilItHasHeld() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 0|;
         { waituntil (x == 2 ~ 1s); echo("held") },
@@ -225,7 +225,7 @@ class WaitingTest {
 
   @Test
   void waituntilWaitsForAnEvent() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         { waituntil (e?(var x) if 2 < x); echo("got " + x) },
@@ -252,7 +252,7 @@ class WaitingTest {
 
   @Test
   void waituntilHearsOfAnEmissionThatLasts() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         e!(8) ~ 3s,
@@ -264,7 +264,7 @@ class WaitingTest {
 
   @Test
   void whoWaitsIsStopped() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         var e = Event.new|;
@@ -284,7 +284,7 @@ class WaitingTest {
 
   @Test
   void whoIsFrozenDoesNotHear() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         var e = Event.new|;
@@ -303,7 +303,7 @@ class WaitingTest {
 
   @Test
   void watchTellsEachValue() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 0|;
         var e = watch(x + 1)|;
@@ -320,7 +320,7 @@ class WaitingTest {
 
   @Test
   void aWatchEndsWithItsTag() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         var x = 0|;
@@ -338,7 +338,7 @@ class WaitingTest {
 
   @Test
   void turnsOfEveryBeginAtEqualIntervals() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         timeout(3500ms) every (1s) { echo("turn"); sleep(1500ms); echo("end") };
         [00000000] *** turn
@@ -367,7 +367,7 @@ class WaitingTest {
 
   @Test
   void everyHasItsSenseOfTime() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         t: every| (1s) echo("tick"),
@@ -387,7 +387,7 @@ class WaitingTest {
 
   @Test
   void aPeriodIsANumberAndMayChange() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var n = 0|;
         timeout(1s) every| (0) { n++; if (n == 3) break };
@@ -410,7 +410,7 @@ class WaitingTest {
 
   @Test
   void aTurnThatLeavesEndsTheLoop() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         every| (1s) { echo("turn"); break };
         [00000000] *** turn

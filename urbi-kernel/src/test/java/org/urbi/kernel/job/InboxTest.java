@@ -143,7 +143,7 @@ class InboxTest {
   }
 
   /** Tells what it is asked to do. */
-  private static final class Ear implements KernelPoller {
+  private static final class TestPoller implements KernelPoller {
     final List<String> asked = new CopyOnWriteArrayList<>();
     final Semaphore woken = new Semaphore(0);
     final CountDownLatch waits = new CountDownLatch(1);
@@ -185,7 +185,7 @@ class InboxTest {
 
   @Test
   void whoListensElsewhereIsWokenThere() throws InterruptedException {
-    Ear ear = new Ear();
+    TestPoller ear = new TestPoller();
     inbox.listenTo(ear);
     Thread listening = Thread.ofPlatform().start(() -> inbox.listen(17));
     ear.waits.await();
@@ -200,7 +200,7 @@ class InboxTest {
 
   @Test
   void whoIsBusyGlancesAndWhoEndsCloses() {
-    Ear ear = new Ear();
+    TestPoller ear = new TestPoller();
     inbox.listenTo(ear);
     inbox.pollIfDue(5);
     inbox.close();

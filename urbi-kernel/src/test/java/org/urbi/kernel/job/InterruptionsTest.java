@@ -17,7 +17,7 @@ import org.urbi.kernel.object.UrbiObject;
 class InterruptionsTest {
   private static final long FAREWELL = 50_000_000;
 
-  private final SetClock machine = SetClock.real();
+  private final ManualClock machine = ManualClock.real();
   private final Loop loop = new Loop();
   private final UrbiObject lobby = loop.object();
   private final UrbiObject other = loop.object();

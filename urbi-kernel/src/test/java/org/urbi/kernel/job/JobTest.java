@@ -3,7 +3,7 @@ package org.urbi.kernel.job;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.urbi.kernel.Dialogue;
+import org.urbi.kernel.ConsoleTranscript;
 
 /**
  * Jobs start, wait, are joined and end (manual, "Job", "Parallelism"), the same in both ways to run
@@ -13,7 +13,7 @@ class JobTest {
   @ParameterizedTest
   @EnumSource(names = {"TICK_LOOP", "BATON"})
   void aConjunctionWaitsForBoth(JobThreads threads) {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         threads,
         """
         { { sleep(2s); echo("slow") } & { sleep(1s); echo("quick") } };
@@ -28,7 +28,7 @@ class JobTest {
   @ParameterizedTest
   @EnumSource(names = {"TICK_LOOP", "BATON"})
   void theFirstThatFailsEndsTheOthers(JobThreads threads) {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         threads,
         """
         { { sleep(1s); missing } & { sleep(2s); echo("never") } };
@@ -50,7 +50,7 @@ class JobTest {
   @ParameterizedTest
   @EnumSource(names = {"TICK_LOOP", "BATON"})
   void aScopeWaitsForWhatItStarted(JobThreads threads) {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         threads,
         """
         { { sleep(1s); echo("inner") }, echo("end") };
@@ -68,7 +68,7 @@ class JobTest {
   @ParameterizedTest
   @EnumSource(names = {"TICK_LOOP", "BATON"})
   void detachedJobsGoOn(JobThreads threads) {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         threads,
         """
         { detach({ sleep(1s); echo("detached") })|; echo("end") };
@@ -101,7 +101,7 @@ class JobTest {
   @ParameterizedTest
   @EnumSource(names = {"TICK_LOOP", "BATON"})
   void frozenJobsHaveATimeOfTheirOwn(JobThreads threads) {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         threads,
         """
         var t = Tag.new("t")|;
@@ -118,7 +118,7 @@ class JobTest {
   @ParameterizedTest
   @EnumSource(names = {"TICK_LOOP", "BATON"})
   void aFrozenJobThatIsStoppedEnds(JobThreads threads) {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         threads,
         """
         var t = Tag.new("t")|;
@@ -138,7 +138,7 @@ class JobTest {
   @ParameterizedTest
   @EnumSource(names = {"TICK_LOOP", "BATON"})
   void theOuterStopWins(JobThreads threads) {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         threads,
         """
         var a = Tag.new("a")|;
@@ -159,7 +159,7 @@ class JobTest {
   @ParameterizedTest
   @EnumSource(names = {"TICK_LOOP", "BATON"})
   void whoIsStoppedWhileItCleansUpEnds(JobThreads threads) {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         threads,
         """
         var t = Tag.new("t")|;
@@ -176,7 +176,7 @@ class JobTest {
   @ParameterizedTest
   @EnumSource(names = {"TICK_LOOP", "BATON"})
   void nonInterruptibleCodeIsAlone(JobThreads threads) {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         threads,
         """
         { { nonInterruptible; echo("a1"); echo("a2"); echo("a3") } & { echo("b1"); echo("b2") } };
@@ -197,7 +197,7 @@ class JobTest {
   @ParameterizedTest
   @EnumSource(names = {"TICK_LOOP", "BATON"})
   void timePassesWhenNobodyCanRun(JobThreads threads) {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         threads,
         """
         var t = time|;
@@ -220,7 +220,7 @@ class JobTest {
   @ParameterizedTest
   @EnumSource(names = {"TICK_LOOP", "BATON"})
   void allJobsAreShown(JobThreads threads) {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         threads,
         """
         System.ps;
@@ -235,7 +235,7 @@ class JobTest {
   @ParameterizedTest
   @EnumSource(names = {"TICK_LOOP", "BATON"})
   void aJobThatNeverWaitsLetsTimePass(JobThreads threads) {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         threads,
         """
         var n = 0|;
@@ -248,7 +248,7 @@ class JobTest {
   @ParameterizedTest
   @EnumSource(names = {"TICK_LOOP", "BATON"})
   void manyJobsAtATime(JobThreads threads) {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         threads,
         """
         var n = 0|;
@@ -263,7 +263,7 @@ class JobTest {
   /** Where the stack is small: the end of a large one takes seconds to reach. */
   @Test
   void recursionHasAnEndThatIsCaught() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         JobThreads.BATON,
         """
         function f(n) { f(n + 1) }|;
@@ -277,7 +277,7 @@ class JobTest {
   @ParameterizedTest
   @EnumSource(names = {"TICK_LOOP", "BATON"})
   void jobsAreListedWithWhatTheyDo(JobThreads threads) {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         threads,
         """
         var j = detach({ sleep(1s) })|;

@@ -14,10 +14,10 @@ final class Loop {
   static final long SECOND = 1_000_000_000;
 
   final World world = new World();
-  final SetClock clock;
+  final ManualClock clock;
 
   /** Goes on, if at all, while a simulated time stands still. */
-  final SetClock machine = SetClock.real();
+  final ManualClock machine = ManualClock.real();
 
   final Scheduler scheduler;
 
@@ -33,18 +33,18 @@ final class Loop {
   }
 
   Loop(JobThreads threads) {
-    this(SetClock.simulated(), Journal.NONE, threads);
+    this(ManualClock.simulated(), Journal.NONE, threads);
   }
 
-  Loop(SetClock clock) {
+  Loop(ManualClock clock) {
     this(clock, Journal.NONE, JobThreads.AUTO);
   }
 
   Loop(Journal journal) {
-    this(SetClock.simulated(), journal, JobThreads.AUTO);
+    this(ManualClock.simulated(), journal, JobThreads.AUTO);
   }
 
-  private Loop(SetClock clock, Journal journal, JobThreads threads) {
+  private Loop(ManualClock clock, Journal journal, JobThreads threads) {
     this.clock = clock;
     scheduler =
         new Scheduler(

@@ -18,7 +18,7 @@ import org.urbi.kernel.object.UrbiObject;
 class RunQueueTest {
   private static final long MILLISECOND = 1_000_000;
 
-  private final SetClock clock = SetClock.real();
+  private final ManualClock clock = ManualClock.real();
   private final Loop loop = new Loop();
   private final Inbox inbox = new Inbox(Journal.NONE);
   private RunQueue queue = new RunQueue(clock, inbox, Journal.NONE);
@@ -134,7 +134,7 @@ class RunQueueTest {
 
   @Test
   void simulatedRoundsAreNeverCutShort() {
-    queue = new RunQueue(SetClock.simulated(), inbox, Journal.NONE);
+    queue = new RunQueue(ManualClock.simulated(), inbox, Journal.NONE);
     addMany("a", 30);
     assertEquals(names("a", 1, 30), round(100));
   }

@@ -154,7 +154,7 @@ class SchedulerTimeTest {
   /** A real clock is waited for: here until a time that has come when the wait begins. */
   @Test
   void realTimeIsWaitedFor() {
-    Loop real = new Loop(SetClock.real());
+    Loop real = new Loop(ManualClock.real());
     List<Long> waits = new ArrayList<>();
     real.scheduler
         .inbox()

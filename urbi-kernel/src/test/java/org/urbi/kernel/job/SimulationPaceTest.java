@@ -14,8 +14,8 @@ class SimulationPaceTest {
   private static final long SECOND = Loop.SECOND;
   private static final long GRACE = SECOND / 10;
 
-  private final SetClock simulated = SetClock.simulated();
-  private final SetClock machine = SetClock.real();
+  private final ManualClock simulated = ManualClock.simulated();
+  private final ManualClock machine = ManualClock.real();
   private final SimulationPace pace = new SimulationPace(simulated, machine);
   private final Inbox silent = new Inbox(Journal.NONE);
   private final Inbox news = new Inbox(Journal.NONE);

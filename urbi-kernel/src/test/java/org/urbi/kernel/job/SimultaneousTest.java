@@ -1,13 +1,13 @@
 package org.urbi.kernel.job;
 
 import org.junit.jupiter.api.Test;
-import org.urbi.kernel.Dialogue;
+import org.urbi.kernel.ConsoleTranscript;
 
 /** What happens at the same time happens in the order in which it was asked for. */
 class SimultaneousTest {
   @Test
   void sleepersWakeInTheirOrder() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         { sleep(1s); echo("a") }, { sleep(1s); echo("b") }, { sleep(1s); echo("c") },
         sleep(2s);
@@ -24,7 +24,7 @@ class SimultaneousTest {
 
   @Test
   void timersOfAllKindsFireInTheirOrder() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var x = 1|;
         var e = Event.new|;
@@ -40,7 +40,7 @@ class SimultaneousTest {
 
   @Test
   void turnsOfSeveralLoopsKeepTheirOrder() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         every| (1s) echo("a"), every| (1s) echo("b"), every| (500ms) echo("c"),
         [00000000] *** a
@@ -60,7 +60,7 @@ class SimultaneousTest {
 
   @Test
   void frozenSleepersKeepTheirRank() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         { sleep(2s); echo("a") }, t: { sleep(1s); echo("b") }, { sleep(2s); echo("c") },
@@ -76,7 +76,7 @@ class SimultaneousTest {
 
   @Test
   void jobsRunInTheOrderInWhichTheyBegan() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         for (var i : 5) { echo(i), };
         [00000000] *** 0

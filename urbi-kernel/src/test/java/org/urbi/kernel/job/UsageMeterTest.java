@@ -19,7 +19,7 @@ import org.urbi.kernel.object.UrbiObject;
 class UsageMeterTest {
   private static final int MEGABYTE = 1 << 20;
 
-  private final SetClock machine = SetClock.real();
+  private final ManualClock machine = ManualClock.real();
   private final UsageMeter meter = new UsageMeter(machine);
   private final Budget one = new Budget();
   private final Budget other = new Budget();

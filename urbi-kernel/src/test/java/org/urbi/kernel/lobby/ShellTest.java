@@ -1,13 +1,13 @@
 package org.urbi.kernel.lobby;
 
 import org.junit.jupiter.api.Test;
-import org.urbi.kernel.Dialogue;
+import org.urbi.kernel.ConsoleTranscript;
 
 /** What a console is told of what it is sent (manual, "Lobby"). */
 class ShellTest {
   @Test
   void valuesAreShownAndNothingIsNot() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         1;
         [00000000] 1
@@ -30,7 +30,7 @@ class ShellTest {
 
   @Test
   void statementsInTheBackgroundGoOn() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         { sleep(1s); echo("background") }, echo("foreground");
         [00000000] *** foreground
@@ -43,7 +43,7 @@ class ShellTest {
 
   @Test
   void anErrorEndsItsStatementAndNoOther() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         echo(1); missing; echo(2);
         [00000000] *** 1
@@ -61,7 +61,7 @@ class ShellTest {
 
   @Test
   void aStatementMayTakeSeveralLines() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         echo(
           1 +
@@ -79,7 +79,7 @@ class ShellTest {
 
   @Test
   void echoesHaveAChannelAndAPrefix() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         echo("plain");
         [00000000] *** plain
@@ -104,7 +104,7 @@ class ShellTest {
 
   @Test
   void textsOfSeveralLinesAreContinued() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         echo("one\\ntwo");
         [00000000] *** one
@@ -116,7 +116,7 @@ class ShellTest {
 
   @Test
   void whatIsLeftWithNothingToLeaveIsRefused() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         return;
         [00000000:error] !!! 1.1-6: syntax error: return: outside a function
@@ -133,7 +133,7 @@ class ShellTest {
 
   @Test
   void aLobbyKnowsItself() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         lobby === Lobby.lobby;
         [00000000] true
@@ -154,7 +154,7 @@ class ShellTest {
 
   @Test
   void aLobbyIsMadeForOutputElsewhere() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var l = Lobby.create|;
         l.receive("echo(1);");

@@ -1,7 +1,7 @@
 package org.urbi.kernel.node;
 
 import org.junit.jupiter.api.Test;
-import org.urbi.kernel.Dialogue;
+import org.urbi.kernel.ConsoleTranscript;
 
 /**
  * What a place in the code remembers of its lookups holds no longer than it is true. Each function
@@ -10,7 +10,7 @@ import org.urbi.kernel.Dialogue;
 class LookupCacheTest {
   @Test
   void aNearerSlotIsSeen() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         class A { var x = 1; function get() { "A" } }|;
         var a = A.new|;
@@ -37,7 +37,7 @@ class LookupCacheTest {
 
   @Test
   void aSlotThatHasGoneIsNotFound() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         class A { var x = 1 }|;
         var a = A.new|;
@@ -56,7 +56,7 @@ class LookupCacheTest {
 
   @Test
   void aSlotThatHasMovedIsFound() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         class A { var x = 1; var y = 2; var z = 3 }|;
         var a = A.new|;
@@ -75,7 +75,7 @@ class LookupCacheTest {
 
   @Test
   void anAssignedSlotIsSeen() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         class A { var x = 1 }|;
         var a = A.new|;
@@ -95,7 +95,7 @@ class LookupCacheTest {
 
   @Test
   void otherPrototypesAreSeen() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         class A { var x = "A" }|;
         class B { var x = "B" }|;
@@ -131,7 +131,7 @@ class LookupCacheTest {
 
   @Test
   void anotherFirstPrototypeOfAPrototypeIsSeen() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         class Left {}|;
         class Right { var x = "right" }|;
@@ -152,7 +152,7 @@ class LookupCacheTest {
 
   @Test
   void whoSeesManyBuildsSeesEach() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var all = []|;
         for| (var i : 12) { var o = Object.new; for| (var j : i) o.setSlot("s" + j, j); var o.x = i; all << o }|;
@@ -170,7 +170,7 @@ class LookupCacheTest {
 
   @Test
   void aGetterIsCalledAndGoes() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         class A { var x = 1 }|;
         var a = A.new|;
@@ -189,7 +189,7 @@ class LookupCacheTest {
 
   @Test
   void aConstantIsNotAssigned() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var o = Object.new|;
         var o.x = 1|;
@@ -212,7 +212,7 @@ class LookupCacheTest {
 
   @Test
   void anOperatorOfOnesOwnIsSeen() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         function f(a, b) { a + b }|;
         f(1, 2); f(1, 2);
@@ -236,7 +236,7 @@ class LookupCacheTest {
 
   @Test
   void aVariableOfTheLobbyIsSeenWhereverItIs() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         function f() { fresh }|;
         f;
@@ -257,7 +257,7 @@ class LookupCacheTest {
 
   @Test
   void slotsOfNumbersAndStrings() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         function f(o) { o.twice }|;
         f(3);
@@ -279,7 +279,7 @@ class LookupCacheTest {
 
   @Test
   void aSlotThatIsUpdatedInPlaceIsTheObjectsOwn() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         class A { var count = 1 }|;
         var a = A.new|;

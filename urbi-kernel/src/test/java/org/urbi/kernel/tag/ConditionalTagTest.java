@@ -1,13 +1,13 @@
 package org.urbi.kernel.tag;
 
 import org.junit.jupiter.api.Test;
-import org.urbi.kernel.Dialogue;
+import org.urbi.kernel.ConsoleTranscript;
 
 /** Code that time or a condition stops or freezes (manual, "Control flow"). */
 class ConditionalTagTest {
   @Test
   void timeoutStopsWhatTakesLonger() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         timeout(2s) { echo("in"); sleep(5s); echo("never") };
         [00000000] *** in
@@ -25,7 +25,7 @@ class ConditionalTagTest {
 
   @Test
   void timeoutsOfOthersDoNotCount() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         timeout(5s) { timeout(1s) sleep(3s); echo("inner over"); sleep(1s); echo("in time") };
         [00001000] *** inner over
@@ -38,7 +38,7 @@ class ConditionalTagTest {
 
   @Test
   void aTimeoutNeedsATime() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         timeout("x") echo(1);
         [00000000:error] !!! 1.9-11: timeout: argument 1: unexpected "x", expected a Float
@@ -53,7 +53,7 @@ class ConditionalTagTest {
 
   @Test
   void timeoutsStopAtTheSameTimeAsSleepsInTheirOrder() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         { timeout(1s) { sleep(2s) }; echo("timeout") }, { sleep(1s); echo("sleep") },
         sleep(2s);
@@ -68,7 +68,7 @@ class ConditionalTagTest {
 
   @Test
   void stopifStopsWhenTheConditionHolds() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var b = false|;
         stopif (b) { echo("in"); sleep(3s); echo("never") },
@@ -81,7 +81,7 @@ class ConditionalTagTest {
 
   @Test
   void stopifEndsWithItsCode() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var b = false|;
         { stopif (b) { sleep(1s); echo("over") }; echo("next"); sleep(2s); echo("going on") },
@@ -97,7 +97,7 @@ class ConditionalTagTest {
 
   @Test
   void stopifWithAConditionThatHoldsEndsAfterTheFirstStep() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         stopif (true) { echo("in"); sleep(1s); echo("never") };
         [00000000] *** in
@@ -108,7 +108,7 @@ class ConditionalTagTest {
 
   @Test
   void stopifOnAnEvent() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         stopif (e?) { echo("in"); sleep(3s); echo("never") },
@@ -121,7 +121,7 @@ class ConditionalTagTest {
 
   @Test
   void freezeifSuspendsAsLongAsTheConditionHolds() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var b = false|;
         freezeif (b) { every|(1s) { echo("tick") } },
@@ -144,7 +144,7 @@ class ConditionalTagTest {
 
   @Test
   void freezeifEndsWithItsCode() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var b = false|;
         { freezeif (b) { echo("in") }; sleep(1s); echo("going on") },
@@ -159,7 +159,7 @@ class ConditionalTagTest {
 
   @Test
   void scopeTagsAreStoppedWhenTheScopeIsLeft() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         { scopeTag: { sleep(1s); echo("never") }, echo("leaving") };
         [00000000] *** leaving
@@ -175,7 +175,7 @@ class ConditionalTagTest {
 
   @Test
   void everyScopeHasATagOfItsOwn() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         { scopeTag: { sleep(1s); echo("outer goes on") }, { scopeTag: { sleep(1s); echo("never") }, echo("inner") }; sleep(2s); };
         [00000000] *** inner
@@ -185,7 +185,7 @@ class ConditionalTagTest {
 
   @Test
   void unknownTagsAreMadeAndKept() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         foo: echo(1);
         [00000000] *** 1
@@ -202,7 +202,7 @@ class ConditionalTagTest {
 
   @Test
   void whatIsKnownIsNotMade() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         { var baz = Tag.new("mine"); baz: { echo("in") }; baz };
         [00000000] *** in
@@ -228,7 +228,7 @@ class ConditionalTagTest {
 
   @Test
   void codeHasNoValueUnlessItIsLeft() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         { timeout(1s) 42 };
         { stopif(false) 43 };
@@ -241,7 +241,7 @@ class ConditionalTagTest {
 
   @Test
   void theWatchdogGoesWithTheCode() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var e = Event.new|;
         { stopif(e?) { sleep(1s) }; echo("over") },

@@ -1,13 +1,13 @@
 package org.urbi.kernel.tag;
 
 import org.junit.jupiter.api.Test;
-import org.urbi.kernel.Dialogue;
+import org.urbi.kernel.ConsoleTranscript;
 
 /** Code under tags: who enters, who is let go, and what it returns (manual, "Tag"). */
 class TaggedTest {
   @Test
   void codeIsStoppedWithAValueAndNewcomersAreNot() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         var res = 0|;
@@ -28,7 +28,7 @@ class TaggedTest {
 
   @Test
   void codeIsStoppedWithoutAValue() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         var res = 0|;
@@ -42,7 +42,7 @@ class TaggedTest {
 
   @Test
   void blockedCodeReturnsTheValueAndDoesNotBegin() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         { echo({ t: { sleep(5s); echo("never") } }) },
@@ -63,7 +63,7 @@ class TaggedTest {
 
   @Test
   void theValueOfABlockEndsWithIt() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         t.block("first");
@@ -80,7 +80,7 @@ class TaggedTest {
 
   @Test
   void aTagOfAnotherIsControlledByBoth() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var outer = Tag.new("outer")|;
         var inner = outer.new("inner")|;
@@ -113,7 +113,7 @@ class TaggedTest {
 
   @Test
   void theStopOfTheOuterOneLeavesTheOuterOne() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var outer = Tag.new("outer")|;
         var inner = outer.new("inner")|;
@@ -130,7 +130,7 @@ class TaggedTest {
 
   @Test
   void nestedTagsAreLeftFromTheInside() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var a = Tag.new("a")|;
         var b = Tag.new("b")|;
@@ -145,7 +145,7 @@ class TaggedTest {
 
   @Test
   void enterAndLeaveAreEmittedOnceEach() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         at (t.enter?) echo("enter");
@@ -176,7 +176,7 @@ class TaggedTest {
 
   @Test
   void allTagsAroundAreToldFromTheOutside() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var outer = Tag.new("outer")|;
         var inner = outer.new("inner")|;
@@ -198,7 +198,7 @@ class TaggedTest {
 
   @Test
   void whoWaitsAtAFrozenTagHasNotEntered() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         at (t.enter?) echo("enter");
@@ -224,7 +224,7 @@ class TaggedTest {
 
   @Test
   void frozenCodeGoesOnWithItsSenseOfTime() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         t: { sleep(2s); echo("awake") },
@@ -243,7 +243,7 @@ class TaggedTest {
 
   @Test
   void freezingTwiceIsFreezingOnce() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         t: { sleep(1s); echo("awake") },
@@ -258,7 +258,7 @@ class TaggedTest {
 
   @Test
   void twoFrozenTagsBothHold() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var a = Tag.new("a")|;
         var b = Tag.new("b")|;
@@ -275,7 +275,7 @@ class TaggedTest {
 
   @Test
   void onlyTagsTag() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         1: echo("never");
         [00000000:error] !!! 1.1-16: unexpected 1, expected a Tag
@@ -290,7 +290,7 @@ class TaggedTest {
 
   @Test
   void clonesOfTagAreFreeAndClonesOfTagsAreNot() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var a = Tag.new|;
         var b = a.new|;
@@ -309,7 +309,7 @@ class TaggedTest {
 
   @Test
   void aTagCanStopItself() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         t: { echo("in"); t.stop(5); echo("never") };
@@ -325,7 +325,7 @@ class TaggedTest {
 
   @Test
   void whatACallOfAFunctionUnderATagReturns() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         function f() { t: { sleep(1s) }; "returned" }|;
@@ -339,7 +339,7 @@ class TaggedTest {
 
   @Test
   void codeStartedUnderATagStaysUnderIt() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var t = Tag.new("t")|;
         t: { detach({ sleep(1s); echo("detached") })|; sleep(1s), echo("in") },
@@ -357,7 +357,7 @@ class TaggedTest {
 
   @Test
   void codeOfAHigherPriorityRunsFirst() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var high = Tag.new("high")|;
         high.setPriority(10);
@@ -391,7 +391,7 @@ class TaggedTest {
 
   @Test
   void typesOfTagsDoMoreWhereCodeEntersAndLeaves() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var m = Mutex.new|;
         m: { echo("one in"); sleep(1s); echo("one out") }, m: { echo("two in"); sleep(1s); echo("two out") },

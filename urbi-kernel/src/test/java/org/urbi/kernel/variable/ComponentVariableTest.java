@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.urbi.kernel.Dialogue;
+import org.urbi.kernel.ConsoleTranscript;
 import org.urbi.kernel.Kernel;
 import urbi.InputPort;
 import urbi.UBinary;
@@ -96,7 +96,7 @@ class ComponentVariableTest {
   }
 
   private static void hold(String text) {
-    Dialogue.holdWith(List.of(Robot.class, Viewer.class), text);
+    ConsoleTranscript.checkWith(List.of(Robot.class, Viewer.class), text);
   }
 
   @Test

@@ -1,13 +1,13 @@
 package org.urbi.kernel.variable;
 
 import org.junit.jupiter.api.Test;
-import org.urbi.kernel.Dialogue;
+import org.urbi.kernel.ConsoleTranscript;
 
 /** Variables with hooks behind slots of objects (manual, "UVar"). */
 class VariableTest {
   @Test
   void itTakesOverTheValueOfItsSlot() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var o = Object.new|;
         var o.x = 5|;
@@ -39,7 +39,7 @@ class VariableTest {
 
   @Test
   void changesAreTold() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var o = Object.new|;
         var o.x = 5|;
@@ -70,7 +70,7 @@ class VariableTest {
 
   @Test
   void readersAreTold() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var o = Object.new|;
         var o.x = 5|;
@@ -93,7 +93,7 @@ class VariableTest {
 
   @Test
   void anOwnedOneHasATargetAndASensedValue() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var o = Object.new|;
         var o.x = 5|;
@@ -129,7 +129,7 @@ class VariableTest {
 
   @Test
   void whatIsNotOwnedTellsBothKindsOfHooks() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var o = Object.new|;
         var v = UVar.new(o, "x")|;
@@ -150,7 +150,7 @@ class VariableTest {
 
   @Test
   void theRangeIsKept() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var o = Object.new|;
         var o.x = 5|;
@@ -185,7 +185,7 @@ class VariableTest {
 
   @Test
   void aHookThatWritesIsNotCalledForIt() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var o = Object.new|;
         var o.x = 0|;
@@ -204,7 +204,7 @@ class VariableTest {
 
   @Test
   void otherJobsAreToldMeanwhile() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var o = Object.new|;
         var o.x = 0|;
@@ -225,7 +225,7 @@ class VariableTest {
 
   @Test
   void aHookThatFailsKeepsNoOtherFromRunning() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var o = Object.new|;
         var o.x = 0|;
@@ -254,7 +254,7 @@ class VariableTest {
 
   @Test
   void hooksMayGoAndComeWhileTheyRun() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var o = Object.new|;
         var o.x = 0|;
@@ -272,7 +272,7 @@ class VariableTest {
 
   @Test
   void itMayStandBehindSeveralSlots() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var o = Object.new|;
         var p = Object.new|;
@@ -302,7 +302,7 @@ class VariableTest {
 
   @Test
   void conditionsSeeIt() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var o = Object.new|;
         var o.x = 0|;
@@ -326,7 +326,7 @@ class VariableTest {
 
   @Test
   void whatIsSetWhenItIsReadIsReadForThoseWhoWatch() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var o = Object.new|;
         var o.t = 0|;
@@ -347,7 +347,7 @@ class VariableTest {
 
   @Test
   void thePeriodOfTheSystemIsThatOfTheReading() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         System.period = 100ms|;
         var o = Object.new|;
@@ -370,7 +370,7 @@ class VariableTest {
 
   @Test
   void whoReadsSlowlyIsNotReadTwice() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         System.period = 100ms|;
         var o = Object.new|;
@@ -387,7 +387,7 @@ class VariableTest {
 
   @Test
   void connectionsLeadValues() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var o = Object.new|;
         var o.x = 1|; var o.y = 2|; var o.z = 3|;
@@ -425,7 +425,7 @@ class VariableTest {
 
   @Test
   void connectionsMayBeSlowAndAsynchronous() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var o = Object.new|;
         var o.x = 1|; var o.y = 2|;
@@ -456,7 +456,7 @@ class VariableTest {
 
   @Test
   void aConnectionWritesTheTargetOfAnOwnedOne() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var o = Object.new|;
         var o.x = 1|; var o.y = 2|;
@@ -470,7 +470,7 @@ class VariableTest {
 
   @Test
   void clonesAreVariablesOfTheirOwn() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var o = Object.new|;
         var v = UVar.new(o, "x")|;
@@ -487,7 +487,7 @@ class VariableTest {
 
   @Test
   void theSwitchOfDatagramsIsThatOfThePrototype() {
-    Dialogue.hold(
+    ConsoleTranscript.check(
         """
         var o = Object.new|;
         var v = UVar.new(o, "x")|;

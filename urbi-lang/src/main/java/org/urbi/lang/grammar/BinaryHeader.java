@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
 record BinaryHeader(int size, String keywords, int data) {
   /** The header that starts at an offset, or null when there is none. */
   static @Nullable BinaryHeader read(String text, int from, int end) {
-    var form = new BinaryForm();
+    var form = new BinaryScanner();
     for (int at = from; at < end; at++) {
       switch (form.accept(text.charAt(at))) {
         case COMPLETE -> {

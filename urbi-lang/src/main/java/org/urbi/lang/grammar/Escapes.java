@@ -83,7 +83,7 @@ final class Escapes {
         if ('0' <= c && c <= '7') {
           octal();
         } else {
-          listener.wrong(at, SyntaxProblem.ESCAPED_CHARACTER, Unprintable.show(c));
+          listener.wrong(at, SyntaxProblem.ESCAPED_CHARACTER, CharacterDisplay.show(c));
         }
       }
     }
@@ -136,7 +136,7 @@ final class Escapes {
     at = (int) Math.min(end, (long) at + size);
     value.append(text, contents, at);
     if (at < end && text.charAt(at) != ')') {
-      listener.wrong(at, SyntaxProblem.OPEN_BLOB, Unprintable.show(text.charAt(at)));
+      listener.wrong(at, SyntaxProblem.OPEN_BLOB, CharacterDisplay.show(text.charAt(at)));
     }
     at = Math.min(end, at + 1);
   }

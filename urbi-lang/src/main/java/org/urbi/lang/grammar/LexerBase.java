@@ -14,7 +14,7 @@ public abstract class LexerBase extends Lexer {
   private static final Set<String> DERIVATIVES = Set.of("d", "dd", "e", "n", "in", "out");
   private static final String OPERATOR_CHARACTERS = "+-*/%^<>=!~&|";
 
-  private final List<LexicalIssue> issues = new ArrayList<>();
+  private final List<LexicalError> issues = new ArrayList<>();
   private final TextStream stream;
   private @Nullable Object value;
   private int previous;
@@ -34,7 +34,7 @@ public abstract class LexerBase extends Lexer {
   }
 
   /** What was wrong or is deprecated, in the order of the text. */
-  public List<LexicalIssue> issues() {
+  public List<LexicalError> issues() {
     return issues;
   }
 
@@ -146,7 +146,10 @@ public abstract class LexerBase extends Lexer {
   protected final void unknown() {
     char c = stream.text().charAt(_tokenStartCharIndex);
     tell(
-        _tokenStartCharIndex, stream.index(), SyntaxProblem.INVALID_CHARACTER, Unprintable.show(c));
+        _tokenStartCharIndex,
+        stream.index(),
+        SyntaxProblem.INVALID_CHARACTER,
+        CharacterDisplay.show(c));
     _type = UrbiscriptLexer.INVALID;
   }
 
@@ -236,7 +239,7 @@ public abstract class LexerBase extends Lexer {
   }
 
   private void tell(int begin, int end, SyntaxProblem problem, Object... values) {
-    issues.add(new LexicalIssue(begin, end, problem, problem.text(values)));
+    issues.add(new LexicalError(begin, end, problem, problem.text(values)));
   }
 
   private void warn(SyntaxProblem problem, Object... values) {

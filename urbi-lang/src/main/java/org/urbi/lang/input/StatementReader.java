@@ -4,14 +4,14 @@ import java.util.List;
 import java.util.function.IntSupplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
-import org.urbi.lang.parse.Parsed;
+import org.urbi.lang.parse.ParseResult;
 import org.urbi.lang.parse.SyntaxError;
 import org.urbi.lang.parse.UrbiParser;
 import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.source.Source;
 import org.urbi.lang.source.Span;
 import org.urbi.lang.text.LineTable;
-import org.urbi.lang.text.Splitter;
+import org.urbi.lang.text.StatementSplitter;
 
 /**
  * Reads statements from a stream of characters that comes in pieces of any size, as in an
@@ -23,7 +23,7 @@ import org.urbi.lang.text.Splitter;
  */
 public final class StatementReader {
   private final LineTable lines;
-  private Splitter splitter;
+  private StatementSplitter splitter;
   private final IntSupplier maximumSize;
   private final Runnable checkpoint;
   private final StringBuilder buffer = new StringBuilder();
@@ -46,7 +46,7 @@ public final class StatementReader {
    */
   public StatementReader(@Nullable String file, IntSupplier maximumSize, Runnable checkpoint) {
     this.lines = new LineTable(file, 1);
-    this.splitter = new Splitter(lines);
+    this.splitter = new StatementSplitter(lines);
     this.maximumSize = maximumSize;
     this.checkpoint = checkpoint;
   }
@@ -98,7 +98,7 @@ public final class StatementReader {
       // A fault of the splitter must not meet the same text again.
       position = buffer.length();
       drop();
-      splitter = new Splitter(lines);
+      splitter = new StatementSplitter(lines);
       throw failure;
     }
   }
@@ -142,7 +142,7 @@ public final class StatementReader {
     }
   }
 
-  private static Item result(Parsed parsed, Ast.@Nullable Flavor separator) {
+  private static Item result(ParseResult parsed, Ast.@Nullable Flavor separator) {
     Ast tree = parsed.tree();
     return tree != null && parsed.valid()
         ? new Item.Statement(tree, separator, parsed.warnings())
@@ -153,7 +153,7 @@ public final class StatementReader {
     String text = buffer.substring(start, position);
     Source source = lines.cut(text);
     start = position;
-    Parsed parsed = UrbiParser.parseStatement(source, 0, text.length(), checkpoint);
+    ParseResult parsed = UrbiParser.parseStatement(source, 0, text.length(), checkpoint);
     return result(parsed, parsed.separator());
   }
 

@@ -51,7 +51,7 @@ final class ExpressionBuilder {
     Ast tree =
         size == 1
             ? builder.operands.operand((OperandContext) context.getChild(0), assignment)
-            : new Climb(context, size, assignment).climb(0);
+            : new PrecedenceClimbing(context, size, assignment).climb(0);
     builder.leave(levels);
     return tree;
   }
@@ -66,13 +66,14 @@ final class ExpressionBuilder {
   }
 
   /** Precedence climbing over one flat expression. */
-  private final class Climb {
+  private final class PrecedenceClimbing {
     private final ParserRuleContext context;
     private final int size;
     private final @Nullable AssignmentContext assignment;
     private int next;
 
-    Climb(ParserRuleContext context, int size, @Nullable AssignmentContext assignment) {
+    PrecedenceClimbing(
+        ParserRuleContext context, int size, @Nullable AssignmentContext assignment) {
       this.context = context;
       this.size = size;
       this.assignment = assignment;

@@ -10,8 +10,8 @@ import org.urbi.lang.source.Span;
 final class TokenNames {
   private TokenNames() {}
 
-  static SyntaxFailure unexpected(Source source, Token token) {
-    return new SyntaxFailure(span(source, token), SyntaxProblem.UNEXPECTED, name(token));
+  static SyntaxErrorException unexpected(Source source, Token token) {
+    return new SyntaxErrorException(span(source, token), SyntaxProblem.UNEXPECTED, name(token));
   }
 
   static Span span(Source source, Token token) {

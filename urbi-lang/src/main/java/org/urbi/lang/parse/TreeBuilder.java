@@ -88,15 +88,15 @@ final class TreeBuilder {
     return ((UrbiToken) identifier.getStart()).string();
   }
 
-  SyntaxFailure failure(Span span, SyntaxProblem problem, Object... values) {
-    return new SyntaxFailure(span, problem, values);
+  SyntaxErrorException failure(Span span, SyntaxProblem problem, Object... values) {
+    return new SyntaxErrorException(span, problem, values);
   }
 
-  SyntaxFailure unexpected(Token token) {
+  SyntaxErrorException unexpected(Token token) {
     return TokenNames.unexpected(source, token);
   }
 
-  SyntaxFailure notAnLvalue(Span span, Ast tree) {
+  SyntaxErrorException notAnLvalue(Span span, Ast tree) {
     return failure(span, SyntaxProblem.NOT_AN_LVALUE, Printer.print(tree));
   }
 
@@ -112,7 +112,7 @@ final class TreeBuilder {
     return tree;
   }
 
-  SyntaxFailure declarationNotAllowed(Ast.Declaration declaration) {
+  SyntaxErrorException declarationNotAllowed(Ast.Declaration declaration) {
     Span head =
         declaration.span().begin() <= declaration.nameSpan().begin()
             ? declaration.span().to(declaration.nameSpan())

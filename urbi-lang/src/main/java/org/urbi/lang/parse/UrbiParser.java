@@ -8,7 +8,7 @@ import org.antlr.v4.runtime.misc.ParseCancellationException;
 import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.grammar.Checkpoint;
-import org.urbi.lang.grammar.LexicalIssue;
+import org.urbi.lang.grammar.LexicalError;
 import org.urbi.lang.grammar.NestingException;
 import org.urbi.lang.grammar.TextStream;
 import org.urbi.lang.grammar.UrbiscriptLexer;
@@ -32,7 +32,7 @@ public final class UrbiParser {
    * @param file the name that locations show, or null
    * @return a {@link Ast.Sequence}, or errors
    */
-  public static Parsed parse(String text, @Nullable String file) {
+  public static ParseResult parse(String text, @Nullable String file) {
     return parse(Sources.of(text, file), 0, text.length());
   }
 
@@ -43,12 +43,12 @@ public final class UrbiParser {
    * @param checkpoint called again and again, to end the parsing by an exception
    * @return a {@link Ast.Sequence}, or errors
    */
-  public static Parsed parse(String text, @Nullable String file, Runnable checkpoint) {
+  public static ParseResult parse(String text, @Nullable String file, Runnable checkpoint) {
     return new Run(Sources.of(text, file), 0, text.length(), false, checkpoint).parse();
   }
 
   /** Parses a part of a text as if it were a complete one. */
-  public static Parsed parse(Source source, int begin, int end) {
+  public static ParseResult parse(Source source, int begin, int end) {
     return new Run(source, begin, end, false, () -> {}).parse();
   }
 
@@ -57,7 +57,7 @@ public final class UrbiParser {
    *
    * @param checkpoint called again and again, to end the parsing by an exception
    */
-  public static Parsed parseStatement(Source source, int begin, int end, Runnable checkpoint) {
+  public static ParseResult parseStatement(Source source, int begin, int end, Runnable checkpoint) {
     return new Run(source, begin, end, true, checkpoint).parse();
   }
 
@@ -80,10 +80,10 @@ public final class UrbiParser {
       this.tokens = new CommonTokenStream(lexer);
     }
 
-    Parsed parse() {
+    ParseResult parse() {
       tokens.fill();
       List<SyntaxError> errors = new ArrayList<>();
-      for (LexicalIssue issue : lexer.issues()) {
+      for (LexicalError issue : lexer.issues()) {
         Span span = new Span(source, issue.begin(), issue.end());
         if (issue.warning()) {
           warnings.add(new SyntaxWarning(span, issue.problem(), issue.text()));
@@ -95,16 +95,16 @@ public final class UrbiParser {
       if (errors.isEmpty()) {
         try {
           tree = tree();
-        } catch (SyntaxFailure failure) {
+        } catch (SyntaxErrorException failure) {
           errors.add(failure.error());
         } catch (NestingException tooDeep) {
           Span at = TokenNames.span(source, tooDeep.token());
           errors.add(SyntaxError.of(at, SyntaxProblem.NESTING_TOO_DEEP));
         } catch (ParseCancellationException stop) {
-          errors.add(Misfit.error(source, stop));
+          errors.add(UnexpectedToken.error(source, stop));
         }
       }
-      return new Parsed(tree, separator, List.copyOf(errors), List.copyOf(warnings));
+      return new ParseResult(tree, separator, List.copyOf(errors), List.copyOf(warnings));
     }
 
     private Ast tree() {
@@ -124,10 +124,10 @@ public final class UrbiParser {
     private Ast tree(PredictionMode mode) {
       tokens.seek(0);
       var parser = new UrbiscriptParser(tokens);
-      parser.setErrorHandler(new Bail());
+      parser.setErrorHandler(new FirstErrorStrategy());
       parser.removeErrorListeners();
       parser.setCheckpoint(checkpoint);
-      parser.setInterpreter(new Prediction(parser, mode));
+      parser.setInterpreter(new PreciseErrorSimulator(parser, mode));
       var builder = new TreeBuilder(source, warnings, checkpoint);
       if (!single) {
         return builder.statements.sequence(parser.program().sequence());

@@ -13,8 +13,10 @@ final class Expressions {
 
   /** An expression of any precedence; a statement goes between braces. */
   static String expression(Ast tree) {
-    Forms.Form form = Forms.of(tree);
-    return form.binding() == Forms.Binding.STATEMENT ? Statements.clause(tree) : form.text().get();
+    NodePrinters.Form form = NodePrinters.of(tree);
+    return form.binding() == NodePrinters.Binding.STATEMENT
+        ? Statements.clause(tree)
+        : form.text().get();
   }
 
   static String list(List<Ast> elements) {
@@ -108,7 +110,7 @@ final class Expressions {
 
   /** What binds at least as tight as a message. */
   static String primary(Ast tree) {
-    boolean loose = Forms.of(tree).binding() == Forms.Binding.LOOSE;
+    boolean loose = NodePrinters.of(tree).binding() == NodePrinters.Binding.LOOSE;
     return loose ? "(" + expression(tree) + ")" : expression(tree);
   }
 

@@ -10,7 +10,7 @@ final class Statements {
   private Statements() {}
 
   static String statement(Ast tree) {
-    return Forms.of(tree).text().get();
+    return NodePrinters.of(tree).text().get();
   }
 
   static String conditional(Ast.If choice) {

@@ -10,7 +10,7 @@ public final class Sources {
   /** The source of a complete text, its synclines obeyed. */
   public static Source of(String text, @Nullable String file) {
     var lines = new LineTable(file, 1);
-    var splitter = new Splitter(lines);
+    var splitter = new StatementSplitter(lines);
     int at = 0;
     while (at < text.length()) {
       at = splitter.scan(text, at, text.length(), 0);

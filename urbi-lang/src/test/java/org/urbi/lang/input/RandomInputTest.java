@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.urbi.lang.ast.Ast;
-import org.urbi.lang.parse.Parsed;
+import org.urbi.lang.parse.ParseResult;
 import org.urbi.lang.parse.UrbiParser;
 import org.urbi.lang.print.Printer;
 
@@ -126,7 +126,7 @@ class RandomInputTest {
       """;
 
   private static void check(String text) {
-    Parsed parsed = UrbiParser.parse(text, null);
+    ParseResult parsed = UrbiParser.parse(text, null);
     assertEquals(parsed.tree() == null, !parsed.errors().isEmpty());
     if (parsed.valid()) {
       roundTrip(text, parsed.tree());
@@ -145,7 +145,7 @@ class RandomInputTest {
 
   private static void roundTrip(String text, Ast tree) {
     String printed = Printer.print(tree);
-    Parsed again = UrbiParser.parse(printed, null);
+    ParseResult again = UrbiParser.parse(printed, null);
     assertEquals(List.of(), again.errors(), () -> text + "\nprinted as\n" + printed);
     assertEquals(printed, Printer.print(again.tree()), () -> text);
   }

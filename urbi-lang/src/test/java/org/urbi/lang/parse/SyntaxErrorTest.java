@@ -113,7 +113,7 @@ class SyntaxErrorTest {
         "if (x);                @ 1.7: implicit empty statement, use `{}'",
       })
   void warns(String text, String message) {
-    Parsed parsed = UrbiParser.parse(text, null);
+    ParseResult parsed = UrbiParser.parse(text, null);
     assertEquals(List.of(), parsed.errors());
     assertEquals(
         List.of(message),

@@ -12,12 +12,12 @@ import org.urbi.lang.ast.Ast;
 import org.urbi.lang.print.Printer;
 
 class UrbiParserTest {
-  private static Parsed parse(String text) {
+  private static ParseResult parse(String text) {
     return UrbiParser.parse(text, null);
   }
 
   private static Ast one(String text) {
-    Parsed parsed = parse(text);
+    ParseResult parsed = parse(text);
     assertEquals(List.of(), parsed.errors(), text);
     assertEquals(1, parsed.sequence().statements().size(), text);
     return parsed.sequence().statements().get(0);
@@ -80,7 +80,7 @@ class UrbiParserTest {
         "BIN 3 jpeg;a;b            # Binary.new(\"jpeg\", \"a;b\")",
       })
   void groupsExpressions(String text, String printed) {
-    Parsed parsed = parse(text);
+    ParseResult parsed = parse(text);
     assertEquals(List.of(), parsed.errors());
     assertEquals(printed, Printer.print(parsed.sequence().statements().get(0)));
   }
@@ -191,7 +191,7 @@ class UrbiParserTest {
 
   @Test
   void locatesNodes() {
-    Parsed parsed = UrbiParser.parse("1;\n  foo.bar(\n 1);\n//#line 7 \"g.u\"\nx", "f.u");
+    ParseResult parsed = UrbiParser.parse("1;\n  foo.bar(\n 1);\n//#line 7 \"g.u\"\nx", "f.u");
     var statements = parsed.sequence().statements();
     assertEquals("f.u:1.1", statements.get(0).span().location().toString());
     assertEquals("f.u:2.3-3.3", statements.get(1).span().location().toString());
@@ -224,11 +224,11 @@ class UrbiParserTest {
             "[1, ",
             "do {",
             "at (e?) ")) {
-      Parsed parsed = parse(unit.repeat(100_000));
+      ParseResult parsed = parse(unit.repeat(100_000));
       assertEquals(1, parsed.errors().size(), unit);
     }
     for (String chain : List.of("1 + ", "a.", "a && ", "a in ")) {
-      Parsed parsed = parse(chain.repeat(100_000) + "1");
+      ParseResult parsed = parse(chain.repeat(100_000) + "1");
       assertEquals(1, parsed.errors().size(), chain);
     }
     assertEquals(

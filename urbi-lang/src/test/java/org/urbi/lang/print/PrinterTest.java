@@ -7,12 +7,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.urbi.lang.ast.Ast;
-import org.urbi.lang.parse.Parsed;
+import org.urbi.lang.parse.ParseResult;
 import org.urbi.lang.parse.UrbiParser;
 
 class PrinterTest {
   private static Ast one(String text) {
-    Parsed parsed = UrbiParser.parse(text, null);
+    ParseResult parsed = UrbiParser.parse(text, null);
     assertEquals(List.of(), parsed.errors(), text);
     assertEquals(1, parsed.sequence().statements().size(), text);
     return parsed.sequence().statements().get(0);
@@ -168,7 +168,7 @@ class PrinterTest {
                 for (int depth : new int[] {100, 200, 400, 700, 1400, 20_000}) {
                   String close = unit.equals("f(") ? ")" : unit.equals("{") ? "}" : "";
                   String text = unit.repeat(depth) + "a" + close.repeat(depth);
-                  Parsed parsed = UrbiParser.parse(text, null);
+                  ParseResult parsed = UrbiParser.parse(text, null);
                   if (parsed.valid()) {
                     Printer.print(parsed.tree());
                   }

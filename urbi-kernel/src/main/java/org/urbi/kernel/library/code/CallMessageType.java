@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.CallSite;
@@ -20,7 +20,7 @@ import org.urbi.lang.source.Span;
 @UrbiType(
     value = "CallMessage",
     doc = "A call: its target, its name, its arguments.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class CallMessageType {
   private CallMessageType() {}
 

@@ -2,7 +2,7 @@ package org.urbi.kernel.library.code;
 
 import java.util.Arrays;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
@@ -20,7 +20,7 @@ import org.urbi.lang.print.Printer;
     value = "Code",
     protos = {"Comparable", "Executable"},
     doc = "A function written in urbiscript.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class CodeType {
   private CodeType() {}
 

@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.code;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -9,7 +9,7 @@ import org.urbi.kernel.object.UrbiObject;
 @UrbiType(
     value = "Executable",
     doc = "What can be called: functions and primitives.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class ExecutableType {
   private ExecutableType() {}
 

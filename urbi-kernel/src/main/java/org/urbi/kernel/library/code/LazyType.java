@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.code;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.CallMessages.Lazy;
@@ -17,7 +17,7 @@ import org.urbi.kernel.object.World;
     value = "Lazy",
     protos = {"Comparable"},
     doc = "An expression that is evaluated when asked for.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class LazyType {
   private LazyType() {}
 
@@ -29,7 +29,9 @@ final class LazyType {
     return self.world().symbol("valueCache");
   }
 
-  @Builtin(doc = "Evaluates that function without arguments when asked for.", needs = Need.CHANGE)
+  @Builtin(
+      doc = "Evaluates that function without arguments when asked for.",
+      needs = Permission.CHANGE)
   static void init(UrbiObject self, UrbiObject function) {
     OwnSlots.put(self, "code", function);
   }

@@ -2,8 +2,8 @@ package org.urbi.kernel.library.code;
 
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.library.value.OwnSlots;
@@ -18,7 +18,7 @@ import org.urbi.lang.source.Span;
 @UrbiType(
     value = "Location",
     doc = "A piece of a file, from a position up to another one.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 public final class LocationType {
   private LocationType() {}
 
@@ -42,7 +42,7 @@ public final class LocationType {
 
   @Builtin(
       doc = "From a position to another one; without any, the very beginning.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void init(
       Frame frame,
       CallSite site,

@@ -2,7 +2,7 @@ package org.urbi.kernel.library.code;
 
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.library.file.UrbiPath;
@@ -19,7 +19,7 @@ import org.urbi.kernel.object.World;
     value = "Position",
     protos = {"Orderable"},
     doc = "A place in a file: a line and a column, counted from 1.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 public final class PositionType {
   private PositionType() {}
 
@@ -63,7 +63,7 @@ public final class PositionType {
 
   @Builtin(
       doc = "Of another position, or of a file (which may be left out), a line, a column.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void init(Frame frame, CallSite site, UrbiObject self, UrbiObject... arguments) {
     switch (arguments.length) {
       case 0 -> fill(self, self.world().values().nil, 1, 1);

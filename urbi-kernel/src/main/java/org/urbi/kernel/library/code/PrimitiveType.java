@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.code;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
@@ -14,7 +14,7 @@ import org.urbi.kernel.object.UrbiObject;
     value = "Primitive",
     protos = {"Executable"},
     doc = "A function of the library written in Java.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class PrimitiveType {
   private PrimitiveType() {}
 

@@ -2,7 +2,7 @@ package org.urbi.kernel.library.code;
 
 import java.util.Locale;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.Frame;
@@ -13,7 +13,7 @@ import org.urbi.kernel.object.UrbiObject;
 @UrbiType(
     value = "Profile.Function",
     doc = "The calls of a function that a profile counts.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class ProfileFunctionType {
   private ProfileFunctionType() {}
 

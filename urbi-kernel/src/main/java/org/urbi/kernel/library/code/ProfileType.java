@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.library.value.OwnSlots;
@@ -16,7 +16,7 @@ import org.urbi.kernel.object.World;
 @UrbiType(
     value = "Profile",
     doc = "What a piece of code has called, and for how long.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class ProfileType {
   private ProfileType() {}
 

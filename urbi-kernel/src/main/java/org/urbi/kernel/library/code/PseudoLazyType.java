@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.code;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.object.UrbiObject;
@@ -10,11 +10,11 @@ import org.urbi.kernel.object.UrbiObject;
 @UrbiType(
     value = "PseudoLazy",
     doc = "A value that is used like one not evaluated yet.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class PseudoLazyType {
   private PseudoLazyType() {}
 
-  @Builtin(doc = "Holds that value.", needs = Need.CHANGE)
+  @Builtin(doc = "Holds that value.", needs = Permission.CHANGE)
   static void init(UrbiObject self, UrbiObject value) {
     OwnSlots.put(self, "value", value);
   }

@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.code;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.Frame;
@@ -9,7 +9,10 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 
 /** Calls that are going on (manual, "StackFrame"). */
-@UrbiType(value = "StackFrame", doc = "A call: what was called, and where.", needs = Need.NOTHING)
+@UrbiType(
+    value = "StackFrame",
+    doc = "A call: what was called, and where.",
+    needs = Permission.NOTHING)
 final class StackFrameType {
   private StackFrameType() {}
 
@@ -18,7 +21,7 @@ final class StackFrameType {
     OwnSlots.put(self, "location", location);
   }
 
-  @Builtin(doc = "A call of the function of that name at that location.", needs = Need.CHANGE)
+  @Builtin(doc = "A call of the function of that name at that location.", needs = Permission.CHANGE)
   static void init(UrbiObject self, UrbiString name, UrbiObject location) {
     fill(self, name, location);
   }

@@ -1,14 +1,14 @@
 package org.urbi.kernel.library.code;
 
 import java.util.List;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
 /** Objects with a backtrace (manual, "Traceable"). */
-@UrbiType(value = "Traceable", doc = "What has a backtrace.", needs = Need.NOTHING)
+@UrbiType(value = "Traceable", doc = "What has a backtrace.", needs = Permission.NOTHING)
 final class TraceableType {
   private static final String HIDE = "hideSystemFiles";
 

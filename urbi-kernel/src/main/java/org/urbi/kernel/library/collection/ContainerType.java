@@ -1,14 +1,17 @@
 package org.urbi.kernel.library.collection;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 
 /** Objects with {@code has} or {@code hasNot} (manual, "Container"). */
-@UrbiType(value = "Container", doc = "Objects that other objects can be in.", needs = Need.NOTHING)
+@UrbiType(
+    value = "Container",
+    doc = "Objects that other objects can be in.",
+    needs = Permission.NOTHING)
 final class ContainerType {
   private ContainerType() {}
 

@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
@@ -29,7 +29,7 @@ import org.urbi.kernel.object.World;
     value = "Dictionary",
     protos = {"Comparable", "Container", "Object", "RangeIterable"},
     doc = "An associative array: values by keys, which may be any objects.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class DictionaryType {
   private static final String ADDED = "elementAdded";
   private static final String CHANGED = "elementChanged";
@@ -43,7 +43,7 @@ final class DictionaryType {
 
   // ------------------------------------------------------------------ what it is
 
-  @Builtin(doc = "Adds the arguments, keys and values in turns.", needs = Need.CHANGE)
+  @Builtin(doc = "Adds the arguments, keys and values in turns.", needs = Permission.CHANGE)
   static UrbiObject init(
       Frame caller, CallSite site, UrbiDictionary self, UrbiObject... keysAndValues) {
     if (keysAndValues.length % 2 != 0) {
@@ -155,7 +155,7 @@ final class DictionaryType {
     return self.entries().containsKey(DictionaryKey.of(caller, key));
   }
 
-  @Builtin(doc = "Sets the value of a key; returns the target.", needs = Need.CHANGE)
+  @Builtin(doc = "Sets the value of a key; returns the target.", needs = Permission.CHANGE)
   static UrbiObject set(Frame caller, UrbiDictionary self, UrbiObject key, UrbiObject value) {
     UrbiDictionary.Key found = DictionaryKey.of(caller, key);
     UrbiObject before = self.modify().put(found, value);
@@ -164,13 +164,18 @@ final class DictionaryType {
     return self;
   }
 
-  @Builtin(value = "[]=", doc = "Sets the value of a key; returns the value.", needs = Need.CHANGE)
+  @Builtin(
+      value = "[]=",
+      doc = "Sets the value of a key; returns the value.",
+      needs = Permission.CHANGE)
   static UrbiObject setAt(Frame caller, UrbiDictionary self, UrbiObject key, UrbiObject value) {
     set(caller, self, key, value);
     return value;
   }
 
-  @Builtin(doc = "Adds the entries of another dictionary; returns the target.", needs = Need.CHANGE)
+  @Builtin(
+      doc = "Adds the entries of another dictionary; returns the target.",
+      needs = Permission.CHANGE)
   static UrbiObject extend(Frame caller, UrbiDictionary self, UrbiDictionary other) {
     for (var entry : new LinkedHashMap<>(other.entries()).entrySet()) {
       set(caller, self, entry.getKey().value(), entry.getValue());
@@ -180,7 +185,7 @@ final class DictionaryType {
 
   @Builtin(
       doc = "Removes the entry of a key, which must be there; returns the target.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject erase(Frame caller, UrbiDictionary self, UrbiObject key) {
     if (self.modify().remove(DictionaryKey.of(caller, key)) == null) {
       throw missing(caller, key);
@@ -190,7 +195,7 @@ final class DictionaryType {
     return self;
   }
 
-  @Builtin(doc = "Removes all entries; returns the target.", needs = Need.CHANGE)
+  @Builtin(doc = "Removes all entries; returns the target.", needs = Permission.CHANGE)
   static UrbiObject clear(Frame caller, UrbiDictionary self) {
     if (!self.modify().isEmpty()) {
       self.modify().clear();

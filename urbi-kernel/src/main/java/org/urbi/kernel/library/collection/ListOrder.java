@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.Problem;
@@ -18,7 +18,7 @@ import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 
 /** The order of lists, and of their elements (manual, "List"). */
-@UrbiTypePart(value = "List", needs = Need.NOTHING)
+@UrbiTypePart(value = "List", needs = Permission.NOTHING)
 public final class ListOrder {
   private ListOrder() {}
 

@@ -3,7 +3,7 @@ package org.urbi.kernel.library.collection;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.value.Comparison;
@@ -15,7 +15,7 @@ import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 
 /** What lists find, and what they do with each of their elements (manual, "List"). */
-@UrbiTypePart(value = "List", needs = Need.NOTHING)
+@UrbiTypePart(value = "List", needs = Permission.NOTHING)
 final class ListSearch {
   private ListSearch() {}
 

@@ -5,8 +5,8 @@ import java.util.Collections;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
@@ -30,7 +30,7 @@ import org.urbi.kernel.object.Values;
     value = "List",
     protos = {"Container", "RangeIterable", "Orderable"},
     doc = "An ordered sequence of any objects.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class ListType {
   private ListType() {}
 
@@ -90,7 +90,7 @@ final class ListType {
   @Builtin(
       value = "[]=",
       doc = "Replaces the element at an index; returns the value.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject set(
       Frame caller, CallSite site, UrbiList self, UrbiFloat index, UrbiObject value) {
     Elements elements = self.modify();
@@ -153,7 +153,7 @@ final class ListType {
 
   // ------------------------------------------------------------------ changes
 
-  @Builtin(doc = "Removes all elements.", needs = Need.CHANGE)
+  @Builtin(doc = "Removes all elements.", needs = Permission.CHANGE)
   static UrbiObject clear(UrbiList self) {
     self.modify().clear();
     return changed(self);
@@ -166,7 +166,7 @@ final class ListType {
 
   @Builtin(
       doc = "Inserts an element before the one at an index; returns the target.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject insert(Frame caller, CallSite site, UrbiList self, int where, UrbiObject what) {
     Elements elements = self.modify();
     if (where < 0 || where >= elements.size()) {
@@ -179,13 +179,13 @@ final class ListType {
   @Builtin(
       value = {"insertBack", "<<"},
       doc = "Adds an element at the end; returns the target.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject insertBack(UrbiList self, UrbiObject that) {
     self.modify().add(that);
     return changed(self);
   }
 
-  @Builtin(doc = "Adds an element at the beginning; returns the target.", needs = Need.CHANGE)
+  @Builtin(doc = "Adds an element at the beginning; returns the target.", needs = Permission.CHANGE)
   static UrbiObject insertFront(UrbiList self, UrbiObject that) {
     self.modify().add(0, that);
     return changed(self);
@@ -193,7 +193,7 @@ final class ListType {
 
   @Builtin(
       doc = "Adds an element at the end, unless the list has it; returns the target.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject insertUnique(Frame caller, UrbiList self, UrbiObject that) {
     return ListSearch.has(caller, self, that) ? self : insertBack(self, that);
   }
@@ -201,19 +201,21 @@ final class ListType {
   @Builtin(
       value = "+=",
       doc = "Adds the elements of a list at the end; returns the target.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject addAll(UrbiList self, UrbiList that) {
     self.modify().addAll(List.copyOf(that.elements()));
     return changed(self);
   }
 
-  @Builtin(doc = "Deprecated: use '+='.", needs = Need.CHANGE)
+  @Builtin(doc = "Deprecated: use '+='.", needs = Permission.CHANGE)
   static UrbiObject append(Frame caller, CallSite site, UrbiList self, UrbiList that) {
     Warnings.deprecated(caller, site, "list.append(that)", "list += that");
     return addAll(self, that);
   }
 
-  @Builtin(doc = "Removes all elements equal to a value; returns the target.", needs = Need.CHANGE)
+  @Builtin(
+      doc = "Removes all elements equal to a value; returns the target.",
+      needs = Permission.CHANGE)
   static UrbiObject remove(Frame caller, UrbiList self, UrbiObject val) {
     for (UrbiObject element : List.copyOf(self.elements())) {
       if (Comparison.equal(caller, element, val)) {
@@ -231,13 +233,13 @@ final class ListType {
 
   @Builtin(
       doc = "Removes all elements that are the very object; returns the target.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject removeById(UrbiList self, UrbiObject that) {
     removeSame(self, that);
     return self;
   }
 
-  @Builtin(doc = "Removes and returns the last element.", needs = Need.CHANGE)
+  @Builtin(doc = "Removes and returns the last element.", needs = Permission.CHANGE)
   static UrbiObject removeBack(Frame caller, CallSite site, UrbiList self) {
     notEmpty(caller, site, self);
     UrbiObject removed = self.modify().removeLast();
@@ -245,7 +247,7 @@ final class ListType {
     return removed;
   }
 
-  @Builtin(doc = "Removes and returns the first element.", needs = Need.CHANGE)
+  @Builtin(doc = "Removes and returns the first element.", needs = Permission.CHANGE)
   static UrbiObject removeFront(Frame caller, CallSite site, UrbiList self) {
     notEmpty(caller, site, self);
     UrbiObject removed = self.modify().removeFirst();

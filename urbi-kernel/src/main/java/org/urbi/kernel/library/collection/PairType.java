@@ -2,7 +2,7 @@ package org.urbi.kernel.library.collection;
 
 import java.util.List;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.Counting;
 import org.urbi.kernel.library.value.MemberSlots;
@@ -16,7 +16,7 @@ import org.urbi.kernel.object.World;
     value = "Pair",
     protos = "Tuple",
     doc = "A tuple of two objects: its slots first, second.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class PairType {
   private static final String[] SLOTS = {"first", "second"};
 
@@ -26,7 +26,7 @@ final class PairType {
     return MemberSlots.newPrototype(world, SLOTS);
   }
 
-  @Builtin(doc = "Makes the arguments the members.", needs = Need.CHANGE)
+  @Builtin(doc = "Makes the arguments the members.", needs = Permission.CHANGE)
   static UrbiObject init(Frame caller, UrbiObject self, UrbiObject first, UrbiObject second) {
     MemberSlots.set(caller, self, SLOTS, first, second);
     return self;
@@ -40,7 +40,7 @@ final class PairType {
   @Builtin(
       value = "[]=",
       doc = "Replaces the member at an index; returns the value.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject setAt(
       Frame caller, CallSite site, UrbiObject self, int index, UrbiObject value) {
     String slot = SLOTS[Counting.index(caller, site, index, SLOTS.length)];

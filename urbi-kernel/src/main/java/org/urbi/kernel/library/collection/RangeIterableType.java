@@ -2,7 +2,7 @@ package org.urbi.kernel.library.collection;
 
 import java.util.List;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.library.value.Iteration;
@@ -15,7 +15,7 @@ import org.urbi.kernel.object.UrbiObject;
 @UrbiType(
     value = "RangeIterable",
     doc = "Objects whose members can be gone through.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class RangeIterableType {
   private RangeIterableType() {}
 

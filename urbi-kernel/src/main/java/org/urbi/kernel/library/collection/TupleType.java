@@ -3,7 +3,7 @@ package org.urbi.kernel.library.collection;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
@@ -20,11 +20,11 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiTuple;
 
 /** Tuples (manual, "Tuple"). */
-@UrbiType(value = "Tuple", doc = "A fixed number of objects.", needs = Need.NOTHING)
+@UrbiType(value = "Tuple", doc = "A fixed number of objects.", needs = Permission.NOTHING)
 final class TupleType {
   private TupleType() {}
 
-  @Builtin(doc = "Makes the elements of a list the members.", needs = Need.CHANGE)
+  @Builtin(doc = "Makes the elements of a list the members.", needs = Permission.CHANGE)
   static UrbiObject init(UrbiTuple self, UrbiList members) {
     self.setElements(members.elements());
     return self;
@@ -70,7 +70,7 @@ final class TupleType {
   @Builtin(
       value = "[]=",
       doc = "Replaces the member at an index; returns the value.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject set(Frame caller, CallSite site, UrbiTuple self, int index, UrbiObject value) {
     self.set(Counting.index(caller, site, index, self.size()), value);
     return value;

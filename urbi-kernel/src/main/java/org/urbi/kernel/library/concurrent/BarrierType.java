@@ -2,8 +2,8 @@ package org.urbi.kernel.library.concurrent;
 
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -14,7 +14,7 @@ import org.urbi.kernel.object.World;
 @UrbiType(
     value = "Barrier",
     doc = "Where jobs wait until others signal them.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class BarrierType {
   private BarrierType() {}
 
@@ -34,12 +34,14 @@ final class BarrierType {
 
   @Builtin(
       doc = "Wakes the job that has waited longest; the number of jobs woken.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static double signal(Frame frame, UrbiBarrier self, @Optional @Nullable UrbiObject payload) {
     return self.signal(payload(frame, payload)) ? 1 : 0;
   }
 
-  @Builtin(doc = "Wakes all the jobs that wait; the number of jobs woken.", needs = Need.CHANGE)
+  @Builtin(
+      doc = "Wakes all the jobs that wait; the number of jobs woken.",
+      needs = Permission.CHANGE)
   static double signalAll(Frame frame, UrbiBarrier self, @Optional @Nullable UrbiObject payload) {
     int woken = 0;
     while (self.signal(payload(frame, payload))) {

@@ -3,7 +3,7 @@ package org.urbi.kernel.library.concurrent;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.event.Condition;
@@ -21,7 +21,10 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
 /** Control of the flow of execution (manual, "Control"). */
-@UrbiType(value = "Control", doc = "Ways to control the flow of execution.", needs = Need.NOTHING)
+@UrbiType(
+    value = "Control",
+    doc = "Ways to control the flow of execution.",
+    needs = Permission.NOTHING)
 public final class ControlType {
   private ControlType() {}
 

@@ -1,14 +1,17 @@
 package org.urbi.kernel.library.concurrent;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
 /** What {@code trigger} of events returns (manual, "Event"). */
-@UrbiType(value = "EventHandler", doc = "An event that is being emitted.", needs = Need.CHANGE)
+@UrbiType(
+    value = "EventHandler",
+    doc = "An event that is being emitted.",
+    needs = Permission.CHANGE)
 final class EmissionType {
   private EmissionType() {}
 

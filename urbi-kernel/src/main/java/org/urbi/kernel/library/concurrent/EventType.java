@@ -3,8 +3,8 @@ package org.urbi.kernel.library.concurrent;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.event.Emission;
@@ -19,7 +19,10 @@ import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 
 /** Events (manual, "Event"). */
-@UrbiType(value = "Event", doc = "Something that is emitted and caught.", needs = Need.NOTHING)
+@UrbiType(
+    value = "Event",
+    doc = "Something that is emitted and caught.",
+    needs = Permission.NOTHING)
 public final class EventType {
   private EventType() {}
 
@@ -35,26 +38,28 @@ public final class EventType {
 
   @Builtin(
       doc = "Emits the event with that payload; handlers run in the background.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void emit(Frame frame, UrbiEvent self, UrbiObject... payload) {
     self.emit(frame.job(), false, payload);
   }
 
   @Builtin(
       doc = "Emits the event with that payload, and waits for the handlers.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void syncEmit(Frame frame, UrbiEvent self, UrbiObject... payload) {
     self.emit(frame.job(), true, payload);
   }
 
   @Builtin(
       doc = "Emits the event until the method stop of what it returns is called.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject trigger(Frame frame, UrbiEvent self, UrbiObject... payload) {
     return handle(frame, self.trigger(frame.job(), false, payload));
   }
 
-  @Builtin(doc = "Like trigger, and waits for the handlers at both ends.", needs = Need.CHANGE)
+  @Builtin(
+      doc = "Like trigger, and waits for the handlers at both ends.",
+      needs = Permission.CHANGE)
   static UrbiObject syncTrigger(Frame frame, UrbiEvent self, UrbiObject... payload) {
     return handle(frame, self.trigger(frame.job(), true, payload));
   }
@@ -67,7 +72,7 @@ public final class EventType {
   @Builtin(
       value = {"<<"},
       doc = "Emits this event, too, each time another one is emitted.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject watch(Frame frame, UrbiEvent self, UrbiEvent other) {
     other.subscribe(new Relay(self), frame.job());
     return self;

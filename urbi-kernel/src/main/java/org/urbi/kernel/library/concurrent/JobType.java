@@ -3,7 +3,7 @@ package org.urbi.kernel.library.concurrent;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
@@ -26,7 +26,7 @@ import org.urbi.kernel.tag.UrbiTag;
     value = "Job",
     protos = {"Object", "Traceable"},
     doc = "A light thread of execution.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 public final class JobType {
   /** The objects that show the jobs; made when asked for. */
   private static final JobLocal<UrbiObject> SHOWN = new JobLocal<>();
@@ -181,7 +181,7 @@ public final class JobType {
 
   @Builtin(
       doc = "Says whether what this job does concerns the others; of no effect here.",
-      needs = Need.USER)
+      needs = Permission.USER)
   static void setSideEffectFree(UrbiJob self, UrbiObject value) {
     // Jobs are run in a fixed order, whatever they do.
   }

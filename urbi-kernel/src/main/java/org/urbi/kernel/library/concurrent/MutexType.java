@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.concurrent;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.object.ObjectType;
 import org.urbi.kernel.node.CallSite;
@@ -14,7 +14,7 @@ import org.urbi.kernel.object.World;
     value = "Mutex",
     protos = {"Tag"},
     doc = "A tag for critical sections: one job at a time runs under it.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class MutexType {
   private MutexType() {}
 
@@ -22,7 +22,7 @@ final class MutexType {
     return new UrbiMutex(world.values().object.cloneShape());
   }
 
-  @Builtin(doc = "Without arguments.", needs = Need.CHANGE)
+  @Builtin(doc = "Without arguments.", needs = Permission.CHANGE)
   static void init(UrbiMutex self) {}
 
   @Builtin(doc = "The mutex itself.")
@@ -35,13 +35,13 @@ final class MutexType {
     return ObjectType.asString(frame, self);
   }
 
-  @Builtin(doc = "Enters the critical section, until unlock.", needs = Need.CHANGE)
+  @Builtin(doc = "Enters the critical section, until unlock.", needs = Permission.CHANGE)
   static void lock(Frame frame, CallSite site, UrbiMutex self) {
     WaitingCall.note(frame, site);
     self.entering(frame);
   }
 
-  @Builtin(doc = "Leaves the critical section that lock has entered.", needs = Need.CHANGE)
+  @Builtin(doc = "Leaves the critical section that lock has entered.", needs = Permission.CHANGE)
   static void unlock(Frame frame, UrbiMutex self) {
     self.left(frame);
   }

@@ -2,7 +2,7 @@ package org.urbi.kernel.library.concurrent;
 
 import java.util.List;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.Frame;
@@ -13,11 +13,11 @@ import org.urbi.kernel.object.UrbiObject;
 @UrbiType(
     value = "PubSub",
     doc = "Values that are published, and queued for each subscriber.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class PubSubType {
   private PubSubType() {}
 
-  @Builtin(doc = "Without any subscriber.", needs = Need.CHANGE)
+  @Builtin(doc = "Without any subscriber.", needs = Permission.CHANGE)
   static void init(UrbiObject self) {
     OwnSlots.put(self, "subscribers", self.world().values().list(List.of()));
   }
@@ -30,7 +30,7 @@ final class PubSubType {
     throw frame.interpreter().errors().type(all, self.world().prototype("List"));
   }
 
-  @Builtin(doc = "Queues a value for each subscriber, and returns it.", needs = Need.CHANGE)
+  @Builtin(doc = "Queues a value for each subscriber, and returns it.", needs = Permission.CHANGE)
   static UrbiObject publish(Frame frame, UrbiObject self, UrbiObject ev) {
     for (UrbiObject each : List.copyOf(subscribers(frame, self).elements())) {
       if (each instanceof UrbiSubscriber subscriber) {
@@ -49,7 +49,7 @@ final class PubSubType {
     return subscriber;
   }
 
-  @Builtin(doc = "Queues nothing more for that subscriber.", needs = Need.CHANGE)
+  @Builtin(doc = "Queues nothing more for that subscriber.", needs = Permission.CHANGE)
   static void unsubscribe(Frame frame, UrbiObject self, UrbiObject sub) {
     UrbiList all = subscribers(frame, self);
     all.modify().removeIf(each -> each == sub);

@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.concurrent;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -12,7 +12,7 @@ import org.urbi.kernel.object.World;
 @UrbiType(
     value = "Semaphore",
     doc = "A limit for the number of jobs that use something.",
-    needs = Need.CHANGE)
+    needs = Permission.CHANGE)
 final class SemaphoreType {
   private SemaphoreType() {}
 

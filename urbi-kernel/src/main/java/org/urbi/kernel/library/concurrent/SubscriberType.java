@@ -2,7 +2,7 @@ package org.urbi.kernel.library.concurrent;
 
 import java.util.List;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -13,7 +13,7 @@ import org.urbi.kernel.object.World;
 @UrbiType(
     value = "PubSub.Subscriber",
     doc = "Who reads the values that are published.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class SubscriberType {
   private SubscriberType() {}
 
@@ -35,7 +35,7 @@ final class SubscriberType {
     return self.pollAll();
   }
 
-  @Builtin(doc = "Puts a value into the queue.", needs = Need.CHANGE)
+  @Builtin(doc = "Puts a value into the queue.", needs = Permission.CHANGE)
   static void enqueue(UrbiSubscriber self, UrbiObject ev) {
     self.enqueue(ev);
   }

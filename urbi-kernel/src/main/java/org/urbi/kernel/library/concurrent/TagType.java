@@ -2,8 +2,8 @@ package org.urbi.kernel.library.concurrent;
 
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.event.Emission;
 import org.urbi.kernel.event.Subscription;
@@ -22,11 +22,11 @@ import org.urbi.kernel.tag.UrbiTag;
 @UrbiType(
     value = "Tag",
     doc = "A label of code, to stop, block or freeze it.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 public final class TagType {
   private TagType() {}
 
-  @Builtin(doc = "Gives the tag a name; without one it gets a number.", needs = Need.CHANGE)
+  @Builtin(doc = "Gives the tag a name; without one it gets a number.", needs = Permission.CHANGE)
   static void init(Frame frame, UrbiTag self, @Optional @Nullable String name) {
     Symbol slot = self.world().symbol("name");
     String chosen = name == null ? "tag_" + frame.job().scheduler().nextNumber() : name;
@@ -66,7 +66,9 @@ public final class TagType {
     return tag;
   }
 
-  @Builtin(doc = "Ends the code under the tag, which returns that value.", needs = Need.CHANGE)
+  @Builtin(
+      doc = "Ends the code under the tag, which returns that value.",
+      needs = Permission.CHANGE)
   static void stop(Frame frame, UrbiTag self, @Optional @Nullable UrbiObject result) {
     self.state().stop(result(frame, result));
     frame.job().checkInjected();
@@ -74,13 +76,13 @@ public final class TagType {
 
   @Builtin(
       doc = "Ends the code under the tag, and lets none begin; it returns that value.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void block(Frame frame, UrbiTag self, @Optional @Nullable UrbiObject result) {
     self.state().block(result(frame, result));
     frame.job().checkInjected();
   }
 
-  @Builtin(doc = "Lets code under the tag begin again.", needs = Need.CHANGE)
+  @Builtin(doc = "Lets code under the tag begin again.", needs = Permission.CHANGE)
   static void unblock(UrbiTag self) {
     self.state().unblock();
   }
@@ -92,13 +94,13 @@ public final class TagType {
 
   @Builtin(
       doc = "Suspends the code under the tag, and the code that enters it.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void freeze(Frame frame, UrbiTag self) {
     self.state().freeze();
     frame.job().waitWhileFrozen();
   }
 
-  @Builtin(doc = "Lets the code under the tag go on.", needs = Need.CHANGE)
+  @Builtin(doc = "Lets the code under the tag go on.", needs = Permission.CHANGE)
   static void unfreeze(UrbiTag self) {
     self.state().unfreeze();
   }
@@ -120,7 +122,7 @@ public final class TagType {
 
   @Builtin(
       doc = "Has code that enters the tag from now on run before all code of a lower priority.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void setPriority(UrbiTag self, double priority) {
     self.setPriority(Math.max(0, priority));
   }

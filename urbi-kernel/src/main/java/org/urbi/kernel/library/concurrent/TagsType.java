@@ -1,6 +1,6 @@
 package org.urbi.kernel.library.concurrent;
 
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 
 /** Where implicit tags are made (manual, "Tag"). */
@@ -8,7 +8,7 @@ import org.urbi.builtins.UrbiType;
     value = "Tag.tags",
     protos = {"Object"},
     doc = "The tags that were made by being used.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class TagsType {
   private TagsType() {}
 }

@@ -2,8 +2,8 @@ package org.urbi.kernel.library.concurrent;
 
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.library.object.ObjectType;
@@ -17,7 +17,7 @@ import org.urbi.kernel.object.World;
     value = "Timeout",
     protos = {"Tag"},
     doc = "A tag for code that has limited time.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class TimeoutType {
   private TimeoutType() {}
 
@@ -27,13 +27,13 @@ final class TimeoutType {
 
   @Builtin(
       doc = "For code that has so many seconds; whether to throw when they are over.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void init(
       Frame frame, UrbiTimeout self, double duration, @Optional @Nullable UrbiObject throwing) {
     self.set(Durations.nanoseconds(duration), throwing == null || Truth.of(frame, throwing));
   }
 
-  @Builtin(doc = "Begins to count down.", needs = Need.CHANGE)
+  @Builtin(doc = "Begins to count down.", needs = Permission.CHANGE)
   static void launch(Frame frame, UrbiTimeout self) {
     self.launch(frame);
   }

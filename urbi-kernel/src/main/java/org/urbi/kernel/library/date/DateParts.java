@@ -3,7 +3,7 @@ package org.urbi.kernel.library.date;
 import java.time.DateTimeException;
 import java.time.temporal.ChronoField;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
@@ -12,7 +12,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiFloat;
 
 /** The parts of dates, which can be assigned (manual, "Date"). */
-@UrbiTypePart(value = "Date", needs = Need.NOTHING)
+@UrbiTypePart(value = "Date", needs = Permission.NOTHING)
 final class DateParts {
   /** The microseconds in a day. */
   private static final long DAY = 86_400_000_000L;
@@ -53,7 +53,7 @@ final class DateParts {
     return self.dateTime().getYear();
   }
 
-  @Builtin(value = "year", setter = true, doc = "Sets the year.", needs = Need.CHANGE)
+  @Builtin(value = "year", setter = true, doc = "Sets the year.", needs = Permission.CHANGE)
   static void setYear(Frame caller, UrbiDate self, UrbiFloat value) {
     set(caller, self, ChronoField.YEAR, value);
   }
@@ -63,7 +63,7 @@ final class DateParts {
     return self.dateTime().getMonthValue();
   }
 
-  @Builtin(value = "month", setter = true, doc = "Sets the month.", needs = Need.CHANGE)
+  @Builtin(value = "month", setter = true, doc = "Sets the month.", needs = Permission.CHANGE)
   static void setMonth(Frame caller, UrbiDate self, UrbiFloat value) {
     set(caller, self, ChronoField.MONTH_OF_YEAR, value);
   }
@@ -73,7 +73,7 @@ final class DateParts {
     return self.dateTime().getDayOfMonth();
   }
 
-  @Builtin(value = "day", setter = true, doc = "Sets the day.", needs = Need.CHANGE)
+  @Builtin(value = "day", setter = true, doc = "Sets the day.", needs = Permission.CHANGE)
   static void setDay(Frame caller, UrbiDate self, UrbiFloat value) {
     set(caller, self, ChronoField.DAY_OF_MONTH, value);
   }
@@ -83,7 +83,7 @@ final class DateParts {
     return self.dateTime().getHour();
   }
 
-  @Builtin(value = "hour", setter = true, doc = "Sets the hour.", needs = Need.CHANGE)
+  @Builtin(value = "hour", setter = true, doc = "Sets the hour.", needs = Permission.CHANGE)
   static void setHour(Frame caller, UrbiDate self, UrbiFloat value) {
     set(caller, self, ChronoField.HOUR_OF_DAY, value);
   }
@@ -93,7 +93,7 @@ final class DateParts {
     return self.dateTime().getMinute();
   }
 
-  @Builtin(value = "minute", setter = true, doc = "Sets the minute.", needs = Need.CHANGE)
+  @Builtin(value = "minute", setter = true, doc = "Sets the minute.", needs = Permission.CHANGE)
   static void setMinute(Frame caller, UrbiDate self, UrbiFloat value) {
     set(caller, self, ChronoField.MINUTE_OF_HOUR, value);
   }
@@ -103,7 +103,7 @@ final class DateParts {
     return self.dateTime().getSecond();
   }
 
-  @Builtin(value = "second", setter = true, doc = "Sets the second.", needs = Need.CHANGE)
+  @Builtin(value = "second", setter = true, doc = "Sets the second.", needs = Permission.CHANGE)
   static void setSecond(Frame caller, UrbiDate self, UrbiFloat value) {
     set(caller, self, ChronoField.SECOND_OF_MINUTE, value);
   }
@@ -113,7 +113,11 @@ final class DateParts {
     return self.dateTime().getNano() / 1000;
   }
 
-  @Builtin(value = "microsecond", setter = true, doc = "Sets the microsecond.", needs = Need.CHANGE)
+  @Builtin(
+      value = "microsecond",
+      setter = true,
+      doc = "Sets the microsecond.",
+      needs = Permission.CHANGE)
   static void setMicrosecond(Frame caller, UrbiDate self, UrbiFloat value) {
     set(caller, self, ChronoField.MICRO_OF_SECOND, value);
   }
@@ -127,7 +131,7 @@ final class DateParts {
       value = "us",
       setter = true,
       doc = "Sets the number of microseconds since midnight.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void setUs(Frame caller, UrbiDate self, UrbiFloat value) {
     double given = value.value();
     if (given < 0 || given >= DAY) {

@@ -3,8 +3,8 @@ package org.urbi.kernel.library.date;
 import java.time.LocalDateTime;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
@@ -22,7 +22,7 @@ import org.urbi.kernel.object.World;
     value = "Date",
     protos = {"Orderable", "Comparable"},
     doc = "A date in time, to the microsecond.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class DateType {
   private DateType() {}
 
@@ -48,7 +48,7 @@ final class DateType {
 
   @Builtin(
       doc = "Makes it the date that the string denotes; the current one without a string.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject init(Frame caller, CallSite site, UrbiDate self, @Optional @Nullable String d) {
     if (d == null) {
       self.setMicroseconds(currentMicroseconds(caller));

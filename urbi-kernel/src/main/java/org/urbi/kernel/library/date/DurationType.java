@@ -2,8 +2,8 @@ package org.urbi.kernel.library.date;
 
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiFloat;
@@ -16,7 +16,7 @@ import org.urbi.lang.print.FloatFormat;
     value = "Duration",
     protos = "Float",
     doc = "A number of seconds between two dates.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class DurationType {
   private DurationType() {}
 

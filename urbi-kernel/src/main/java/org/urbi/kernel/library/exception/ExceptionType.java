@@ -2,8 +2,8 @@ package org.urbi.kernel.library.exception;
 
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.Frame;
@@ -15,7 +15,7 @@ import org.urbi.kernel.object.UrbiString;
     value = "Exception",
     protos = {"Object", "Traceable"},
     doc = "An error, with a message.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 public final class ExceptionType {
   private ExceptionType() {}
 
@@ -27,7 +27,7 @@ public final class ExceptionType {
         : frame.interpreter().asString(frame, value);
   }
 
-  @Builtin(doc = "Makes an exception with that message.", needs = Need.CHANGE)
+  @Builtin(doc = "Makes an exception with that message.", needs = Permission.CHANGE)
   static void init(UrbiObject self, @Optional @Nullable UrbiObject message) {
     if (message != null) {
       OwnSlots.put(self, "message", message);

@@ -3,7 +3,7 @@ package org.urbi.kernel.library.file;
 import java.nio.file.Path;
 import java.util.List;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
@@ -16,7 +16,7 @@ import org.urbi.kernel.outside.Outside;
 import org.urbi.lang.print.StringEscape;
 
 /** Directories (manual, "Directory"). */
-@UrbiType(value = "Directory", doc = "A directory of the file system.", needs = Need.USER)
+@UrbiType(value = "Directory", doc = "A directory of the file system.", needs = Permission.USER)
 final class DirectoryType {
   private final FileAccess files;
   private final Outside outside;

@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
@@ -21,7 +21,7 @@ import org.urbi.kernel.outside.Disk;
 import org.urbi.lang.print.StringEscape;
 
 /** Files (manual, "File"). */
-@UrbiType(value = "File", doc = "A file of the file system.", needs = Need.USER)
+@UrbiType(value = "File", doc = "A file of the file system.", needs = Permission.USER)
 final class FileType {
   /** What is larger is read on a thread of its own, and what is no regular file always. */
   private static final long LARGE = 1 << 18;

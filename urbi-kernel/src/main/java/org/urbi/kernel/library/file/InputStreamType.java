@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -20,7 +20,7 @@ import org.urbi.kernel.outside.PipeSource;
     value = "InputStream",
     protos = {"Stream"},
     doc = "Bytes that are read from a file, or from a process.",
-    needs = Need.USER)
+    needs = Permission.USER)
 public final class InputStreamType {
   private final FileAccess files;
   private final Outside outside;

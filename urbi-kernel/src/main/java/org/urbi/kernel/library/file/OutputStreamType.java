@@ -3,7 +3,7 @@ package org.urbi.kernel.library.file;
 import java.io.IOException;
 import java.nio.file.Path;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
@@ -22,7 +22,7 @@ import org.urbi.kernel.outside.PipeSink;
     value = "OutputStream",
     protos = {"Stream"},
     doc = "Bytes that are written to a file, or to a process.",
-    needs = Need.USER)
+    needs = Permission.USER)
 public final class OutputStreamType {
   private static final int LARGEST_BYTE = 255;
 

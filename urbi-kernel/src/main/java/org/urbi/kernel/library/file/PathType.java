@@ -2,7 +2,7 @@ package org.urbi.kernel.library.file;
 
 import java.util.List;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
@@ -20,7 +20,7 @@ import org.urbi.lang.print.StringEscape;
     value = "Path",
     protos = {"Comparable", "Orderable"},
     doc = "The name of a file or directory.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class PathType {
   private final FileAccess files;
   private final WorkingDirectory workingDirectory;
@@ -34,7 +34,7 @@ final class PathType {
     return new UrbiPath(world.values().object.cloneShape(), "/", workingDirectory);
   }
 
-  @Builtin(doc = "Makes it the path of that text.", needs = Need.CHANGE)
+  @Builtin(doc = "Makes it the path of that text.", needs = Permission.CHANGE)
   static UrbiObject init(Frame caller, CallSite site, UrbiPath self, String path) {
     FileAccess.checkNotPrototype(caller, site, self, "Path");
     if (path.isEmpty() || path.indexOf('\0') >= 0) {
@@ -104,7 +104,7 @@ final class PathType {
 
   // ------------------------------------------------------------------ the file
 
-  @Builtin(doc = "Makes it the working directory, and returns that.", needs = Need.OWNER)
+  @Builtin(doc = "Makes it the working directory, and returns that.", needs = Permission.OWNER)
   UrbiObject cd(Frame caller, CallSite site, UrbiPath self) {
     if (!files.isDirectory(caller, site, self)) {
       throw caller.error(site, Problem.NO_SUCH_DIRECTORY, self.text());
@@ -118,22 +118,22 @@ final class PathType {
     return self.sibling(UrbiPath.encoded(self.working().path()));
   }
 
-  @Builtin(doc = "Whether there is something of that name.", needs = Need.USER)
+  @Builtin(doc = "Whether there is something of that name.", needs = Permission.USER)
   boolean exists(Frame caller, CallSite site, UrbiPath self) {
     return files.exists(caller, site, self);
   }
 
-  @Builtin(doc = "Whether it is a directory.", needs = Need.USER)
+  @Builtin(doc = "Whether it is a directory.", needs = Permission.USER)
   boolean isDir(Frame caller, CallSite site, UrbiPath self) {
     return files.isDirectory(caller, site, self);
   }
 
-  @Builtin(doc = "Whether it is a regular file.", needs = Need.USER)
+  @Builtin(doc = "Whether it is a regular file.", needs = Permission.USER)
   boolean isReg(Frame caller, CallSite site, UrbiPath self) {
     return files.isRegularFile(caller, site, self);
   }
 
-  @Builtin(doc = "The File or the Directory of that name.", needs = Need.USER)
+  @Builtin(doc = "The File or the Directory of that name.", needs = Permission.USER)
   UrbiObject open(Frame caller, CallSite site, UrbiPath self) {
     checkExists(caller, site, self);
     String type = files.isDirectory(caller, site, self) ? "Directory" : "File";
@@ -142,13 +142,13 @@ final class PathType {
         .send(caller, caller.interpreter().world().prototype(type), "new", self);
   }
 
-  @Builtin(doc = "Whether it can be read.", needs = Need.USER)
+  @Builtin(doc = "Whether it can be read.", needs = Permission.USER)
   boolean readable(Frame caller, CallSite site, UrbiPath self) {
     checkExists(caller, site, self);
     return FileAccess.quickly(caller, site, self, () -> files.disk().isReadable(self.file()));
   }
 
-  @Builtin(doc = "Whether it can be written.", needs = Need.USER)
+  @Builtin(doc = "Whether it can be written.", needs = Permission.USER)
   boolean writable(Frame caller, CallSite site, UrbiPath self) {
     checkExists(caller, site, self);
     return FileAccess.quickly(caller, site, self, () -> files.disk().isWritable(self.file()));

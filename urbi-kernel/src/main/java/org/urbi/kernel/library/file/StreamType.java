@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.file;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.CallSite;
@@ -13,7 +13,7 @@ import org.urbi.kernel.outside.Outside;
 @UrbiType(
     value = "Stream",
     doc = "Bytes that go from or to a file, or a process.",
-    needs = Need.USER)
+    needs = Permission.USER)
 final class StreamType {
   private final Outside outside;
 

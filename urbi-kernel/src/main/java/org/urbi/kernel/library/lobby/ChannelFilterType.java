@@ -6,7 +6,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Set;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiDictionary;
@@ -20,7 +20,7 @@ import org.urbi.kernel.object.UrbiString;
     value = "Channel.Filter",
     protos = {"Channel"},
     doc = "A channel that sends what the client library cannot read as messages.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class ChannelFilterType {
   private ChannelFilterType() {}
 

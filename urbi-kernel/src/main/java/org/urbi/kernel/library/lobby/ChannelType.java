@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.lobby;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.UrbiLobby;
@@ -14,11 +14,11 @@ import org.urbi.kernel.object.UrbiString;
 @UrbiType(
     value = "Channel",
     doc = "A label under which values are sent to the client.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class ChannelType {
   private ChannelType() {}
 
-  @Builtin(doc = "Labels the output with that name.", needs = Need.CHANGE)
+  @Builtin(doc = "Labels the output with that name.", needs = Permission.CHANGE)
   static void init(Frame frame, UrbiObject self, String name) {
     self.addSlot(self.world().symbol("name"), frame.interpreter().values().string(name));
   }

@@ -2,8 +2,8 @@ package org.urbi.kernel.library.lobby;
 
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.Lobbies;
@@ -12,7 +12,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 
 /** What code that names no lobby can send (manual, "Global": echo, wall, warn). */
-@UrbiTypePart(value = "Global", needs = Need.NOTHING)
+@UrbiTypePart(value = "Global", needs = Permission.NOTHING)
 final class GlobalOutput {
   private final Lobbies lobbies;
 
@@ -32,7 +32,7 @@ final class GlobalOutput {
 
   @Builtin(
       doc = "Sends a value as text to all lobbies, on a channel if one is given.",
-      needs = Need.USER)
+      needs = Permission.USER)
   void wall(Frame frame, UrbiObject self, UrbiObject value, @Optional @Nullable String channel) {
     String text = "*** " + frame.interpreter().asString(frame, value);
     for (UrbiLobby lobby : lobbies.all()) {

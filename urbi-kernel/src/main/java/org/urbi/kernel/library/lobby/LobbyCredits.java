@@ -2,15 +2,15 @@ package org.urbi.kernel.library.lobby;
 
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 
 /** What a lobby tells of this software (manual, "Lobby": {@code banner}, {@code authors}…). */
-@UrbiTypePart(value = "Lobby", needs = Need.NOTHING)
+@UrbiTypePart(value = "Lobby", needs = Permission.NOTHING)
 final class LobbyCredits {
   private static final String STARS = "********************************************************";
 

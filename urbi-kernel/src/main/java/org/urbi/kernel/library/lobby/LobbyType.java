@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
@@ -26,7 +26,7 @@ import org.urbi.kernel.object.World;
     value = "Lobby",
     protos = {"Channel.topLevel"},
     doc = "The environment of a connection.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 public final class LobbyType {
   private final Lobbies lobbies;
 
@@ -126,7 +126,7 @@ public final class LobbyType {
     return own(frame, self).budget().used(resource(frame, site, what));
   }
 
-  @Builtin(doc = "Sets how much of that this lobby may have at a time.", needs = Need.OWNER)
+  @Builtin(doc = "Sets how much of that this lobby may have at a time.", needs = Permission.OWNER)
   static void setBudget(Frame frame, CallSite site, UrbiObject self, String what, double most) {
     Resource resource = resource(frame, site, what);
     if (!(most >= 0)) {
@@ -162,7 +162,7 @@ public final class LobbyType {
     throw frame.error(site, Problem.LOBBY_NOT_CLONEABLE);
   }
 
-  @Builtin(doc = "A fresh lobby, whose output goes to this connection.", needs = Need.USER)
+  @Builtin(doc = "A fresh lobby, whose output goes to this connection.", needs = Permission.USER)
   UrbiObject create(Frame frame, UrbiObject self) {
     return lobbies.create(of(frame));
   }
@@ -204,7 +204,7 @@ public final class LobbyType {
 
   @Builtin(
       doc = "Sends a value as text to all lobbies, on a channel if one is given.",
-      needs = Need.USER)
+      needs = Permission.USER)
   void wall(Frame frame, UrbiObject self, UrbiObject value, @Optional @Nullable String channel) {
     new GlobalOutput(lobbies).wall(frame, self, value, channel);
   }

@@ -3,8 +3,8 @@ package org.urbi.kernel.library.lobby;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
@@ -20,7 +20,7 @@ import org.urbi.kernel.object.World;
     value = "Logger",
     protos = {"Tag"},
     doc = "A category of messages for the administrator of the server.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class LoggerType {
   private final KernelLog log;
 
@@ -35,7 +35,7 @@ final class LoggerType {
 
   @Builtin(
       doc = "Of that category; the level is that of what is sent with <<.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void init(
       Frame frame,
       CallSite site,

@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.machine;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.node.Frame;
@@ -12,7 +12,7 @@ import org.urbi.kernel.object.World;
 @UrbiType(
     value = "IoService",
     doc = "Looks after sockets and servers, and tells what happens.",
-    needs = Need.OWNER)
+    needs = Permission.OWNER)
 final class IoServiceType {
   private IoServiceType() {}
 

@@ -2,7 +2,7 @@ package org.urbi.kernel.library.machine;
 
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.exception.ExceptionType;
 import org.urbi.kernel.node.Frame;
@@ -19,7 +19,7 @@ import org.urbi.kernel.outside.ChildProcess;
 @UrbiType(
     value = "Process.Status",
     doc = "How a program is: not started, running, ended.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class ProcessStatusType {
   private ProcessStatusType() {}
 

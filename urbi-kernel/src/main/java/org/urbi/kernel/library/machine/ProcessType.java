@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
@@ -24,7 +24,10 @@ import org.urbi.kernel.outside.ChildProcess;
 import org.urbi.kernel.outside.Outside;
 
 /** Programs of the machine (manual, "Process"). */
-@UrbiType(value = "Process", doc = "A program that the operating system runs.", needs = Need.OWNER)
+@UrbiType(
+    value = "Process",
+    doc = "A program that the operating system runs.",
+    needs = Permission.OWNER)
 public final class ProcessType {
   private final Outside outside;
   private final Environment environment;

@@ -2,7 +2,7 @@ package org.urbi.kernel.library.machine;
 
 import java.io.IOException;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.file.FileAccess;
@@ -16,7 +16,7 @@ import org.urbi.kernel.outside.Network;
 import org.urbi.kernel.outside.Outside;
 
 /** Lobbies of clients that wait to be called, as {@code urbi-launch --server} of Urbi 2.7 does. */
-@UrbiTypePart(value = "Lobby", needs = Need.OWNER)
+@UrbiTypePart(value = "Lobby", needs = Permission.OWNER)
 final class ReverseConnection {
   private final Lobbies lobbies;
   private final Outside outside;

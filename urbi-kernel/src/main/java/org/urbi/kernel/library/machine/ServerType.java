@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.util.List;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.event.UrbiEvent;
@@ -21,7 +21,7 @@ import org.urbi.kernel.outside.Outside;
 @UrbiType(
     value = "Server",
     doc = "A place where connections over the network come in.",
-    needs = Need.OWNER)
+    needs = Permission.OWNER)
 final class ServerType {
   private final Outside outside;
 

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
@@ -25,7 +25,7 @@ import org.urbi.kernel.outside.SocketConnection;
 @UrbiType(
     value = "Socket",
     doc = "One end of a connection, over the network or a serial line.",
-    needs = Need.OWNER)
+    needs = Permission.OWNER)
 final class SocketType {
   private static final double DEFAULT_INTERVAL = 0.01;
 

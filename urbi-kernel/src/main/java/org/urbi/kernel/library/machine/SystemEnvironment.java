@@ -2,7 +2,7 @@ package org.urbi.kernel.library.machine;
 
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.CallSite;
@@ -11,7 +11,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Utf8Text;
 
 /** Variables of the environment (manual, "System": getenv, setenv, unsetenv). */
-@UrbiTypePart(value = "System", needs = Need.OWNER)
+@UrbiTypePart(value = "System", needs = Permission.OWNER)
 final class SystemEnvironment {
   private final Environment environment;
 

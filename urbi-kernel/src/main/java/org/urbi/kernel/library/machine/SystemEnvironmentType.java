@@ -2,7 +2,7 @@ package org.urbi.kernel.library.machine;
 
 import java.util.List;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -15,7 +15,7 @@ import org.urbi.kernel.object.Utf8Text;
     value = "System.env",
     protos = {"Singleton"},
     doc = "The variables of the environment.",
-    needs = Need.OWNER)
+    needs = Permission.OWNER)
 final class SystemEnvironmentType {
   private final Environment environment;
   private final SystemEnvironment functions;

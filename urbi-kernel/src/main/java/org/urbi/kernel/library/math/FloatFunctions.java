@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.math;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.value.Printing;
@@ -10,7 +10,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiFloat;
 
 /** The mathematical functions of numbers (manual, "Float"). */
-@UrbiTypePart(value = "Float", needs = Need.NOTHING)
+@UrbiTypePart(value = "Float", needs = Permission.NOTHING)
 final class FloatFunctions {
   private FloatFunctions() {}
 
@@ -128,7 +128,9 @@ final class FloatFunctions {
     return caller.interpreter().world().randomNumbers().below(self.value());
   }
 
-  @Builtin(doc = "Makes the target the seed of the random numbers that follow.", needs = Need.USER)
+  @Builtin(
+      doc = "Makes the target the seed of the random numbers that follow.",
+      needs = Permission.USER)
   static void srandom(Frame caller, UrbiFloat self) {
     caller.interpreter().world().randomNumbers().seed((long) self.value());
   }

@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.math;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -10,7 +10,7 @@ import org.urbi.kernel.object.UrbiObject;
     value = "Float.limits",
     protos = "Singleton",
     doc = "The limits of what Floats can represent.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class FloatLimits {
   private FloatLimits() {}
 

@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.collection.ListOrder;
@@ -27,7 +27,7 @@ import org.urbi.lang.print.FloatFormat;
     value = "Float",
     protos = {"Comparable", "Orderable", "RangeIterable"},
     doc = "A floating point number, which integers are too.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 public final class FloatType {
   /** How much "almost equal" numbers differ at most. */
   public static final double TOLERANCE = 1e-4;

@@ -2,7 +2,7 @@ package org.urbi.kernel.library.math;
 
 import java.util.Arrays;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.collection.ListOrder;
 import org.urbi.kernel.node.CallSite;
@@ -15,7 +15,7 @@ import org.urbi.kernel.object.UrbiObject;
     value = "Math",
     protos = "Singleton",
     doc = "The mathematical functions, with their usual notation.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class MathType {
   private MathType() {}
 
@@ -92,7 +92,7 @@ final class MathType {
     return bounce(caller, site, x, "sqrt");
   }
 
-  @Builtin(doc = "Makes x the seed of the random numbers that follow.", needs = Need.USER)
+  @Builtin(doc = "Makes x the seed of the random numbers that follow.", needs = Permission.USER)
   static UrbiObject srandom(Frame caller, CallSite site, UrbiObject self, UrbiObject x) {
     return bounce(caller, site, x, "srandom");
   }

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleBinaryOperator;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
@@ -18,7 +18,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
 /** Matrices of numbers. */
-@UrbiType(value = "Matrix", doc = "A matrix of numbers.", needs = Need.NOTHING)
+@UrbiType(value = "Matrix", doc = "A matrix of numbers.", needs = Permission.NOTHING)
 final class MatrixType {
   /** How many elements a matrix may have. */
   private static final int LARGEST = 1 << 24;
@@ -31,7 +31,7 @@ final class MatrixType {
 
   @Builtin(
       doc = "Of so many rows and columns of zeros; or of these rows, which are lists or vectors.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void init(Frame frame, CallSite site, UrbiMatrix self, UrbiObject... arguments) {
     if (arguments.length == 2
         && arguments[0] instanceof UrbiFloat rows
@@ -87,7 +87,7 @@ final class MatrixType {
   @Builtin(
       value = "[]=",
       doc = "Replaces the element in a row and a column; returns the value.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static double setAt(
       Frame frame, CallSite site, UrbiMatrix self, int row, int column, double value) {
     double[] changed = self.elements().clone();

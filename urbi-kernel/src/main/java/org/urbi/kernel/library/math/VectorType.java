@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleBinaryOperator;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.library.value.Counting;
@@ -20,7 +20,7 @@ import org.urbi.kernel.object.World;
 @UrbiType(
     value = "Vector",
     doc = "A vector of numbers, with arithmetic element by element.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class VectorType {
   private VectorType() {}
 
@@ -28,7 +28,7 @@ final class VectorType {
     return new UrbiVector(world.values().object.cloneShape(), new double[0]);
   }
 
-  @Builtin(doc = "Of these numbers, or of those in a list.", needs = Need.CHANGE)
+  @Builtin(doc = "Of these numbers, or of those in a list.", needs = Permission.CHANGE)
   static void init(Frame frame, CallSite site, UrbiVector self, UrbiObject... elements) {
     List<UrbiObject> values =
         elements.length == 1 && elements[0] instanceof UrbiList list
@@ -50,7 +50,7 @@ final class VectorType {
   @Builtin(
       value = "[]=",
       doc = "Replaces the element at an index; returns the value.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static double setAt(Frame frame, CallSite site, UrbiVector self, int index, double value) {
     double[] changed = self.elements().clone();
     changed[Counting.index(frame, site, index, changed.length)] = value;

@@ -1,6 +1,6 @@
 package org.urbi.kernel.library.motion;
 
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 
 /** Motions one after the other. */
@@ -8,7 +8,7 @@ import org.urbi.builtins.UrbiType;
     value = "TrajectoryGenerator.Sequence",
     protos = "TrajectoryGenerator",
     doc = "A motion, and then another one.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 public final class TrajectorySequence {
   /** What {@code run} does. */
   public static final String RUN = "function () { first.run() | second.run() }";

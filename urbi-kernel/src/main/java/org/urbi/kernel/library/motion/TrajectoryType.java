@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.motion;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
@@ -18,7 +18,7 @@ import org.urbi.kernel.object.UrbiObject;
 @UrbiType(
     value = "TrajectoryGenerator",
     doc = "Changes a variable over time, from its initial value to a target.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class TrajectoryType {
   private TrajectoryType() {}
 
@@ -26,7 +26,7 @@ final class TrajectoryType {
       doc =
           "A motion to be run: the attributes, with the target as base and the functions getter and"
               + " setter.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void init(UrbiObject self, UrbiDictionary attributes) {
     OwnSlots.put(self, "attributes", attributes);
   }

@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.object;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -11,7 +11,7 @@ import org.urbi.kernel.object.World;
 @UrbiType(
     value = "Finalizable",
     doc = "An object whose method finalize is called when nobody refers to it any more.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class FinalizableType {
   private FinalizableType() {}
 

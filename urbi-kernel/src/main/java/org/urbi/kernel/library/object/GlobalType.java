@@ -2,7 +2,7 @@ package org.urbi.kernel.library.object;
 
 import java.util.regex.Pattern;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -15,7 +15,7 @@ import org.urbi.kernel.object.UrbiObject;
     value = "Global",
     protos = {"Tag.tags", "Math", "System", "uobjects"},
     doc = "The namespace of all objects.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class GlobalType {
   private static final Pattern NAMES = Pattern.compile("[A-Za-z_]\\w*(\\.[A-Za-z_]\\w*)*");
 

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -18,7 +18,7 @@ import org.urbi.kernel.object.World;
 @UrbiType(
     value = "Group",
     doc = "Several objects to which messages are sent as if they were one.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class GroupType {
   private GroupType() {}
 
@@ -30,12 +30,12 @@ final class GroupType {
     return self.world().symbol(name);
   }
 
-  @Builtin(doc = "Of these members.", needs = Need.CHANGE)
+  @Builtin(doc = "Of these members.", needs = Permission.CHANGE)
   static void init(UrbiGroup self, UrbiObject... members) {
     add(self, members);
   }
 
-  @Builtin(doc = "Adds members, and returns the target.", needs = Need.CHANGE)
+  @Builtin(doc = "Adds members, and returns the target.", needs = Permission.CHANGE)
   static UrbiObject add(UrbiGroup self, UrbiObject... members) {
     for (UrbiObject member : members) {
       self.add(member);
@@ -46,13 +46,13 @@ final class GroupType {
   @Builtin(
       value = {"<<"},
       doc = "Adds a member, and returns the target.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject addOne(UrbiGroup self, UrbiObject member) {
     self.add(member);
     return self;
   }
 
-  @Builtin(doc = "Removes members, and returns the target.", needs = Need.CHANGE)
+  @Builtin(doc = "Removes members, and returns the target.", needs = Permission.CHANGE)
   static UrbiObject remove(Frame frame, UrbiGroup self, UrbiObject... members) {
     for (UrbiObject leaving : members) {
       self.removeIf(

@@ -2,8 +2,8 @@ package org.urbi.kernel.library.object;
 
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.Frame;
@@ -12,7 +12,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
 /** Objects that can be switched on and off (manual, "Loadable"). */
-@UrbiType(value = "Loadable", doc = "What can be switched on and off.", needs = Need.CHANGE)
+@UrbiType(value = "Loadable", doc = "What can be switched on and off.", needs = Permission.CHANGE)
 final class LoadableType {
   private LoadableType() {}
 

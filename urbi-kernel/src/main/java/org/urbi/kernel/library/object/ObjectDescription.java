@@ -11,8 +11,8 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.library.lobby.LobbyType;
 import org.urbi.kernel.library.lobby.Warnings;
@@ -29,7 +29,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 
 /** What objects tell about themselves (manual, "Object": {@code inspect}, {@code dump}). */
-@UrbiTypePart(value = "Object", needs = Need.NOTHING)
+@UrbiTypePart(value = "Object", needs = Permission.NOTHING)
 final class ObjectDescription {
   private ObjectDescription() {}
 

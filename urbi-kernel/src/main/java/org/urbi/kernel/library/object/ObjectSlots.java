@@ -7,7 +7,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.lobby.Warnings;
@@ -23,7 +23,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 
 /** Slots and their properties (manual, "Object"). */
-@UrbiTypePart(value = "Object", needs = Need.NOTHING)
+@UrbiTypePart(value = "Object", needs = Permission.NOTHING)
 final class ObjectSlots {
   private ObjectSlots() {}
 
@@ -70,13 +70,15 @@ final class ObjectSlots {
   @Builtin(
       value = {"setSlot", "setSlotValue"},
       doc = "Creates a slot with a value; returns the value.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject setSlot(Frame frame, UrbiObject self, String name, UrbiObject value) {
     SlotUpdate.create(frame, self, symbol(self, name), value);
     return value;
   }
 
-  @Builtin(doc = "Creates a constant slot with a value; returns the value.", needs = Need.CHANGE)
+  @Builtin(
+      doc = "Creates a constant slot with a value; returns the value.",
+      needs = Permission.CHANGE)
   static UrbiObject setConstSlot(Frame frame, UrbiObject self, String name, UrbiObject value) {
     SlotUpdate.create(frame, self, symbol(self, name), value);
     SlotUpdate.setConstant(self, symbol(self, name), frame.interpreter().values().trueObject, true);
@@ -85,7 +87,7 @@ final class ObjectSlots {
 
   @Builtin(
       doc = "Sets a slot; a value that it had is kept in a slot named name$old.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject overrideSlot(UrbiObject self, String name, UrbiObject value) {
     UrbiObject old = self.lookup(symbol(self, name));
     if (old != null) {
@@ -100,7 +102,7 @@ final class ObjectSlots {
     self.addSlot(name, value);
   }
 
-  @Builtin(doc = "Creates a slot whose value is void.", needs = Need.CHANGE)
+  @Builtin(doc = "Creates a slot whose value is void.", needs = Permission.CHANGE)
   static UrbiObject createSlot(Frame frame, UrbiObject self, String name) {
     UrbiObject nothing = frame.interpreter().values().voidObject;
     SlotUpdate.create(frame, self, symbol(self, name), nothing);
@@ -115,7 +117,9 @@ final class ObjectSlots {
     return value;
   }
 
-  @Builtin(doc = "Removes the object's own slot; warns if there is none.", needs = Need.CHANGE)
+  @Builtin(
+      doc = "Removes the object's own slot; warns if there is none.",
+      needs = Permission.CHANGE)
   static UrbiObject removeSlot(Frame frame, CallSite site, UrbiObject self, String name) {
     if (!self.removeSlot(symbol(self, name))) {
       Warnings.inside(frame, site, Problem.NO_LOCAL_SLOT, name);
@@ -123,7 +127,7 @@ final class ObjectSlots {
     return self;
   }
 
-  @Builtin(doc = "Removes the object's own slot.", needs = Need.CHANGE)
+  @Builtin(doc = "Removes the object's own slot.", needs = Permission.CHANGE)
   static UrbiObject removeLocalSlot(Frame frame, UrbiObject self, String name) {
     if (!self.removeSlot(symbol(self, name))) {
       throw frame.interpreter().errors().lookup(self, name);
@@ -178,7 +182,7 @@ final class ObjectSlots {
 
   @Builtin(
       doc = "Copies a slot of this object to a new one with the same value.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject copySlot(Frame frame, UrbiObject self, String from, String to) {
     UrbiObject value = getSlot(frame, self, from);
     SlotUpdate.create(frame, self, symbol(self, to), value);
@@ -187,7 +191,7 @@ final class ObjectSlots {
 
   @Builtin(
       doc = "Copies a slot of this object to a new one with a clone of the value.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject cloneSlot(Frame frame, UrbiObject self, String from, String to) {
     UrbiObject value = frame.interpreter().send(frame, getSlot(frame, self, from), "clone");
     SlotUpdate.create(frame, self, symbol(self, to), value);

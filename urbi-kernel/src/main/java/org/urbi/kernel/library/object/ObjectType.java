@@ -5,7 +5,7 @@ import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.Set;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.CallSite;
@@ -23,7 +23,7 @@ import org.urbi.kernel.object.Values;
     value = "Object",
     protos = {"Comparable", "Global"},
     doc = "What all objects inherit from.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 public final class ObjectType {
   private ObjectType() {}
 
@@ -34,7 +34,7 @@ public final class ObjectType {
     return self;
   }
 
-  @Builtin(doc = "Puts a prototype in front of the others.", needs = Need.CHANGE)
+  @Builtin(doc = "Puts a prototype in front of the others.", needs = Permission.CHANGE)
   static UrbiObject addProto(Frame frame, CallSite site, UrbiObject self, UrbiObject proto) {
     FinalizableType.check(frame, site.calledName(), self, proto);
     checkNumber(frame, site, self, proto);
@@ -161,18 +161,18 @@ public final class ObjectType {
       value = "protos",
       setter = true,
       doc = "Replaces the list of the prototypes.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void assignProtos(Frame frame, UrbiObject self, UrbiList protos) {
     replaceProtos(frame, "updateSlot", self, protos);
   }
 
-  @Builtin(doc = "Takes a prototype away.", needs = Need.CHANGE)
+  @Builtin(doc = "Takes a prototype away.", needs = Permission.CHANGE)
   static UrbiObject removeProto(UrbiObject self, UrbiObject proto) {
     self.removeProto(proto);
     return self;
   }
 
-  @Builtin(doc = "Replaces the list of the prototypes.", needs = Need.CHANGE)
+  @Builtin(doc = "Replaces the list of the prototypes.", needs = Permission.CHANGE)
   static void setProtos(Frame frame, CallSite site, UrbiObject self, UrbiList protos) {
     replaceProtos(frame, site.calledName(), self, protos);
   }

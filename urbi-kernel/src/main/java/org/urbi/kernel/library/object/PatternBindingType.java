@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.object;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.CallSite;
@@ -13,13 +13,13 @@ import org.urbi.kernel.object.UrbiObject;
 @UrbiType(
     value = "Pattern.Binding",
     doc = "A part of a pattern that matches and binds any value.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class PatternBindingType {
   private static final String NAME = "name";
 
   private PatternBindingType() {}
 
-  @Builtin(doc = "Binds what it matches to that name.", needs = Need.CHANGE)
+  @Builtin(doc = "Binds what it matches to that name.", needs = Permission.CHANGE)
   static UrbiObject init(Frame frame, UrbiObject self, String name) {
     OwnSlots.put(self, NAME, frame.interpreter().values().string(name));
     return self;

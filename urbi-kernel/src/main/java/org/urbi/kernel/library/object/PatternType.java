@@ -2,7 +2,7 @@ package org.urbi.kernel.library.object;
 
 import java.util.Map;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.Frame;
@@ -13,7 +13,7 @@ import org.urbi.kernel.object.UrbiObject;
 @UrbiType(
     value = "Pattern",
     doc = "What values are matched against, and what they have bound.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class PatternType {
   private static final String PATTERN = "pattern";
 
@@ -27,7 +27,7 @@ final class PatternType {
 
   @Builtin(
       doc = "Matches values against that one, parts of which may be bindings.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject init(UrbiObject self, UrbiObject pattern) {
     OwnSlots.put(self, PATTERN, pattern);
     forget(self);

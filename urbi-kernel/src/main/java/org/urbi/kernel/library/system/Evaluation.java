@@ -14,7 +14,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Imports;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.ast.Ast;
-import org.urbi.lang.parse.Parsed;
+import org.urbi.lang.parse.ParseResult;
 import org.urbi.lang.parse.SyntaxError;
 import org.urbi.lang.parse.SyntaxWarning;
 import org.urbi.lang.parse.UrbiParser;
@@ -33,7 +33,7 @@ public final class Evaluation {
    */
   public static UrbiObject eval(
       Frame frame, @Nullable CallSite site, UrbiObject target, String text, @Nullable String file) {
-    Parsed parsed = UrbiParser.parse(text, file, frame.job()::checkInterrupted);
+    ParseResult parsed = UrbiParser.parse(text, file, frame.job()::checkInterrupted);
     for (SyntaxWarning warning : parsed.warnings()) {
       Warnings.in(frame, site, warning);
     }

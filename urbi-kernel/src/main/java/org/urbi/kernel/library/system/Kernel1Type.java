@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.system;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.library.lobby.LobbyType;
@@ -15,7 +15,7 @@ import org.urbi.kernel.object.UrbiObject;
     value = "Kernel1",
     protos = {"Singleton"},
     doc = "Functions that are there for old programs only.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class Kernel1Type {
   private Kernel1Type() {}
 

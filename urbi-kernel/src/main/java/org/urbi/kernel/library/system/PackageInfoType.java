@@ -2,7 +2,7 @@ package org.urbi.kernel.library.system;
 
 import java.util.Map;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
@@ -16,7 +16,7 @@ import org.urbi.kernel.object.Values;
 @UrbiType(
     value = "System.PackageInfo",
     doc = "The Urbi SDK, whose language this is.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class PackageInfoType {
   private PackageInfoType() {}
 

@@ -2,7 +2,7 @@ package org.urbi.kernel.library.system;
 
 import java.util.Locale;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -10,7 +10,7 @@ import org.urbi.kernel.object.UrbiObject;
 @UrbiType(
     value = "System.Platform",
     doc = "The machine on which the server runs.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class PlatformType {
   private PlatformType() {}
 

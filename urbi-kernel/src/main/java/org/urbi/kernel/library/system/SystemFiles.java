@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.Problem;
@@ -23,7 +23,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Utf8Text;
 
 /** Source files and where they are looked for (manual, "System" and "Environment Variables"). */
-@UrbiTypePart(value = "System", needs = Need.USER)
+@UrbiTypePart(value = "System", needs = Permission.USER)
 final class SystemFiles {
   private final FileAccess files;
   private final SearchPath searchPath;
@@ -139,18 +139,18 @@ final class SystemFiles {
       value = {"systemFiles"},
       setter = true,
       doc = "Sets which source files these are.",
-      needs = Need.OWNER)
+      needs = Permission.OWNER)
   void assignSystemFiles(Frame frame, UrbiObject self, UrbiList files) {
     loadedFiles.setSystemFiles(
         files.elements().stream().map(file -> frame.interpreter().asString(frame, file)).toList());
   }
 
-  @Builtin(doc = "Sets which source files these are.", needs = Need.OWNER)
+  @Builtin(doc = "Sets which source files these are.", needs = Permission.OWNER)
   void setSystemFiles(Frame frame, UrbiObject self, UrbiList files) {
     assignSystemFiles(frame, self, files);
   }
 
-  @Builtin(doc = "Adds a source file to them.", needs = Need.OWNER)
+  @Builtin(doc = "Adds a source file to them.", needs = Permission.OWNER)
   void addSystemFile(Frame frame, UrbiObject self, UrbiObject file) {
     loadedFiles.noteSystemFile(frame.interpreter().asString(frame, file));
   }

@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.CycleStatistics;
@@ -25,7 +25,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Location;
 
 /** What the server does, and what its code is doing (manual, "System"). */
-@UrbiTypePart(value = "System", needs = Need.NOTHING)
+@UrbiTypePart(value = "System", needs = Permission.NOTHING)
 final class SystemJobs {
   private final Lobbies lobbies;
 
@@ -95,7 +95,7 @@ final class SystemJobs {
         frame.interpreter().values().number(value));
   }
 
-  @Builtin(doc = "Begins to count the cycles anew.", needs = Need.OWNER)
+  @Builtin(doc = "Begins to count the cycles anew.", needs = Permission.OWNER)
   static void resetStats(Frame frame, UrbiObject self) {
     frame.job().scheduler().statistics().reset(frame.job().scheduler().cycle());
   }
@@ -132,7 +132,7 @@ final class SystemJobs {
 
   @Builtin(
       doc = "Lets no other job run until the end of the scope, which may not wait either.",
-      needs = Need.OWNER)
+      needs = Permission.OWNER)
   static void nonInterruptible(Frame frame, CallSite site, UrbiObject self) {
     Job job = frame.job();
     int before = job.nonInterruptible();

@@ -3,8 +3,8 @@ package org.urbi.kernel.library.system;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.file.FileAccess;
@@ -19,7 +19,7 @@ import urbi.UModuleException;
 import urbi.rtp.RtpOptions;
 
 /** Modules with UObjects (manual, "System": loadModule, loadLibrary). */
-@UrbiTypePart(value = "System", needs = Need.OWNER)
+@UrbiTypePart(value = "System", needs = Permission.OWNER)
 final class SystemModules {
   private final PluggedContext uobjects;
   private final Outside outside;

@@ -6,7 +6,7 @@ import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Properties;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Job;
@@ -26,12 +26,12 @@ import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.outside.ChildProcess;
 import org.urbi.kernel.outside.Network;
 import org.urbi.kernel.outside.Outside;
-import org.urbi.lang.parse.Parsed;
+import org.urbi.lang.parse.ParseResult;
 import org.urbi.lang.parse.UrbiParser;
 import org.urbi.lang.print.Printer;
 
 /** The server as a program among others (manual, "System"). */
-@UrbiTypePart(value = "System", needs = Need.NOTHING)
+@UrbiTypePart(value = "System", needs = Permission.NOTHING)
 final class SystemServer {
   private static final int STATUS_SHIFT = 8;
 
@@ -117,7 +117,7 @@ final class SystemServer {
 
   @Builtin(
       doc = "Ends the server at once, with that exit status; nothing is closed.",
-      needs = Need.OWNER)
+      needs = Permission.OWNER)
   void _exit(Frame frame, UrbiObject self, int status) {
     // What was said before is still heard.
     for (UrbiLobby lobby : lobbies.all()) {
@@ -127,7 +127,7 @@ final class SystemServer {
     frame.job().waitForWake();
   }
 
-  @Builtin(doc = "Starts the server anew.", needs = Need.OWNER)
+  @Builtin(doc = "Starts the server anew.", needs = Permission.OWNER)
   void reboot(Frame frame, CallSite site, UrbiObject self) {
     if (!kernelEnd.requestReboot()) {
       throw frame.error(site, Problem.NOT_POSSIBLE);
@@ -135,7 +135,7 @@ final class SystemServer {
     frame.job().waitForWake();
   }
 
-  @Builtin(doc = "Ends the code that runs for each connection.", needs = Need.OWNER)
+  @Builtin(doc = "Ends the code that runs for each connection.", needs = Permission.OWNER)
   void stopall(Frame frame, UrbiObject self) {
     Job here = frame.job();
     for (UrbiLobby lobby : lobbies.all()) {
@@ -148,7 +148,7 @@ final class SystemServer {
 
   @Builtin(
       doc = "Has the shell of the machine run a command, and returns its exit status.",
-      needs = Need.OWNER)
+      needs = Permission.OWNER)
   double system(Frame frame, CallSite site, UrbiObject self, String command) {
     if (command.indexOf('\0') >= 0) {
       throw frame.error(site, Problem.INVALID_COMMAND);
@@ -196,7 +196,7 @@ final class SystemServer {
       return "?";
     }
     String text = claim.span().text();
-    Parsed parsed = UrbiParser.parse(text, null);
+    ParseResult parsed = UrbiParser.parse(text, null);
     return parsed.errors().isEmpty() ? Printer.print(parsed.sequence()) : text;
   }
 

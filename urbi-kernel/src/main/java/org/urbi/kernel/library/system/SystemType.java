@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.event.Durations;
@@ -20,7 +20,7 @@ import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 
 /** The server (manual, "System"). */
-@UrbiType(value = "System", doc = "The server on which the code runs.", needs = Need.NOTHING)
+@UrbiType(value = "System", doc = "The server on which the code runs.", needs = Permission.NOTHING)
 final class SystemType {
   private final ShutdownControl kernelEnd;
 
@@ -56,7 +56,7 @@ final class SystemType {
     return frame.job().scheduler().cycle();
   }
 
-  @Builtin(doc = "Ends the server.", needs = Need.OWNER)
+  @Builtin(doc = "Ends the server.", needs = Permission.OWNER)
   void shutdown(Frame frame, UrbiObject self, @Optional @Nullable Integer status) {
     kernelEnd.requestShutdown(status == null ? 0 : status);
     frame.job().waitForWake();
@@ -115,7 +115,7 @@ final class SystemType {
       value = "ndebug",
       setter = true,
       doc = "Sets whether assertions are not checked.",
-      needs = Need.OWNER)
+      needs = Permission.OWNER)
   static void setNdebug(Frame frame, UrbiObject self, UrbiObject value) {
     frame.interpreter().disableAssertions(Truth.of(frame, value));
   }
@@ -129,7 +129,7 @@ final class SystemType {
       value = "assertVerbose",
       setter = true,
       doc = "Sets whether it shows the values.",
-      needs = Need.OWNER)
+      needs = Permission.OWNER)
   static void setAssertVerbose(Frame frame, UrbiObject self, UrbiObject value) {
     frame.interpreter().showValuesOfAssertions(Truth.of(frame, value));
   }

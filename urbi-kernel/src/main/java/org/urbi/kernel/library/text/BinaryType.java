@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.text;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.library.value.Hashing;
 import org.urbi.kernel.node.Frame;
@@ -14,7 +14,7 @@ import org.urbi.kernel.object.World;
 @UrbiType(
     value = "Binary",
     doc = "Raw memory, with a header that says what it is.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 public final class BinaryType {
   private BinaryType() {}
 
@@ -27,7 +27,7 @@ public final class BinaryType {
     return new UrbiBinary(prototype.cloneShape(), keywords, data);
   }
 
-  @Builtin(doc = "Makes it the binary with that header and these data.", needs = Need.CHANGE)
+  @Builtin(doc = "Makes it the binary with that header and these data.", needs = Permission.CHANGE)
   static UrbiObject init(UrbiBinary self, String keywords, String data) {
     self.setKeywords(keywords);
     self.setData(data);
@@ -74,7 +74,7 @@ public final class BinaryType {
     return self.data();
   }
 
-  @Builtin(value = "data", setter = true, doc = "Sets the data.", needs = Need.CHANGE)
+  @Builtin(value = "data", setter = true, doc = "Sets the data.", needs = Permission.CHANGE)
   static void setData(UrbiBinary self, String data) {
     self.setData(data);
   }
@@ -89,7 +89,7 @@ public final class BinaryType {
     return self.keywords();
   }
 
-  @Builtin(value = "keywords", setter = true, doc = "Sets the header.", needs = Need.CHANGE)
+  @Builtin(value = "keywords", setter = true, doc = "Sets the header.", needs = Permission.CHANGE)
   static void setKeywords(UrbiBinary self, String keywords) {
     self.setKeywords(keywords);
   }

@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.text;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.CallSite;
@@ -13,7 +13,7 @@ import org.urbi.kernel.object.World;
 @UrbiType(
     value = "FormatInfo",
     doc = "How to show one value: a format as of printf.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class FormatInfoType {
   private FormatInfoType() {}
 
@@ -21,7 +21,7 @@ final class FormatInfoType {
     return new UrbiFormatInfo(world.values().object.cloneShape(), UrbiFormatInfo.Format.DEFAULT);
   }
 
-  @Builtin(doc = "Makes it the format that the pattern says.", needs = Need.CHANGE)
+  @Builtin(doc = "Makes it the format that the pattern says.", needs = Permission.CHANGE)
   static UrbiObject init(Frame caller, CallSite site, UrbiFormatInfo self, String pattern) {
     try {
       FormatParser parser = new FormatParser(pattern, 0);

@@ -3,7 +3,7 @@ package org.urbi.kernel.library.text;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.value.Printing;
@@ -19,7 +19,7 @@ import org.urbi.kernel.object.World;
 @UrbiType(
     value = "Formatter",
     doc = "A format string, as of printf, ready to be used.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class FormatterType {
   private FormatterType() {}
 
@@ -27,7 +27,7 @@ final class FormatterType {
     return new UrbiFormatter(world.values().object.cloneShape(), List.of());
   }
 
-  @Builtin(doc = "Cuts a format string in its pieces.", needs = Need.CHANGE)
+  @Builtin(doc = "Cuts a format string in its pieces.", needs = Permission.CHANGE)
   static UrbiObject init(Frame caller, CallSite site, UrbiFormatter self, String format) {
     self.setPieces(cut(caller, site, format));
     return self;

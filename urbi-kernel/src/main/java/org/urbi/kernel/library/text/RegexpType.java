@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.PatternSyntaxException;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
@@ -21,7 +21,7 @@ import org.urbi.lang.print.StringEscape;
     value = "Regexp",
     protos = {"Container", "Object"},
     doc = "A regular expression, with the syntax of Perl.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class RegexpType {
   private RegexpType() {}
 
@@ -29,7 +29,7 @@ final class RegexpType {
     return new UrbiRegexp(world.values().object.cloneShape(), ".", RegexpSyntax.compile("."));
   }
 
-  @Builtin(doc = "Makes it the regular expression of that text.", needs = Need.CHANGE)
+  @Builtin(doc = "Makes it the regular expression of that text.", needs = Permission.CHANGE)
   static UrbiObject init(Frame caller, CallSite site, UrbiRegexp self, String text) {
     if (text.isEmpty()) {
       throw invalid(caller, site, text, Problem.EMPTY_EXPRESSION.text());

@@ -5,8 +5,8 @@ import java.util.Comparator;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.node.CallSite;
@@ -18,7 +18,7 @@ import org.urbi.kernel.object.UrbiString;
 import org.urbi.lang.grammar.Checkpoint;
 
 /** Strings as texts (manual, "String"): splitting, likeness, kinds of characters. */
-@UrbiTypePart(value = "String", needs = Need.NOTHING)
+@UrbiTypePart(value = "String", needs = Permission.NOTHING)
 final class StringText {
   private static final List<String> SPACES = List.of(" ", "\t", "\n", "\r");
 

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
@@ -26,7 +26,7 @@ import org.urbi.lang.print.StringEscape;
     value = "String",
     protos = {"Comparable", "Orderable", "RangeIterable"},
     doc = "A sequence of characters.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 public final class StringType {
   private StringType() {}
 
@@ -36,7 +36,7 @@ public final class StringType {
 
   // ------------------------------------------------------------------ conversions
 
-  @Builtin(doc = "Makes it the same string as another one.", needs = Need.CHANGE)
+  @Builtin(doc = "Makes it the same string as another one.", needs = Permission.CHANGE)
   static UrbiObject init(UrbiString self, @Optional @Nullable String value) {
     if (value != null) {
       self.setValue(value);
@@ -181,7 +181,7 @@ public final class StringType {
   @Builtin(
       value = "[]=",
       doc = "Replaces the characters from an index, to another one; in place.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject set(
       Frame caller,
       CallSite site,
@@ -212,7 +212,7 @@ public final class StringType {
 
   @Builtin(
       doc = "Makes it the same string as another one, in place; returns the target.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject set(UrbiString self, String value) {
     self.setValue(value);
     return self;

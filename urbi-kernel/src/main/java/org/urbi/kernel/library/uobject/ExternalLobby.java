@@ -2,8 +2,8 @@ package org.urbi.kernel.library.uobject;
 
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.external.ExternalProcess;
@@ -14,7 +14,7 @@ import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.uobject.PluggedContext;
 
 /** What processes that are linked with the SDK of Urbi 2.7 ask of their lobby. */
-@UrbiTypePart(value = "Lobby", needs = Need.OWNER)
+@UrbiTypePart(value = "Lobby", needs = Permission.OWNER)
 final class ExternalLobby {
   /** More arguments no function can have. */
   private static final int MOST_ARGUMENTS = 100;

@@ -2,8 +2,8 @@ package org.urbi.kernel.library.uobject;
 
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
 import org.urbi.builtins.Optional;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.external.ExternalProcess;
@@ -21,7 +21,7 @@ import org.urbi.kernel.uobject.PluggedContext;
 import urbi.UValue;
 
 /** What processes that are linked with the SDK of Urbi 2.7 tell, and ask. */
-@UrbiTypePart(value = "UObject", needs = Need.OWNER)
+@UrbiTypePart(value = "UObject", needs = Permission.OWNER)
 final class ExternalUObject {
   private final PluggedContext uobjects;
   private final ObjectAccess objects;

@@ -1,12 +1,12 @@
 package org.urbi.kernel.library.uobject;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.object.UrbiObject;
 
 /** What a value is when it travels to a process that is linked with the SDK of Urbi 2.7. */
-@UrbiTypePart(value = "Object", needs = Need.NOTHING)
+@UrbiTypePart(value = "Object", needs = Permission.NOTHING)
 final class ExternalValue {
   private ExternalValue() {}
 

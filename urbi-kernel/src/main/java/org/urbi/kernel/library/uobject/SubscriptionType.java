@@ -2,7 +2,7 @@ package org.urbi.kernel.library.uobject;
 
 import java.util.List;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.event.Durations;
@@ -23,7 +23,7 @@ import org.urbi.kernel.variable.UrbiConnection;
 @UrbiType(
     value = "Subscription",
     doc = "Somebody who listens to an event or to a variable, and on which terms.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class SubscriptionType {
   private static final double NANOSECONDS = 1e9;
 
@@ -39,7 +39,7 @@ final class SubscriptionType {
 
   @Builtin(
       doc = "Calls a function with what is sent with an event, once it is subscribed to one.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void init(UrbiSubscription self, UrbiObject function) {
     self.setListener((frame, event) -> FunctionHandler.plain(frame, event, function));
   }
@@ -53,7 +53,7 @@ final class SubscriptionType {
       value = "enabled",
       setter = true,
       doc = "Disables or enables the calls.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void assignEnabled(Frame frame, UrbiSubscription self, UrbiObject on) {
     self.gate().setEnabled(Truth.of(frame, on));
   }
@@ -67,7 +67,7 @@ final class SubscriptionType {
       value = "minInterval",
       setter = true,
       doc = "Limits the rate of the calls.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void assignMinInterval(UrbiSubscription self, double seconds) {
     self.gate().setMinInterval(Durations.nanoseconds(seconds));
   }
@@ -81,17 +81,17 @@ final class SubscriptionType {
       value = "asynchronous",
       setter = true,
       doc = "Has calls made in a job of their own; what comes while it runs is dropped.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void assignAsynchronous(Frame frame, UrbiSubscription self, UrbiObject on) {
     self.gate().setAsynchronous(Truth.of(frame, on));
   }
 
-  @Builtin(doc = "Ends it.", needs = Need.CHANGE)
+  @Builtin(doc = "Ends it.", needs = Permission.CHANGE)
   static void disconnect(UrbiSubscription self) {
     self.disconnect();
   }
 
-  @Builtin(doc = "Has it listen to another event.", needs = Need.CHANGE)
+  @Builtin(doc = "Has it listen to another event.", needs = Permission.CHANGE)
   static void reconnect(Frame frame, UrbiSubscription self, UrbiEvent src) {
     if (!self.canListen()) {
       throw frame
@@ -129,7 +129,7 @@ final class SubscriptionType {
     return self.gate().times().most();
   }
 
-  @Builtin(doc = "Forgets the statistics.", needs = Need.CHANGE)
+  @Builtin(doc = "Forgets the statistics.", needs = Permission.CHANGE)
   static void resetStats(UrbiSubscription self) {
     self.gate().times().reset();
   }

@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.uobject;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.Frame;
@@ -16,7 +16,7 @@ import org.urbi.kernel.variable.UrbiUVar;
     value = "UConnection",
     protos = {"Subscription"},
     doc = "Leads each new value of one variable to another.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class UConnectionType {
   private final PluggedContext uobjects;
 
@@ -28,19 +28,19 @@ final class UConnectionType {
     return new UrbiConnection(world.values().object.cloneShape());
   }
 
-  @Builtin(doc = "Leads the values of a variable to another.", needs = Need.CHANGE)
+  @Builtin(doc = "Leads the values of a variable to another.", needs = Permission.CHANGE)
   void init(Frame frame, UrbiConnection self, UrbiUVar source, UrbiUVar target) {
     self.connect(frame, source, target);
     uobjects.connections().add(self);
   }
 
-  @Builtin(doc = "Ends the link.", needs = Need.CHANGE)
+  @Builtin(doc = "Ends the link.", needs = Permission.CHANGE)
   void disconnect(Frame frame, UrbiConnection self) {
     self.disconnect();
     uobjects.connections().remove(self);
   }
 
-  @Builtin(doc = "Has the link begin at another variable.", needs = Need.CHANGE)
+  @Builtin(doc = "Has the link begin at another variable.", needs = Permission.CHANGE)
   void reconnect(Frame frame, UrbiConnection self, UrbiUVar src) {
     if (self.target() == null) {
       throw frame.interpreter().errors().primitive("reconnect", Problem.LINK_WITHOUT_TARGET);

@@ -2,7 +2,7 @@ package org.urbi.kernel.library.uobject;
 
 import java.util.List;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.file.FileAccess;
@@ -14,7 +14,7 @@ import org.urbi.kernel.object.World;
 import org.urbi.kernel.uobject.PluggedContext;
 
 /** Objects with code behind them that is not urbiscript (manual, "UObject"). */
-@UrbiType(value = "UObject", doc = "An object with Java code behind it.", needs = Need.USER)
+@UrbiType(value = "UObject", doc = "An object with Java code behind it.", needs = Permission.USER)
 final class UObjectType {
   private final PluggedContext uobjects;
 
@@ -35,7 +35,7 @@ final class UObjectType {
     return uobjects.creation().make(frame, site, self, arguments);
   }
 
-  @Builtin(doc = "Ends the Java code behind the object.", needs = Need.CHANGE)
+  @Builtin(doc = "Ends the Java code behind the object.", needs = Permission.CHANGE)
   void destroy(Frame frame, CallSite site, UrbiObject self) {
     if (!uobjects.creation().destroy(frame, self)) {
       throw frame.error(site, Problem.NOT_A_UOBJECT);

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.event.CallTimes;
 import org.urbi.kernel.library.lobby.LobbyType;
@@ -27,7 +27,7 @@ import org.urbi.kernel.variable.UrbiUVar;
 @UrbiType(
     value = "uobjects",
     doc = "The namespace of the UObjects, each under its unique name.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class UObjectsType {
   private final PluggedContext uobjects;
   private final KernelLog log;
@@ -43,12 +43,12 @@ final class UObjectsType {
     return found == null ? frame.interpreter().values().nil : found;
   }
 
-  @Builtin(doc = "Enables or disables the measuring of bound functions.", needs = Need.OWNER)
+  @Builtin(doc = "Enables or disables the measuring of bound functions.", needs = Permission.OWNER)
   void enableStats(Frame frame, UrbiObject self, UrbiObject on) {
     uobjects.statistics().enable(Truth.of(frame, on));
   }
 
-  @Builtin(doc = "Forgets what was measured of bound functions.", needs = Need.OWNER)
+  @Builtin(doc = "Forgets what was measured of bound functions.", needs = Permission.OWNER)
   void clearStats(Frame frame, UrbiObject self) {
     uobjects.statistics().clear();
   }
@@ -105,14 +105,16 @@ final class UObjectsType {
     }
   }
 
-  @Builtin(doc = "Forgets the statistics of all the links between variables.", needs = Need.OWNER)
+  @Builtin(
+      doc = "Forgets the statistics of all the links between variables.",
+      needs = Permission.OWNER)
   void resetConnectionStats(Frame frame, UrbiObject self) {
     uobjects.connections().all().forEach(link -> link.gate().times().reset());
   }
 
   @Builtin(
       doc = "Enables or disables messages of the log about each call of a bound function.",
-      needs = Need.OWNER)
+      needs = Permission.OWNER)
   void setTrace(Frame frame, UrbiObject self, UrbiObject on) {
     uobjects.statistics().trace(Truth.of(frame, on) ? log::write : null);
   }

@@ -2,7 +2,7 @@ package org.urbi.kernel.library.uobject;
 
 import java.util.List;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.external.ExternalProcess;
 import org.urbi.kernel.library.lobby.LobbyType;
@@ -23,7 +23,7 @@ import org.urbi.kernel.variable.UrbiUVar;
 @UrbiType(
     value = "UVar",
     doc = "A variable whose changes and accesses can be hooked.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class UVarType {
   private final PluggedContext uobjects;
 
@@ -35,12 +35,12 @@ final class UVarType {
     return new UrbiUVar(world.values().object.cloneShape());
   }
 
-  @Builtin(doc = "Stands behind the slot of that name of an object.", needs = Need.CHANGE)
+  @Builtin(doc = "Stands behind the slot of that name of an object.", needs = Permission.CHANGE)
   void init(Frame frame, UrbiUVar self, UrbiObject owner, String name) {
     bind(frame, "init", self, owner, name);
   }
 
-  @Builtin(doc = "Stands behind a slot of another object, too.", needs = Need.USER)
+  @Builtin(doc = "Stands behind a slot of another object, too.", needs = Permission.USER)
   void copy(Frame frame, UrbiUVar self, UrbiObject targetObject, String targetName) {
     bind(frame, "copy", self, targetObject, targetName);
   }
@@ -90,17 +90,19 @@ final class UVarType {
     return self.notifyAccess(frame, Hook.calling(onAccess));
   }
 
-  @Builtin(doc = "Removes a function that notifyChange has installed.", needs = Need.CHANGE)
+  @Builtin(doc = "Removes a function that notifyChange has installed.", needs = Permission.CHANGE)
   static boolean removeNotifyChange(UrbiUVar self, double id) {
     return self.removeChange((long) id);
   }
 
-  @Builtin(doc = "Removes a function that notifyChangeOwned has installed.", needs = Need.CHANGE)
+  @Builtin(
+      doc = "Removes a function that notifyChangeOwned has installed.",
+      needs = Permission.CHANGE)
   static boolean removeNotifyChangeOwned(UrbiUVar self, double id) {
     return self.removeChangeOwned((long) id);
   }
 
-  @Builtin(doc = "Removes a function that notifyAccess has installed.", needs = Need.CHANGE)
+  @Builtin(doc = "Removes a function that notifyAccess has installed.", needs = Permission.CHANGE)
   static boolean removeNotifyAccess(UrbiUVar self, double id) {
     return self.removeAccess((long) id);
   }
@@ -121,7 +123,7 @@ final class UVarType {
       value = "owned",
       setter = true,
       doc = "Gives it both a sensed and a commanded value.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void assignOwned(Frame frame, UrbiUVar self, UrbiObject on) {
     if (Truth.of(frame, on)) {
       self.own();
@@ -142,7 +144,7 @@ final class UVarType {
       value = "rtp",
       setter = true,
       doc = "Says whether its values travel in datagrams; UVar.rtp, whether those of all do.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void assignRtp(Frame frame, UrbiUVar self, UrbiObject on) {
     self.setRtp(on == frame.interpreter().values().nil ? null : (Boolean) Truth.of(frame, on));
   }
@@ -158,7 +160,7 @@ final class UVarType {
       value = {"val", "value"},
       setter = true,
       doc = "Sets the value; if it has two, the commanded one.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void assignVal(Frame frame, UrbiUVar self, UrbiObject value) {
     self.write(frame, new Datum(value));
   }
@@ -172,7 +174,7 @@ final class UVarType {
       value = "valsensor",
       setter = true,
       doc = "Sets the value that everybody reads.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static void assignValsensor(Frame frame, UrbiUVar self, UrbiObject value) {
     self.set(frame, new Datum(value));
   }
@@ -181,7 +183,7 @@ final class UVarType {
       doc =
           "A process that is linked with the SDK of Urbi 2.7 sets the value; the time is its own"
               + " affair.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   void update_timed(Frame frame, UrbiUVar self, UrbiObject value, double microseconds) {
     if (LobbyType.of(frame).remoteObjects() == null) {
       self.write(frame, new Datum(value));
@@ -197,7 +199,7 @@ final class UVarType {
   @Builtin(
       value = ">>",
       doc = "Leads each new value to another variable: a UConnection.",
-      needs = Need.USER)
+      needs = Permission.USER)
   static UrbiObject lead(Frame frame, UrbiUVar self, UrbiUVar target) {
     UrbiObject prototype = frame.interpreter().world().prototype("UConnection");
     return frame.interpreter().send(frame, prototype, "new", self, target);
@@ -206,7 +208,7 @@ final class UVarType {
   @Builtin(
       value = "<<",
       doc = "Leads each new value of another variable here: a UConnection.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject take(Frame frame, UrbiUVar self, UrbiUVar source) {
     return lead(frame, source, self);
   }

@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.value;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -12,7 +12,7 @@ import org.urbi.kernel.object.Values;
     value = "Boolean",
     protos = "Singleton",
     doc = "The truth values, true and false.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class BooleanType {
   private BooleanType() {}
 

@@ -3,7 +3,7 @@ package org.urbi.kernel.library.value;
 import java.util.ArrayList;
 import java.util.List;
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.ClassNodes;
 import org.urbi.kernel.node.Frame;
@@ -16,11 +16,13 @@ import org.urbi.kernel.object.UrbiObject;
     value = "Enumeration",
     protos = {"RangeIterable", "Container"},
     doc = "A type with a finite set of values.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class EnumerationType {
   private EnumerationType() {}
 
-  @Builtin(doc = "Makes the type of that name, with values of these names.", needs = Need.CHANGE)
+  @Builtin(
+      doc = "Makes the type of that name, with values of these names.",
+      needs = Permission.CHANGE)
   static void init(Frame frame, UrbiObject self, String name, UrbiList names) {
     ClassNodes.nameType(frame.interpreter(), self, name);
     OwnSlots.put(self, "name", self.world().values().string(name));

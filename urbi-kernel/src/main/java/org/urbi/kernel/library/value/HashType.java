@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.value;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiHash;
@@ -12,7 +12,7 @@ import org.urbi.kernel.object.World;
 @UrbiType(
     value = "Hash",
     doc = "What stands for a value in the search for it: equal values have equal ones.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class HashType {
   private HashType() {}
 
@@ -27,7 +27,7 @@ final class HashType {
 
   @Builtin(
       doc = "Combines the hash of that with the target; returns the target.",
-      needs = Need.CHANGE)
+      needs = Permission.CHANGE)
   static UrbiObject combine(Frame caller, UrbiHash self, UrbiObject that) {
     self.combine(Hashing.code(caller, that));
     return self;

@@ -1,12 +1,12 @@
 package org.urbi.kernel.library.value;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.object.UrbiObject;
 
 /** The empty value (manual, "nil"). */
-@UrbiType(value = "nil", protos = "Singleton", doc = "The empty value.", needs = Need.NOTHING)
+@UrbiType(value = "nil", protos = "Singleton", doc = "The empty value.", needs = Permission.NOTHING)
 final class NilType {
   private NilType() {}
 

@@ -1,14 +1,14 @@
 package org.urbi.kernel.library.value;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiHash;
 import org.urbi.kernel.object.UrbiObject;
 
 /** The hash of objects that are equal to themselves only (manual, "Object.hash"). */
-@UrbiTypePart(value = "Object", needs = Need.NOTHING)
+@UrbiTypePart(value = "Object", needs = Permission.NOTHING)
 final class ObjectHash {
   private ObjectHash() {}
 

@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.value;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
@@ -11,7 +11,7 @@ import org.urbi.kernel.object.UrbiObject;
 @UrbiType(
     value = "Orderable",
     doc = "Objects that can be compared for order.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class OrderableType {
   private OrderableType() {}
 

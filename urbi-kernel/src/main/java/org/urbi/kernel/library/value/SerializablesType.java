@@ -1,13 +1,13 @@
 package org.urbi.kernel.library.value;
 
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 
 /** The structures that are known (manual, "Casting simple structures"). */
 @UrbiType(
     value = "Serializables",
     doc = "The namespace of the classes whose objects UObjects get and give by value.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class SerializablesType {
   private SerializablesType() {}
 }

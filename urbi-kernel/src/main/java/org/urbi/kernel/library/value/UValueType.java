@@ -1,10 +1,13 @@
 package org.urbi.kernel.library.value;
 
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 
 /** What variables of UObjects hold (manual, "UValue"). */
-@UrbiType(value = "UValue", doc = "The value of a variable of a UObject.", needs = Need.NOTHING)
+@UrbiType(
+    value = "UValue",
+    doc = "The value of a variable of a UObject.",
+    needs = Permission.NOTHING)
 final class UValueType {
   private UValueType() {}
 }

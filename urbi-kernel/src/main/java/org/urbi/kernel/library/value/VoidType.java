@@ -1,7 +1,7 @@
 package org.urbi.kernel.library.value;
 
 import org.urbi.builtins.Builtin;
-import org.urbi.builtins.Need;
+import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -11,7 +11,7 @@ import org.urbi.kernel.object.UrbiObject;
     value = "void",
     protos = {},
     doc = "No value: what cannot be read, nor passed on.",
-    needs = Need.NOTHING)
+    needs = Permission.NOTHING)
 final class VoidType {
   private VoidType() {}
 

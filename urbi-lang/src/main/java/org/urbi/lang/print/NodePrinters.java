@@ -10,8 +10,8 @@ import org.urbi.lang.ast.AstVisitor;
  * <p>It prints nothing itself: one method that tells all kinds apart and prints them needs so much
  * stack that deep trees could not be printed by the threads that have parsed them.
  */
-final class Forms implements AstVisitor<Forms.Form> {
-  private static final Forms FORMS = new Forms();
+final class NodePrinters implements AstVisitor<NodePrinters.Form> {
+  private static final NodePrinters FORMS = new NodePrinters();
 
   /** How tight a node binds. */
   enum Binding {
@@ -25,7 +25,7 @@ final class Forms implements AstVisitor<Forms.Form> {
   /** The text of a node, made when it is asked for. */
   record Form(Binding binding, Supplier<String> text) {}
 
-  private Forms() {}
+  private NodePrinters() {}
 
   static Form of(Ast tree) {
     return tree.accept(FORMS);

@@ -15,32 +15,33 @@ import urbi.UObject;
  * what the kernel has to answer, all others are what it is fed. Everything counts: times, places,
  * numbers.
  */
-public final class Dialogue {
+public final class ConsoleTranscript {
   private static final Pattern OUTPUT = Pattern.compile("\\[(\\d{8,}(:[^]]*)?|:)].*");
 
   /** What a dialogue ends with; the moment is for what its last line has set off. */
   private static final String EPILOGUE = "sleep(1ms)|;\nshutdown;\n";
 
-  private Dialogue() {}
+  private ConsoleTranscript() {}
 
   /** Feeds the input and compares the answers, on the faster back end. */
-  public static void hold(String text) {
-    hold(JobThreads.AUTO, text);
+  public static void check(String text) {
+    check(JobThreads.AUTO, text);
   }
 
   /** Feeds the input to a kernel that has these components, and compares the answers. */
-  public static void holdWith(List<Class<? extends UObject>> components, String text) {
-    hold(JobThreads.AUTO, components, text);
+  public static void checkWith(List<Class<? extends UObject>> components, String text) {
+    check(JobThreads.AUTO, components, text);
   }
 
   /** Feeds the input and compares the answers. */
-  public static void hold(JobThreads jobThreads, String text) {
-    hold(jobThreads, List.of(), text);
+  public static void check(JobThreads jobThreads, String text) {
+    check(jobThreads, List.of(), text);
   }
 
-  private static void hold(
+  private static void check(
       JobThreads jobThreads, List<Class<? extends UObject>> components, String text) {
-    String expected = text.lines().filter(Dialogue::isOutput).collect(Collectors.joining("\n"));
+    String expected =
+        text.lines().filter(ConsoleTranscript::isOutput).collect(Collectors.joining("\n"));
     String input =
         text.lines().filter(line -> !isOutput(line)).collect(Collectors.joining("\n", "", "\n"));
     assertEquals(expected, run(jobThreads, components, input));

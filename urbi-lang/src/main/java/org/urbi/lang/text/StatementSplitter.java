@@ -2,7 +2,7 @@ package org.urbi.lang.text;
 
 import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast.Flavor;
-import org.urbi.lang.grammar.BinaryForm;
+import org.urbi.lang.grammar.BinaryScanner;
 import org.urbi.lang.grammar.Keywords;
 
 /**
@@ -12,7 +12,7 @@ import org.urbi.lang.grammar.Keywords;
  * no flavor ({@code loop;}) and does not separate prototypes ({@code class A : B, C}). A {@code ;}
  * where none can be, as in {@code f(1;}, ends it too: nothing that may follow could mend it.
  */
-public final class Splitter {
+public final class StatementSplitter {
   private enum State {
     CODE,
     WORD,
@@ -36,8 +36,8 @@ public final class Splitter {
   private final LineTable lines;
   private final Brackets brackets = new Brackets();
   private final StringBuilder collected = new StringBuilder();
-  private final BlobReader blob = new BlobReader();
-  private BinaryForm binary = new BinaryForm();
+  private final EscapeScanner blob = new EscapeScanner();
+  private BinaryScanner binary = new BinaryScanner();
   private int binaryRemaining;
   private State state;
   private int offset;
@@ -58,7 +58,7 @@ public final class Splitter {
   /**
    * @param lines is told of lines and synclines as they come
    */
-  public Splitter(LineTable lines) {
+  public StatementSplitter(LineTable lines) {
     this.lines = lines;
     restart();
   }
@@ -140,11 +140,11 @@ public final class Splitter {
         }
       }
       case ESCAPE -> {
-        BlobReader.Answer answer = blob.accept(c, quote);
-        if (answer != BlobReader.Answer.MORE) {
+        EscapeScanner.Answer answer = blob.accept(c, quote);
+        if (answer != EscapeScanner.Answer.MORE) {
           state = State.QUOTED;
         }
-        return answer != BlobReader.Answer.REFUSED;
+        return answer != EscapeScanner.Answer.REFUSED;
       }
       case BINARY_HEADER -> {
         return binaryHeader(c);
@@ -220,7 +220,7 @@ public final class Splitter {
     String word = collected.toString();
     state = State.CODE;
     if (word.equals("BIN")) {
-      binary = new BinaryForm();
+      binary = new BinaryScanner();
       state = State.BINARY_HEADER;
     } else if (word.equals("class") || word.equals("package")) {
       inClassHead |= brackets.isEmpty();

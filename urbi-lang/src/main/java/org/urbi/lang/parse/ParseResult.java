@@ -14,7 +14,7 @@ import org.urbi.lang.ast.Ast;
  * @param errors in the order of the text
  * @param warnings in the order of the text
  */
-public record Parsed(
+public record ParseResult(
     @Nullable Ast tree,
     Ast.@Nullable Flavor separator,
     List<SyntaxError> errors,

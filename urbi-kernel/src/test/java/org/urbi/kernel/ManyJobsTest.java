@@ -6,8 +6,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Whoever starts jobs without end keeps nobody else waiting. */
-class CrowdTest {
+/** A client that starts jobs without end does not delay other clients. */
+class ManyJobsTest {
   private final Kernel kernel = Kernel.builder().log(line -> {}).start();
 
   @AfterEach
@@ -30,7 +30,10 @@ class CrowdTest {
         });
   }
 
-  /** The crowd doubles with each tick: whoever had to wait for all of it would wait for ever. */
+  /**
+   * The number of jobs doubles with each tick: a client that had to wait for all of them would wait
+   * for ever.
+   */
   @ParameterizedTest
   @ValueSource(
       strings = {

@@ -5,8 +5,8 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
 /** Evaluates the arguments of calls: none may be void. */
-final class Arguments {
-  private Arguments() {}
+final class ArgumentEvaluation {
+  private ArgumentEvaluation() {}
 
   /**
    * The value of a node that a construct uses.
@@ -26,7 +26,8 @@ final class Arguments {
   }
 
   /**
-   * Evaluates the arguments into an array of at least that size, from its beginning. An error is reported at the location of the call.
+   * Evaluates the arguments into an array of at least that size, from its beginning. An error is
+   * reported at the location of the call.
    */
   static UrbiObject[] evaluate(Frame frame, Node[] nodes, int size) {
     UrbiObject[] values = new UrbiObject[size];

@@ -5,7 +5,7 @@ package org.urbi.lang.text;
  * \B(size)(contents)}, the contents of which are verbatim, is longer than a character (manual,
  * "Strings").
  */
-final class BlobReader {
+final class EscapeScanner {
   enum Answer {
     /** The escape goes on. */
     MORE,

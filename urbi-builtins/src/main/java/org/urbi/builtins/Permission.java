@@ -3,7 +3,7 @@ package org.urbi.builtins;
 import org.jspecify.annotations.Nullable;
 
 /** What a lobby must be allowed so that its code can call a builtin (docs/networking.md). */
-public enum Need {
+public enum Permission {
   /** Nothing: it only reads, or what it makes is new. */
   NOTHING("OBSERVER", false),
 
@@ -25,7 +25,7 @@ public enum Need {
   /** Whether the target is changed. */
   final boolean changes;
 
-  Need(@Nullable String role, boolean changes) {
+  Permission(@Nullable String role, boolean changes) {
     this.role = role;
     this.changes = changes;
   }

@@ -11,8 +11,8 @@ import org.antlr.v4.runtime.atn.PredictionMode;
  * Blames the token at which no way is left. ANTLR would rather leave the rule before the decision,
  * and blame the token at which it began, because that serves error recovery.
  */
-final class Prediction extends ParserATNSimulator {
-  Prediction(Parser parser, PredictionMode mode) {
+final class PreciseErrorSimulator extends ParserATNSimulator {
+  PreciseErrorSimulator(Parser parser, PredictionMode mode) {
     super(
         parser,
         parser.getATN(),

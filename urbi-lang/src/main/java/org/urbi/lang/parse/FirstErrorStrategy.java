@@ -8,7 +8,7 @@ import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.misc.ParseCancellationException;
 
 /** Stops at the first token that fits nowhere: what follows would be guesswork. */
-final class Bail extends DefaultErrorStrategy {
+final class FirstErrorStrategy extends DefaultErrorStrategy {
   @Override
   public void recover(Parser recognizer, RecognitionException e) {
     throw new ParseCancellationException(e);

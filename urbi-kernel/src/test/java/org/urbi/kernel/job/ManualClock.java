@@ -3,7 +3,7 @@ package org.urbi.kernel.job;
 import org.urbi.kernel.time.Clock;
 
 /** A clock that shows what it is told, be it a simulated time or one that passes by itself. */
-final class SetClock implements Clock {
+final class ManualClock implements Clock {
   private final boolean real;
 
   /** Nanoseconds. */
@@ -12,16 +12,16 @@ final class SetClock implements Clock {
   /** By how much each look at the clock moves it, in nanoseconds. */
   long step;
 
-  private SetClock(boolean real) {
+  private ManualClock(boolean real) {
     this.real = real;
   }
 
-  static SetClock real() {
-    return new SetClock(true);
+  static ManualClock real() {
+    return new ManualClock(true);
   }
 
-  static SetClock simulated() {
-    return new SetClock(false);
+  static ManualClock simulated() {
+    return new ManualClock(false);
   }
 
   @Override

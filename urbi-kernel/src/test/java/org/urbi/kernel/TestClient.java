@@ -5,13 +5,13 @@ import java.util.concurrent.TimeUnit;
 import org.urbi.kernel.trust.Role;
 
 /** A client with a role, and what it hears. */
-final class Visitor implements Client {
+final class TestClient implements Client {
   private final Role role;
   private final LinkedBlockingQueue<String> heard = new LinkedBlockingQueue<>();
   private final Connection connection;
   private int asked;
 
-  Visitor(Kernel kernel, Role role) {
+  TestClient(Kernel kernel, Role role) {
     this.role = role;
     connection = kernel.connect(this, false);
   }

@@ -9,7 +9,7 @@ import org.urbi.lang.problem.SyntaxProblem;
  * @param end offset after its last character
  * @param text the text of the problem, filled in
  */
-public record LexicalIssue(int begin, int end, SyntaxProblem problem, String text) {
+public record LexicalError(int begin, int end, SyntaxProblem problem, String text) {
   /** Whether the text is understood nevertheless. */
   public boolean warning() {
     return problem.kind() == SyntaxProblem.Kind.WARNING;

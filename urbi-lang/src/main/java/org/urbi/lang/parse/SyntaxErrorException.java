@@ -4,16 +4,16 @@ import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.source.Span;
 
 /** Leaves the construction of a tree at the first error. */
-final class SyntaxFailure extends RuntimeException {
+final class SyntaxErrorException extends RuntimeException {
   private static final long serialVersionUID = 1;
 
   private final transient SyntaxError error;
 
-  SyntaxFailure(Span span, SyntaxProblem problem, Object... values) {
+  SyntaxErrorException(Span span, SyntaxProblem problem, Object... values) {
     this(SyntaxError.of(span, problem, values));
   }
 
-  private SyntaxFailure(SyntaxError error) {
+  private SyntaxErrorException(SyntaxError error) {
     super(error.message(), null, false, false);
     this.error = error;
   }

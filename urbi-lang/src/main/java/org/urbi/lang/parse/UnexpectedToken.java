@@ -15,8 +15,8 @@ import org.urbi.lang.source.Source;
  * What is told of the first token that fits nowhere: which it is and, where few could have stood in
  * its place, which these are.
  */
-final class Misfit {
-  private Misfit() {}
+final class UnexpectedToken {
+  private UnexpectedToken() {}
 
   static SyntaxError error(Source source, ParseCancellationException stop) {
     var cause =

@@ -4,7 +4,7 @@ package org.urbi.lang.grammar;
  * Recognizes what follows {@code BIN}, one character at a time: blanks, a size, keywords, a
  * semicolon (manual, "Binary"). Anything else, and {@code BIN} is a mere name.
  */
-public final class BinaryForm {
+public final class BinaryScanner {
   /** What the characters so far make. */
   public enum Answer {
     /** The beginning of a header. */

@@ -1,8 +1,8 @@
 package org.urbi.lang.grammar;
 
 /** Shows a character that may not be printable (manual, "Characters, encoding"). */
-final class Unprintable {
-  private Unprintable() {}
+final class CharacterDisplay {
+  private CharacterDisplay() {}
 
   /** The character itself, or {@code \xc3}. */
   static String show(char c) {
