@@ -13,8 +13,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.grammar.Keywords;
 
 /**
- * How the text that somebody is typing can go on: with names of slots, and at the beginning of an
- * expression with keywords. No function is called to find them, so the result of a call has no
+ * Completes the text that somebody is typing: by names of slots and, at the beginning of an expression, by keywords. No function is called to find them, so the result of a call has no
  * completions.
  */
 public final class Completion {
@@ -54,7 +53,7 @@ public final class Completion {
     return text.substring(start);
   }
 
-  /** The object of that name; null when there is none without calling something. */
+  /** The object of that name; null if it cannot be found without calling a function. */
   private static @Nullable UrbiObject value(UrbiObject lobby, UrbiObject owner, String name) {
     if (owner == lobby && name.equals("this")) {
       return lobby;
@@ -70,7 +69,7 @@ public final class Completion {
       UrbiObject object = left.removeLast();
       if (seen.add(object)) {
         for (Symbol slot : object.localSlotNames()) {
-          // Operators are written otherwise.
+          // Skip operators: they are not written after a dot.
           if (slot.name().chars().allMatch(Character::isJavaIdentifierPart)) {
             names.add(slot.name());
           }

@@ -7,8 +7,7 @@ import org.urbi.kernel.error.UrbiException;
 import org.urbi.lang.source.Span;
 
 /**
- * The lines in which a lobby is told of errors and warnings: {@code !!! place: text}, and then from
- * where the code was called.
+ * Formats errors and warnings for a lobby: {@code !!! place: text}, then the calls that led there.
  */
 public final class Diagnostics {
   private static final String MARK = "!!! ";
@@ -17,22 +16,22 @@ public final class Diagnostics {
 
   private Diagnostics() {}
 
-  /** Tells of an error. */
+  /** Sends an error. */
   public static void error(Output output, String text) {
     output.send(ERROR, marked(text));
   }
 
-  /** Tells of a warning; it is the caller who asks whether warnings are off. */
+  /** Sends a warning; the caller checks whether warnings are off. */
   public static void warning(Output output, String text) {
     output.send(WarningChannel.NAME, marked(text));
   }
 
-  /** Tells from where the code with an error was called. */
+  /** Sends the calls that led to an error. */
   public static void callersOfError(Output output, List<UrbiException.Call> calls) {
     callers(output, ERROR, calls);
   }
 
-  /** Tells from where the code with a warning was called. */
+  /** Sends the calls that led to a warning. */
   public static void callersOfWarning(Output output, List<UrbiException.Call> calls) {
     callers(output, WarningChannel.NAME, calls);
   }
@@ -45,12 +44,12 @@ public final class Diagnostics {
     }
   }
 
-  /** A line as it is shown. */
+  /** A line with the mark of errors and warnings. */
   public static String marked(String text) {
     return MARK + text;
   }
 
-  /** A place as it stands before a text; empty when it is not known. */
+  /** A location as the prefix of a text; empty if it is not known. */
   public static String place(@Nullable Span span) {
     return span == null ? "" : span.location() + ": ";
   }

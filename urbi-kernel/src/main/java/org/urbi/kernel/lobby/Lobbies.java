@@ -5,16 +5,16 @@ import org.urbi.kernel.outside.SocketConnection;
 
 /** The lobbies of one kernel (manual, "Lobby"). */
 public interface Lobbies {
-  /** Those of all connections, and those made by programs. */
+  /** All lobbies: those of connections, and those created by programs. */
   List<UrbiLobby> all();
 
-  /** A lobby without a connection of its own: its output goes where that of another one does. */
+  /** Creates a lobby without a connection of its own, whose output goes where that of its creator goes. */
   UrbiLobby create(UrbiLobby creator);
 
   /**
    * The lobby of a client that the kernel has called.
    *
-   * @param caller whose rights it has
+   * @param caller the lobby whose role and budget it gets
    * @param link not open yet
    * @param address of the client
    */

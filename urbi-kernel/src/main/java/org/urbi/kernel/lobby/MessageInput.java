@@ -8,7 +8,7 @@ import org.urbi.kernel.node.Frame;
  * statements. On the kernel thread.
  */
 public interface MessageInput {
-  /** What a message asks for. */
+  /** A step that a message requests. */
   sealed interface Step {}
 
   /**
@@ -33,9 +33,9 @@ public interface MessageInput {
   /** Whether there are answers among the steps. */
   boolean hasAnswers();
 
-  /** Takes the answers out of turn: what is being done may wait for one. */
+  /** Handles the answers before other steps: the running code may wait for one. */
   void answer();
 
-  /** How many bytes the steps have that wait. */
+  /** The number of bytes of the waiting steps. */
   int pending();
 }

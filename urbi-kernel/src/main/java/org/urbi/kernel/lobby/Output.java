@@ -5,8 +5,7 @@ import java.util.function.Consumer;
 import org.urbi.kernel.job.Scheduler;
 
 /**
- * The output of one lobby: lines with a time stamp and the name of a channel, handed over at the
- * end of the tick.
+ * The output of one lobby: lines with a time stamp and the name of a channel. It is sent at the end of the tick.
  */
 public final class Output {
   private static final int LARGE = 1 << 16;
@@ -25,7 +24,7 @@ public final class Output {
   }
 
   /**
-   * @param full whether the client has not read so much that its code is to send no more
+   * @param full whether so much output is unread that the code of the client must not send more
    */
   public Output(Scheduler scheduler, Consumer<String> client, BooleanSupplier full) {
     this.scheduler = scheduler;
@@ -41,7 +40,7 @@ public final class Output {
     this.most = 0;
   }
 
-  /** An output of its own whose bytes go the way of this one, in the order of all. */
+  /** A separate output that sends its bytes through this one, in order. */
   public Output branch() {
     return new Output(this);
   }
@@ -90,7 +89,7 @@ public final class Output {
     }
   }
 
-  /** Hands over what is waiting. */
+  /** Sends what is waiting. */
   public void flush() {
     if (buffer.length() > 0) {
       String bytes = buffer.toString();
@@ -99,12 +98,12 @@ public final class Output {
     }
   }
 
-  /** Whether the client has not read so much that its code is to send no more. */
+  /** Whether so much output is unread that the code of the client must not send more. */
   public boolean isFull() {
     return full.getAsBoolean();
   }
 
-  /** Nobody listens any more. */
+  /** Ends the output: the client has gone. */
   public void close() {
     flush();
     open = false;

@@ -25,11 +25,10 @@ import org.urbi.lang.parse.SyntaxError;
 import org.urbi.lang.parse.SyntaxWarning;
 
 /**
- * The top level of a lobby: a job that executes the statements of the input one after the other,
- * shows their values and their errors, and outlives them all.
+ * The read-eval-print loop of a lobby: a job that executes the statements of the input one after the other, and shows their values and errors.
  */
 public final class Shell {
-  /** What the shell tells its connection. */
+  /** Notifications of the shell to its connection. */
   public interface Listener {
     /** The shell begins, or ceases, to wait for more input. */
     default void starving(boolean begins) {}
@@ -48,7 +47,7 @@ public final class Shell {
       return false;
     }
 
-    /** The input is over, and so are all the jobs of the lobby; or the lobby was quit. */
+    /** The input and all jobs of the lobby have ended, or the lobby was quit. */
     void finished();
   }
 
@@ -92,7 +91,7 @@ public final class Shell {
     return (int) Math.min(Integer.MAX_VALUE, lobby.budget().limit(Resource.INPUT));
   }
 
-  /** Begins to execute what comes in. */
+  /** Starts to execute the input. */
   public void start() {
     job =
         interpreter
@@ -115,7 +114,7 @@ public final class Shell {
     }
   }
 
-  /** What comes in from now on is messages. */
+  /** Switches from statements to messages. */
   public void switchTo(MessageInput input) {
     messages = input;
     listener.binary();
@@ -139,7 +138,7 @@ public final class Shell {
     return bytesReceived;
   }
 
-  /** How much input has not been looked at. */
+  /** The number of characters of input not read yet. */
   public int pending() {
     return messages == null ? received.length() : messages.pending();
   }
@@ -149,7 +148,7 @@ public final class Shell {
     return job().isDaemon();
   }
 
-  /** Something went wrong that the lobby has been told of. */
+  /** An error was shown to the client. */
   public void failed() {
     listener.failed();
   }
@@ -176,7 +175,7 @@ public final class Shell {
     if (!closed) {
       closed = true;
       received.setLength(0);
-      // Nobody is there any more for whom handlers would have something to do when they end.
+      // Ends handlers without their onleave clauses: no client is left for them.
       lobby.connectionTag().state().dismiss();
       lobby.connectionTag().state().stop(interpreter.values().voidObject);
       if (lobby.remoteObjects() != null) {
@@ -261,7 +260,7 @@ public final class Shell {
     return null;
   }
 
-  /** Does what the next message asks for; false if there is none. */
+  /** Executes the next message; false if there is none. */
   private boolean takeNext(Job shell, MessageInput messages) {
     MessageInput.Step step = messages.next();
     if (step == null) {
@@ -279,7 +278,7 @@ public final class Shell {
     return true;
   }
 
-  /** What is being executed may wait for an answer that has come already, behind other things. */
+  /** The running code may wait for an answer that has arrived already, but behind other messages. */
   private void lookForAnswers() {
     if (messages != null && messages.hasAnswers()) {
       interpreter.scheduler().atEndOfTick(this::answerIfBlocked);
@@ -295,7 +294,7 @@ public final class Shell {
     }
   }
 
-  /** After an interruption the input behind is not executed: the message that says so comes now. */
+  /** After an interruption the input behind must not be executed: wait for the message that drops it. */
   private void awaitMessage(Job shell) {
     do {
       shell.yieldNow();
@@ -377,7 +376,7 @@ public final class Shell {
         }
         interrupted = stop.isInterruption();
       } catch (ControlFlowException unwinding) {
-        // A return or a break that has nothing to leave.
+        // A return or break outside of functions and loops is ignored.
       } catch (Throwable failure) {
         interpreter.scheduler().beginTurn();
         interpreter.report(shell, failure);
@@ -385,7 +384,7 @@ public final class Shell {
         shell.leave(scope);
       }
       if (interrupted) {
-        // Outside of the tag of the lobby: the message may stop all that is done there.
+        // Called outside of the lobby's tag, because the message may stop everything under it.
         awaitMessage(shell);
       }
     } finally {
@@ -394,7 +393,7 @@ public final class Shell {
     }
   }
 
-  /** A failure of our own, which is no code's: the client is told, and goes on. */
+  /** Reports a bug of ours to the client, and continues. */
   public void failed(String where, Throwable failure) {
     FailureLog.internal(where, failure);
     Diagnostics.error(lobby.output(), FailureLog.text(failure));
@@ -422,7 +421,7 @@ public final class Shell {
     }
   }
 
-  /** The top level passes over void, and over nil. */
+  /** Whether a value is shown: void and nil are not. */
   private boolean isShown(UrbiObject value) {
     return value != interpreter.values().voidObject
         && value != interpreter.values().acceptedVoid

@@ -45,7 +45,7 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
     return requireNonNull(connectionTag, NO_LOBBY);
   }
 
-  /** The name of its {@link #connectionTag}, by which people know it. */
+  /** The name of its {@link #connectionTag}, which identifies it for users. */
   public String name() {
     return name;
   }
@@ -61,9 +61,9 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
   }
 
   /**
-   * Says what its code may do from now on.
+   * Sets its role.
    *
-   * @param jobs that run, for whomever
+   * @param jobs all running jobs
    */
   public void setRole(Role other, Collection<Job> jobs) {
     role = other;
@@ -86,12 +86,12 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
     remoteObjects = of;
   }
 
-  /** What its client has declared; null if that is nothing. */
+  /** The UObjects that its client has declared; null if there are none. */
   public @Nullable RemoteObjects remoteObjects() {
     return remoteObjects;
   }
 
-  /** Where its output goes, if it is an {@linkplain #isInstance instance}. */
+  /** Its output, if it is an {@linkplain #isInstance instance}. */
   public Output output() {
     return requireNonNull(output, NO_LOBBY);
   }
@@ -115,12 +115,12 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
     remoteAddress = address;
   }
 
-  /** Whether it is a lobby at all, and not the prototype of lobbies. */
+  /** Whether it is a real lobby, and not the prototype of lobbies. */
   public boolean isInstance() {
     return output != null;
   }
 
-  /** Makes a lobby, which begins to execute what it is sent. */
+  /** Creates a lobby, and starts to execute its input. */
   public static UrbiLobby start(
       Interpreter interpreter, Output output, Shell.Listener listener, Role role, Budget budget) {
     UrbiObject prototype = interpreter.world().prototype("Lobby");
@@ -135,7 +135,7 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
     return made;
   }
 
-  /** Tells those who listen to {@code Lobby.onDisconnect} that this one is no longer connected. */
+  /** Emits {@code Lobby.onDisconnect} for this lobby. */
   public void disconnected(Interpreter interpreter) {
     UrbiObject event =
         interpreter

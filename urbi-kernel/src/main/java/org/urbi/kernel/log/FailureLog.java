@@ -5,24 +5,22 @@ import org.slf4j.LoggerFactory;
 import org.urbi.kernel.error.Problem;
 
 /**
- * Keeps the stack traces of what went wrong in Java: of failures of our own, of which urbiscript is
- * told as <em>internal error</em> and no more, and of components.
+ * Logs the stack traces of Java failures: of bugs of ours, which urbiscript only sees as <em>internal error</em>, and of components.
  *
- * <p>They go to the SLF4J logger {@code urbi.kernel}. It is looked for when there is something to
- * write, and not before: that takes longer than a short script.
+ * <p>They go to the SLF4J logger {@code urbi.kernel}. The logger is created when there is something to log: creating it takes longer than a short script.
  */
 public final class FailureLog {
   private static final String LOGGER = "urbi.kernel";
 
   private FailureLog() {}
 
-  /** What those are told whom a failure of our own concerns. */
+  /** The message about a bug of ours for those whom it affects. */
   public static String text(Throwable failure) {
     return Problem.INTERNAL_ERROR.text(failure);
   }
 
   /**
-   * Logs a failure of our own.
+   * Logs a bug of ours.
    *
    * @param where the part of the kernel that failed
    */
@@ -33,7 +31,7 @@ public final class FailureLog {
   /**
    * Logs what a component has thrown.
    *
-   * @param doing what was being done for the component
+   * @param doing the activity that failed
    */
   public static void component(String doing, Throwable failure) {
     write("exception caught while " + doing, failure);
@@ -44,12 +42,12 @@ public final class FailureLog {
       Logger logger = LoggerFactory.getLogger(LOGGER);
       logger.error(message, failure);
     } catch (Throwable unable) {
-      // Memory is exhausted, or the log is broken: whoever failed goes on all the same.
+      // Memory is exhausted, or the log is broken: the failed code must continue all the same.
       System.err.println("urbi: " + message + ": " + failure + " (the log fails: " + unable + ")");
     }
   }
 
-  /** Runs something on a thread of its own, where nobody sees what it throws. */
+  /** Wraps the task of a thread, so that what it throws is logged. */
   public static Runnable guarding(String where, Runnable task) {
     return () -> {
       try {

@@ -3,7 +3,7 @@ package org.urbi.kernel.log;
 import java.util.function.Consumer;
 
 /**
- * Where a kernel tells its administrator what happens.
+ * The log of a kernel, for its administrator.
  *
  * @param level how much is shown
  * @param lines takes each line, without its end

@@ -1,4 +1,4 @@
-/** What the administrator of a kernel is told (manual, "Logger"). */
+/** The log of a kernel, for its administrator (manual, "Logger"). */
 @NullMarked
 package org.urbi.kernel.log;
 

@@ -11,7 +11,7 @@ import org.urbi.kernel.embed.JavaValues;
 import org.urbi.kernel.embed.UrbiValue;
 
 /**
- * An urbiscript object in the clothes of a Java interface: each method calls the slot of its name.
+ * Implements a Java interface by an urbiscript object: each method calls the slot of its name.
  */
 final class InterfaceProxy implements InvocationHandler {
   private final UrbiValue object;

@@ -24,9 +24,7 @@ import org.urbi.lang.source.Location;
 
 /**
  * A kernel as a script engine (JSR 223). Its variables are the slots of its lobby; those of the
- * manager are inherited by it. Code evaluated with other bindings has an object of its own, made of
- * them, and its slots are copied back to them. What jobs in the background send goes to the writer
- * of the evaluation that came last.
+ * manager are inherited by it. Code evaluated with other bindings runs on an object that is created from them, and whose slots are copied back to them. The output of background jobs goes to the writer of the last evaluation.
  */
 public final class UrbiScriptEngine extends AbstractScriptEngine
     implements Invocable, AutoCloseable {
@@ -128,7 +126,7 @@ public final class UrbiScriptEngine extends AbstractScriptEngine
     return kernel.embedding().eval(script, file, target, Object.class);
   }
 
-  /** Makes the variables of the manager visible, but for what urbiscript has nothing like. */
+  /** Makes the variables of the manager visible, except those that cannot be converted. */
   private synchronized void inherit(Bindings all) {
     if (all == null || (all.isEmpty() && globalNames.isEmpty())) {
       return;
@@ -160,7 +158,7 @@ public final class UrbiScriptEngine extends AbstractScriptEngine
 
               @Override
               public @Nullable String getMessage() {
-                // The place is there already.
+                // The text contains the location already.
                 return e.getMessage();
               }
             };

@@ -63,8 +63,8 @@ public final class ObjectAccess {
   /**
    * Listens to an event.
    *
-   * @param name of its object, a period, that of the slot
-   * @return what ends it
+   * @param name the event as {@code object.slot}
+   * @return the action that ends the subscription
    * @throws IllegalArgumentException if there is no such object, or the slot is no event
    */
   public Runnable listen(Frame frame, String name, Subscription listener) {
@@ -78,10 +78,10 @@ public final class ObjectAccess {
   }
 
   /**
-   * A value as it travels; void and nil are nothing.
+   * Converts a value for a process; void and nil become an empty value.
    *
-   * @param routine for which it does
-   * @throws UrbiException if it cannot: its text, which is what travels, fails, or it has no end
+   * @param routine the function that sends the value
+   * @throws UrbiException if it cannot be converted: its text fails, or it contains itself
    */
   public UValue toJava(String routine, UrbiObject value) {
     try {

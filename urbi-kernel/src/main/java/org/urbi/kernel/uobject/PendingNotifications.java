@@ -8,8 +8,7 @@ import org.urbi.kernel.variable.Datum;
 import org.urbi.kernel.variable.UrbiUVar;
 
 /**
- * The values with which functions of UObjects are being called because a variable has changed, and
- * which no variable keeps: those that go through an input port, and those that are not copied.
+ * The values of notifications in progress that no variable stores: values that pass through an input port, and values that are not copied. Functions of UObjects that are called for a change can read them from here.
  */
 final class PendingNotifications {
   private record Delivery(Job job, UrbiUVar variable, Datum value) {}
@@ -32,7 +31,7 @@ final class PendingNotifications {
     }
   }
 
-  /** The value of a variable with which that job is calling a function, or null. */
+  /** The value of a variable for which that job is calling a function, or null. */
   @Nullable Datum find(Job job, UrbiUVar variable) {
     for (int i = underWay.size() - 1; i >= 0; i--) {
       Delivery delivery = underWay.get(i);

@@ -7,7 +7,7 @@ import org.urbi.kernel.job.Timers;
 import org.urbi.kernel.object.UrbiObject;
 import urbi.UCallback;
 
-/** Calls a function of a UObject or a hub again and again (manual, "Timers"). */
+/** Calls a function of a UObject or a hub periodically (manual, "Timers"). */
 final class PeriodicCall {
   private final PluggedContext context;
   private final Scheduler scheduler;
@@ -21,7 +21,7 @@ final class PeriodicCall {
   private boolean ended;
 
   /**
-   * @param afterPass whether after each pass of urbiscript code, or before
+   * @param afterPass whether to call after the jobs of a tick, or before
    */
   PeriodicCall(
       PluggedContext context,

@@ -12,7 +12,7 @@ import org.urbi.kernel.object.World;
 import urbi.UCallback;
 import urbi.UObject;
 
-/** What is called periodically, by the objects and hubs whose it is. */
+/** The periodic calls, by the objects and hubs that own them. */
 final class PeriodicCalls {
   private static final double NANOSECONDS = 1e9;
   private static final double NANOSECONDS_PER_MILLISECOND = 1e6;
@@ -41,7 +41,7 @@ final class PeriodicCalls {
     return owner instanceof UObject object ? context.objects().named(object.get__name()) : null;
   }
 
-  /** An object of which something is called stays, although nobody refers to it. */
+  /** An object with a periodic call is kept alive, even if nobody refers to it. */
   private static void keep(@Nullable Instance instance, boolean alive) {
     if (instance != null) {
       instance.keepAlive(alive);
@@ -58,7 +58,7 @@ final class PeriodicCalls {
     }
   }
 
-  /** Ends all of an object or hub. */
+  /** Ends all calls of an object or hub. */
   void end(Object owner) {
     List<PeriodicCall> all = calls.remove(owner);
     if (all != null) {
@@ -66,7 +66,7 @@ final class PeriodicCalls {
     }
   }
 
-  /** A period in nanoseconds: not shorter than that of the system. */
+  /** Converts a period to nanoseconds; it is not shorter than that of the system. */
   long period(double milliseconds) {
     World world = context.interpreter().world();
     double seconds =

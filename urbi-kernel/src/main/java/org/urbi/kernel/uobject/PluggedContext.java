@@ -49,9 +49,7 @@ import urbi.spi.ThreadPool;
 /**
  * The UObjects that live in the process of a kernel.
  *
- * <p>Their code runs in jobs, and keeps them on the kernel thread: it blocks everything else
- * (manual, "Asynchronous binding"). What it wants of the kernel is done at once, and may let others
- * run, as any code of urbiscript. Threads of their own wait for a job that does it.
+ * <p>Their code runs in jobs and pins them to the kernel thread: it blocks everything else (manual, "Asynchronous binding"). Its requests to the kernel are executed at once, and may let other jobs run like any urbiscript code. Requests of other threads are executed by a job, for which the thread waits.
  */
 public final class PluggedContext implements UContext {
   private final Interpreter interpreter;
@@ -75,7 +73,7 @@ public final class PluggedContext implements UContext {
   private volatile boolean over;
 
   /**
-   * @param moduleSearchPath where modules are looked for, first to last
+   * @param moduleSearchPath the folders in which modules are searched, in order
    */
   public PluggedContext(
       Interpreter interpreter, List<Path> moduleSearchPath, Outside outside, KernelLog log) {
@@ -122,7 +120,7 @@ public final class PluggedContext implements UContext {
     return conversion;
   }
 
-  /** On the kernel thread; a kernel without UObjects does without. */
+  /** Used on the kernel thread; created on first use, since most kernels have no UObjects. */
   Converters converters() {
     Converters known = converters;
     if (known == null) {
@@ -140,7 +138,7 @@ public final class PluggedContext implements UContext {
     return periods;
   }
 
-  /** Makes and ends UObjects. */
+  /** Creates and ends UObjects. */
   public InstanceLifecycle creation() {
     return creation;
   }
@@ -156,7 +154,7 @@ public final class PluggedContext implements UContext {
   }
 
   /**
-   * The variable of urbiscript of which {@link #variable} or {@link #inputPort} has made a slot.
+   * The variable behind a slot that {@link #variable} or {@link #inputPort} has returned.
    */
   public static UrbiUVar behind(USlot slot) {
     return ((PluggedSlot) slot).behind();
@@ -167,7 +165,7 @@ public final class PluggedContext implements UContext {
     return connections;
   }
 
-  /** How long functions take. */
+  /** The statistics of function calls. */
   public CallStatistics statistics() {
     return statistics;
   }
@@ -177,7 +175,7 @@ public final class PluggedContext implements UContext {
     return systemLobby.get();
   }
 
-  /** By which name an object can be found, or at least recognized. */
+  /** The name by which an object can be found, or at least recognized. */
   public String nameOf(Frame frame, UrbiObject object) {
     return variables.nameOf(frame, object);
   }
@@ -185,9 +183,9 @@ public final class PluggedContext implements UContext {
   // ------------------------------------------------------------------ to and fro
 
   /**
-   * Code of urbiscript is about to call Java code; {@link #back} is to be given the result.
+   * Called before urbiscript calls Java code; the result must be passed to {@link #back}.
    *
-   * @param function what is called, for people
+   * @param function the name of the function, for messages
    */
   @Nullable Frame leave(Frame caller, String function) {
     JavaCallState callState = JavaCallState.of(caller.job());
@@ -223,11 +221,9 @@ public final class PluggedContext implements UContext {
   }
 
   /**
-   * Does something with urbiscript objects: at once on the kernel thread, where it may let others
-   * run; from another thread by a job, and waits for that.
+   * Runs a task on urbiscript objects: at once if called on the kernel thread, where it may let others run; otherwise in a job, for which the calling thread waits.
    *
-   * @return what the task returns, which may be null; null when the kernel has ended: the last ones
-   *     say good-bye
+   * @return the result of the task, which may be null; null if the kernel has ended, because components are still being closed then
    */
   <T> @Nullable T inKernel(Function<Frame, T> task) {
     if (!scheduler.isKernelThread()) {
@@ -292,7 +288,7 @@ public final class PluggedContext implements UContext {
     return new AwaitedResult(frame.job()).await(stage);
   }
 
-  /** Runs a threaded call of which nobody waits for the result; on the kernel thread. */
+  /** Runs a threaded call for whose result nobody waits; on the kernel thread. */
   void runThreaded(UCallback callback, Runnable call) {
     boolean started =
         scheduler.attempt(() ->
@@ -310,7 +306,7 @@ public final class PluggedContext implements UContext {
     }
   }
 
-  /** Tells people of what went wrong on a thread; not when all comes to an end. */
+  /** Reports a failure on another thread, unless the kernel is ending. */
   void reportUnlessOver(String message) {
     if (!over) {
       report(message);
@@ -384,16 +380,16 @@ public final class PluggedContext implements UContext {
   @Override
   public void start(UClass type) {
     inKernel(frame -> {
-      // At once: code that a constructor sends refers to the object.
+      // Publish at once: code sent by a constructor may refer to the object.
       creation.start(frame, type).run();
       return null;
     });
   }
 
   /**
-   * Makes a class known, as {@link #start} does, but shows it to nobody yet.
+   * Registers a class as {@link #start} does, but does not publish it yet.
    *
-   * @return what makes its object a slot of {@code uobjects}
+   * @return the action that makes its object a slot of {@code uobjects}
    */
   public Runnable startUnseen(UClass type) {
     return fromKernel(frame -> creation.start(frame, type));
@@ -420,7 +416,7 @@ public final class PluggedContext implements UContext {
     });
   }
 
-  /** The hub of that name has gone with its module; on the kernel thread. */
+  /** A hub has ended with its module; on the kernel thread. */
   void endHub(String name) {
     UObjectHub hub = hubs.remove(name);
     if (hub != null) {
@@ -518,7 +514,7 @@ public final class PluggedContext implements UContext {
     }
   }
 
-  /** Something that a job does when its turn comes. */
+  /** A task for a job. */
   @FunctionalInterface
   private interface FrameTask {
     void run(Frame frame);
@@ -569,14 +565,13 @@ public final class PluggedContext implements UContext {
     log.write(message);
   }
 
-  /** Counts, or no longer counts, somebody who only keeps a copy of a variable. */
+  /** Changes the number of subscribers that only keep a copy of a variable. */
   public void countMirror(UrbiUVar variable, boolean one) {
     variable.countMirror(interpreter, one);
   }
 
   /**
-   * Waits in the job that runs until a stage is complete, normally or not, or until the time is up;
-   * a stage that is not complete then is cancelled.
+   * Makes the running job wait until a stage is complete, normally or not. After the time limit the stage is cancelled.
    */
   public void await(CompletableFuture<?> stage, Duration most) {
     inKernel(frame -> {
@@ -591,7 +586,7 @@ public final class PluggedContext implements UContext {
     });
   }
 
-  /** Waits in the job that runs until a stage is complete, normally or not. */
+  /** Makes the running job wait until a stage is complete, normally or not. */
   public void await(CompletableFuture<?> stage) {
     inKernel(frame -> {
       awaitEnd(frame, stage);
@@ -603,7 +598,7 @@ public final class PluggedContext implements UContext {
     try {
       new AwaitedResult(frame.job()).await(stage);
     } catch (CompletionException e) {
-      // Whoever completes it says why elsewhere.
+      // The reason is reported elsewhere, by whoever completes the stage.
     }
   }
 
@@ -649,7 +644,7 @@ public final class PluggedContext implements UContext {
 
   // ------------------------------------------------------------------ the end
 
-  /** Nobody refers to an object any more; between the jobs. */
+  /** The urbiscript object was garbage collected; called between the jobs. */
   private void gone(Instance instance) {
     scheduler.startDetached(
         lobby(),

@@ -18,7 +18,7 @@ import urbi.UProperty;
 import urbi.USlot;
 import urbi.UValue;
 
-/** A variable of urbiscript as one module in the same process sees it. */
+/** A variable of urbiscript, as used by a module in the kernel's process. */
 final class PluggedSlot implements USlot {
   private static final double NANOSECONDS_PER_MICROSECOND = 1000;
 
@@ -171,7 +171,7 @@ final class PluggedSlot implements USlot {
 
   @Override
   public void useRtp(boolean on) {
-    // Nothing travels here, but others may want to know of the values elsewhere.
+    // Within one process nothing is sent, but the setting also applies to remote subscribers.
     context.inKernel(frame -> {
       variable.setRtp(on);
       return null;

@@ -2,7 +2,7 @@ package org.urbi.kernel.uobject;
 
 import org.urbi.kernel.error.UrbiException;
 
-/** An exception of urbiscript on its way through Java code. */
+/** Carries an urbiscript exception through Java code. */
 final class PropagatedUrbiException extends RuntimeException {
   private final transient UrbiException original;
 

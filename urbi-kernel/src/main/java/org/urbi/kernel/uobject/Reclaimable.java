@@ -2,8 +2,8 @@ package org.urbi.kernel.uobject;
 
 import org.jspecify.annotations.Nullable;
 
-/** An object that may go without anybody having destroyed it. */
+/** An object that may end without having been destroyed, for instance because its process has disconnected. */
 public interface Reclaimable {
-  /** Why it has gone, for those who call its functions all the same; null for no special reason. */
+  /** The reason why it has ended, shown to code that still calls its functions; null for no special reason. */
   @Nullable String reclaimReason();
 }

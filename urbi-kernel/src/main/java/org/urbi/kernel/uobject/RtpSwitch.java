@@ -18,7 +18,7 @@ public final class RtpSwitch {
     return on;
   }
 
-  /** Loads or unloads the module; false if nothing was to be done. */
+  /** Loads or unloads the module; false if it was already so. */
   public boolean turn(boolean now) {
     if (on == now) {
       return false;
@@ -28,7 +28,7 @@ public final class RtpSwitch {
     return true;
   }
 
-  /** Has somebody told of changes; returns what ends it. */
+  /** Adds a listener for changes; returns the action that removes it. */
   public Runnable onTurn(Consumer<Boolean> listener) {
     listeners.add(listener);
     return () -> listeners.remove(listener);

@@ -16,7 +16,7 @@ import urbi.UValue;
  * and are slots of {@code Serializables} (manual, "Casting simple structures").
  */
 final class Structures {
-  /** The key under which the name of the structure is. */
+  /** The key of the structure's name. */
   static final String NAME = "$sn";
 
   private final PluggedContext context;
@@ -62,13 +62,13 @@ final class Structures {
     return type == null ? object : type;
   }
 
-  /** Whether a slot of a class is data, and not a function or what each class has. */
+  /** Whether a slot of a class is data: neither a function nor a slot that every class has. */
   private static boolean isField(UrbiObject type, Symbol slot) {
     UrbiObject value = type.localSlot(slot);
     return !(value instanceof Code) && !slot.name().equals("type");
   }
 
-  /** A fresh object of the class of that name, with these fields. */
+  /** A new object of the class of that name, with these fields. */
   UrbiObject toUrbi(String name, UDictionary fields) {
     return context.fromKernel(frame -> {
       UrbiObject registered =

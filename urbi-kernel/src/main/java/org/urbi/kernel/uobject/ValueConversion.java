@@ -29,7 +29,7 @@ import urbi.UList;
 import urbi.UValue;
 
 /**
- * Values of urbiscript as {@link UValue}s, and the other way round (manual, "Binding functions").
+ * Converts urbiscript values to {@link UValue}s and back (manual, "Binding functions").
  */
 final class ValueConversion {
   private static final int DEEPEST = 200;
@@ -48,7 +48,7 @@ final class ValueConversion {
 
   // ------------------------------------------------------------------ to Java
 
-  /** What a value is to Java; void and nil are nothing. */
+  /** Converts a value to Java; void and nil become an empty value. */
   UValue toJava(UrbiObject object) {
     return toJava(object, 0);
   }
@@ -136,7 +136,7 @@ final class ValueConversion {
 
   // ------------------------------------------------------------------ to urbiscript
 
-  /** A value of Java; nothing is void. */
+  /** Converts a value from Java; an empty value becomes void. */
   UrbiObject toUrbi(@Nullable UValue value) {
     return value == null || value.isVoid() ? values.voidObject : content(value);
   }
@@ -191,7 +191,7 @@ final class ValueConversion {
         new String(binary.getData(), StandardCharsets.ISO_8859_1));
   }
 
-  /** A single value, as it is in a list: nothing is nil. */
+  /** Converts an element of a list: an empty value becomes nil. */
   UrbiObject element(UValue value) {
     return content(value);
   }

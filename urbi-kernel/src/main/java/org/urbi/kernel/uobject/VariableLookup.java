@@ -15,7 +15,7 @@ import org.urbi.kernel.variable.UrbiUVar;
 
 /** Finds variables and events by their names: {@code object.slot}. */
 final class VariableLookup {
-  /** How many variables of objects without a name may be remembered before some are forgotten. */
+  /** How many variables of unnamed objects are kept before unused ones are removed. */
   private static final int FEW = 64;
 
   /** A slot of an object. */
@@ -24,7 +24,7 @@ final class VariableLookup {
   private final World world;
   private final Instances objects;
 
-  /** Variables of objects which cannot be found by their names. */
+  /** Variables of objects that have no name by which they could be found. */
   private final Map<String, WeakReference<UrbiUVar>> handedOut = new HashMap<>();
 
   private int tidyAt = FEW;
@@ -57,7 +57,7 @@ final class VariableLookup {
     return (UrbiUVar) made;
   }
 
-  /** The slot of that name, which need not be there; the object must. */
+  /** The slot of that name, which may be missing; the object must exist. */
   Place place(Frame frame, String name) {
     int dot = name.lastIndexOf('.');
     UrbiObject owner = dot <= 0 ? null : owner(frame, name.substring(0, dot));
@@ -96,7 +96,7 @@ final class VariableLookup {
     return object;
   }
 
-  /** The name of a variable, by which it can be found as long as it lives. */
+  /** A name of a variable by which it can be found as long as it exists. */
   String handOut(UrbiUVar variable) {
     if (handedOut.size() >= tidyAt) {
       handedOut.values().removeIf(reference -> reference.refersTo(null));
@@ -107,7 +107,7 @@ final class VariableLookup {
     return name;
   }
 
-  /** By which name an object can be found, or at least recognized. */
+  /** The name by which an object can be found, or at least recognized. */
   String nameOf(Frame frame, UrbiObject object) {
     String name = objects.nameOf(object);
     if (name != null) {

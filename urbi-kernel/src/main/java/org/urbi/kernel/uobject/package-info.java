@@ -1,6 +1,5 @@
 /**
- * UObjects plugged into the kernel: the context they live in, their modules, and the conversion of
- * what passes between them and urbiscript (manual, "The UObject API").
+ * UObjects plugged into the kernel: their context, their modules, and the conversion of values between them and urbiscript (manual, "The UObject API").
  */
 @NullMarked
 package org.urbi.kernel.uobject;

@@ -8,8 +8,7 @@ import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
- * Reads a variable once in each period of the system ({@code System.period}), so that those who set
- * it when it is read do so, and those who wait for changes hear of them.
+ * Reads a variable once in each period of the system ({@code System.period}), so that code which computes it on access runs, and subscribers to its changes are notified.
  */
 final class AccessLoop {
   private static final double NANOSECONDS = 1e9;

@@ -4,7 +4,7 @@ import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.List;
 
-/** All the connections of a kernel; it does not keep them alive. */
+/** All connections between variables of a kernel, as weak references. */
 public final class ConnectionList {
   private final List<WeakReference<UrbiConnection>> connections = new ArrayList<>();
 

@@ -6,11 +6,10 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
- * One value of a variable. What Java code has written stays as it is until urbiscript wants to see
- * it: Java code that reads it gets the very same.
+ * One value of a variable. A value written by Java code is kept as a Java object until urbiscript reads it, so that Java code that reads it gets the very same object.
  */
 public final class Datum {
-  /** A value that is not of urbiscript. */
+  /** A value that is no urbiscript object. */
   @FunctionalInterface
   public interface Foreign {
     /** A copy of it for urbiscript. */
@@ -39,7 +38,7 @@ public final class Datum {
     return known;
   }
 
-  /** What Java code has written; null if urbiscript has written the value. */
+  /** The Java value; null if urbiscript has written the value. */
   public @Nullable Foreign foreign() {
     return foreign;
   }

@@ -3,18 +3,18 @@ package org.urbi.kernel.variable;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 
-/** Something that is done when a variable is written, or before it is read. */
+/** An action that runs when a variable is written, or before it is read. */
 @FunctionalInterface
 public interface Hook {
   /**
-   * Does it.
+   * Runs the hook.
    *
-   * @param frame the code that writes or reads
-   * @param value the new value; before a read, the present one
+   * @param frame the frame of the code that writes or reads
+   * @param value the new value; before a read, the current one
    */
   void run(Frame frame, UrbiUVar variable, Datum value);
 
-  /** Whether it runs even for what it does itself to the variable. */
+  /** Whether it also runs for its own reads and writes of the variable. */
   default boolean isReentrant() {
     return false;
   }

@@ -7,7 +7,7 @@ import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.node.Frame;
 
-/** The hooks of one kind that a variable has. */
+/** The hooks of a variable, of one kind. */
 final class Hooks {
   private static final Entry[] NONE = {};
 
@@ -24,7 +24,7 @@ final class Hooks {
   }
 
   /**
-   * In the order in which they were added; replaced as a whole, since hooks change it as they run.
+   * In the order in which they were added. Copied on write, because hooks that run may add and remove hooks.
    */
   private Entry[] all = NONE;
 
@@ -56,8 +56,7 @@ final class Hooks {
   }
 
   /**
-   * Runs them all; one that fails keeps no other from running. What a hook does to the variable
-   * runs none of them again.
+   * Runs all hooks, even if one fails. Changes that a hook makes to the variable do not run hooks again.
    */
   void run(Frame frame, UrbiUVar variable, Datum value) {
     if (all.length == 0) {

@@ -5,8 +5,7 @@ import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.object.UrbiFloat;
 
 /**
- * Notices when the targets of a variable leave its range. They are limited in silence otherwise: a
- * motion along the limit would be a flood of warnings, so there is one each time it begins.
+ * Warns when the targets of a variable leave its range. To avoid a flood of warnings, there is only one until they are inside again; in between, targets are limited silently.
  */
 final class RangeWarning {
   private final String name;
@@ -18,7 +17,7 @@ final class RangeWarning {
     this.warned = warned;
   }
 
-  /** A target, and what the range has made of it. */
+  /** Compares a target with the value limited to the range. */
   void note(Datum given, Datum limited) {
     boolean before = outside;
     outside = given != limited;

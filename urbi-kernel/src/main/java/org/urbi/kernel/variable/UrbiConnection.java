@@ -11,7 +11,7 @@ import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
-/** Leads each new value of one variable to another (manual, "Customizing data-flow links"). */
+/** Copies each new value of one variable to another (manual, "Customizing data-flow links"). */
 public final class UrbiConnection extends UrbiSubscription {
   private @Nullable UrbiUVar source;
   private @Nullable UrbiUVar target;
@@ -25,7 +25,7 @@ public final class UrbiConnection extends UrbiSubscription {
     return new UrbiConnection(cloneShape());
   }
 
-  /** Leads the values of a variable to another from now on. */
+  /** Starts to copy the values of a variable to another. */
   public void connect(Frame frame, UrbiUVar from, UrbiUVar to) {
     disconnect();
     source = from;
@@ -33,7 +33,7 @@ public final class UrbiConnection extends UrbiSubscription {
     from.add(frame, this);
   }
 
-  /** Leads nothing any more. */
+  /** Ends the connection. */
   @Override
   public void disconnect() {
     if (source != null) {
@@ -42,17 +42,17 @@ public final class UrbiConnection extends UrbiSubscription {
     }
   }
 
-  /** Where the values come from; null when it is disconnected. */
+  /** The source of the values; null when disconnected. */
   public @Nullable UrbiUVar source() {
     return source;
   }
 
-  /** Where they go; null for the prototype. */
+  /** The target of the values; null for the prototype. */
   public @Nullable UrbiUVar target() {
     return target;
   }
 
-  /** There is a new value. */
+  /** Passes on a new value. */
   void pass(Frame frame, Datum value) {
     Interpreter interpreter = frame.interpreter();
     Job caller = frame.job();

@@ -29,21 +29,21 @@ import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
- * A variable with hooks, which stands behind a slot (manual, "UVar").
+ * A variable with hooks, which provides the value of a slot (manual, "UVar").
  *
  * <p>An owned one has two values: a target, which everybody writes and its owner reads, and a
  * sensed value, which its owner writes and everybody reads.
  *
- * <p>It does not keep the objects alive behind whose slots it stands.
+ * <p>It does not keep alive the objects whose slots it provides.
  */
 public final class UrbiUVar extends UrbiObject {
-  /** A slot behind which the variable stands. */
+  /** A slot whose value the variable provides. */
   private record Place(WeakReference<UrbiObject> owner, WeakReference<SlotData> slot) {
     Place(UrbiObject owner, SlotData slot) {
       this(new WeakReference<>(owner), new WeakReference<>(slot));
     }
 
-    /** The data of the slot; null when it or the object has gone. */
+    /** The data of the slot; null if the slot or its object no longer exists. */
     @Nullable SlotData data() {
       SlotData data = slot.get();
       return data == null || data.removed ? null : data;
@@ -69,7 +69,7 @@ public final class UrbiUVar extends UrbiObject {
   private final Hooks onChangeOwned = new Hooks();
   private final Hooks onAccess = new Hooks();
 
-  /** Replaced as a whole, since what values lead to changes it. */
+  /** Copied on write, because passing on values may change the list. */
   private List<UrbiConnection> connections = List.of();
 
   private final List<Reader> readers = new ArrayList<>(0);
@@ -118,7 +118,7 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   /**
-   * Puts this variable behind a slot of an object. The first time, it takes over the value.
+   * Makes this variable provide a slot of an object. The first time, it takes over the slot's value.
    *
    * @param shown the name of the object in messages
    * @param tellsChanges whether the slot has the property {@code changed}, an event
@@ -155,12 +155,12 @@ public final class UrbiUVar extends UrbiObject {
     return name;
   }
 
-  /** The object behind whose slot it was put first; null when there is none, or it has gone. */
+  /** The object of its first slot; null if there is none, or it no longer exists. */
   public @Nullable UrbiObject owner() {
     return places.isEmpty() ? null : places.getFirst().owner.get();
   }
 
-  /** The lobby for which it is read when it is read by itself. */
+  /** The lobby for which the access loop reads it. */
   UrbiObject lobby() {
     return requireNonNull(lobby, "there is somebody who sets the value");
   }
@@ -172,9 +172,9 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   /**
-   * From now on it has a target and a sensed value, both what the value was.
+   * Splits the value into a target and a sensed value, which both start with the current value.
    *
-   * @param warned is told when targets begin to be out of range
+   * @param warned called with a warning when targets leave the range
    */
   public void own(Consumer<String> warned) {
     own();
@@ -190,8 +190,7 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   /**
-   * Whether it passes values on, and keeps none: made so, or by a slot of its own, {@code
-   * inputPort}.
+   * Whether it only passes values on and stores none: created so, or by its slot {@code inputPort}.
    */
   public boolean isInput() {
     return input || localSlot(inputPort) == world().values().trueObject;
@@ -202,8 +201,7 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   /**
-   * Switches the bypass mode, in which the value can be read only while hooks are told of it
-   * (manual, "0-copy mode").
+   * Switches the bypass mode, in which the value can be read only while hooks are called for it (manual, "0-copy mode").
    */
   public void setBypass(boolean on) {
     bypass = on;
@@ -212,7 +210,7 @@ public final class UrbiUVar extends UrbiObject {
     }
   }
 
-  /** Nothing can be read until the next value comes. */
+  /** Drops the value: nothing can be read until the next one is written. */
   private void forget() {
     sensed = new Datum(world().values().nil);
     if (!owned) {
@@ -222,20 +220,20 @@ public final class UrbiUVar extends UrbiObject {
 
   /**
    * Whether its values travel in datagrams to and from remote processes (manual, "Per-UVar control
-   * of RTP mode"): what was said of it, else of the prototype; null if nothing was.
+   * of RTP mode"): the setting of the variable, or else of the prototype; null if neither is set.
    */
   public @Nullable Boolean rtp() {
     UrbiUVar prototype = general();
     return rtp != null || prototype == this ? rtp : prototype.rtp;
   }
 
-  /** Says whether they do; of the prototype, for all of which nothing else is said. */
+  /** Sets whether they do; on the prototype, for all variables without a setting of their own. */
   public void setRtp(@Nullable Boolean on) {
     rtp = on;
     List.copyOf(onRtp).forEach(Runnable::run);
   }
 
-  /** Has somebody told when that may have changed; returns what ends it. */
+  /** Adds a listener for changes of that setting; returns the action that removes it. */
   public Runnable onRtp(Runnable listener) {
     UrbiUVar prototype = general();
     onRtp.add(listener);
@@ -261,7 +259,7 @@ public final class UrbiUVar extends UrbiObject {
 
   // ------------------------------------------------------------------ hooks
 
-  /** Adds a hook for changes of what everybody reads; returns the number by which to remove it. */
+  /** Adds a hook for changes of the value that everybody reads; returns the number by which to remove it. */
   public long notifyChange(Frame frame, Hook hook) {
     onChange.add(++lastId, hook);
     reviewAccess(frame.interpreter());
@@ -283,8 +281,7 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   /**
-   * Counts, or no longer counts, one of the hooks for changes as one of somebody who only keeps a
-   * copy, and who sets the value himself when it is read: it need not be read for him.
+   * Changes the number of change hooks whose owners only keep a copy, and themselves set the value on access: the access loop need not read the variable for them.
    */
   public void countMirror(Interpreter interpreter, boolean one) {
     mirrors += one ? 1 : -1;
@@ -303,7 +300,7 @@ public final class UrbiUVar extends UrbiObject {
     return onAccess.remove(id);
   }
 
-  /** The connections that begin here. */
+  /** The connections that start at this variable. */
   public List<UrbiConnection> connections() {
     return connections;
   }
@@ -318,22 +315,21 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   /**
-   * Where somebody sets the value when it is read, and others want to know of changes, the variable
-   * is read again and again.
+   * Starts or ends the access loop, which reads the variable periodically if some hook sets its value on access and others subscribe to its changes.
    */
   private void reviewAccess(Interpreter interpreter) {
-    // A condition that is being evaluated will watch what it reads.
+    // A condition that is being evaluated will subscribe to what it reads.
     if (accessLoop == null && !onAccess.isEmpty() && (world().tracker != null || isWatched())) {
       accessLoop = new AccessLoop(interpreter, this);
     }
   }
 
-  /** Whether somebody sets the value when it is read, and others want to know of changes. */
+  /** Whether some hook sets the value on access, and others subscribe to its changes. */
   boolean needsAccess() {
     return !onAccess.isEmpty() && isWatched();
   }
 
-  /** The variable is no longer read by itself. */
+  /** The access loop has ended. */
   void accessLoopEnded() {
     accessLoop = null;
   }
@@ -356,8 +352,7 @@ public final class UrbiUVar extends UrbiObject {
   // ------------------------------------------------------------------ reading
 
   /**
-   * What everybody reads; hooks are run before. In bypass mode, waits for the next value, and reads
-   * {@code nil} if none comes in half a second.
+   * The value that everybody reads, after running the access hooks. In bypass mode, waits for the next value, and returns {@code nil} if none is written within half a second.
    */
   public UrbiObject read(Frame frame) {
     if (!onAccess.isEmpty()) {
@@ -399,7 +394,7 @@ public final class UrbiUVar extends UrbiObject {
     }
   }
 
-  /** What everybody reads; no hook is run. */
+  /** The value that everybody reads; no hook is run. */
   public Datum visible() {
     return owned ? sensed : value;
   }
@@ -416,7 +411,7 @@ public final class UrbiUVar extends UrbiObject {
 
   // ------------------------------------------------------------------ writing
 
-  /** Writes as everybody does: the target of an owned variable; hooks are run after. */
+  /** Writes as everybody does: to the target of an owned variable. Hooks are run afterwards. */
   public void write(Frame frame, Datum datum) {
     if (!owned) {
       set(frame, datum);
@@ -489,20 +484,20 @@ public final class UrbiUVar extends UrbiObject {
     }
   }
 
-  /** Whether nobody is told of changes for now. */
+  /** Sets whether notifications are suppressed for now. */
   public void silence(boolean on) {
     silent = on;
   }
 
-  /** Gives it the values back that it had; nobody is told. */
+  /** Restores former values, without notifications. */
   public void restore(Datum target, Datum seen) {
     value = target;
     sensed = seen;
   }
 
-  /** The value, not less than the slot's property rangemin and not more than rangemax. */
+  /** The value limited to the slot's properties rangemin and rangemax. */
   private Datum inRange(Frame frame, Datum assigned) {
-    // What Java code has written is not even looked at: that would copy it.
+    // A Java value is not limited, because reading it here would copy it.
     if (assigned.foreign() != null || !(assigned.value() instanceof UrbiFloat number)) {
       return assigned;
     }

@@ -1,14 +1,11 @@
 package org.urbi.lang.ast;
 
 /**
- * What to do with each kind of node: a new kind does not compile until everybody who treats them
- * all treats it, too.
+ * A method for each kind of node: a new kind of node does not compile until every visitor handles it.
  *
- * <p>It stands for a {@code switch} over the sealed tree. The JDK builds such a switch anew in each
- * process when it is first run, which costs more than all the rest of starting a kernel; a call of
- * an interface method costs nothing.
+ * <p>It is used instead of a {@code switch} over the sealed tree, because the JDK links such a switch anew in each process when it first runs, which takes longer than all the rest of starting a kernel.
  *
- * @param <R> what becomes of a node
+ * @param <R> the result for a node
  */
 public interface AstVisitor<R> {
   R visit(Ast.FloatLiteral node);

@@ -4,16 +4,16 @@ import java.util.ArrayList;
 import java.util.List;
 import org.urbi.lang.source.Span;
 
-/** The names that a statement gives to variables of the scope around it. */
+/** The variables that a statement declares in the surrounding scope. */
 public final class LocalNames {
   private LocalNames() {}
 
-  /** A name, and the declaration that gives it. */
+  /** A name and its declaration. */
   public record Named(String name, Ast declaration, Span span) {}
 
   /** The names declared by a statement, or by a list of them, in their order. */
   public static List<Named> in(Ast statement) {
-    // A chain of tests, as most statements declare nothing.
+    // A chain of tests is fast here, because most statements declare nothing.
     if (statement instanceof Ast.Declaration declaration) {
       return declaration.target() == null
           ? List.of(new Named(declaration.name(), declaration, declaration.nameSpan()))

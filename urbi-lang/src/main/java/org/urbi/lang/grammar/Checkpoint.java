@@ -1,11 +1,11 @@
 package org.urbi.lang.grammar;
 
-/** Asks now and then, in a long piece of work, whether it is to go on. */
+/** Checks regularly in long loops whether to continue. */
 public final class Checkpoint {
   /** It goes on. */
   static final Checkpoint NONE = new Checkpoint(() -> {});
 
-  /** So many steps are done between two questions; a power of two. */
+  /** The number of steps between two checks; a power of two. */
   private static final int STEPS = 1 << 10;
 
   private final Runnable question;
@@ -18,7 +18,7 @@ public final class Checkpoint {
     this.question = question;
   }
 
-  /** A step of the work is done next. */
+  /** To be called before each step. */
   public void pass() {
     if ((++steps & (STEPS - 1)) == 0) {
       question.run();

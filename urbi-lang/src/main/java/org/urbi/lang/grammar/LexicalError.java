@@ -3,7 +3,7 @@ package org.urbi.lang.grammar;
 import org.urbi.lang.problem.SyntaxProblem;
 
 /**
- * What the scanner has to say about a piece of text.
+ * An error or a warning of the scanner about a piece of text.
  *
  * @param begin offset of its first character
  * @param end offset after its last character

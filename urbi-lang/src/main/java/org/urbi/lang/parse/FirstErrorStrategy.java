@@ -7,7 +7,7 @@ import org.antlr.v4.runtime.RecognitionException;
 import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.misc.ParseCancellationException;
 
-/** Stops at the first token that fits nowhere: what follows would be guesswork. */
+/** Stops at the first unexpected token: later errors would be guesses. */
 final class FirstErrorStrategy extends DefaultErrorStrategy {
   @Override
   public void recover(Parser recognizer, RecognitionException e) {
@@ -16,7 +16,7 @@ final class FirstErrorStrategy extends DefaultErrorStrategy {
 
   @Override
   public void reportError(Parser recognizer, RecognitionException e) {
-    // Told by the exception that recover() throws.
+    // Reported by the exception that recover() throws.
   }
 
   @Override
@@ -26,6 +26,6 @@ final class FirstErrorStrategy extends DefaultErrorStrategy {
 
   @Override
   public void sync(Parser recognizer) {
-    // Only of use to those who go on after an error.
+    // Only needed by parsers that continue after an error.
   }
 }

@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
 
 /**
- * What a text is, or why it is nothing.
+ * The result of parsing: a tree, or errors.
  *
  * @param tree null when there are errors
  * @param separator what ended the statement; null when the text was not read as one statement

@@ -8,8 +8,7 @@ import org.antlr.v4.runtime.atn.ParserATNSimulator;
 import org.antlr.v4.runtime.atn.PredictionMode;
 
 /**
- * Blames the token at which no way is left. ANTLR would rather leave the rule before the decision,
- * and blame the token at which it began, because that serves error recovery.
+ * Reports an error at the token where no alternative is left. ANTLR by default reports it at the token where the decision began, because that helps error recovery.
  */
 final class PreciseErrorSimulator extends ParserATNSimulator {
   PreciseErrorSimulator(Parser parser, PredictionMode mode) {

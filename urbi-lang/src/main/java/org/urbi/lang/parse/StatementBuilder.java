@@ -152,7 +152,7 @@ final class StatementBuilder {
     return scope;
   }
 
-  /** What a control structure governs; nothing at all is allowed but suspect. */
+  /** The body of a control structure; an empty statement is allowed, but gets a warning. */
   Ast body(BodyContext context) {
     if (context.statement() != null) {
       return statement(context.statement());
@@ -311,9 +311,9 @@ final class StatementBuilder {
   }
 
   /**
-   * A jump that has nothing to leave or to go on with is an error.
+   * A jump outside of what it jumps out of is an error.
    *
-   * @param around how many of what it needs are around
+   * @param around how many surrounding constructs it can leave
    */
   private void within(int around, Span span, SyntaxProblem otherwise) {
     if (around == 0) {

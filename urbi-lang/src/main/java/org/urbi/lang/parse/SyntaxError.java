@@ -4,7 +4,7 @@ import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.source.Span;
 
 /**
- * Why a text is no program.
+ * An error in a text.
  *
  * @param reason the text of the problem, filled in
  */
@@ -18,7 +18,7 @@ public record SyntaxError(Span span, SyntaxProblem problem, String reason) {
     return new SyntaxError(span, problem, problem.text(values));
   }
 
-  /** What people are told: {@code syntax error: reason}. */
+  /** The message: {@code syntax error: reason}. */
   public String message() {
     return "syntax error: " + reason;
   }

@@ -4,7 +4,7 @@ import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.source.Span;
 
 /**
- * What a text that is understood should not say, for instance because it is deprecated.
+ * A warning about a valid text, for instance that something is deprecated.
  *
  * @param message the text of the problem, filled in
  */

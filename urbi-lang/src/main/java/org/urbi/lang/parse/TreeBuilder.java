@@ -13,9 +13,9 @@ import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.source.Source;
 import org.urbi.lang.source.Span;
 
-/** What those who turn parse trees into syntax trees share. */
+/** The common part of the builders that turn parse trees into syntax trees. */
 final class TreeBuilder {
-  /** How high a tree may be: those who walk it later do so recursively. */
+  /** The height limit of a tree, because later passes walk it recursively. */
   static final int MAXIMUM_HEIGHT = 1500;
 
   final StatementBuilder statements = new StatementBuilder(this);
@@ -45,7 +45,7 @@ final class TreeBuilder {
     this.warnings = warnings;
   }
 
-  /** Tells that what is built next lies that much deeper, until {@link #leave}. */
+  /** Increases the depth until {@link #leave}. */
   void enter(int levels, ParserRuleContext context) {
     checkpoint.pass();
     height += levels;

@@ -12,8 +12,7 @@ import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.source.Source;
 
 /**
- * What is told of the first token that fits nowhere: which it is and, where few could have stood in
- * its place, which these are.
+ * The error for an unexpected token: it names the token and, if there are only a few, the tokens that would have been possible.
  */
 final class UnexpectedToken {
   private UnexpectedToken() {}

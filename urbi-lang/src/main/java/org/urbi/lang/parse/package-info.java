@@ -1,4 +1,4 @@
-/** From text to syntax tree. */
+/** Parses texts to syntax trees. */
 @NullMarked
 package org.urbi.lang.parse;
 

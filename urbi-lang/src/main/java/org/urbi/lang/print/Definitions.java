@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.urbi.lang.ast.Ast;
 
-/** Prints what gives names to functions, classes and the like. */
+/** Prints definitions of functions, classes and the like. */
 final class Definitions {
   private Definitions() {}
 

@@ -7,7 +7,7 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.urbi.lang.ast.Ast;
 
-/** Prints what may stand where a value is expected. */
+/** Prints expressions. */
 final class Expressions {
   private Expressions() {}
 

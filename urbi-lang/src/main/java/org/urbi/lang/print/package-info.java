@@ -1,4 +1,4 @@
-/** From syntax tree to text. */
+/** Prints syntax trees as text. */
 @NullMarked
 package org.urbi.lang.print;
 

@@ -7,8 +7,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The catalogue of all that the parser has to say, in the words of the manual; the kernel has
- * another one. A message is found by its text, and every place of it in the code by its name.
+ * The catalogue of the parser's messages, in the words of the manual; the kernel has another one. To find where a message comes from, search here for its text, and in the code for its name.
  */
 public enum SyntaxProblem {
   // ------------------------------------------------------------------ characters and words
@@ -78,11 +77,11 @@ public enum SyntaxProblem {
   EMPTY_STATEMENT(WARNING, "implicit empty statement, use `{}'"),
   MODIFIER_REDEFINED(WARNING, "modifier redefined: {name}");
 
-  /** How bad it is. */
+  /** The severity. */
   public enum Kind {
-    /** The text is no program. */
+    /** The text is invalid. */
     ERROR,
-    /** The text is understood. */
+    /** The text is valid, but suspect. */
     WARNING
   }
 
@@ -114,7 +113,7 @@ public enum SyntaxProblem {
     return template.fill(values);
   }
 
-  /** What to do about it, in a few words. */
+  /** A hint at what to do about it. */
   public Optional<String> hint() {
     return Optional.ofNullable(hint);
   }
