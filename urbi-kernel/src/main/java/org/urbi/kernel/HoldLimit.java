@@ -42,7 +42,7 @@ final class HoldLimit {
   }
 
   private UrbiException failure(Job job) {
-    return errors.limit(Problem.HELD_TOO_LONG, described(job, job.component()));
+    return errors.limit(Problem.HELD_TOO_LONG, described(job, job.componentCode().function()));
   }
 
   /** Called on the watchdog's thread, so it reads nothing but names. */

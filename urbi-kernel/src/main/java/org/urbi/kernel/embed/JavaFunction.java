@@ -56,7 +56,7 @@ final class JavaFunction extends BuiltinTable {
     for (UrbiObject argument : arguments) {
       values.add(JavaValues.toJava(embedding, argument));
     }
-    String outer = caller.job().enterComponent(name(0));
+    String outer = caller.job().componentCode().enter(name(0));
     try {
       Object result =
           ScopedValue.where(CALLER, caller)
@@ -72,7 +72,7 @@ final class JavaFunction extends BuiltinTable {
     } catch (RuntimeException e) {
       throw failure(caller, e);
     } finally {
-      caller.job().leaveComponent(outer);
+      caller.job().componentCode().leave(outer);
     }
   }
 

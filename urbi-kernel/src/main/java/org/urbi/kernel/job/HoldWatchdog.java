@@ -130,11 +130,11 @@ public final class HoldWatchdog {
   private void end(long turn) {
     Job job = scheduler.running();
     if (job != null) {
-      String component = job.component();
+      String component = job.componentCode().function();
       scheduler.interruptions().requestOverdue(turn);
       listener.accept(job, component);
       if (component != null) {
-        job.interruptComponent(turn);
+        job.componentCode().interrupt(turn);
       }
     }
   }

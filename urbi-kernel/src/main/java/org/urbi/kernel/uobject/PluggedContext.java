@@ -194,7 +194,7 @@ public final class PluggedContext implements UContext {
     if (outer == null) {
       UContext.enter(this);
       KernelThreadPin.pin();
-      caller.job().enterComponent(function);
+      caller.job().componentCode().enter(function);
     }
     return outer;
   }
@@ -210,7 +210,7 @@ public final class PluggedContext implements UContext {
     callState.unwinding = null;
     try {
       if (outer == null) {
-        caller.job().leaveComponent(null);
+        caller.job().componentCode().leave(null);
       }
     } catch (UrbiException overdue) {
       throw unwinding == null ? overdue : unwinding;
@@ -240,14 +240,14 @@ public final class PluggedContext implements UContext {
     }
     callState.caller = null;
     KernelThreadPin.unpin();
-    String function = job.enterComponent(null);
+    String function = job.componentCode().enter(null);
     try {
       return translated(caller, task);
     } catch (ControlFlowException e) {
       callState.unwinding = e;
       throw e;
     } finally {
-      job.enterComponent(function);
+      job.componentCode().enter(function);
       KernelThreadPin.pin();
       callState.caller = caller;
     }

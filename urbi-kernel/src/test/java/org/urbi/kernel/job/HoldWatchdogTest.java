@@ -194,11 +194,11 @@ class HoldWatchdogTest {
   @Test
   void aComponentIsNamedAndInterrupted() {
     loop.start(job -> {
-      String outer = job.enterComponent("Robot.walk");
+      String outer = job.componentCode().enter("Robot.walk");
       watch.interrupt();
       assertEquals(List.of(job.name() + " Robot.walk"), told);
       assertThrows(InterruptedException.class, () -> new CountDownLatch(1).await());
-      assertThrows(TagStop.class, () -> job.leaveComponent(outer));
+      assertThrows(TagStop.class, () -> job.componentCode().leave(outer));
       assertFalse(Thread.currentThread().isInterrupted());
     });
     loop.run();

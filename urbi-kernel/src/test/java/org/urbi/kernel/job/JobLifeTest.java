@@ -406,15 +406,15 @@ class JobLifeTest {
   @Test
   void codeOfAComponentIsKnownByItsFunction() {
     loop.start(self -> {
-      assertNull(self.component());
-      String none = self.enterComponent("A.outer");
-      assertEquals("A.outer", self.component());
-      String outer = self.enterComponent("B.inner");
-      assertEquals("B.inner", self.component());
-      self.leaveComponent(outer);
-      assertEquals("A.outer", self.component());
-      self.leaveComponent(none);
-      assertNull(self.component());
+      assertNull(self.componentCode().function());
+      String none = self.componentCode().enter("A.outer");
+      assertEquals("A.outer", self.componentCode().function());
+      String outer = self.componentCode().enter("B.inner");
+      assertEquals("B.inner", self.componentCode().function());
+      self.componentCode().leave(outer);
+      assertEquals("A.outer", self.componentCode().function());
+      self.componentCode().leave(none);
+      assertNull(self.componentCode().function());
     });
     loop.run();
   }
@@ -428,12 +428,12 @@ class JobLifeTest {
         scheduler.rootScope(),
         "job",
         self -> {
-          String none = self.enterComponent("A.outer");
-          String outer = self.enterComponent("B.inner");
+          String none = self.componentCode().enter("A.outer");
+          String outer = self.componentCode().enter("B.inner");
           scheduler.interruptions().request(lobby);
-          self.leaveComponent(outer);
-          assertThrows(TagStop.class, () -> self.leaveComponent(none));
-          assertNull(self.component());
+          self.componentCode().leave(outer);
+          assertThrows(TagStop.class, () -> self.componentCode().leave(none));
+          assertNull(self.componentCode().function());
           loop.say("left");
         });
     assertEquals(List.of("left"), loop.run());
@@ -442,20 +442,20 @@ class JobLifeTest {
   @Test
   void aComponentIsInterruptedInItsTurnAlone() {
     loop.start(self -> {
-      self.interruptComponent(scheduler.turn());
+      self.componentCode().interrupt(scheduler.turn());
       assertFalse(Thread.currentThread().isInterrupted());
-      self.enterComponent("A.f");
-      self.interruptComponent(scheduler.turn() - 1);
+      self.componentCode().enter("A.f");
+      self.componentCode().interrupt(scheduler.turn() - 1);
       assertFalse(Thread.currentThread().isInterrupted());
-      self.interruptComponent(scheduler.turn());
+      self.componentCode().interrupt(scheduler.turn());
       assertTrue(Thread.currentThread().isInterrupted());
       scheduler.interruptions().request(loop.object());
-      self.leaveComponent(null);
+      self.componentCode().leave(null);
       assertFalse(Thread.currentThread().isInterrupted());
       // What the component has interrupted itself is its own concern.
       Thread.currentThread().interrupt();
-      self.enterComponent("A.f");
-      self.leaveComponent(null);
+      self.componentCode().enter("A.f");
+      self.componentCode().leave(null);
       assertTrue(Thread.interrupted());
       loop.say("done");
     });

@@ -123,8 +123,8 @@ class JobThreadsTest {
   void codeOfAComponentThatWaitsIsInterrupted(JobThreads threads) {
     Loop loop = new Loop(threads);
     loop.start(job -> {
-      job.enterComponent("A.f");
-      job.interruptComponent(loop.scheduler.turn());
+      job.componentCode().enter("A.f");
+      job.componentCode().interrupt(loop.scheduler.turn());
       assertThrows(InterruptedException.class, () -> Thread.sleep(SECOND));
       loop.say("interrupted");
     });
