@@ -6,7 +6,8 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * A method that urbiscript can call: static, or one of a class that is made with what it needs.
+ * A method that urbiscript can call: a static method, or an instance method of a class that gets
+ * what it needs by its constructor.
  *
  * <p>Its parameters, in this order: optionally the {@code Frame} of the caller; optionally the
  * {@code CallSite}; the target, {@code UrbiObject} or a subclass of it; the arguments. An argument
@@ -28,23 +29,23 @@ public @interface Builtin {
   String doc();
 
   /**
-   * Whether it wants its arguments unevaluated: it has no arguments in Java then and finds them in
-   * {@code CallSite.argumentNodes()}.
+   * Whether its arguments are not evaluated: the Java method then has no arguments and finds them
+   * in {@code CallSite.argumentNodes()}.
    */
   boolean lazy() default false;
 
-  /** How few arguments a lazy builtin may have. */
+  /** The minimum number of arguments of a lazy builtin. */
   int min() default 0;
 
-  /** How many arguments a lazy builtin may have; -1 for any number. */
+  /** The maximum number of arguments of a lazy builtin; -1 for any number. */
   int max() default -1;
 
   /**
-   * Whether it is called when the slot of that name, which another builtin declares, is assigned;
-   * it has one argument then, the value.
+   * Whether it is a setter: it is called, with the value as its only argument, when the slot of
+   * that name, which another builtin declares, is assigned.
    */
   boolean setter() default false;
 
-  /** What a lobby needs to call it; by default what its class says. */
+  /** The permission needed to call it; by default that of its class. */
   Permission needs() default Permission.AS_TYPE;
 }

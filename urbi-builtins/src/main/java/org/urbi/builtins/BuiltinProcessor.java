@@ -17,8 +17,8 @@ import javax.lang.model.element.TypeElement;
 import javax.tools.Diagnostic;
 
 /**
- * Checks the classes of builtins and writes their tables, and the list of all tables. What it
- * refuses is an error of compilation at the place of the mistake.
+ * Checks the classes of builtins and writes their tables, and the list of all tables. Invalid
+ * declarations are compilation errors at their location.
  */
 @SupportedAnnotationTypes("org.urbi.builtins.*")
 public final class BuiltinProcessor extends AbstractProcessor {

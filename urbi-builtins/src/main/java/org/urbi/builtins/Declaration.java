@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
 
 /** A class of builtins, read from its annotations and ready to be written as a table. */
 final class Declaration {
-  /** How an argument gets from urbiscript to Java. */
+  /** How an argument is converted from urbiscript to Java. */
   enum Kind {
     OBJECT(null),
     SUBCLASS(null),
@@ -25,7 +25,7 @@ final class Declaration {
     }
   }
 
-  /** How the result gets from Java to urbiscript. */
+  /** How the result is converted from Java to urbiscript. */
   enum Result {
     OBJECT,
     VOID,
@@ -88,9 +88,9 @@ final class Declaration {
     }
   }
 
-  /** What a class of builtins needs of the kernel: a parameter of its constructor. */
+  /** A service of the kernel that a class of builtins needs: a parameter of its constructor. */
   record Service(String javaType) {
-    /** The name by which it is passed on, the same wherever it is needed. */
+    /** Its parameter name, the same in all classes. */
     String name() {
       String simple = javaType.substring(javaType.lastIndexOf('.') + 1);
       return Character.toLowerCase(simple.charAt(0)) + simple.substring(1);
@@ -111,7 +111,7 @@ final class Declaration {
 
   final String doc;
 
-  /** How the prototype is made. */
+  /** How the prototype is created. */
   enum Prototype {
     PLAIN_OBJECT,
     BY_CLASS,
@@ -120,7 +120,7 @@ final class Declaration {
 
   final Prototype prototype;
 
-  /** What the class is made with; empty when all its builtins are static. */
+  /** The parameters of the constructor; empty when all builtins are static. */
   final List<Service> services;
 
   final List<Method> methods = new ArrayList<>();

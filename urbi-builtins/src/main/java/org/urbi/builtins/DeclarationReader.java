@@ -89,7 +89,7 @@ final class DeclarationReader {
         .orElse(Declaration.Prototype.PLAIN_OBJECT);
   }
 
-  /** What the one constructor of the class asks for; nothing when no builtin needs an instance. */
+  /** The parameters of the only constructor of the class; empty if no builtin needs an instance. */
   private List<Declaration.Service> services(TypeElement type) {
     boolean made =
         ElementFilter.methodsIn(type.getEnclosedElements()).stream()
@@ -182,7 +182,7 @@ final class DeclarationReader {
             result(method)));
   }
 
-  /** What it needs: what it says itself, or what its class says. */
+  /** The permission of a method: its own, or that of its class. */
   private static Permission need(ExecutableElement method, Builtin builtin) {
     if (builtin.needs() != Permission.AS_TYPE) {
       return builtin.needs();

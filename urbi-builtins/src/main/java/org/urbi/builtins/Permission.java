@@ -2,12 +2,15 @@ package org.urbi.builtins;
 
 import org.jspecify.annotations.Nullable;
 
-/** What a lobby must be allowed so that its code can call a builtin (docs/networking.md). */
+/** The permission that a lobby needs for calling a builtin (docs/networking.md). */
 public enum Permission {
-  /** Nothing: it only reads, or what it makes is new. */
+  /** None: the builtin only reads, or creates new objects. */
   NOTHING("OBSERVER", false),
 
-  /** It changes its target: a user must be allowed to, an observer may change its own only. */
+  /**
+   * The builtin changes its target: users need permission for that object, observers may only
+   * change their own.
+   */
   CHANGE("OBSERVER", true),
 
   /** The role {@code user}. */
@@ -16,10 +19,10 @@ public enum Permission {
   /** The role {@code owner}. */
   OWNER("OWNER", false),
 
-  /** What the type says for all its builtins. */
+  /** The permission that the class sets for all its builtins. */
   AS_TYPE(null, false);
 
-  /** The name of the least role in the kernel. */
+  /** The name of the lowest role, as in the kernel. */
   final @Nullable String role;
 
   /** Whether the target is changed. */

@@ -141,7 +141,7 @@ final class TableWriter {
     }
   }
 
-  /** Whether there is an instance of the class, not only the class. */
+  /** Whether the builtins need an instance of the class. */
   private static boolean isMade(Declaration type) {
     return !type.services.isEmpty();
   }

@@ -8,13 +8,13 @@ import java.lang.annotation.Target;
 /**
  * A final class whose methods are the builtins of one type of the standard library.
  *
- * <p>When they need more of the kernel than the frame of their caller gives, the class has one
- * constructor that asks for it, each thing by a type of its own, and methods that are not static.
- * Who installs the library hands it in; there is one instance for each kernel then.
+ * <p>If they need services of the kernel besides the frame of their caller, the class has one
+ * constructor with these services as parameters, each of a type of its own, and instance methods.
+ * The code that installs the library passes the services; there is one instance for each kernel.
  *
- * <p>A method {@code newPrototype(World)}, if there is one, makes the object that becomes the
- * prototype of the type; it is needed by types whose values are objects of a Java class of their
- * own. Without it the prototype is a plain object.
+ * <p>A method {@code newPrototype(World)}, if there is one, creates the prototype of the type; it
+ * is needed by types whose values are objects of a Java class of their own. Without it the
+ * prototype is a plain object.
  */
 @Target(ElementType.TYPE)
 @Retention(RetentionPolicy.SOURCE)
@@ -28,6 +28,6 @@ public @interface UrbiType {
   /** What the type is, in a sentence. */
   String doc();
 
-  /** What a lobby needs to call those of its builtins that do not say it; the most by default. */
+  /** The permission for builtins that do not set their own; by default the highest. */
   Permission needs() default Permission.OWNER;
 }

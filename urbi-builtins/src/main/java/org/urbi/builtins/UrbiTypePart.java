@@ -12,6 +12,6 @@ public @interface UrbiTypePart {
   /** The name of the type in urbiscript. */
   String value();
 
-  /** What a lobby needs to call those of its builtins that do not say it; the most by default. */
+  /** The permission for builtins that do not set their own; by default the highest. */
   Permission needs() default Permission.OWNER;
 }

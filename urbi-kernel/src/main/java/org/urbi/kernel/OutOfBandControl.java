@@ -64,7 +64,8 @@ final class OutOfBandControl {
     if (job == null) {
       return Problem.NOBODY_HOLDS.text();
     }
-    StringBuilder text = new StringBuilder(HoldLimit.described(job, job.componentCode().function()));
+    StringBuilder text =
+        new StringBuilder(HoldLimit.described(job, job.componentCode().function()));
     StackTraceElement[] calls = job.stackTrace();
     for (int i = 0; i < Math.min(calls.length, MOST_CALLS); i++) {
       text.append("\n    at ").append(calls[i]);

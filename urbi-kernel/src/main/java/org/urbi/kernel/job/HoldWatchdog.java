@@ -121,7 +121,7 @@ public final class HoldWatchdog {
     }
     Job job = scheduler.running();
     return job == null
-        || job.component() != null
+        || job.componentCode().function() != null
         || processorTimeAtHalf == UNKNOWN
         || heldAtHalf + processorTime.getAsLong() - processorTimeAtHalf >= limit
         || held / LONGEST_WAIT >= limit;

@@ -89,8 +89,7 @@ public final class Job implements Runnable {
   private int redefinitions;
   private int nonInterruptible;
   private double priority;
-  private @Nullable String component;
-  private boolean componentInterrupted;
+  private final ComponentCode componentCode;
 
   Job(
       Scheduler scheduler,
@@ -112,6 +111,7 @@ public final class Job implements Runnable {
     this.group = group;
     this.timeShift = timeShift;
     this.thread = scheduler.newThread(this);
+    this.componentCode = new ComponentCode(this, thread);
     this.frozenDepth = scope.frozenDepth();
     this.frozenSince = scheduler.now();
     scope.add(this);
@@ -486,56 +486,14 @@ public final class Job implements Runnable {
     }
   }
 
-  /**
-   * Java code of a component begins to run, in the given function, until {@link #leaveComponent}.
-   */
-  public @Nullable String enterComponent(@Nullable String function) {
-    String outer = component;
-    component = function;
-    return outer;
-  }
-
-  /**
-   * Java code of a component has returned, or has thrown something.
-   *
-   * @param outer what {@link #enterComponent} has returned
-   */
-  public void leaveComponent(@Nullable String outer) {
-    if (outer != null || !scheduler.interruptions().arePending()) {
-      component = outer;
-      return;
-    }
-    takeInterruption();
-    try {
-      checkInterrupted();
-    } finally {
-      component = null;
-    }
-  }
-
-  private synchronized void takeInterruption() {
-    if (componentInterrupted) {
-      componentInterrupted = false;
-      Thread.interrupted();
-    }
-  }
-
-  /** The component function that is being executed, or null. May be called on any thread. */
-  public @Nullable String component() {
-    return component;
+  /** The Java code of components that this job executes. */
+  public ComponentCode componentCode() {
+    return componentCode;
   }
 
   /** The Java calls that it is executing; called from another thread. */
   public StackTraceElement[] stackTrace() {
     return thread.stackTrace();
-  }
-
-  /** Interrupts the Java code of a component that waits; called from another thread. */
-  synchronized void interruptComponent(long turn) {
-    if (component != null && scheduler.turn() == turn) {
-      componentInterrupted = true;
-      thread.interrupt();
-    }
   }
 
   // ------------------------------------------------------------------ under tags

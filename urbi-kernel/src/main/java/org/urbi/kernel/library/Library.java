@@ -51,7 +51,7 @@ public final class Library {
   /**
    * Installs the library.
    *
-   * @param tables those of {@link LibraryTables}
+   * @param tables the tables of {@link LibraryTables}
    * @param stackFrames shows the backtraces of exceptions
    */
   public static void install(
@@ -59,7 +59,10 @@ public final class Library {
     new Library(interpreter, stackFrames).install(withTables(tables));
   }
 
-  /** What the library declares, to be read: what needs the kernel cannot be called in it. */
+  /**
+   * The tables of the library, only for reading: builtins that need services of the kernel cannot
+   * be called.
+   */
   public static List<BuiltinTable> declarations() {
     return withTables(LibraryTables.declarations());
   }

@@ -13,7 +13,8 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.grammar.Keywords;
 
 /**
- * Completes the text that somebody is typing: by names of slots and, at the beginning of an expression, by keywords. No function is called to find them, so the result of a call has no
+ * Completes the text that somebody is typing: by names of slots and, at the beginning of an
+ * expression, by keywords. No function is called to find them, so the result of a call has no
  * completions.
  */
 public final class Completion {

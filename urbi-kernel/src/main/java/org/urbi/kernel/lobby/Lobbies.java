@@ -8,7 +8,10 @@ public interface Lobbies {
   /** All lobbies: those of connections, and those created by programs. */
   List<UrbiLobby> all();
 
-  /** Creates a lobby without a connection of its own, whose output goes where that of its creator goes. */
+  /**
+   * Creates a lobby without a connection of its own, whose output goes where that of its creator
+   * goes.
+   */
   UrbiLobby create(UrbiLobby creator);
 
   /**

@@ -5,7 +5,8 @@ import java.util.function.Consumer;
 import org.urbi.kernel.job.Scheduler;
 
 /**
- * The output of one lobby: lines with a time stamp and the name of a channel. It is sent at the end of the tick.
+ * The output of one lobby: lines with a time stamp and the name of a channel. It is sent at the end
+ * of the tick.
  */
 public final class Output {
   private static final int LARGE = 1 << 16;

@@ -25,7 +25,8 @@ import org.urbi.lang.parse.SyntaxError;
 import org.urbi.lang.parse.SyntaxWarning;
 
 /**
- * The read-eval-print loop of a lobby: a job that executes the statements of the input one after the other, and shows their values and errors.
+ * The read-eval-print loop of a lobby: a job that executes the statements of the input one after
+ * the other, and shows their values and errors.
  */
 public final class Shell {
   /** Notifications of the shell to its connection. */
@@ -278,7 +279,9 @@ public final class Shell {
     return true;
   }
 
-  /** The running code may wait for an answer that has arrived already, but behind other messages. */
+  /**
+   * The running code may wait for an answer that has arrived already, but behind other messages.
+   */
   private void lookForAnswers() {
     if (messages != null && messages.hasAnswers()) {
       interpreter.scheduler().atEndOfTick(this::answerIfBlocked);
@@ -294,7 +297,10 @@ public final class Shell {
     }
   }
 
-  /** After an interruption the input behind must not be executed: wait for the message that drops it. */
+  /**
+   * After an interruption the input behind must not be executed: wait for the message that drops
+   * it.
+   */
   private void awaitMessage(Job shell) {
     do {
       shell.yieldNow();

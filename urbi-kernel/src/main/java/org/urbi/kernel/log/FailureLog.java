@@ -5,9 +5,11 @@ import org.slf4j.LoggerFactory;
 import org.urbi.kernel.error.Problem;
 
 /**
- * Logs the stack traces of Java failures: of bugs of ours, which urbiscript only sees as <em>internal error</em>, and of components.
+ * Logs the stack traces of Java failures: of bugs of ours, which urbiscript only sees as
+ * <em>internal error</em>, and of components.
  *
- * <p>They go to the SLF4J logger {@code urbi.kernel}. The logger is created when there is something to log: creating it takes longer than a short script.
+ * <p>They go to the SLF4J logger {@code urbi.kernel}. The logger is created when there is something
+ * to log: creating it takes longer than a short script.
  */
 public final class FailureLog {
   private static final String LOGGER = "urbi.kernel";

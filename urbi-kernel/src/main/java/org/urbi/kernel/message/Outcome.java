@@ -30,8 +30,8 @@ public record Outcome(@Nullable Object value, @Nullable Throwable failure) {
   /**
    * The result.
    *
-   * @throws IOException what the work threw, wrapped if it was no IOException; an OutOfMemoryError
-   *     of the work is wrapped, too, so that it ends nothing but the work
+   * @throws IOException if the work threw one, or a checked exception or error that is wrapped in
+   *     one: memory that was not enough for the work must not end anything else
    */
   @SuppressWarnings("unchecked")
   public <T> @Nullable T get() throws IOException {

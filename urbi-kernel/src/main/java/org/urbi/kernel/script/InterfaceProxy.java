@@ -10,9 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.embed.JavaValues;
 import org.urbi.kernel.embed.UrbiValue;
 
-/**
- * Implements a Java interface by an urbiscript object: each method calls the slot of its name.
- */
+/** Implements a Java interface by an urbiscript object: each method calls the slot of its name. */
 final class InterfaceProxy implements InvocationHandler {
   private final UrbiValue object;
 

@@ -10,7 +10,10 @@ import javax.script.Bindings;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.embed.UrbiValue;
 
-/** The slots of an object as the variables of an engine: a change by one side is visible to the other. */
+/**
+ * The slots of an object as the variables of an engine: a change by one side is visible to the
+ * other.
+ */
 final class SlotBindings extends AbstractMap<String, Object> implements Bindings {
   private final UrbiValue object;
 

@@ -24,7 +24,9 @@ import org.urbi.lang.source.Location;
 
 /**
  * A kernel as a script engine (JSR 223). Its variables are the slots of its lobby; those of the
- * manager are inherited by it. Code evaluated with other bindings runs on an object that is created from them, and whose slots are copied back to them. The output of background jobs goes to the writer of the last evaluation.
+ * manager are inherited by it. Code evaluated with other bindings runs on an object that is created
+ * from them, and whose slots are copied back to them. The output of background jobs goes to the
+ * writer of the last evaluation.
  */
 public final class UrbiScriptEngine extends AbstractScriptEngine
     implements Invocable, AutoCloseable {

@@ -8,7 +8,9 @@ import org.urbi.kernel.variable.Datum;
 import org.urbi.kernel.variable.UrbiUVar;
 
 /**
- * The values of notifications in progress that no variable stores: values that pass through an input port, and values that are not copied. Functions of UObjects that are called for a change can read them from here.
+ * The values of notifications in progress that no variable stores: values that pass through an
+ * input port, and values that are not copied. Functions of UObjects that are called for a change
+ * can read them from here.
  */
 final class PendingNotifications {
   private record Delivery(Job job, UrbiUVar variable, Datum value) {}

@@ -49,7 +49,10 @@ import urbi.spi.ThreadPool;
 /**
  * The UObjects that live in the process of a kernel.
  *
- * <p>Their code runs in jobs and pins them to the kernel thread: it blocks everything else (manual, "Asynchronous binding"). Its requests to the kernel are executed at once, and may let other jobs run like any urbiscript code. Requests of other threads are executed by a job, for which the thread waits.
+ * <p>Their code runs in jobs and pins them to the kernel thread: it blocks everything else (manual,
+ * "Asynchronous binding"). Its requests to the kernel are executed at once, and may let other jobs
+ * run like any urbiscript code. Requests of other threads are executed by a job, for which the
+ * thread waits.
  */
 public final class PluggedContext implements UContext {
   private final Interpreter interpreter;
@@ -153,9 +156,7 @@ public final class PluggedContext implements UContext {
     return rtp;
   }
 
-  /**
-   * The variable behind a slot that {@link #variable} or {@link #inputPort} has returned.
-   */
+  /** The variable behind a slot that {@link #variable} or {@link #inputPort} has returned. */
   public static UrbiUVar behind(USlot slot) {
     return ((PluggedSlot) slot).behind();
   }
@@ -221,9 +222,11 @@ public final class PluggedContext implements UContext {
   }
 
   /**
-   * Runs a task on urbiscript objects: at once if called on the kernel thread, where it may let others run; otherwise in a job, for which the calling thread waits.
+   * Runs a task on urbiscript objects: at once if called on the kernel thread, where it may let
+   * others run; otherwise in a job, for which the calling thread waits.
    *
-   * @return the result of the task, which may be null; null if the kernel has ended, because components are still being closed then
+   * @return the result of the task, which may be null; null if the kernel has ended, because
+   *     components are still being closed then
    */
   <T> @Nullable T inKernel(Function<Frame, T> task) {
     if (!scheduler.isKernelThread()) {
@@ -571,7 +574,8 @@ public final class PluggedContext implements UContext {
   }
 
   /**
-   * Makes the running job wait until a stage is complete, normally or not. After the time limit the stage is cancelled.
+   * Makes the running job wait until a stage is complete, normally or not. After the time limit the
+   * stage is cancelled.
    */
   public void await(CompletableFuture<?> stage, Duration most) {
     inKernel(frame -> {

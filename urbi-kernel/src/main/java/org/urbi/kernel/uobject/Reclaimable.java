@@ -2,8 +2,14 @@ package org.urbi.kernel.uobject;
 
 import org.jspecify.annotations.Nullable;
 
-/** An object that may end without having been destroyed, for instance because its process has disconnected. */
+/**
+ * An object that may end without having been destroyed, for instance because its process has
+ * disconnected.
+ */
 public interface Reclaimable {
-  /** The reason why it has ended, shown to code that still calls its functions; null for no special reason. */
+  /**
+   * The reason why it has ended, shown to code that still calls its functions; null for no special
+   * reason.
+   */
   @Nullable String reclaimReason();
 }

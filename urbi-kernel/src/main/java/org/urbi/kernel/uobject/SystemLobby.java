@@ -11,7 +11,8 @@ import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.trust.Role;
 
 /**
- * The lobby of code that belongs to no connection, such as code sent by UObjects; created on first use. Its output goes to the log of the kernel.
+ * The lobby of code that belongs to no connection, such as code sent by UObjects; created on first
+ * use. Its output goes to the log of the kernel.
  */
 final class SystemLobby {
   private final Interpreter interpreter;

@@ -8,7 +8,8 @@ import org.urbi.kernel.node.Frame;
 import urbi.UCallback;
 
 /**
- * A call that runs on a thread of its own while the job waits and others go on. If the job is stopped, it no longer waits, but the thread continues to the end of the function.
+ * A call that runs on a thread of its own while the job waits and others go on. If the job is
+ * stopped, it no longer waits, but the thread continues to the end of the function.
  */
 final class ThreadedCall {
   private ThreadedCall() {}

@@ -28,9 +28,7 @@ import urbi.UDictionary;
 import urbi.UList;
 import urbi.UValue;
 
-/**
- * Converts urbiscript values to {@link UValue}s and back (manual, "Binding functions").
- */
+/** Converts urbiscript values to {@link UValue}s and back (manual, "Binding functions"). */
 final class ValueConversion {
   private static final int DEEPEST = 200;
 

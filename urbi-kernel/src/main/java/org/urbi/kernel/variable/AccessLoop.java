@@ -8,7 +8,8 @@ import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
- * Reads a variable once in each period of the system ({@code System.period}), so that code which computes it on access runs, and subscribers to its changes are notified.
+ * Reads a variable once in each period of the system ({@code System.period}), so that code which
+ * computes it on access runs, and subscribers to its changes are notified.
  */
 final class AccessLoop {
   private static final double NANOSECONDS = 1e9;

@@ -6,7 +6,8 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
- * One value of a variable. A value written by Java code is kept as a Java object until urbiscript reads it, so that Java code that reads it gets the very same object.
+ * One value of a variable. A value written by Java code is kept as a Java object until urbiscript
+ * reads it, so that Java code that reads it gets the very same object.
  */
 public final class Datum {
   /** A value that is no urbiscript object. */

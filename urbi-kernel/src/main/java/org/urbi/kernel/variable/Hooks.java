@@ -24,7 +24,8 @@ final class Hooks {
   }
 
   /**
-   * In the order in which they were added. Copied on write, because hooks that run may add and remove hooks.
+   * In the order in which they were added. Copied on write, because hooks that run may add and
+   * remove hooks.
    */
   private Entry[] all = NONE;
 
@@ -56,7 +57,8 @@ final class Hooks {
   }
 
   /**
-   * Runs all hooks, even if one fails. Changes that a hook makes to the variable do not run hooks again.
+   * Runs all hooks, even if one fails. Changes that a hook makes to the variable do not run hooks
+   * again.
    */
   void run(Frame frame, UrbiUVar variable, Datum value) {
     if (all.length == 0) {

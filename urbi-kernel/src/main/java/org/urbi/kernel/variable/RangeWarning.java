@@ -5,7 +5,8 @@ import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.object.UrbiFloat;
 
 /**
- * Warns when the targets of a variable leave its range. To avoid a flood of warnings, there is only one until they are inside again; in between, targets are limited silently.
+ * Warns when the targets of a variable leave its range. To avoid a flood of warnings, there is only
+ * one until they are inside again; in between, targets are limited silently.
  */
 final class RangeWarning {
   private final String name;

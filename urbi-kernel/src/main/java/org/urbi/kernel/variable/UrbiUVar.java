@@ -118,7 +118,8 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   /**
-   * Makes this variable provide a slot of an object. The first time, it takes over the slot's value.
+   * Makes this variable provide a slot of an object. The first time, it takes over the slot's
+   * value.
    *
    * @param shown the name of the object in messages
    * @param tellsChanges whether the slot has the property {@code changed}, an event
@@ -201,7 +202,8 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   /**
-   * Switches the bypass mode, in which the value can be read only while hooks are called for it (manual, "0-copy mode").
+   * Switches the bypass mode, in which the value can be read only while hooks are called for it
+   * (manual, "0-copy mode").
    */
   public void setBypass(boolean on) {
     bypass = on;
@@ -259,7 +261,10 @@ public final class UrbiUVar extends UrbiObject {
 
   // ------------------------------------------------------------------ hooks
 
-  /** Adds a hook for changes of the value that everybody reads; returns the number by which to remove it. */
+  /**
+   * Adds a hook for changes of the value that everybody reads; returns the number by which to
+   * remove it.
+   */
   public long notifyChange(Frame frame, Hook hook) {
     onChange.add(++lastId, hook);
     reviewAccess(frame.interpreter());
@@ -281,7 +286,8 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   /**
-   * Changes the number of change hooks whose owners only keep a copy, and themselves set the value on access: the access loop need not read the variable for them.
+   * Changes the number of change hooks whose owners only keep a copy, and themselves set the value
+   * on access: the access loop need not read the variable for them.
    */
   public void countMirror(Interpreter interpreter, boolean one) {
     mirrors += one ? 1 : -1;
@@ -315,7 +321,8 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   /**
-   * Starts or ends the access loop, which reads the variable periodically if some hook sets its value on access and others subscribe to its changes.
+   * Starts or ends the access loop, which reads the variable periodically if some hook sets its
+   * value on access and others subscribe to its changes.
    */
   private void reviewAccess(Interpreter interpreter) {
     // A condition that is being evaluated will subscribe to what it reads.
@@ -352,7 +359,8 @@ public final class UrbiUVar extends UrbiObject {
   // ------------------------------------------------------------------ reading
 
   /**
-   * The value that everybody reads, after running the access hooks. In bypass mode, waits for the next value, and returns {@code nil} if none is written within half a second.
+   * The value that everybody reads, after running the access hooks. In bypass mode, waits for the
+   * next value, and returns {@code nil} if none is written within half a second.
    */
   public UrbiObject read(Frame frame) {
     if (!onAccess.isEmpty()) {

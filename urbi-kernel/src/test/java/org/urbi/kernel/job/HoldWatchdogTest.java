@@ -111,12 +111,12 @@ class HoldWatchdogTest {
   @Test
   void aComponentThatWaitsHoldsTheKernel() {
     loop.start(job -> {
-      String outer = job.enterComponent("Robot.walk");
+      String outer = job.componentCode().enter("Robot.walk");
       lookAt(0, 0);
       lookAt(LIMIT / 2, 0);
       lookAt(LIMIT, 0);
       assertEquals(List.of(job.name() + " Robot.walk"), told);
-      assertThrows(TagStop.class, () -> job.leaveComponent(outer));
+      assertThrows(TagStop.class, () -> job.componentCode().leave(outer));
     });
     loop.run();
     assertEquals(1, told.size());

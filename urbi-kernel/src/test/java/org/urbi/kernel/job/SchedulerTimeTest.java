@@ -196,7 +196,7 @@ class SchedulerTimeTest {
   /** Timers are looked for the more often, the longer the code between two {@code ;} takes. */
   @Test
   void whoIsAloneInRealTimeDelaysTimersByOneTurn() {
-    Loop real = new Loop(SetClock.real());
+    Loop real = new Loop(ManualClock.real());
     real.start(job -> {
       while (real.scheduler.now() < 50_000_000) {
         real.clock.now += 10_000_000;
@@ -212,7 +212,7 @@ class SchedulerTimeTest {
 
   @Test
   void aCheapTurnIsSeldomATick() {
-    Loop real = new Loop(SetClock.real());
+    Loop real = new Loop(ManualClock.real());
     int[] ticks = new int[1];
     int[] yields = new int[1];
     real.scheduler

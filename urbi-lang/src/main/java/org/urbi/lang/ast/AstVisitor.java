@@ -1,9 +1,12 @@
 package org.urbi.lang.ast;
 
 /**
- * A method for each kind of node: a new kind of node does not compile until every visitor handles it.
+ * A method for each kind of node: a new kind of node does not compile until every visitor handles
+ * it.
  *
- * <p>It is used instead of a {@code switch} over the sealed tree, because the JDK links such a switch anew in each process when it first runs, which takes longer than all the rest of starting a kernel.
+ * <p>It is used instead of a {@code switch} over the sealed tree, because the JDK links such a
+ * switch anew in each process when it first runs, which takes longer than all the rest of starting
+ * a kernel.
  *
  * @param <R> the result for a node
  */

@@ -8,7 +8,8 @@ import org.antlr.v4.runtime.atn.ParserATNSimulator;
 import org.antlr.v4.runtime.atn.PredictionMode;
 
 /**
- * Reports an error at the token where no alternative is left. ANTLR by default reports it at the token where the decision began, because that helps error recovery.
+ * Reports an error at the token where no alternative is left. ANTLR by default reports it at the
+ * token where the decision began, because that helps error recovery.
  */
 final class PreciseErrorSimulator extends ParserATNSimulator {
   PreciseErrorSimulator(Parser parser, PredictionMode mode) {

@@ -12,7 +12,8 @@ import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.source.Source;
 
 /**
- * The error for an unexpected token: it names the token and, if there are only a few, the tokens that would have been possible.
+ * The error for an unexpected token: it names the token and, if there are only a few, the tokens
+ * that would have been possible.
  */
 final class UnexpectedToken {
   private UnexpectedToken() {}

@@ -7,7 +7,8 @@ import org.urbi.lang.ast.AstVisitor;
 /**
  * How each kind of node is printed.
  *
- * <p>It only selects the printer: a single method that distinguishes and prints all kinds would need so much stack that deep trees could not be printed on the threads that have parsed them.
+ * <p>It only selects the printer: a single method that distinguishes and prints all kinds would
+ * need so much stack that deep trees could not be printed on the threads that have parsed them.
  */
 final class NodePrinters implements AstVisitor<NodePrinters.Form> {
   private static final NodePrinters FORMS = new NodePrinters();

@@ -7,7 +7,8 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The catalogue of the parser's messages, in the words of the manual; the kernel has another one. To find where a message comes from, search here for its text, and in the code for its name.
+ * The catalogue of the parser's messages, in the words of the manual; the kernel has another one.
+ * To find where a message comes from, search here for its text, and in the code for its name.
  */
 public enum SyntaxProblem {
   // ------------------------------------------------------------------ characters and words

@@ -5,11 +5,10 @@ import java.util.List;
 
 /**
  * The text of a message, in which <code>{name}</code> stands for what is known only when the
- * message is needed. The names are for who reads the text; what stands for them is given in their
- * order.
+ * message is needed. The names are only for readers; the values are given in order.
  */
 public record Template(String text) {
-  /** The names of what is to be filled in, in the order of the text. */
+  /** The names of the placeholders, in the order of the text. */
   public List<String> places() {
     List<String> names = new ArrayList<>();
     for (int open = open(0); open >= 0; open = open(open + 1)) {
@@ -21,7 +20,7 @@ public record Template(String text) {
   /**
    * The text with everything filled in.
    *
-   * @param values as many as there are places
+   * @param values one for each placeholder
    * @throws IllegalArgumentException if there are more or fewer
    */
   public String fill(Object... values) {
@@ -41,7 +40,7 @@ public record Template(String text) {
     return from == 0 ? text : filled.append(text, from, text.length()).toString();
   }
 
-  /** Where the next place is; a brace that no letter follows is a brace. */
+  /** The index of the next placeholder; a brace without a letter behind it is plain text. */
   private int open(int from) {
     int at = text.indexOf('{', from);
     while (at >= 0 && !(at + 1 < text.length() && Character.isLetter(text.charAt(at + 1)))) {

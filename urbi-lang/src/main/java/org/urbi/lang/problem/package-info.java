@@ -1,4 +1,4 @@
-/** What is said of texts that are not right: the catalogue of messages, and how it is filled in. */
+/** The catalogue of the parser's messages, and the templates of their texts. */
 @NullMarked
 package org.urbi.lang.problem;
 

@@ -3,7 +3,7 @@ package org.urbi.lang.source;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where something is, as people read it (manual, "Location" and "Position"). Lines and columns
+ * A location in a file, as shown to users (manual, "Location" and "Position"). Lines and columns
  * count from 1; the end column is exclusive.
  *
  * @param file null when the text was typed

@@ -8,10 +8,10 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Every {@code char} of the text stands for one byte. Synclines ({@code //#line}, {@code
  * //#push}, {@code //#pop}; manual, "Synclines") change file and line for what follows; so a source
- * is made of {@link Line}s, each of which knows the file and number it goes by.
+ * consists of {@link Line}s, each with the file name and line number to show.
  */
 public final class Source {
-  /** A line: the offset of its first character, the file and the number it goes by. */
+  /** A line: the offset of its first character, and the file name and line number to show. */
   public record Line(int offset, @Nullable String file, int number) {}
 
   private final String text;

@@ -2,7 +2,7 @@ package org.urbi.lang.source;
 
 /** A piece of a source text: offsets from {@code begin}, inclusive, to {@code end}, exclusive. */
 public record Span(Source source, int begin, int end) {
-  /** Where the piece is, for a person. */
+  /** The location of the piece, as shown to users. */
   public Location location() {
     return source.location(begin, end);
   }

@@ -1,4 +1,4 @@
-/** Texts, and where things are in them. */
+/** Source texts and locations in them. */
 @NullMarked
 package org.urbi.lang.source;
 

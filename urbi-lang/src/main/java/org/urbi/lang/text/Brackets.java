@@ -3,11 +3,11 @@ package org.urbi.lang.text;
 import java.util.Arrays;
 
 /**
- * The brackets that are open. Those that do not match are errors for the parser to tell; here they
- * only must not swallow the statements that follow.
+ * The open brackets. The parser reports brackets that do not match; here they only must not swallow
+ * the statements that follow.
  */
 final class Brackets {
-  /** What a parenthesis, or a bracket, begins: where statements may be separated in it. */
+  /** The kinds of parentheses and brackets, by the separators that may be in them. */
   enum Kind {
     /** Values, which no {@code ;} separates. */
     VALUES('(', 0),
@@ -70,8 +70,8 @@ final class Brackets {
   }
 
   /**
-   * A {@code ;} comes. Where none can be, what is open since the last brace will never be closed in
-   * a way that means something: it is closed here.
+   * Handles a {@code ;}. Where none is allowed, the brackets opened since the last brace cannot be
+   * closed correctly any more, so they are closed here.
    */
   void separate() {
     if (depth > 0 && separators[depth - 1]-- <= 0) {

@@ -1,9 +1,8 @@
 package org.urbi.lang.text;
 
 /**
- * Follows an escape in a string up to its end, one character at a time: only {@code
- * \B(size)(contents)}, the contents of which are verbatim, is longer than a character (manual,
- * "Strings").
+ * Finds the end of an escape in a string, one character at a time. All escapes are one character
+ * long, except for {@code \B(size)(contents)}, whose contents are verbatim (manual, "Strings").
  */
 final class EscapeScanner {
   enum Answer {
@@ -11,7 +10,7 @@ final class EscapeScanner {
     MORE,
     /** The character was the last of the escape. */
     DONE,
-    /** The escape was over before the character. */
+    /** The escape ended before the character. */
     REFUSED
   }
 
@@ -63,7 +62,7 @@ final class EscapeScanner {
         return Answer.MORE;
       }
       default -> {
-        // Taken even when it is no parenthesis, as the scanner does.
+        // Accept any character in place of the parenthesis, as the scanner does.
         return Answer.DONE;
       }
     }

@@ -9,7 +9,7 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.urbi.lang.source.Source;
 
-/** Which line is which, synclines included (manual, "Synclines"). */
+/** The lines of a text as it is read, with synclines applied (manual, "Synclines"). */
 public final class LineTable {
   private static final Pattern SYNCLINE =
       Pattern.compile("//#(line|push)[ \\t]+([0-9]{1,9})[ \\t]+\"([^\"]*)\"[ \\t\\r]*");
@@ -46,7 +46,10 @@ public final class LineTable {
     lines.add(new Source.Line(offset, file, number));
   }
 
-  /** A comment was read that is a whole line: it may say where the next line is. */
+  /**
+   * A comment was read that is a whole line: it may be a syncline, which sets the location of the
+   * next line.
+   */
   void comment(String comment) {
     Matcher matcher = SYNCLINE.matcher(comment);
     Matcher push = PUSH.matcher(comment);
@@ -56,7 +59,7 @@ public final class LineTable {
       }
       following = new Position(matcher.group(3), Integer.parseInt(matcher.group(2)));
     } else if (push.matches()) {
-      // Without a file it leads away from the one that is read, into none.
+      // A push without a file name changes to no file.
       saved.push(new Position(file, number));
       following = new Position(null, Integer.parseInt(push.group(1)));
     } else if (POP.matcher(comment).matches() && !saved.isEmpty()) {

@@ -3,11 +3,11 @@ package org.urbi.lang.text;
 import org.jspecify.annotations.Nullable;
 import org.urbi.lang.source.Source;
 
-/** Makes sources of complete texts. */
+/** Creates the sources of complete texts. */
 public final class Sources {
   private Sources() {}
 
-  /** The source of a complete text, its synclines obeyed. */
+  /** The source of a complete text, with its synclines applied. */
   public static Source of(String text, @Nullable String file) {
     var lines = new LineTable(file, 1);
     var splitter = new StatementSplitter(lines);

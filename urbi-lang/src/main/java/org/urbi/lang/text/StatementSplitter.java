@@ -6,11 +6,11 @@ import org.urbi.lang.grammar.BinaryScanner;
 import org.urbi.lang.grammar.Keywords;
 
 /**
- * Finds where statements end, one character at a time, whatever the pieces in which they come.
+ * Finds the ends of statements, one character at a time; the input may be cut anywhere.
  *
  * <p>A statement ends with a {@code ;} or a {@code ,} that is in no bracket, string or comment, is
  * no flavor ({@code loop;}) and does not separate prototypes ({@code class A : B, C}). A {@code ;}
- * where none can be, as in {@code f(1;}, ends it too: nothing that may follow could mend it.
+ * where none can be, as in {@code f(1;}, ends it, too, because no continuation could make it valid.
  */
 public final class StatementSplitter {
   private enum State {
@@ -56,7 +56,7 @@ public final class StatementSplitter {
   private @Nullable Flavor separator;
 
   /**
-   * @param lines is told of lines and synclines as they come
+   * @param lines receives lines and synclines as they are read
    */
   public StatementSplitter(LineTable lines) {
     this.lines = lines;
@@ -68,7 +68,7 @@ public final class StatementSplitter {
     return !blank || state == State.BLOCK_COMMENT;
   }
 
-  /** What ended the last statement; null when {@link #scan} reached the end of its text. */
+  /** The separator of the last statement; null when {@link #scan} reached the end of its text. */
   public @Nullable Flavor separator() {
     return separator;
   }
@@ -109,7 +109,9 @@ public final class StatementSplitter {
     brackets.clear();
   }
 
-  /** Takes a character; false when it only ended what came before it, and must be taken again. */
+  /**
+   * Processes a character; false if it only ended the token before it, and must be processed again.
+   */
   private boolean step(char c) {
     switch (state) {
       case CODE -> code(c);
@@ -233,7 +235,7 @@ public final class StatementSplitter {
             default -> Brackets.Kind.VALUES;
           };
     }
-    // What directly follows a name is not the opening quote of another.
+    // A quote directly behind a name does not open a quoted name.
     if (c == '\'' && !Keywords.keyword(word)) {
       state = State.DERIVED;
       return true;

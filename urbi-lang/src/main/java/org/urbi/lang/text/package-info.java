@@ -1,4 +1,4 @@
-/** Where statements and lines are in a text, before it is parsed. */
+/** Finds statements and lines in a text before it is parsed. */
 @NullMarked
 package org.urbi.lang.text;
 

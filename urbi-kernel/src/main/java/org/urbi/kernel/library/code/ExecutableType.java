@@ -5,7 +5,7 @@ import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.object.UrbiObject;
 
-/** What can be called (manual, "Executable"). */
+/** Objects that can be called (manual, "Executable"). */
 @UrbiType(
     value = "Executable",
     doc = "What can be called: functions and primitives.",

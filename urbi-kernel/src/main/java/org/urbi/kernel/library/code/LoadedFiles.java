@@ -12,7 +12,7 @@ import org.urbi.kernel.job.Job;
 
 /** Which source files one kernel has loaded, or is loading (manual, "System": requireFile). */
 public final class LoadedFiles {
-  /** A file that is being loaded: by whom, and who waits for it. */
+  /** A file that is being loaded: the loading job, and the jobs that wait for it. */
   private static final class Loading {
     final Job loader;
     final List<Job> waiting = new ArrayList<>();
@@ -31,7 +31,7 @@ public final class LoadedFiles {
     systemFiles.add(name);
   }
 
-  /** What messages call the files of the library. */
+  /** The prefix of library files in messages. */
   public List<String> systemFiles() {
     return systemFiles.stream().sorted().toList();
   }

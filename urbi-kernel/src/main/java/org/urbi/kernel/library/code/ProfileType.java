@@ -12,7 +12,7 @@ import org.urbi.kernel.node.Profiler;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
-/** What {@code System.profile} has measured (manual, "Profile"). */
+/** The results of {@code System.profile} (manual, "Profile"). */
 @UrbiType(
     value = "Profile",
     doc = "What a piece of code has called, and for how long.",
@@ -24,7 +24,7 @@ final class ProfileType {
     return new UrbiProfile(world.values().object.cloneShape(), null);
   }
 
-  /** Those in which most time was spent come first, then those called most often. */
+  /** Ordered by the time spent, then by the number of calls, highest first. */
   private static List<Profiler.Calls> sorted(UrbiProfile self) {
     if (self.profiler() == null) {
       return List.of();

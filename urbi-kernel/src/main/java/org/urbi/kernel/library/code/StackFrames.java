@@ -15,8 +15,8 @@ public final class StackFrames {
   }
 
   /**
-   * The calls as a list, without those which were made by the library itself in Java, and, unless
-   * {@code Traceable} says otherwise, by its source files.
+   * The calls as a list, without calls made by Java code of the library, nor by its source files
+   * unless {@code Traceable} shows them.
    */
   public UrbiObject list(World world, List<UrbiException.Call> calls) {
     List<UrbiObject> frames = new ArrayList<>();

@@ -5,7 +5,7 @@ import org.urbi.kernel.node.Profiler;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
-/** What code has called, and for how long (manual, "Profile"). */
+/** The calls of profiled code and their times (manual, "Profile"). */
 public final class UrbiProfile extends UrbiObject {
   private final @Nullable Profiler profiler;
 

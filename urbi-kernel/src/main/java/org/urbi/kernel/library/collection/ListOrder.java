@@ -118,7 +118,7 @@ public final class ListOrder {
     return best;
   }
 
-  /** What was wrong with the argument of the comparison is so with an element of the list. */
+  /** An error in the argument of the comparison is an error in an element of the list. */
   private static UrbiException incomparable(
       Frame caller, CallSite site, int index, UrbiException thrown) {
     Errors errors = caller.interpreter().errors();

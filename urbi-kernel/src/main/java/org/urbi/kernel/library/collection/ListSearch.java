@@ -14,7 +14,7 @@ import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 
-/** What lists find, and what they do with each of their elements (manual, "List"). */
+/** Searching lists, and calling functions on each element (manual, "List"). */
 @UrbiTypePart(value = "List", needs = Permission.NOTHING)
 final class ListSearch {
   private ListSearch() {}
@@ -58,7 +58,7 @@ final class ListSearch {
         && matchAll(caller, self.elements(), handler, other.elements());
   }
 
-  /** Whether the elements of a sequence match those of another one, two by two. */
+  /** Whether two sequences match element by element. */
   static boolean matchAll(
       Frame caller, List<UrbiObject> elements, UrbiObject handler, List<UrbiObject> patterns) {
     if (elements.size() != patterns.size()) {

@@ -7,7 +7,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
-/** What {@code trigger} of events returns (manual, "Event"). */
+/** The emission returned by {@code trigger} of events (manual, "Event"). */
 @UrbiType(
     value = "EventHandler",
     doc = "An event that is being emitted.",

@@ -95,7 +95,7 @@ public final class JobType {
     return tags;
   }
 
-  /** Tags without a name are those which constructs of the language use. */
+  /** Tags without a name belong to constructs of the language. */
   private static boolean isKnown(UrbiObject tag) {
     return tag.getClass() != UrbiTag.class || tag.lookup(tag.world().symbol("name")) != null;
   }

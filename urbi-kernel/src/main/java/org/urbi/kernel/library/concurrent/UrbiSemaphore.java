@@ -35,7 +35,7 @@ final class UrbiSemaphore extends UrbiObject {
     return new UrbiSemaphore(cloneShape(), free);
   }
 
-  /** Waits for a place, and takes it. Those who came first are served first. */
+  /** Waits for a free place, and takes it; first come, first served. */
   void acquire(Job job) {
     if (free > 0) {
       free--;
@@ -52,7 +52,7 @@ final class UrbiSemaphore extends UrbiObject {
     } finally {
       queue.remove(ticket);
       if (!entered && ticket.granted) {
-        // Stopped when its turn had come: somebody else's, then.
+        // The job was stopped after it was given the place: pass the place on.
         release();
       }
     }

@@ -9,9 +9,9 @@ import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 
 /**
- * The call in which a job waits, kept for those who ask for its backtrace.
+ * The call in which a job waits, kept for its backtrace.
  *
- * @param caller the activation that made the call
+ * @param caller the frame of the caller
  */
 public record WaitingCall(CallSite site, Frame caller) {
   private static final JobLocal<WaitingCall> LATEST = new JobLocal<>();

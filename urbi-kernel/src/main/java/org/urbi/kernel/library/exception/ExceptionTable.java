@@ -15,12 +15,12 @@ import org.urbi.kernel.trust.Role;
 
 /** One type of exceptions: how it is made, and how it is shown. */
 final class ExceptionTable extends BuiltinTable {
-  /** What its {@code init} does; the number of arguments has been checked. */
+  /** The action of its {@code init}; the number of arguments has been checked. */
   interface Action {
     void run(Frame caller, CallSite site, UrbiObject self, UrbiObject[] arguments);
   }
 
-  /** What its {@code asString} says. */
+  /** The text of its {@code asString}. */
   interface Text {
     String of(Frame frame, UrbiObject self);
   }
@@ -28,7 +28,7 @@ final class ExceptionTable extends BuiltinTable {
   /**
    * How it is made.
    *
-   * @param formals the arguments; those that may be left out end with {@code ?}
+   * @param formals the arguments; optional ones end with {@code ?}
    */
   record Init(String doc, List<String> formals, Action action) {
     /** Keeps each argument in the slot of that name, or of another: {@code format=fmt}. */

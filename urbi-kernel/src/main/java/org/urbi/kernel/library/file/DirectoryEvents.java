@@ -19,7 +19,7 @@ import org.urbi.kernel.outside.Outside;
 
 /**
  * The events {@code fileCreated} and {@code fileDeleted} of one directory (manual, "Directory").
- * The directory is watched as soon as somebody listens to one of them.
+ * The directory is watched from the first subscription to one of them.
  */
 final class DirectoryEvents implements DirectoryWatch.Listener {
   private final Interpreter interpreter;

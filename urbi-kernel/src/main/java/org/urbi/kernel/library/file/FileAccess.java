@@ -26,7 +26,7 @@ import org.urbi.kernel.outside.Disk;
 import org.urbi.kernel.outside.Outside;
 import org.urbi.lang.print.StringEscape;
 
-/** What File, Directory and the streams have in common: names, errors, waiting for the disk. */
+/** The common part of File, Directory and the streams: names, errors, waiting for the disk. */
 public final class FileAccess {
   private final Outside outside;
 
@@ -60,7 +60,10 @@ public final class FileAccess {
     return (UrbiPath) frame.interpreter().world().prototype("Path");
   }
 
-  /** What was made by {@code new} can be made something of the machine; what all share cannot. */
+  /**
+   * Refuses to connect the shared prototype with a file: only objects created by {@code new} can
+   * be.
+   */
   public static void checkNotPrototype(Frame frame, CallSite site, UrbiObject self, String type) {
     if (self == frame.interpreter().world().prototype(type)) {
       throw frame.error(site, Problem.IS_A_PROTOTYPE, type, type);
@@ -88,7 +91,7 @@ public final class FileAccess {
     return quickly(frame, site, path, () -> disk().exists(path.file()));
   }
 
-  /** Whether there is something of that name, be it a link to nowhere. */
+  /** Whether a file of that name exists; a dangling link counts. */
   boolean hasEntry(Frame frame, CallSite site, UrbiPath path) {
     return quickly(frame, site, path, () -> disk().hasEntry(path.file()));
   }
@@ -198,7 +201,7 @@ public final class FileAccess {
     return error(frame, site, reason(failure), path);
   }
 
-  /** What went wrong, in the words of the manual. */
+  /** The text of a failure, in the words of the manual. */
   public static String reason(IOException failure) {
     return switch (failure) {
       case NoSuchFileException e -> Problem.NO_SUCH_FILE.text();

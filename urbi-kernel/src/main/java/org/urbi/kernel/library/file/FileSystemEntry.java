@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
-/** What is in the file system under a path: a file or a directory. */
+/** An entry of the file system: a file or a directory. */
 abstract class FileSystemEntry extends UrbiObject {
   private @Nullable UrbiPath path;
 

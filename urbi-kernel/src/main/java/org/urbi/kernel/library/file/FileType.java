@@ -23,7 +23,7 @@ import org.urbi.lang.print.StringEscape;
 /** Files (manual, "File"). */
 @UrbiType(value = "File", doc = "A file of the file system.", needs = Permission.USER)
 final class FileType {
-  /** What is larger is read on a thread of its own, and what is no regular file always. */
+  /** Larger files, and all that are no regular files, are read on a thread of their own. */
   private static final long LARGE = 1 << 18;
 
   private final FileAccess files;

@@ -9,7 +9,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.outside.Outside;
 
-/** What InputStream and OutputStream have in common (manual, "Stream"). */
+/** The common part of InputStream and OutputStream (manual, "Stream"). */
 @UrbiType(
     value = "Stream",
     doc = "Bytes that go from or to a file, or a process.",

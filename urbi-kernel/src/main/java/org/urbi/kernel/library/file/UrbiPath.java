@@ -35,7 +35,7 @@ public final class UrbiPath extends UrbiObject {
     return text.startsWith("/");
   }
 
-  /** The names of which the path consists. */
+  /** The names in the path. */
   public List<String> names() {
     List<String> names = new ArrayList<>(List.of(text.split("/")));
     names.removeIf(String::isEmpty);

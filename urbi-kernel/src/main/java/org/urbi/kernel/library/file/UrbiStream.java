@@ -11,7 +11,7 @@ import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.outside.Outside;
 
-/** What InputStream and OutputStream have in common (manual, "Stream"). */
+/** The common part of InputStream and OutputStream (manual, "Stream"). */
 abstract class UrbiStream<T extends Closeable> extends UrbiObject {
   private @Nullable T channel;
 
@@ -28,7 +28,7 @@ abstract class UrbiStream<T extends Closeable> extends UrbiObject {
     return channel != null;
   }
 
-  /** What is read or written; refuses a stream that is closed. */
+  /** The open source or sink; throws if the stream is closed. */
   T channel(Frame frame, CallSite site) {
     if (channel == null) {
       throw frame.error(site, Problem.STREAM_CLOSED);

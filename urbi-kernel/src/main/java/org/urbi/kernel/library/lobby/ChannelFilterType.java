@@ -39,7 +39,7 @@ final class ChannelFilterType {
     return isReadable(value, Collections.newSetFromMap(new IdentityHashMap<>()));
   }
 
-  /** What is within itself can be written down no better than it is as a message. */
+  /** A container inside itself cannot be serialized, so it is sent as a plain message. */
   private static boolean isReadable(UrbiObject value, Set<UrbiObject> around) {
     return switch (value) {
       case UrbiFloat number -> true;

@@ -11,7 +11,7 @@ import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 
-/** What code that names no lobby can send (manual, "Global": echo, wall, warn). */
+/** Output of code that names no lobby (manual, "Global": echo, wall, warn). */
 @UrbiTypePart(value = "Global", needs = Permission.NOTHING)
 final class GlobalOutput {
   private final Lobbies lobbies;
@@ -36,7 +36,7 @@ final class GlobalOutput {
   void wall(Frame frame, UrbiObject self, UrbiObject value, @Optional @Nullable String channel) {
     String text = "*** " + frame.interpreter().asString(frame, value);
     for (UrbiLobby lobby : lobbies.all()) {
-      // What a lobby made by a program is sent goes to its creator, who is told anyway.
+      // A lobby created by a program sends its output to its creator, which gets the text anyway.
       if (!lobby.output().isBranch()) {
         lobby.output().send(channel == null ? "" : channel, text);
       }

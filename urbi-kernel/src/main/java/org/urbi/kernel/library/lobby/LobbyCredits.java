@@ -9,7 +9,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.UrbiObject;
 
-/** What a lobby tells of this software (manual, "Lobby": {@code banner}, {@code authors}…). */
+/** The texts of a lobby about this software (manual, "Lobby": {@code banner}, {@code authors}…). */
 @UrbiTypePart(value = "Lobby", needs = Permission.NOTHING)
 final class LobbyCredits {
   private static final String STARS = "********************************************************";

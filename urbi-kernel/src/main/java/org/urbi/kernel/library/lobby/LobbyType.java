@@ -49,7 +49,7 @@ public final class LobbyType {
     return to.output();
   }
 
-  /** Where output goes that others see: a lobby is told nothing in the name of another one. */
+  /** The output for a message; nobody may send to a lobby in the name of another one. */
   private static Output output(Frame frame, String routine, UrbiObject self) {
     if (self instanceof UrbiLobby lobby && lobby.isInstance()) {
       PermissionCheck.checkChange(frame, routine, lobby);
@@ -167,7 +167,7 @@ public final class LobbyType {
     return lobbies.create(of(frame));
   }
 
-  /** The prototype of lobbies, and those that are alive. */
+  /** The prototype of lobbies, and the existing lobbies. */
   public static List<UrbiObject> instances(World world, Lobbies lobbies) {
     List<UrbiObject> all = new ArrayList<>();
     all.add(world.prototype("Lobby"));

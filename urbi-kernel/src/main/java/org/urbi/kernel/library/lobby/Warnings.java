@@ -17,9 +17,10 @@ public final class Warnings {
   private Warnings() {}
 
   /**
-   * What is called at that site is deprecated: {@code `old' is deprecated, use `other'}.
+   * Warns that the function called at that site is deprecated: {@code `old' is deprecated, use
+   * `other'}.
    *
-   * @param other null when there is nothing to use instead
+   * @param other the replacement, or null
    */
   public static void deprecated(Frame caller, CallSite site, String old, @Nullable String other) {
     if (!isOff(caller)) {

@@ -21,7 +21,7 @@ final class IoServiceType {
     return new UrbiIoService(world.values().object.cloneShape(), true);
   }
 
-  /** The service of those who did not ask for another one. */
+  /** The default service. */
   static UrbiIoService standard(Frame frame) {
     return (UrbiIoService) frame.interpreter().world().prototype("IoService");
   }

@@ -9,14 +9,17 @@ import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
 
-/** What has happened to one socket or server, and has not been told yet; on the kernel thread. */
+/**
+ * The queue of events of one socket or server that have not been delivered yet; used on the kernel
+ * thread.
+ */
 final class SocketEvents {
-  /** Something to be told, with a frame to call urbiscript from. */
+  /** An event, which is delivered with a frame for calling urbiscript. */
   interface SocketEvent {
     void tell(Frame frame);
   }
 
-  /** How long the first news wait for somebody who wants them, in steps of nanoseconds. */
+  /** How long a step of waiting for the first listener takes, in nanoseconds. */
   private static final long LISTENER_WAIT = 5_000_000;
 
   private static final int STEPS = 20;
@@ -31,7 +34,7 @@ final class SocketEvents {
   private boolean delivering;
 
   /**
-   * @param wanted whether somebody listens
+   * @param wanted whether there is a listener
    */
   SocketEvents(Frame frame, UrbiIoService service, BooleanSupplier wanted) {
     this.interpreter = frame.interpreter();
@@ -87,7 +90,7 @@ final class SocketEvents {
     fresh = false;
   }
 
-  /** Delivers at most so many events; returns whether there were any. */
+  /** Delivers at most that many events; returns whether there were any. */
   boolean deliver(Job job, int maximum) {
     if (delivering || events.isEmpty()) {
       return false;

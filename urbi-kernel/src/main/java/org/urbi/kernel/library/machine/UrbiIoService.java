@@ -31,12 +31,12 @@ final class UrbiIoService extends UrbiObject {
     return new UrbiIoService(cloneShape(), false);
   }
 
-  /** Whether nobody has to poll. */
+  /** Whether it polls by itself. */
   boolean isAutomatic() {
     return automatic && !paused;
   }
 
-  /** Lets the default service wait for somebody to poll, or not any more. */
+  /** Switches the default service between polling by itself and waiting for polls. */
   void setPaused(boolean value) {
     paused = value;
     if (isAutomatic()) {

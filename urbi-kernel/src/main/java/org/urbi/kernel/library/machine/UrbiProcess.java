@@ -30,7 +30,7 @@ final class UrbiProcess extends UrbiObject {
     command = other;
   }
 
-  /** Whether somebody has begun to start it. */
+  /** Whether its start has begun. */
   boolean isStarted() {
     return started;
   }

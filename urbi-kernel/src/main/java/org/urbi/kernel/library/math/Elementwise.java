@@ -11,7 +11,7 @@ import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.print.FloatFormat;
 
-/** What vectors and matrices have in common: arithmetic element by element. */
+/** The common part of vectors and matrices: arithmetic element by element. */
 final class Elementwise {
   private Elementwise() {}
 
@@ -29,7 +29,7 @@ final class Elementwise {
     return values;
   }
 
-  /** The numbers of a list of the arguments, or of those from that place on. */
+  /** Converts values to numbers; errors name the argument at that place. */
   static double[] numbers(Frame frame, CallSite site, int place, List<UrbiObject> values) {
     double[] numbers = new double[values.size()];
     for (int i = 0; i < numbers.length; i++) {

@@ -23,7 +23,7 @@ final class MathType {
   private static UrbiObject bounce(
       Frame caller, CallSite site, UrbiObject x, String name, UrbiObject... arguments) {
     Symbol message = caller.interpreter().world().symbol(name);
-    // What knows no function of its own finds this one, and calls it without an argument.
+    // An object without such a function finds this one, and calls it without an argument.
     return caller.interpreter().send(caller, site, x, message, arguments);
   }
 

@@ -178,7 +178,7 @@ final class MatrixType {
     };
   }
 
-  /** With a matrix of so many columns. */
+  /** The product with a matrix of that number of columns. */
   private static double[] product(UrbiMatrix left, double[] right, int width) {
     double[] values = new double[left.rows() * width];
     for (int i = 0; i < left.rows(); i++) {

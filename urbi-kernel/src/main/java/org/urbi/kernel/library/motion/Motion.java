@@ -111,7 +111,7 @@ final class Motion {
     return slowest > 0 ? Math.min(duration, Math.abs(way) / slowest) : duration;
   }
 
-  /** What keeps the variable from moving faster than {@code speedmax}. */
+  /** Limits the speed of the variable to {@code speedmax}. */
   private final class Limit {
     private final double speed = fastest();
     private double value = speed < Double.POSITIVE_INFINITY ? current() : 0;

@@ -66,7 +66,7 @@ public final class TrajectoryKinds {
             motion -> motion.adapt(motion.positive("time"))));
   }
 
-  /** A kind with its {@code follow}, or without for those that others have in common. */
+  /** A kind of trajectory with its {@code follow}; null for kinds that are only bases of others. */
   private static final class Kind extends BuiltinTable {
     private final @Nullable Consumer<Motion> way;
 

@@ -10,7 +10,7 @@ import org.urbi.builtins.UrbiType;
     doc = "A motion, and then another one.",
     needs = Permission.NOTHING)
 public final class TrajectorySequence {
-  /** What {@code run} does. */
+  /** The implementation of {@code run}. */
   public static final String RUN = "function () { first.run() | second.run() }";
 
   private TrajectorySequence() {}

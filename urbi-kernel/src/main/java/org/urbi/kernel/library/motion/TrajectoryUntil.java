@@ -13,7 +13,7 @@ import org.urbi.kernel.object.UrbiObject;
     doc = "A motion that ends as soon as a condition holds.",
     needs = Permission.NOTHING)
 public final class TrajectoryUntil {
-  /** What {@code run} does. */
+  /** The implementation of {@code run}. */
   public static final String RUN = "function () { stopif (condition()) generator.run() }";
 
   private TrajectoryUntil() {}

@@ -10,9 +10,9 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 
 /**
- * Finds out, after each statement of the top level, which finalizable objects nobody refers to any
- * more, and calls their {@code finalize}. Kernels that have none of these objects pay nothing; the
- * others have the memory looked through each time, so that runs repeat.
+ * Finds, after each statement of the top level, the finalizable objects that are no longer
+ * referenced, and calls their {@code finalize}. Kernels without such objects pay nothing; others
+ * run the garbage collector each time, so that runs can be repeated.
  */
 public final class Finalization {
   /** How often to look for an object that the virtual machine has yet to hand over. */
@@ -37,7 +37,7 @@ public final class Finalization {
     reclaimed.add(object);
   }
 
-  /** Calls {@code finalize} of the objects to which nobody refers. */
+  /** Calls {@code finalize} of the objects that are no longer referenced. */
   public void run(Frame frame) {
     if (alive.isEmpty()) {
       return;

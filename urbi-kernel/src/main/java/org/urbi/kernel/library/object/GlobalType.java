@@ -10,7 +10,7 @@ import org.urbi.kernel.node.Node;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 
-/** What can be named from everywhere (manual, "Global"). */
+/** The names visible from everywhere (manual, "Global"). */
 @UrbiType(
     value = "Global",
     protos = {"Tag.tags", "Math", "System", "uobjects"},

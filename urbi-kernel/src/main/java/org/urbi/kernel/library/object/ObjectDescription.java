@@ -28,7 +28,7 @@ import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 
-/** What objects tell about themselves (manual, "Object": {@code inspect}, {@code dump}). */
+/** Descriptions of objects (manual, "Object": {@code inspect}, {@code dump}). */
 @UrbiTypePart(value = "Object", needs = Permission.NOTHING)
 final class ObjectDescription {
   private ObjectDescription() {}
@@ -44,7 +44,7 @@ final class ObjectDescription {
     return names;
   }
 
-  /** The properties that somebody has set, by name. */
+  /** The properties set by programs, by name. */
   private static Map<String, UrbiObject> properties(UrbiObject object, Symbol slot) {
     SlotData data = object.slotData(slot);
     return data == null ? Map.of() : data.properties;

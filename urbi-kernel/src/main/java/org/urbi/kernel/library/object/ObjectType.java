@@ -18,7 +18,7 @@ import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Values;
 
-/** What every object can do, but for its slots (manual, "Object"). */
+/** The functions of every object, except those about slots (manual, "Object"). */
 @UrbiType(
     value = "Object",
     protos = {"Comparable", "Global"},

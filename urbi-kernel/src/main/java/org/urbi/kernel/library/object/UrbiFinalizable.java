@@ -3,14 +3,17 @@ package org.urbi.kernel.library.object;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
-/** An object that does something when nobody refers to it any more (manual, "Finalizable"). */
+/**
+ * An object whose {@code finalize} is called when it is no longer referenced (manual,
+ * "Finalizable").
+ */
 public final class UrbiFinalizable extends UrbiObject {
   private final Finalization finalization;
   private final long number;
 
   /**
-   * @param finalization that of the kernel, told when the object is reclaimed
-   * @param number 0 for the prototype, which never is
+   * @param finalization the finalization of the kernel, called when the object is reclaimed
+   * @param number 0 for the prototype, which is never reclaimed
    */
   private UrbiFinalizable(Shape shape, Finalization finalization, long number) {
     super(shape);
@@ -40,8 +43,8 @@ public final class UrbiFinalizable extends UrbiObject {
   }
 
   /**
-   * Nothing but the finalizers of Java hands over the object itself once nobody refers to it;
-   * references and cleaners must do without it, and with it go the slots.
+   * Only a Java finalizer gets the unreferenced object itself with its slots; references and
+   * cleaners do not.
    */
   @Override
   @SuppressWarnings({"deprecation", "removal", "Finalize"})

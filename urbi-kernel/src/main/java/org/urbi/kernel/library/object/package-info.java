@@ -1,6 +1,6 @@
 /**
- * What all objects can do, and groups of them (manual, "Object", "Global", "Finalizable", "Group",
- * "Pattern").
+ * The functions of all objects, and groups of objects (manual, "Object", "Global", "Finalizable",
+ * "Group", "Pattern").
  */
 @NullMarked
 package org.urbi.kernel.library.object;

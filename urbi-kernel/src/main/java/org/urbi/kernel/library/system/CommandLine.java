@@ -6,6 +6,6 @@ import java.util.List;
  * How the server was called.
  *
  * @param programName the path under which it was called
- * @param arguments those of the user's script
+ * @param arguments the arguments of the user's script
  */
 public record CommandLine(String programName, List<String> arguments) {}

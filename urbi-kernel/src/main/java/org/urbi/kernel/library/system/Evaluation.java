@@ -43,7 +43,7 @@ public final class Evaluation {
     return execute(frame, site, target, parsed.sequence());
   }
 
-  /** The message tells the place in the text, the calls tell who wanted it evaluated. */
+  /** The message has the location in the text, the backtrace shows the call that evaluated it. */
   private static UrbiException syntax(
       Frame frame, @Nullable CallSite site, SyntaxError error, String text) {
     UrbiException exception = frame.interpreter().errors().syntax(error, text);

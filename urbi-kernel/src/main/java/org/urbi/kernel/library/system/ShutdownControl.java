@@ -8,6 +8,8 @@ public interface ShutdownControl {
   /** Ends the whole program at once, with that exit status; nothing is closed. */
   void halt(int status);
 
-  /** Ends the kernel and starts another one in its place; false when nobody would do that. */
+  /**
+   * Ends the kernel so that another one is started in its place; false if nobody would start one.
+   */
   boolean requestReboot();
 }

@@ -24,7 +24,7 @@ import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Location;
 
-/** What the server does, and what its code is doing (manual, "System"). */
+/** The activity of the server: its jobs, cycles and profiles (manual, "System"). */
 @UrbiTypePart(value = "System", needs = Permission.NOTHING)
 final class SystemJobs {
   private final Lobbies lobbies;

@@ -35,7 +35,7 @@ import org.urbi.lang.print.Printer;
 final class SystemServer {
   private static final int STATUS_SHIFT = 8;
 
-  /** What clients ask for to know how to speak. */
+  /** The version of the protocol, for clients. */
   static final String DIALECT = "2.7.5";
 
   private final CommandLine commandLine;
@@ -119,7 +119,7 @@ final class SystemServer {
       doc = "Ends the server at once, with that exit status; nothing is closed.",
       needs = Permission.OWNER)
   void _exit(Frame frame, UrbiObject self, int status) {
-    // What was said before is still heard.
+    // Output sent before is still delivered.
     for (UrbiLobby lobby : lobbies.all()) {
       lobby.output().flush();
     }

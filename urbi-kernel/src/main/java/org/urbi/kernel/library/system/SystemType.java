@@ -37,7 +37,7 @@ final class SystemType {
       job.waitForWake();
       return;
     }
-    // What should have happened in the past happens now.
+    // A deadline in the past is due now.
     job.sleepUntil(job.scheduler().now() + Durations.nanoseconds(duration));
   }
 

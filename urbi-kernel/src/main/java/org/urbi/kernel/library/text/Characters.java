@@ -2,7 +2,7 @@ package org.urbi.kernel.library.text;
 
 import java.util.function.IntPredicate;
 
-/** Properties of the characters of strings, which are bytes: only those of ASCII have any. */
+/** Character classes of the bytes of strings; bytes that are not ASCII belong to none. */
 public final class Characters {
   private Characters() {}
 

@@ -18,7 +18,7 @@ final class FormatParser {
       this.places = places;
     }
 
-    /** What the function called at that site throws for it. */
+    /** The exception for it, thrown by the function called at that site. */
     UrbiException thrownBy(Frame caller, CallSite site) {
       return caller.error(site, problem, places);
     }

@@ -5,9 +5,9 @@ import java.util.regex.PatternSyntaxException;
 import org.urbi.kernel.error.Problem;
 
 /**
- * From the syntax of regular expressions that programs use, that of Perl as Boost has it, to
- * Java's: {@code .} matches everything, {@code ^} matches wherever a line begins, be it empty and
- * the last.
+ * Translates regular expressions from the Perl syntax of Boost, which programs use, to Java's:
+ * {@code .} matches everything, {@code ^} matches at the start of each line, even of an empty last
+ * one.
  */
 final class RegexpSyntax {
   private static final int FLAGS = Pattern.MULTILINE | Pattern.UNIX_LINES | Pattern.DOTALL;
@@ -49,7 +49,7 @@ final class RegexpSyntax {
     return out.toString();
   }
 
-  /** What is wrong with a text, in the words of Boost where it has words for it. */
+  /** The error in a regular expression, in the words of Boost where it has any. */
   static String reason(String text, PatternSyntaxException e) {
     int at = Math.max(0, Math.min(e.getIndex(), text.length()));
     String what = e.getDescription();

@@ -3,7 +3,7 @@ package org.urbi.kernel.library.text;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** How alike words are (manual, "String.distance", "String.closest"). */
+/** The similarity of words (manual, "String.distance", "String.closest"). */
 public final class StringDistance {
   private static final int MOST_EDITS = 2;
   private static final int SHORT_WORD = 3;
@@ -48,7 +48,7 @@ public final class StringDistance {
     return previous[to.length()];
   }
 
-  /** The first of the most alike candidates; null when none is worth a suggestion. */
+  /** The first of the most similar candidates; null if none is similar enough. */
   static @Nullable String closest(String word, List<String> candidates, Runnable onRow) {
     String closest = null;
     int least = Integer.MAX_VALUE;
@@ -72,9 +72,9 @@ public final class StringDistance {
   }
 
   /**
-   * What somebody may have meant by a name: of the candidates that are most alike, with two
-   * mistakes at most, the last in the order of the alphabet (names with a dollar come after all
-   * others). The case of letters counts for nothing, unless it is all that differs.
+   * Finds the name that was probably meant: of the most similar candidates, with at most two typing
+   * errors, the last in alphabetical order (names with a dollar sign come after all others). Case
+   * is ignored, unless names differ in nothing else.
    */
   public static final class ClosestName {
     private final String name;
@@ -90,7 +90,7 @@ public final class StringDistance {
       this.open = name.length() <= LONGEST_NAME;
     }
 
-    /** May be it, too; in whatever order. */
+    /** Adds a candidate; the order does not matter. */
     public void consider(String candidate) {
       if (!open || known) {
         return;

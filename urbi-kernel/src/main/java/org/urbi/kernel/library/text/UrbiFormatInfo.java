@@ -6,7 +6,7 @@ import org.urbi.kernel.object.UrbiObject;
 /** A format, such as {@code %6.3f} (manual, "FormatInfo"). */
 public final class UrbiFormatInfo extends UrbiObject {
   /**
-   * What a format says.
+   * The parts of a format.
    *
    * @param alignment -1 for left, 0 for centered, 1 for right
    * @param alternate whether the base and the decimal point are always shown

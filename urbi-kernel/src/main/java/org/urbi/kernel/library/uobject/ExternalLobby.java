@@ -13,7 +13,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.uobject.PluggedContext;
 
-/** What processes that are linked with the SDK of Urbi 2.7 ask of their lobby. */
+/** Functions of the lobby for processes that are linked with the SDK of Urbi 2.7. */
 @UrbiTypePart(value = "Lobby", needs = Permission.OWNER)
 final class ExternalLobby {
   /** More arguments no function can have. */

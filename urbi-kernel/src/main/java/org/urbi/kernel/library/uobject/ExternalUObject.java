@@ -20,7 +20,7 @@ import org.urbi.kernel.uobject.ObjectAccess;
 import org.urbi.kernel.uobject.PluggedContext;
 import urbi.UValue;
 
-/** What processes that are linked with the SDK of Urbi 2.7 tell, and ask. */
+/** The functions that processes linked with the SDK of Urbi 2.7 call. */
 @UrbiTypePart(value = "UObject", needs = Permission.OWNER)
 final class ExternalUObject {
   private final PluggedContext uobjects;

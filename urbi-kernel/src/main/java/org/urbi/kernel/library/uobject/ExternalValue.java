@@ -5,7 +5,7 @@ import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.object.UrbiObject;
 
-/** What a value is when it travels to a process that is linked with the SDK of Urbi 2.7. */
+/** Converts values for processes that are linked with the SDK of Urbi 2.7. */
 @UrbiTypePart(value = "Object", needs = Permission.NOTHING)
 final class ExternalValue {
   private ExternalValue() {}

@@ -17,7 +17,7 @@ import org.urbi.kernel.uobject.PluggedContext;
 import org.urbi.kernel.variable.UrbiConnection;
 
 /**
- * On which terms somebody listens to an event or to a variable (manual, "Customizing data-flow
+ * The settings of a subscription to an event or to a variable (manual, "Customizing data-flow
  * links"; Urbi 3, "Subscription").
  */
 @UrbiType(

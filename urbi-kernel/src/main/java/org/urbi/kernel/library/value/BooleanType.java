@@ -7,7 +7,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Values;
 
-/** What {@code true} and {@code false} inherit from (manual, "Boolean"). */
+/** The prototype of {@code true} and {@code false} (manual, "Boolean"). */
 @UrbiType(
     value = "Boolean",
     protos = "Singleton",

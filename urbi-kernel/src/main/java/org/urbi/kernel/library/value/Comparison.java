@@ -100,10 +100,7 @@ public final class Comparison {
     return first.size() < second.size();
   }
 
-  /**
-   * A sorted copy. What comes neither before nor after another one stays where it was, whatever the
-   * order, even one that contradicts itself.
-   */
+  /** A sorted copy. The sort is stable, and ends with any order, even an inconsistent one. */
   public static List<UrbiObject> sorted(Frame caller, List<UrbiObject> elements, Order order) {
     Checkpoint checkpoint = new Checkpoint(caller.job()::checkInterrupted);
     UrbiObject[] from = elements.toArray(UrbiObject[]::new);

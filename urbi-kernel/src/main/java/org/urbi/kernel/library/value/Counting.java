@@ -58,7 +58,7 @@ public final class Counting {
     return counted;
   }
 
-  /** The same of any number, of which those with a fraction are no index either. */
+  /** The same for any number: one with a fraction is no index. */
   public static int index(Frame caller, CallSite site, UrbiFloat index, int size) {
     double value = index.value();
     if (value != (int) value) {

@@ -14,7 +14,7 @@ public final class OwnSlots {
     return frame.interpreter().get(frame, self, self.world().symbol(name));
   }
 
-  /** Assigns a slot; one that is missing is created. Those who watch it are told. */
+  /** Assigns a slot, or creates it; its watchers are notified. */
   public static void set(Frame frame, UrbiObject self, String name, UrbiObject value) {
     Symbol symbol = self.world().symbol(name);
     if (self.locate(symbol) == null) {

@@ -3,7 +3,7 @@ package org.urbi.kernel.library.value;
 import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 
-/** What variables of UObjects hold (manual, "UValue"). */
+/** The values of variables of UObjects (manual, "UValue"). */
 @UrbiType(
     value = "UValue",
     doc = "The value of a variable of a UObject.",

@@ -1,6 +1,6 @@
 /**
- * What every value can be asked: comparing, hashing, printing, and the plain types (manual,
- * "Boolean", "nil", "void", "Enumeration", "Comparable", "Orderable").
+ * Functions of every value (comparing, hashing, printing), and the plain types (manual, "Boolean",
+ * "nil", "void", "Enumeration", "Comparable", "Orderable").
  */
 @NullMarked
 package org.urbi.kernel.library.value;
