@@ -9,6 +9,11 @@ record WrongCall(BuiltinTable table, int index, String target, List<String> argu
     return table.name(index);
   }
 
+  /** The value at a place: 0 is the target. */
+  String value(int place) {
+    return place == 0 ? target : arguments.get(place - 1);
+  }
+
   boolean hasWrongArity() {
     return arguments.size() < table.minArguments(index)
         || arguments.size() > table.maxArguments(index);

@@ -7,10 +7,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.regex.Pattern;
+import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.error.Errors;
@@ -35,6 +37,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.trust.Role;
+import org.urbi.lang.ast.Ast;
 import org.urbi.lang.parse.UrbiParser;
 import org.urbi.lang.source.Span;
 
@@ -76,7 +79,9 @@ final class WrongCallKernel implements AutoCloseable {
     /** It still waited when nobody wanted to know any more. */
     ENDED,
     /** The kernel is no longer what it was: calls may do that. */
-    SPOILT
+    SPOILT,
+    /** It would say nothing new, and is not made. */
+    KNOWN
   }
 
   /** A call that has not been answered as it should. */
@@ -102,15 +107,44 @@ final class WrongCallKernel implements AutoCloseable {
    * How a call was answered.
    *
    * @param text that of the exception; null when there was none
+   * @param isOfDeclaration whether the declaration has refused a value, and no code was executed
    */
-  record Answer(Result result, String text) {}
+  record Answer(Result result, String text, boolean isOfDeclaration) {}
 
-  private record Site(String calledName) implements CallSite {
+  /** Sees who asks for its name: the generated table does so to refuse what was not declared. */
+  private static final class Site implements CallSite {
+    private static final StackWalker WALKER =
+        StackWalker.getInstance(StackWalker.Option.RETAIN_CLASS_REFERENCE);
+
+    private final String name;
+    private boolean askedByDeclaration;
+
+    Site(String name) {
+      this.name = name;
+    }
+
+    @Override
+    public String calledName() {
+      askedByDeclaration |=
+          WALKER
+              .walk(frames ->
+                  frames
+                      .map(StackWalker.StackFrame::getDeclaringClass)
+                      .dropWhile(type -> type == Site.class || type == Arguments.class)
+                      .findFirst())
+              .filter(BuiltinTable.class::isAssignableFrom)
+              .isPresent();
+      return name;
+    }
+
     @Override
     public Span calledSpan() {
       return null;
     }
   }
+
+  /** The expressions, as every kernel compiles them for itself. */
+  private static final Map<String, Ast> PARSED = new ConcurrentHashMap<>();
 
   private final Kernel kernel;
   private final Interpreter interpreter;
@@ -307,14 +341,18 @@ final class WrongCallKernel implements AutoCloseable {
     Compilation.Compiled code =
         compiled.computeIfAbsent(
             expression,
-            text -> {
-              var parsed = UrbiParser.parse(text + ";", null);
-              if (!parsed.errors().isEmpty()) {
-                throw new Defect(text + ": " + parsed.errors().getFirst().message());
-              }
-              return Compilation.compile(interpreter, parsed.sequence().statements().getFirst());
-            });
+            text ->
+                Compilation.compile(
+                    interpreter, PARSED.computeIfAbsent(text, WrongCallKernel::parse)));
     return code.code().execute(Frame.top(interpreter, frame.job(), frame.self(), code.layout()));
+  }
+
+  private static Ast parse(String text) {
+    var parsed = UrbiParser.parse(text + ";", null);
+    if (!parsed.errors().isEmpty()) {
+      throw new Defect(text + ": " + parsed.errors().getFirst().message());
+    }
+    return parsed.sequence().statements().getFirst();
   }
 
   /** Makes a call and waits for its end; in the job of the judge. */
@@ -353,7 +391,7 @@ final class WrongCallKernel implements AutoCloseable {
     }
     clear(judge);
     mark(judge);
-    return new Answer(attempt.result, attempt.text);
+    return new Answer(attempt.result, attempt.text, attempt.site.askedByDeclaration);
   }
 
   /** The jobs that calls have left behind. */
@@ -407,6 +445,7 @@ final class WrongCallKernel implements AutoCloseable {
   /** One call. */
   private final class Attempt {
     private final WrongCall call;
+    private final Site site;
     private Result result = Result.ENDED;
     private String defect;
     private boolean certain;
@@ -414,6 +453,7 @@ final class WrongCallKernel implements AutoCloseable {
 
     Attempt(WrongCall call) {
       this.call = call;
+      site = new Site(call.name());
     }
 
     void run(Job job) {
@@ -441,12 +481,7 @@ final class WrongCallKernel implements AutoCloseable {
       Code primitive = primitives.get(nameOf(call.table(), call.index()));
       try {
         UrbiObject value =
-            interpreter.call(
-                frame,
-                new Site(call.name()),
-                primitive,
-                target,
-                arguments.toArray(UrbiObject[]::new));
+            interpreter.call(frame, site, primitive, target, arguments.toArray(UrbiObject[]::new));
         if (value == null) {
           defect = "null";
         } else {

@@ -109,6 +109,7 @@ final class WrongCaller implements AutoCloseable {
     private final Builtin builtin;
     private final SplittableRandom random;
     private final Map<Integer, String> types = new LinkedHashMap<>();
+    private final KnownAnswers known = new KnownAnswers(values);
     private WrongCall last;
     private int made;
 
@@ -125,10 +126,15 @@ final class WrongCaller implements AutoCloseable {
               .within((run, job) -> {
                 while (made < calls) {
                   last = next();
+                  if (known.contain(last)) {
+                    made++;
+                    results.merge(WrongCallKernel.Result.KNOWN, 1, Integer::sum);
+                    continue;
+                  }
                   WrongCallKernel.Answer answer = run.make(job, last);
                   made++;
                   results.merge(answer.result(), 1, Integer::sum);
-                  learn(answer.text());
+                  learn(answer);
                 }
               });
         } catch (WrongCallKernel.Spoilt e) {
@@ -167,11 +173,14 @@ final class WrongCaller implements AutoCloseable {
     }
 
     /** The next time that argument may be of the type that was expected. */
-    private void learn(String text) {
-      Matcher expected = text == null ? null : EXPECTED.matcher(text);
+    private void learn(WrongCallKernel.Answer answer) {
+      Matcher expected = answer.text() == null ? null : EXPECTED.matcher(answer.text());
       if (expected != null && expected.find()) {
-        String place = expected.group(1);
-        types.put(place == null ? 0 : Integer.parseInt(place), expected.group(2));
+        int place = expected.group(1) == null ? 0 : Integer.parseInt(expected.group(1));
+        types.put(place, expected.group(2));
+        if (answer.isOfDeclaration() && place <= last.arguments().size()) {
+          known.refused(last, place, expected.group(2));
+        }
       }
     }
 

@@ -1,6 +1,7 @@
 package org.urbi.kernel;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -211,6 +212,7 @@ final class WrongValues {
   private final List<String> expressions = new ArrayList<>();
 
   private final Map<String, List<String>> ofType = new LinkedHashMap<>();
+  private final Map<String, String> kinds = new HashMap<>();
   private final int numbers;
   private final int strings;
 
@@ -240,6 +242,7 @@ final class WrongValues {
 
   /** Remembers of what types a value is. */
   void learn(World world, String expression, UrbiObject value) {
+    StringBuilder kind = new StringBuilder(value.getClass().getName());
     for (BuiltinTable table : Library.declarations()) {
       UrbiObject type = world.prototype(table.type());
       if (type != null && value.isA(type)) {
@@ -247,8 +250,23 @@ final class WrongValues {
         if (!known.contains(expression)) {
           known.add(expression);
         }
+        kind.append(' ').append(table.type());
       }
     }
+    if (!expression.startsWith("{")) {
+      kinds.put(expression, kind.toString());
+    }
+  }
+
+  /** Whether a value is known to be of that type. */
+  boolean isOfType(String expression, String type) {
+    List<String> known = ofType.get(type);
+    return known != null && known.contains(expression);
+  }
+
+  /** What a value has in common with all that a declaration cannot tell from it. */
+  String kind(String expression) {
+    return kinds.getOrDefault(expression, expression);
   }
 
   /** Any value. */
