@@ -84,8 +84,8 @@ public abstract sealed class UObjectBase permits UObject, UObjectHub {
 
   // ------------------------------------------------------------------ time
 
-  /** Lets other code run until the next cycle of the kernel. */
-  public void yield_() {
+  /** Lets other code run until the next cycle of the kernel; in Java it is {@code this.yield()}. */
+  public void yield() {
     context.yieldFor(Duration.ZERO);
   }
 

@@ -171,13 +171,13 @@ public final class UValue {
   /** The kind of value in a word, for people. */
   public String format_string() {
     return switch (type) {
-      case DATA_BINARY -> "Binary";
-      case DATA_DICTIONARY -> "Dictionary";
-      case DATA_DOUBLE -> "Float";
-      case DATA_LIST -> "List";
-      case DATA_STRING -> "String";
-      case DATA_SLOTNAME -> "Slot name";
-      case DATA_VOID -> "Void";
+      case DATA_BINARY -> "binary";
+      case DATA_DICTIONARY -> "dictionary";
+      case DATA_DOUBLE -> "double";
+      case DATA_LIST -> "list";
+      case DATA_STRING -> "string";
+      case DATA_SLOTNAME -> "slotname";
+      case DATA_VOID -> "void";
     };
   }
 

@@ -28,6 +28,16 @@ class Urbi27Test {
   }
 
   @Test
+  void typesOfValues() {
+    assertEquals("double", new UValue(1).format_string());
+    assertEquals("string", new UValue("x").format_string());
+    assertEquals("list", UCast.toUValue(new UList()).format_string());
+    assertEquals("dictionary", UCast.toUValue(new UDictionary()).format_string());
+    assertEquals("binary", UCast.toUValue(new UBinary()).format_string());
+    assertEquals("void", new UValue().format_string());
+  }
+
+  @Test
   void dictionaries() {
     UDictionary dictionary = new UDictionary();
     assertEquals(null, dictionary.put("number", 42));

@@ -195,6 +195,8 @@ public final class Library {
     UrbiObject global = type("Global");
     global.addSlot(world.symbol("true"), values.trueObject);
     global.addSlot(world.symbol("false"), values.falseObject);
+    // What a later program puts into its package of the language everybody has.
+    type("package").addSlot(world.symbol("lang"), global);
     UrbiObject channel = type("Channel");
     channel.addSlot(world.symbol("name"), values.string(""));
     channel.addSlot(world.symbol("enabled"), values.trueObject);

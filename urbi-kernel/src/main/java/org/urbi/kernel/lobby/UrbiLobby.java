@@ -27,6 +27,7 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
   private volatile String remoteAddress = "";
   private volatile Role role = Role.OWNER;
   private Budget budget = new Budget();
+  private boolean connected = true;
 
   /**
    * @param connectionTag labels all the code executed for this lobby; null for the prototype
@@ -135,8 +136,16 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
     return made;
   }
 
-  /** Emits {@code Lobby.onDisconnect} for this lobby. */
+  /** Whether the connection is open. A condition that asks is evaluated again when it closes. */
+  public boolean isConnected() {
+    noteContentRead();
+    return connected && output().isOpen();
+  }
+
+  /** Is no longer connected, and emits {@code Lobby.onDisconnect} for this lobby. */
   public void disconnected(Interpreter interpreter) {
+    connected = false;
+    noteContentChange();
     UrbiObject event =
         interpreter
             .world()

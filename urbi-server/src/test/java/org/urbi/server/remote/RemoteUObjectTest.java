@@ -256,7 +256,8 @@ class RemoteUObjectTest extends RemoteSession {
 
     Yielding(String name) {
       super(name);
-      UBindFunctions("waits", "comes");
+      // As components of 2.7 do, it shows urbiscript a method that it inherits.
+      UBindFunctions("waits", "comes", "yield");
     }
 
     /** Waits, and lets others be called, until one was. */
@@ -282,6 +283,7 @@ class RemoteUObjectTest extends RemoteSession {
         eval(
             "{ var r = []; { r << Yielding.waits } & { sleep(50ms); r << Yielding.comes };"
                 + " [r.has(\"called\"), r.has(7)] }"));
+    assertEquals("1", eval("Yielding.yield.isVoid"));
   }
 
   static class Ticker extends UObject {
@@ -292,7 +294,7 @@ class RemoteUObjectTest extends RemoteSession {
       super(name);
       USetTimer(5, this, "tick");
       USetUpdate(5);
-      UBindFunctions("counts", "urbi");
+      UBindFunctions("countsChecks", "urbi");
     }
 
     public int tick() {
@@ -319,7 +321,7 @@ class RemoteUObjectTest extends RemoteSession {
   @Test
   void timersAndUrbiscript() {
     remote.start(type("Ticker", Ticker::new));
-    assertEquals("1", eval("{ while (!Ticker.counts) sleep(5ms); 1 }"));
+    assertEquals("1", eval("{ while (!Ticker.countsChecks) sleep(5ms); 1 }"));
     eval("Ticker.urbi");
     assertEquals(
         "[12, 13]",

@@ -99,7 +99,7 @@ public final class LobbyType {
 
   @Builtin(doc = "Whether somebody is at the other end.")
   static boolean connected(Frame frame, UrbiObject self) {
-    return own(frame, self).output().isOpen();
+    return own(frame, self).isConnected();
   }
 
   @Builtin(doc = "The tag of all the code that runs for this lobby.")
