@@ -6,8 +6,6 @@ import static java.util.Objects.requireNonNullElse;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.net.InetSocketAddress;
-import java.net.Socket;
 import java.net.UnknownHostException;
 import java.time.Duration;
 import java.util.ArrayDeque;
@@ -20,7 +18,7 @@ import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A client of a server, over TCP.
+ * A client of a server, over TCP or TLS, see {@link ServerConnection}.
  *
  * <p>Sending returns at once, and a thread of the client's sends; only who sends much faster than
  * the server takes has to wait. Callbacks are called one after the other by another thread: none of
@@ -35,7 +33,7 @@ public class UClient extends UAbstractClient implements AutoCloseable {
   private static final int MAX_WAITING = 64 << 20;
   private static final int BUFFER = 1 << 16;
 
-  private final Socket socket = new Socket();
+  private @Nullable ServerConnection connection;
   private final CompletableFuture<Void> closed = new CompletableFuture<>();
   private final UMessageReader reader = new UMessageReader(this::received);
   private final ReentrantLock lock = new ReentrantLock();
@@ -66,17 +64,16 @@ public class UClient extends UAbstractClient implements AutoCloseable {
   /** Connects, and gives up after a while; see {@link #UClient(String, int)}. */
   public UClient(String host, int port, Duration timeout) {
     super(host, port);
+    ServerConnection opened;
     try {
-      socket.setTcpNoDelay(true);
-      socket.setKeepAlive(true);
-      socket.connect(new InetSocketAddress(host, port), (int) timeout.toMillis());
-      socket.getOutputStream().write(TokenLine.bytes());
+      opened = ServerConnection.open(host, port, (int) timeout.toMillis());
     } catch (IOException e) {
       close(reason(e));
       return;
     }
-    readerThread = Thread.ofVirtual().name("urbi-client-reader").start(this::read);
-    Thread.ofVirtual().name("urbi-client-writer").start(this::write);
+    connection = opened;
+    readerThread = Thread.ofVirtual().name("urbi-client-reader").start(() -> read(opened.in()));
+    Thread.ofVirtual().name("urbi-client-writer").start(() -> write(opened.out()));
   }
 
   /**
@@ -156,9 +153,8 @@ public class UClient extends UAbstractClient implements AutoCloseable {
     }
   }
 
-  private void write() {
+  private void write(OutputStream out) {
     try {
-      OutputStream out = socket.getOutputStream();
       for (byte[] bytes = next(); bytes != null; bytes = next()) {
         out.write(bytes);
       }
@@ -188,10 +184,9 @@ public class UClient extends UAbstractClient implements AutoCloseable {
     }
   }
 
-  private void read() {
+  private void read(InputStream in) {
     byte[] buffer = new byte[BUFFER];
     try {
-      InputStream in = socket.getInputStream();
       for (int size = in.read(buffer); size >= 0; size = in.read(buffer)) {
         alive();
         reader.feed(buffer, 0, size);
@@ -347,7 +342,9 @@ public class UClient extends UAbstractClient implements AutoCloseable {
     }
     setKeepAliveCheck(0, 0);
     try {
-      socket.close();
+      if (connection != null) {
+        connection.close();
+      }
     } catch (IOException e) {
       // There is nothing left to be closed.
     }

@@ -5,8 +5,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.net.InetAddress;
-import java.net.InetSocketAddress;
-import java.net.Socket;
+import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -14,7 +13,7 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
-import urbi.TokenLine;
+import urbi.ServerConnection;
 import urbi.UClientException;
 import urbi.wire.Protocol;
 import urbi.wire.WireException;
@@ -32,7 +31,7 @@ final class Connection implements AutoCloseable {
   private static final int MAX_LINE = 1 << 16;
   private static final int MAX_LINES = 100;
 
-  private final Socket socket = new Socket();
+  private final ServerConnection link;
   private final InputStream in;
   private final OutputStream out;
   private final ReentrantLock lock = new ReentrantLock();
@@ -54,21 +53,17 @@ final class Connection implements AutoCloseable {
    * @throws UClientException if nobody answers, or somebody who does not speak it
    */
   Connection(String host, int port, int milliseconds) {
+    link = open(host, port, milliseconds);
+    in = link.in();
+    out = link.out();
     var agreed = new CountDownLatch(1);
     limit(agreed, milliseconds);
     try {
-      socket.setTcpNoDelay(true);
-      socket.setKeepAlive(true);
-      socket.connect(new InetSocketAddress(host, port));
-      in = socket.getInputStream();
-      out = socket.getOutputStream();
-      out.write(TokenLine.bytes());
       out.write(Protocol.request().getBytes(StandardCharsets.US_ASCII));
       awaitAgreement();
     } catch (IOException e) {
-      String reason = tooLate ? "no answer within " + milliseconds + " ms" : e.getMessage();
       closeSocket();
-      throw new UClientException("cannot connect to " + host + ":" + port + ": " + reason, e);
+      throw failed(host, port, tooLate ? late(milliseconds) : e.getMessage(), e);
     } catch (UClientException e) {
       closeSocket();
       throw e;
@@ -76,6 +71,25 @@ final class Connection implements AutoCloseable {
       agreed.countDown();
     }
     Thread.ofPlatform().daemon().name("urbi-remote-writer").start(this::write);
+  }
+
+  private static ServerConnection open(String host, int port, int milliseconds) {
+    try {
+      return ServerConnection.open(host, port, milliseconds);
+    } catch (SocketTimeoutException e) {
+      throw failed(host, port, late(milliseconds), e);
+    } catch (IOException e) {
+      throw failed(host, port, e.getMessage(), e);
+    }
+  }
+
+  private static String late(int milliseconds) {
+    return "no answer within " + milliseconds + " ms";
+  }
+
+  private static UClientException failed(
+      String host, int port, @Nullable String reason, IOException cause) {
+    return new UClientException("cannot connect to " + host + ":" + port + ": " + reason, cause);
   }
 
   /**
@@ -99,7 +113,7 @@ final class Connection implements AutoCloseable {
 
   /** Where the server is. */
   InetAddress address() {
-    return socket.getInetAddress();
+    return link.address();
   }
 
   private void awaitAgreement() throws IOException {
@@ -265,7 +279,7 @@ final class Connection implements AutoCloseable {
 
   private void closeSocket() {
     try {
-      socket.close();
+      link.close();
     } catch (IOException e) {
       // There is nothing left to be closed.
     }

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import urbi.RemoteRunner;
+import urbi.ServerConnection;
 import urbi.UAbstractClient;
 import urbi.UClientException;
 import urbi.UModule;
@@ -31,6 +32,9 @@ public final class RemoteProgram implements RemoteRunner {
         -H, --host ADDRESS    address of the server (default: 127.0.0.1)
         -P, --port PORT       port of the server (default: 54000)
             --port-file FILE  take the port from FILE
+            --tls             connect by TLS (default: URBI_TLS)
+            --tls-ca FILE     connect by TLS, and trust the certificate in FILE (default: URBI_TLS_CA, or
+                              those that Java trusts)
             --reconnect       connect again whenever the connection is lost
         -d, --debug LEVEL     how much is said: NONE (errors alone), LOG (the default; what is started),
                               TRACE, DEBUG or DUMP (each call of a function as well)
@@ -87,6 +91,8 @@ public final class RemoteProgram implements RemoteRunner {
           case "-P", "--port" -> port = port(value(arguments, ++i));
           case "--port-file" -> port = portFrom(value(arguments, ++i));
           case "-d", "--debug" -> level = level(value(arguments, ++i));
+          case "--tls" -> System.setProperty(ServerConnection.TLS_PROPERTY, "1");
+          case "--tls-ca" -> ServerConnection.trust(value(arguments, ++i));
           case "--reconnect" -> reconnect = true;
           case "--" -> {}
           default -> {

@@ -72,11 +72,12 @@ class ArchitectureTest {
           .resideInAPackage("urbi..")
           .should()
           .onlyDependOnClassesThat()
-          // Of the JDK alone: windows and sounds for those who use them.
+          // Of the JDK alone: TLS, windows and sounds for those who use them.
           .resideInAnyPackage(
               "urbi..",
               "java..",
               "javax.imageio..",
+              "javax.net..",
               "javax.swing..",
               "javax.sound.sampled..",
               "org.jspecify.annotations..");

@@ -217,6 +217,7 @@ final class Server {
     if (warning != null) {
       settings.trace().log(warning);
     }
+    settings.access().warnings().forEach(settings.trace()::log);
     try {
       ConsoleServer server =
           new ConsoleServer(
@@ -229,7 +230,14 @@ final class Server {
       kernel().evalAsync("System.listenPort = " + server.port() + "|");
       writePortFile(server.port());
       if (!settings.quiet()) {
-        settings.trace().log("listening on " + settings.host() + ":" + server.port());
+        settings
+            .trace()
+            .log(
+                "listening on "
+                    + settings.host()
+                    + ":"
+                    + server.port()
+                    + (settings.access().accessPolicy().identity() == null ? "" : ", by TLS"));
       }
       return server;
     } catch (IOException e) {

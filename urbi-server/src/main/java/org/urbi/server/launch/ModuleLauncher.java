@@ -96,11 +96,8 @@ final class ModuleLauncher {
             "FILE",
             "The port is written in FILE; with --start: write it there.",
             "-w",
-            "--port-file")
-        .option(
-            "FILE",
-            "Show the server the token that is in FILE (default: that in URBI_TOKEN).",
-            "--token")
+            "--port-file");
+    ServerAddress.trustOptions(program)
         .arguments(
             "MODULE... [-- MODULE-OPTION...]",
             (kind == Kind.JAVA ? "Jars, or folders of classes" : "Shared libraries, or jars")

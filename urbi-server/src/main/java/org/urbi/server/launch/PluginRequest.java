@@ -4,13 +4,13 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.net.InetAddress;
-import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
 import org.urbi.server.source.SourceText;
 import org.urbi.server.tools.ServerAddress;
+import urbi.ServerConnection;
 
 /** Asks a running server to load modules, and reports its answer. */
 final class PluginRequest {
@@ -37,16 +37,16 @@ final class PluginRequest {
    */
   int load(Arguments arguments) {
     ServerAddress server = ServerAddress.of(arguments, arguments.value("--host", "127.0.0.1"));
-    try (Socket socket = server.connect()) {
+    try (ServerConnection connection = server.connect()) {
       StringBuilder text = new StringBuilder();
       boolean here = InetAddress.getByName(server.host()).isLoopbackAddress();
       for (String module : arguments.rest()) {
         text.append(SourceText.loadModule(here ? ownName(module) : module));
       }
       text.append("quit;\n");
-      socket.getOutputStream().write(text.toString().getBytes(StandardCharsets.ISO_8859_1));
+      connection.out().write(text.toString().getBytes(StandardCharsets.ISO_8859_1));
       ByteArrayOutputStream answer = new ByteArrayOutputStream();
-      socket.getInputStream().transferTo(answer);
+      connection.in().transferTo(answer);
       return report(answer.toString(StandardCharsets.UTF_8));
     } catch (IOException e) {
       throw Failure.of("connection lost: " + e.getMessage());

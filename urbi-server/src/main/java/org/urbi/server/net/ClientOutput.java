@@ -5,6 +5,7 @@ import io.netty.channel.Channel;
 import io.netty.channel.ChannelFuture;
 import io.netty.channel.ChannelFutureListener;
 import io.netty.channel.socket.DuplexChannel;
+import io.netty.handler.ssl.SslHandler;
 import java.nio.charset.StandardCharsets;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -81,6 +82,15 @@ final class ClientOutput {
     }
   }
 
+  private static void endOutput(DuplexChannel channel) {
+    SslHandler tls = channel.pipeline().get(SslHandler.class);
+    if (tls == null) {
+      channel.shutdownOutput();
+    } else {
+      tls.closeOutbound().addListener(told -> channel.shutdownOutput());
+    }
+  }
+
   private ChannelFuture flush() {
     scheduled.set(false);
     StringBuilder joined = new StringBuilder();
@@ -123,7 +133,7 @@ final class ClientOutput {
             (ChannelFutureListener)
                 done -> {
                   if (channel instanceof DuplexChannel duplex && !duplex.isInputShutdown()) {
-                    duplex.shutdownOutput();
+                    endOutput(duplex);
                   } else {
                     channel.close();
                   }

@@ -1,8 +1,11 @@
 package org.urbi.server.net;
 
 import io.netty.channel.Channel;
+import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.socket.nio.NioSocketChannel;
+import io.netty.handler.ssl.SslHandler;
 import java.nio.channels.SocketChannel;
+import org.jspecify.annotations.Nullable;
 
 /** The channel of a client; other threads may also write to its socket or read from it. */
 final class ConsoleChannel extends NioSocketChannel {
@@ -12,8 +15,16 @@ final class ConsoleChannel extends NioSocketChannel {
     super(listener, socket);
   }
 
+  /** The channel of a client, unless something stands between its bytes and its socket. */
+  static @Nullable ConsoleChannel bare(ChannelHandlerContext context) {
+    return context.channel() instanceof ConsoleChannel own
+            && context.pipeline().get(SslHandler.class) == null
+        ? own
+        : null;
+  }
+
   /** The socket, which does not block. */
-  SocketChannel bare() {
+  SocketChannel socketChannel() {
     return javaChannel();
   }
 

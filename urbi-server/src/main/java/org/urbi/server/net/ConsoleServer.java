@@ -11,6 +11,7 @@ import io.netty.channel.MultiThreadIoEventLoopGroup;
 import io.netty.channel.group.ChannelGroup;
 import io.netty.channel.group.DefaultChannelGroup;
 import io.netty.channel.nio.NioIoHandler;
+import io.netty.handler.ssl.SslContext;
 import io.netty.util.concurrent.DefaultThreadFactory;
 import io.netty.util.concurrent.GlobalEventExecutor;
 import java.io.IOException;
@@ -89,7 +90,8 @@ public final class ConsoleServer implements AutoCloseable {
    * @param remotes makes the kernel's side of a process with UObjects, given its name for people
    *     and the way to it; null if there are to be none
    * @param accessPolicy who is let in, and as what
-   * @throws IOException if the address cannot be listened to; the message says which and why
+   * @throws IOException if the address cannot be listened to, or TLS cannot be had; the message
+   *     says which and why
    */
   public ConsoleServer(
       InetSocketAddress address,
@@ -99,6 +101,8 @@ public final class ConsoleServer implements AutoCloseable {
       AccessPolicy accessPolicy,
       Trace trace)
       throws IOException {
+    SslContext tls =
+        accessPolicy.identity() == null ? null : TlsGate.context(accessPolicy.identity());
     loop =
         new MultiThreadIoEventLoopGroup(
             1, new DefaultThreadFactory("urbi-network", true), NioIoHandler.newFactory());
@@ -122,6 +126,9 @@ public final class ConsoleServer implements AutoCloseable {
                   protected void initChannel(Channel client) {
                     if (!crowd.acceptClient(client)) {
                       return;
+                    }
+                    if (tls != null) {
+                      client.pipeline().addLast(new TlsGate(tls, trace));
                     }
                     client.pipeline().addLast(new ForeignProtocolFilter(trace));
                     if (accessPolicy.asks()) {

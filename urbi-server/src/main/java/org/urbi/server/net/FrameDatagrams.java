@@ -82,8 +82,10 @@ final class FrameDatagrams implements RtpSession.Environment {
             .toBytes());
   }
 
-  private void refuse(String why) {
-    answers.accept(new WireOutput(1 << 6).begin(Frame.RTP_REFUSED).text(why).end().toBytes());
+  /** Declines an offer; by any thread. */
+  void refuse(String why) {
+    byte[] answer = new WireOutput(1 << 6).begin(Frame.RTP_REFUSED).text(why).end().toBytes();
+    NetworkThread.execute(thread, () -> answers.accept(answer));
   }
 
   /** Ends them; by any thread. */

@@ -43,6 +43,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
   private final DatagramPort port;
   private final AtomicLong unconsumed = new AtomicLong();
   private ChannelHandlerContext context;
+  private @Nullable ConsoleChannel bare;
   private FrameOutput output;
   private RemotePeer peer;
   private FrameDatagrams datagrams;
@@ -69,6 +70,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
   @Override
   public void handlerAdded(ChannelHandlerContext added) {
     context = added;
+    bare = ConsoleChannel.bare(added);
     heard = added.executor().ticker().nanoTime();
     output = new FrameOutput(added, () -> peer.behind(), () -> peer.drained());
     datagrams = new FrameDatagrams(added.executor(), port, output::writeAndFlush, this::value);
@@ -183,7 +185,8 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
 
   @Override
   public void wantToRead() {
-    if (context.channel() instanceof ConsoleChannel own) {
+    ConsoleChannel own = bare;
+    if (own != null) {
       NetworkThread.execute(context.executor(), () -> leaveReading(own));
     }
   }
@@ -195,7 +198,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
       kernelReads = true;
       reading.unlock();
       attended = true;
-      peer.mayRead(new SocketSelector.Socket(own.bare()));
+      peer.mayRead(new SocketSelector.Socket(own.socketChannel()));
     }
   }
 
@@ -240,7 +243,7 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
         return false;
       }
       space.clear();
-      int size = ((ConsoleChannel) context.channel()).bare().read(space);
+      int size = ((ConsoleChannel) context.channel()).socketChannel().read(space);
       if (size != 0) {
         heard = context.executor().ticker().nanoTime();
         space.flip();
@@ -371,7 +374,11 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
 
   @Override
   public void openDatagrams(RtpParameters terms) {
-    datagrams.open(terms);
+    if (bare == null) {
+      datagrams.refuse("datagrams would not be as safe as this connection");
+    } else {
+      datagrams.open(terms);
+    }
   }
 
   @Override

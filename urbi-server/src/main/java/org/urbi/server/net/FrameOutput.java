@@ -44,7 +44,8 @@ final class FrameOutput {
    */
   FrameOutput(ChannelHandlerContext context, Runnable onBacklog, Runnable onDrained) {
     this.context = context;
-    this.socket = context.channel() instanceof ConsoleChannel own ? own.bare() : null;
+    ConsoleChannel bare = ConsoleChannel.bare(context);
+    this.socket = bare == null ? null : bare.socketChannel();
     this.onBacklog = onBacklog;
     this.onDrained = onDrained;
   }

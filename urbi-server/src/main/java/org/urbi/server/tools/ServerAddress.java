@@ -1,8 +1,6 @@
 package org.urbi.server.tools;
 
 import java.io.IOException;
-import java.net.InetSocketAddress;
-import java.net.Socket;
 import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -11,6 +9,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
+import urbi.ServerConnection;
 import urbi.TokenLine;
 import urbi.UClientException;
 import urbi.USyncClient;
@@ -28,14 +27,26 @@ public record ServerAddress(String host, int port) {
 
   /** Adds the options to a program. */
   public static Program options(Program program) {
-    return program
+    program
         .option("HOST", "Address to connect to (default: 127.0.0.1).", "-H", "--host")
         .option("PORT", "Port to connect to (default: " + DEFAULT_PORT + ").", "-P", "--port")
-        .option("FILE", "Connect to the port that is written in FILE.", "--port-file")
+        .option("FILE", "Connect to the port that is written in FILE.", "--port-file");
+    return trustOptions(program);
+  }
+
+  /** Adds those of them that say who trusts whom, and why. */
+  public static Program trustOptions(Program program) {
+    return program
         .option(
             "FILE",
             "Show the server the token that is in FILE (default: that in URBI_TOKEN).",
-            "--token");
+            "--token")
+        .flag("Connect by TLS (default: URBI_TLS).", "--tls")
+        .option(
+            "FILE",
+            "Connect by TLS, and trust the certificate in FILE (default: URBI_TLS_CA, or those that"
+                + " Java trusts).",
+            "--tls-ca");
   }
 
   /**
@@ -45,6 +56,7 @@ public record ServerAddress(String host, int port) {
    */
   public static ServerAddress of(Arguments arguments, String host) {
     useToken(arguments.value("--token"));
+    useTls(arguments);
     String file = arguments.value("--port-file");
     if (file == null) {
       return new ServerAddress(host, arguments.number("--port", DEFAULT_PORT, 1, MAX_PORT));
@@ -69,6 +81,19 @@ public record ServerAddress(String host, int port) {
       } catch (IOException e) {
         throw Failure.of("cannot read the token file " + file);
       }
+    }
+  }
+
+  /** Whatever this process connects to is connected to by TLS from now on, if that is wanted. */
+  private static void useTls(Arguments arguments) {
+    // An end of the output that somebody else has made is not taken for that of the server.
+    System.setProperty("com.sun.net.ssl.requireCloseNotify", "true");
+    if (arguments.has("--tls")) {
+      System.setProperty(ServerConnection.TLS_PROPERTY, "1");
+    }
+    String trusted = arguments.value("--tls-ca");
+    if (trusted != null) {
+      ServerConnection.trust(trusted);
     }
   }
 
@@ -99,13 +124,9 @@ public record ServerAddress(String host, int port) {
    *
    * @throws Failure if nobody answers
    */
-  public Socket connect() {
-    Socket socket = new Socket();
+  public ServerConnection connect() {
     try {
-      socket.setTcpNoDelay(true);
-      socket.connect(new InetSocketAddress(host, port), CONNECT_MILLISECONDS);
-      socket.getOutputStream().write(TokenLine.bytes());
-      return socket;
+      return ServerConnection.open(host, port, CONNECT_MILLISECONDS);
     } catch (UnknownHostException e) {
       throw Failure.of("unknown host: " + host);
     } catch (IOException e) {

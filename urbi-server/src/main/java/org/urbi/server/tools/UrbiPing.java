@@ -6,7 +6,6 @@ import java.io.InputStreamReader;
 import java.io.OutputStreamWriter;
 import java.io.PrintStream;
 import java.io.Writer;
-import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -18,6 +17,7 @@ import org.urbi.kernel.time.SystemClock;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
+import urbi.ServerConnection;
 
 /**
  * The program {@code urbi-ping}: measures how long a server takes to execute a statement and to
@@ -66,11 +66,11 @@ public final class UrbiPing {
     int interval = number(arguments, "--interval", rest, 1, DEFAULT_INTERVAL);
     int count = number(arguments, "--count", rest, 2, 0);
     Thread summary = new Thread(() -> out.println(delayStatistics));
-    try (Socket socket = target.connect()) {
+    try (ServerConnection server = target.connect()) {
       Runtime.getRuntime().addShutdownHook(summary);
-      socket.setSoTimeout(TIMEOUT_MILLISECONDS);
+      server.setReadTimeout(TIMEOUT_MILLISECONDS);
       out.println("Pinging " + target.host() + ":" + target.port());
-      exchange(socket, interval, count);
+      exchange(server, interval, count);
     } catch (IOException e) {
       throw Failure.of("connection lost: " + e.getMessage());
     } catch (InterruptedException e) {
@@ -92,12 +92,11 @@ public final class UrbiPing {
     return arguments.number(option, fallback, 0, Integer.MAX_VALUE);
   }
 
-  private void exchange(Socket socket, int interval, int count)
+  private void exchange(ServerConnection server, int interval, int count)
       throws IOException, InterruptedException {
     BufferedReader in =
-        new BufferedReader(
-            new InputStreamReader(socket.getInputStream(), StandardCharsets.ISO_8859_1));
-    Writer to = new OutputStreamWriter(socket.getOutputStream(), StandardCharsets.US_ASCII);
+        new BufferedReader(new InputStreamReader(server.in(), StandardCharsets.ISO_8859_1));
+    Writer to = new OutputStreamWriter(server.out(), StandardCharsets.US_ASCII);
     for (int i = 1; count == 0 || i <= count; ++i) {
       long start = clock.now();
       to.write("lobby.send(\"" + i + "\", \"ping\");\n");

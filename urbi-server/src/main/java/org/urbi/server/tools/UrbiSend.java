@@ -5,7 +5,6 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.OutputStream;
 import java.io.PrintStream;
-import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.urbi.server.net.OperatorRequest;
@@ -13,6 +12,7 @@ import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
 import org.urbi.server.source.Inputs;
+import urbi.ServerConnection;
 
 /**
  * The program {@code urbi-send}: sends urbiscript to a running server, and shows what it answers
@@ -66,13 +66,13 @@ public final class UrbiSend {
     }
     boolean quit = arguments.has("--quit");
     String text = inputs.text() + (quit ? "quit;\n" : "");
-    try (Socket socket = target.connect()) {
+    try (ServerConnection server = target.connect()) {
       // Writes while reading: a server whose answers are not read stops reading.
-      Thread.ofPlatform().daemon().start(() -> write(socket, text));
+      Thread.ofPlatform().daemon().start(() -> write(server, text));
       if (!quit) {
         err.println("urbi-send: connected, hit Ctrl-C to end the connection.");
       }
-      socket.getInputStream().transferTo(out);
+      server.in().transferTo(out);
       out.flush();
       return 0;
     } catch (IOException e) {
@@ -85,14 +85,13 @@ public final class UrbiSend {
     if (lobby.size() > 1) {
       throw Failure.usage("--interrupt takes one lobby");
     }
-    try (Socket socket = target.connect()) {
-      socket.setSoTimeout(ANSWER_MILLISECONDS);
-      OutputStream to = socket.getOutputStream();
+    try (ServerConnection server = target.connect()) {
+      server.setReadTimeout(ANSWER_MILLISECONDS);
+      OutputStream to = server.out();
       to.write(OperatorRequest.bytes(lobby.isEmpty() ? "" : lobby.getFirst()));
       to.flush();
       BufferedReader from =
-          new BufferedReader(
-              new InputStreamReader(socket.getInputStream(), StandardCharsets.ISO_8859_1));
+          new BufferedReader(new InputStreamReader(server.in(), StandardCharsets.ISO_8859_1));
       for (String line = from.readLine(); line != null; line = from.readLine()) {
         int answer = line.indexOf(OperatorRequest.ANSWER);
         if (answer >= 0) {
@@ -107,9 +106,9 @@ public final class UrbiSend {
     }
   }
 
-  private static void write(Socket socket, String text) {
+  private static void write(ServerConnection server, String text) {
     try {
-      OutputStream to = socket.getOutputStream();
+      OutputStream to = server.out();
       to.write(text.getBytes(StandardCharsets.ISO_8859_1));
       to.flush();
     } catch (IOException e) {

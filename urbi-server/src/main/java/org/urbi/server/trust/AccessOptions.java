@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.trust.Role;
 import org.urbi.server.options.Arguments;
@@ -31,6 +32,12 @@ public record AccessOptions(
                 + " they are not let in.",
             "--default-role")
         .option("DIRECTORY", "Where clients with the role user have files.", "--user-directory")
+        .option(
+            "FILE",
+            "Speak TLS alone, and show the certificate in FILE (PEM); bin/urbi-certificate makes"
+                + " one.",
+            "--tls-certificate")
+        .option("FILE", "The private key of the certificate (PEM).", "--tls-key")
         .flag("Let other machines in without a token.", "--insecure");
   }
 
@@ -48,11 +55,14 @@ public record AccessOptions(
     if (directory != null && !Files.isDirectory(Path.of(directory))) {
       throw Failure.of("--user-directory: no such directory: " + directory);
     }
+    ServerIdentity identity = identity(arguments);
     return new AccessOptions(
         tokens == null
-            ? AccessPolicy.ALL
+            ? new AccessPolicy(null, Role.OWNER, identity)
             : new AccessPolicy(
-                read(Path.of(tokens)), defaultRole(arguments.value("--default-role", NOBODY))),
+                read(Path.of(tokens)),
+                defaultRole(arguments.value("--default-role", NOBODY)),
+                identity),
         directory == null ? null : Path.of(directory),
         arguments.has("--insecure"));
   }
@@ -65,12 +75,34 @@ public record AccessOptions(
     return role;
   }
 
+  private static @Nullable ServerIdentity identity(Arguments arguments) {
+    String certificate = arguments.value("--tls-certificate");
+    String key = arguments.value("--tls-key");
+    if (certificate == null && key == null) {
+      return null;
+    }
+    if (certificate == null || key == null) {
+      throw Failure.usage("TLS needs both --tls-certificate and --tls-key");
+    }
+    try {
+      return ServerIdentity.read(Path.of(certificate), Path.of(key));
+    } catch (IOException e) {
+      throw Failure.of("cannot use TLS: " + e.getMessage());
+    }
+  }
+
   private static Tokens read(Path file) {
     try {
       return Tokens.read(file);
     } catch (IOException e) {
       throw Failure.of("cannot use the tokens: " + e.getMessage());
     }
+  }
+
+  /** What is to be told about the files of TLS. */
+  public List<String> warnings() {
+    ServerIdentity identity = accessPolicy.identity();
+    return identity == null ? List.of() : identity.warnings();
   }
 
   /**
