@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <sstream>
 #include <vector>
 
@@ -6,16 +7,13 @@
 
 namespace
 {
-  /// What the device was commanded last.
-  std::string commanded;
+  /// What each device was commanded last.
+  std::map<int, double> commanded;
 
   void setPositions(int count, int* ids, double* positions)
   {
-    std::ostringstream out;
     for (int i = 0; i < count; ++i)
-      out << (i ? " " : "") << ids[i] << ":" << positions[i];
-    if (count)
-      commanded = out.str();
+      commanded[ids[i]] = positions[i];
   }
 }
 
@@ -98,7 +96,10 @@ int servo::update()
 
 std::string servo::last()
 {
-  return commanded;
+  std::ostringstream out;
+  for (const auto& each : commanded)
+    out << (out.tellp() > 0 ? " " : "") << each.first << ":" << each.second;
+  return out.str();
 }
 
 int servo::mates()
