@@ -16,4 +16,18 @@
 #define URBI_ENTRY extern "C" inline __attribute__((visibility("default"), used))
 #endif
 
+/// The code of these headers stands in detail/code. It is compiled with each component that includes
+/// them, so that they need no library. umake compiles it once for many components, which it tells so by
+/// URBI_SEPARATE.
+#ifdef URBI_SEPARATE
+#define URBI_INLINE
+#else
+#define URBI_INLINE inline
+#define URBI_HAS_CODE
+#endif
+
+/// A function that keeps state. It is called wherever it is used: in a module whose parts were compiled
+/// in both ways there are several of it, of which the linker takes one for all.
+#define URBI_STATE URBI_INLINE ATTRIBUTE_NOINLINE
+
 #endif

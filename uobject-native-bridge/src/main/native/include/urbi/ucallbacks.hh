@@ -27,20 +27,7 @@ namespace urbi
 
     /// From now on each call is on a thread of its own. \param lock which calls exclude one another;
     /// null for none
-    void setAsync(libport::ThreadPool::rTaskLock lock)
-    {
-      LockSpec spec(LOCK_NONE);
-      if (lock)
-        spec = LockSpec(lock->mode < 0 ? LOCK_CLASS : static_cast<LockMode>(lock->mode),
-                        static_cast<unsigned>(lock->maxQueueSize));
-      if (operation_ != URBI_FUNCTION)
-      {
-        detail::Request request(URBI_CALLBACK_END, context(), owner.id_);
-        request.out.raw(detail::Resident::address_of(callback_));
-        request.send();
-      }
-      tell(&spec);
-    }
+    void setAsync(libport::ThreadPool::rTaskLock lock);
 
     bool isSynchronous() const
     {
@@ -59,35 +46,10 @@ namespace urbi
     friend class UObject;
 
     UGenericCallback(UObject& object, urbi_request operation, const std::string& called,
-                     UVar* variable, detail::Callback* callback)
-      : UContext(object.ctx_)
-      , owner(object)
-      , objname(object.__name)
-      , name(called)
-      , target(variable)
-      , nbparam(static_cast<int>(callback->arity()))
-      , operation_(operation)
-      , callback_(callback)
-      , synchronous_(true)
-    {}
+                     UVar* variable, detail::Callback* callback);
 
     /// Tells the host of it. \param lock null if it is not threaded
-    void tell(const LockSpec* lock)
-    {
-      synchronous_ = !lock;
-      if (operation_ == URBI_FUNCTION)
-      {
-        detail::Request request(operation_, context(), owner.id_);
-        request.out.text(name);
-        detail::Resident::write_callback(request.out, callback_, lock);
-        request.send();
-        return;
-      }
-      detail::Request request(operation_, context(), target->slot_);
-      request.out.raw(owner.id_);
-      detail::Resident::write_callback(request.out, callback_, lock);
-      request.send();
-    }
+    void tell(const LockSpec* lock);
 
     urbi_request operation_;
     detail::Callback* callback_;
@@ -133,5 +95,9 @@ namespace urbi
     return owner.callback_(type, name, target, detail::bound(function));
   }
 }
+
+#ifdef URBI_HAS_CODE
+#include <urbi/detail/code/ucallbacks.hh>
+#endif
 
 #endif

@@ -29,40 +29,15 @@ namespace urbi
 
   namespace detail
   {
-    inline void send_text(int64_t context, const std::string& code)
-    {
-      Request request(URBI_SEND, context);
-      request.out.text(code);
-      request.send();
-    }
+    void send_text(int64_t context, const std::string& code);
 
     /// Where this module is loaded to, while it is: its host cannot be asked before its static
     /// variables have been initialized. An even number of `/.` in its path stands for a remote process.
-    inline UObjectMode loading_mode()
-    {
-      Dl_info found;
-      if (!dladdr(reinterpret_cast<void*>(&module), &found) || !found.dli_fname)
-        return MODE_REMOTE;
-      std::string path(found.dli_fname);
-      size_t dots = 0;
-      for (size_t at = path.find("/./"); at != std::string::npos; at = path.find("/./", at + 2))
-        ++dots;
-      return dots % 2 ? MODE_PLUGIN : MODE_REMOTE;
-    }
+    UObjectMode loading_mode();
 
-    inline UObjectMode running_mode(int64_t context)
-    {
-      if (!context || !module().host)
-        return loading_mode();
-      return static_cast<UObjectMode>(Request(URBI_MODE, context).send());
-    }
+    UObjectMode running_mode(int64_t context);
 
-    inline void yield_for(int64_t context, libport::utime_t microseconds)
-    {
-      Request request(URBI_YIELD, context);
-      request.out.raw(static_cast<int64_t>(microseconds < 0 ? 0 : microseconds));
-      request.send();
-    }
+    void yield_for(int64_t context, libport::utime_t microseconds);
   }
 
   namespace impl
@@ -166,48 +141,19 @@ namespace urbi
       std::mutex adding;
     };
 
-    URBI_LOCAL inline Contexts& contexts()
-    {
-      static Contexts all;
-      return all;
-    }
+    URBI_LOCAL Contexts& contexts();
 
-    inline impl::UContextImpl* find_context(int64_t number)
-    {
-      for (impl::UContextImpl* each = contexts().first; each; each = each->next)
-        if (each->number() == number)
-          return each;
-      return nullptr;
-    }
+    impl::UContextImpl* find_context(int64_t number);
 
     /// The context of that number; null for 0.
-    inline impl::UContextImpl* context_of(int64_t number)
-    {
-      if (!number)
-        return nullptr;
-      if (impl::UContextImpl* found = find_context(number))
-        return found;
-      std::lock_guard<std::mutex> guard(contexts().adding);
-      if (impl::UContextImpl* found = find_context(number))
-        return found;
-      impl::UContextImpl* made = new impl::UContextImpl(number);
-      made->next = contexts().first;
-      contexts().first = made;
-      return made;
-    }
+    impl::UContextImpl* context_of(int64_t number);
   }
 
   /// The context that code of this thread belongs to; null for none.
-  inline impl::UContextImpl* getCurrentContext()
-  {
-    return detail::context_of(detail::current_context());
-  }
+  impl::UContextImpl* getCurrentContext();
 
   /// From now on code of this thread belongs to it.
-  inline void setCurrentContext(impl::UContextImpl* context)
-  {
-    detail::thread_state().context = context ? context->number() : 0;
-  }
+  void setCurrentContext(impl::UContextImpl* context);
 }
 
 #include <urbi/ucontext.hh>

@@ -24,70 +24,27 @@ namespace urbi
     class SendBuffer : public std::stringbuf
     {
     public:
-      ~SendBuffer() override
-      {
-        sync();
-      }
+      ~SendBuffer() override;
 
       int64_t context = 0;
 
     protected:
-      int sync() override
-      {
-        std::string code = str();
-        if (code.empty())
-          return 0;
-        str("");
-        try
-        {
-          send_text(context ? context : current_context(), code);
-        }
-        catch (const std::exception&)
-        {
-          return -1;
-        }
-        return 0;
-      }
+      int sync() override;
     };
 
     /// A stream of which every statement is sent when it has been written.
     class SendStream : private SendBuffer, public std::ostream
     {
     public:
-      explicit SendStream(int64_t in)
-        : std::ostream(static_cast<SendBuffer*>(this))
-      {
-        context = in;
-      }
+      explicit SendStream(int64_t in);
 
-      SendStream(SendStream&& other)
-        : SendStream(other.context)
-      {}
+      SendStream(SendStream&& other);
     };
 
-    inline std::string formatted(const char* format, va_list arguments)
-    {
-      va_list again;
-      va_copy(again, arguments);
-      int length = std::vsnprintf(nullptr, 0, format, again);
-      va_end(again);
-      std::string text(length < 0 ? 0 : static_cast<size_t>(length), '\0');
-      std::vsnprintf(&text[0], text.size() + 1, format, arguments);
-      return text;
-    }
+    std::string formatted(const char* format, va_list arguments);
 
     /// The code in the double pair of parentheses of URBI((...)).
-    inline std::string unarmored(const char* armored)
-    {
-      std::string code(armored);
-      size_t begin = code.find_first_not_of(" \t\n");
-      size_t end = code.find_last_not_of(" \t\n");
-      if (begin == std::string::npos)
-        return "";
-      if (code[begin] == '(' && code[end] == ')')
-        return code.substr(begin + 1, end - begin - 1);
-      return code.substr(begin, end - begin + 1);
-    }
+    std::string unarmored(const char* armored);
   }
 
   /// What objects, hubs, variables and events have in common.
@@ -106,15 +63,9 @@ namespace urbi
       detail::send_text(context(), code);
     }
 
-    void send(const char* code) const
-    {
-      send(std::string(code));
-    }
+    void send(const char* code) const;
 
-    void send(const void* code, size_t size) const
-    {
-      send(std::string(static_cast<const char*>(code), size));
-    }
+    void send(const void* code, size_t size) const;
 
     /// Calls `object.method(arguments)` in urbiscript. Does not wait, the result is dropped.
     template <typename... Arguments>
@@ -144,21 +95,10 @@ namespace urbi
     }
 
     /// Limits the number of threads that run threaded functions; 0 for any number.
-    void setThreadLimit(size_t threads) const
-    {
-      detail::Request request(URBI_THREAD_LIMIT, context());
-      request.out.raw(static_cast<int64_t>(threads));
-      request.send();
-    }
+    void setThreadLimit(size_t threads) const;
 
     /// Sends the code of URBI((...)); of URBI(()) what is written to the result.
-    detail::SendStream uobject_unarmorAndSend(const char* armored) const
-    {
-      std::string code = detail::unarmored(armored);
-      if (!code.empty())
-        send(code);
-      return detail::SendStream(context());
-    }
+    detail::SendStream uobject_unarmorAndSend(const char* armored) const;
 
     /// Lets everything else go on for a moment.
     void yield() const
@@ -225,26 +165,14 @@ namespace urbi
 
   // The same, for code that is in no object.
 
-  inline UObject* getUObject(const std::string& name);
-  inline UObjectHub* getUObjectHub(const std::string& className);
+  UObject* getUObject(const std::string& name);
+  UObjectHub* getUObjectHub(const std::string& className);
 
-  inline void send(const std::string& code)
-  {
-    detail::send_text(detail::current_context(), code);
-  }
+  void send(const std::string& code);
 
-  inline void send(const void* code, size_t size)
-  {
-    send(std::string(static_cast<const char*>(code), size));
-  }
+  void send(const void* code, size_t size);
 
-  inline detail::SendStream uobject_unarmorAndSend(const char* armored)
-  {
-    std::string code = detail::unarmored(armored);
-    if (!code.empty())
-      send(code);
-    return detail::SendStream(detail::current_context());
-  }
+  detail::SendStream uobject_unarmorAndSend(const char* armored);
 
   inline UObjectMode getRunningMode()
   {
@@ -263,23 +191,13 @@ namespace urbi
 
   /// Shows a text to people, on the server.
   ATTRIBUTE_PRINTF(1, 2)
-  inline void echo(const char* format, ...)
-  {
-    va_list arguments;
-    va_start(arguments, format);
-    std::string text = detail::formatted(format, arguments);
-    va_end(arguments);
-    detail::Request request(URBI_REPORT, detail::current_context());
-    request.out.text(text);
-    request.send();
-  }
+  void echo(const char* format, ...);
 
-  inline void setThreadLimit(size_t threads)
-  {
-    detail::Request request(URBI_THREAD_LIMIT, detail::current_context());
-    request.out.raw(static_cast<int64_t>(threads));
-    request.send();
-  }
+  void setThreadLimit(size_t threads);
 }
+
+#ifdef URBI_HAS_CODE
+#include <urbi/detail/code/ucontext.hh>
+#endif
 
 #endif

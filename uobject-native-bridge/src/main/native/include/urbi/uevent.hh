@@ -19,55 +19,23 @@ namespace urbi
     {}
 
     /// The event `object.slot`.
-    explicit UEvent(const std::string& name, impl::UContextImpl* context = nullptr)
-      : UEvent()
-    {
-      if (context)
-        ctx_ = context;
-      bind(name);
-    }
+    explicit UEvent(const std::string& name, impl::UContextImpl* context = nullptr);
 
     UEvent(const std::string& object, const std::string& slot,
-           impl::UContextImpl* context = nullptr)
-      : UEvent()
-    {
-      init(object, slot, context);
-    }
+           impl::UContextImpl* context = nullptr);
 
     UEvent(UObject& object, const std::string& slot, impl::UContextImpl* context = nullptr);
 
     /// The same event as another.
-    UEvent(const UEvent& other)
-      : UEvent()
-    {
-      ctx_ = other.ctx_;
-      if (other.event_ != -1)
-        bind(other.name_);
-    }
+    UEvent(const UEvent& other);
 
-    UEvent& operator=(const UEvent& other)
-    {
-      if (this != &other && other.event_ != -1)
-      {
-        ctx_ = other.ctx_;
-        bind(other.name_);
-      }
-      return *this;
-    }
+    UEvent& operator=(const UEvent& other);
 
-    ~UEvent()
-    {
-      close();
-    }
+    ~UEvent();
 
     /// Binds it. \throw std::runtime_error if there is no such object
     void init(const std::string& object, const std::string& slot,
-              impl::UContextImpl* context = nullptr)
-    {
-      if (context)
-        ctx_ = context;
-      bind(object + "." + slot);
-    }
+              impl::UContextImpl* context = nullptr);
 
     /// Emits the event. Does not wait for those who handle it.
     ///
@@ -88,34 +56,17 @@ namespace urbi
     }
 
   private:
-    void bind(const std::string& name)
-    {
-      detail::Request request(URBI_EVENT, context());
-      request.out.text(name);
-      int64_t event = request.send();
-      close();
-      event_ = event;
-      name_ = name;
-    }
+    void bind(const std::string& name);
 
-    void close() noexcept
-    {
-      if (event_ == -1)
-        return;
-      try
-      {
-        detail::Request(URBI_EVENT_CLOSE, context(), event_).send();
-      }
-      catch (const std::exception&)
-      {
-        // The host has gone, and the event with it.
-      }
-      event_ = -1;
-    }
+    void close() noexcept;
 
     int64_t event_;
     std::string name_;
   };
 }
+
+#ifdef URBI_HAS_CODE
+#include <urbi/detail/code/uevent.hh>
+#endif
 
 #endif

@@ -201,10 +201,7 @@ namespace urbi
     }
 
     /// That of its class, by the plural of its name, unless a subclass knows better.
-    virtual void addAutoGroup()
-    {
-      UJoinGroup(classname + "s");
-    }
+    virtual void addAutoGroup();
 
     /// Ends all that it has bound. Nothing can be done with it afterwards but to delete it.
     void clean();
@@ -233,10 +230,7 @@ namespace urbi
     libport::ThreadPool::rTaskLock getTaskLock(LockSpec lock, const std::string& function);
 
     /// A subclass may have a lock of its own; CREATE_CLASS_LOCK does it. Each class has one anyway.
-    virtual libport::ThreadPool::rTaskLock getClassTaskLock()
-    {
-      return libport::ThreadPool::rTaskLock();
-    }
+    virtual libport::ThreadPool::rTaskLock getClassTaskLock();
 
     /// Who has made it: null if C++ code has by itself.
     baseURBIStarter* cloner;
@@ -295,25 +289,15 @@ namespace urbi
     friend class UGenericCallback;
 
     /// By which names urbiscript calls the functions that are told of an event.
-    static std::string at(const std::string& event)
-    {
-      return "__at_" + event;
-    }
+    static std::string at(const std::string& event);
 
-    static std::string at_end(const std::string& event)
-    {
-      return "__atEnd_" + event;
-    }
+    static std::string at_end(const std::string& event);
 
     /// Has functions that were bound called with each emission of an event.
     void listen(const std::string& event, size_t arity, bool end);
 
     /// A slot of this object, without its name.
-    std::string own_slot(const std::string& name) const
-    {
-      std::string prefix = __name + ".";
-      return name.compare(0, prefix.size(), prefix) == 0 ? name.substr(prefix.size()) : name;
-    }
+    std::string own_slot(const std::string& name) const;
 
     UGenericCallback* bind(const std::string& name, std::unique_ptr<detail::Callback> function,
                            const LockSpec* lock)
@@ -391,6 +375,13 @@ namespace urbi
 
 #include <urbi/detail/uobject.hxx>
 
+#ifdef URBI_HAS_CODE
+#include <urbi/detail/code/uobject.hh>
 #include <urbi/detail/entry.hh>
+#else
+// Has a module export what stands there.
+extern "C" int64_t urbi_module_version();
+static int64_t (*const urbi_module_entry)() __attribute__((used)) = urbi_module_version;
+#endif
 
 #endif

@@ -30,17 +30,9 @@ namespace urbi
   public:
     typedef std::list<baseURBIStarter*> list_type;
 
-    baseURBIStarter(const std::string& className, bool isLocal)
-      : name(className)
-      , local(isLocal)
-    {
-      list().push_back(this);
-    }
+    baseURBIStarter(const std::string& className, bool isLocal);
 
-    virtual ~baseURBIStarter()
-    {
-      list().remove(this);
-    }
+    virtual ~baseURBIStarter();
 
     baseURBIStarter(const baseURBIStarter&) = delete;
     baseURBIStarter& operator=(const baseURBIStarter&) = delete;
@@ -48,10 +40,7 @@ namespace urbi
     /// Makes an object.
     virtual UObject* instanciate(const std::string& objectName) = 0;
 
-    static list_type& list()
-    {
-      return detail::module().starters;
-    }
+    static list_type& list();
 
     std::string name;
     bool local;
@@ -77,16 +66,9 @@ namespace urbi
   public:
     typedef std::list<baseURBIStarterHub*> list_type;
 
-    explicit baseURBIStarterHub(const std::string& className)
-      : name(className)
-    {
-      list().push_back(this);
-    }
+    explicit baseURBIStarterHub(const std::string& className);
 
-    virtual ~baseURBIStarterHub()
-    {
-      list().remove(this);
-    }
+    virtual ~baseURBIStarterHub();
 
     baseURBIStarterHub(const baseURBIStarterHub&) = delete;
     baseURBIStarterHub& operator=(const baseURBIStarterHub&) = delete;
@@ -94,10 +76,7 @@ namespace urbi
     /// Makes the hub.
     virtual UObjectHub* instanciate(const std::string& hubName) = 0;
 
-    static list_type& list()
-    {
-      return detail::module().hubStarters;
-    }
+    static list_type& list();
 
     std::string name;
   };
@@ -116,5 +95,9 @@ namespace urbi
     }
   };
 }
+
+#ifdef URBI_HAS_CODE
+#include <urbi/detail/code/ustarter.hh>
+#endif
 
 #endif

@@ -18,7 +18,7 @@ namespace urbi
     class Callback
     {
     public:
-      virtual ~Callback() = default;
+      virtual ~Callback();
       virtual void call(Reader& in, Writer& out) = 0;
 
       /// How many arguments it has.

@@ -104,9 +104,9 @@ namespace urbi
 #endif
 
     // Defined with UObject.
-    inline UObject* object_of(const UValue& value);
-    inline UValue name_of(const UObject* object);
-    inline UValue name_of(const UVar& variable);
+    UObject* object_of(const UValue& value);
+    UValue name_of(const UObject* object);
+    UValue name_of(const UVar& variable);
 
     template <typename T>
     void to_uvalue(UValue& out, const T& object);
@@ -174,20 +174,10 @@ namespace urbi
     }
 
     /// The fields of a structure.
-    inline UDictionary& structure(UValue& value, const char* type)
-    {
-      if (value.type != DATA_DICTIONARY)
-        bad_cast(type, value);
-      return *value.dictionary;
-    }
+    UDictionary& structure(UValue& value, const char* type);
 
     /// Makes a value a structure.
-    inline UDictionary& make_structure(UValue& out, const char* type)
-    {
-      out = UValue(UDictionary());
-      entry(*out.dictionary, "$sn") = UValue(type);
-      return *out.dictionary;
-    }
+    UDictionary& make_structure(UValue& out, const char* type);
 
     template <typename T>
     void read_field(T& field, UDictionary& fields, const char* type, const char* name)
@@ -198,12 +188,7 @@ namespace urbi
       field = uvalue_cast<T>(found->second);
     }
 
-    inline UList& elements(UValue& value)
-    {
-      if (value.type != DATA_LIST)
-        bad_cast("list", value);
-      return *value.list;
-    }
+    UList& elements(UValue& value);
   }
 
   template <typename T>

@@ -58,11 +58,7 @@ namespace urbi
       all.insert(typename Map::value_type(key, object));
     }
 
-    URBI_LOCAL inline Module& module()
-    {
-      static Module all;
-      return all;
-    }
+    URBI_LOCAL Module& module();
 
     /// A variable of whose value a function is being told: nobody need ask for it.
     struct Told
@@ -82,18 +78,10 @@ namespace urbi
       bool sideEffectFree;
     };
 
-    URBI_LOCAL inline ThreadState& thread_state()
-    {
-      static thread_local ThreadState state;
-      return state;
-    }
+    URBI_LOCAL ThreadState& thread_state();
 
     /// The context that code of this thread belongs to.
-    inline int64_t current_context()
-    {
-      int64_t own = thread_state().context;
-      return own ? own : module().firstContext;
-    }
+    int64_t current_context();
 
     /// Has a thread belong to a context for a while.
     class InContext
@@ -128,51 +116,15 @@ namespace urbi
     class Request
     {
     public:
-      Request(urbi_request operation, int64_t context, int64_t subject = 0)
-        : out(arguments_, sizeof arguments_, false)
-      {
-        exchange_.operation = operation;
-        exchange_.context = context;
-        exchange_.subject = subject;
-        exchange_.reply = answer_;
-        exchange_.reply_capacity = sizeof answer_;
-        exchange_.reply_length = 0;
-      }
+      Request(urbi_request operation, int64_t context, int64_t subject = 0);
 
-      ~Request()
-      {
-        if (exchange_.reply != answer_)
-          std::free(exchange_.reply);
-      }
+      ~Request();
 
       Request(const Request&) = delete;
       Request& operator=(const Request&) = delete;
 
       /// \throw HostError
-      int64_t send()
-      {
-        urbi_host host = module().host;
-        if (!host)
-          throw std::runtime_error("this module has no host: let urbi-launch load it");
-        exchange_.data = out.data();
-        exchange_.length = out.size();
-        int64_t result = host(&exchange_);
-        if (result == URBI_FAILED && thread_state().destroying)
-        {
-          // The kernel may have ended already. Whoever reads a value gets the number 0.
-          if (exchange_.reply != answer_)
-            std::free(exchange_.reply);
-          exchange_.reply = answer_;
-          Writer nothing(answer_, sizeof answer_, false);
-          nothing.number(0);
-          exchange_.reply_length = nothing.size();
-          return 0;
-        }
-        if (result == URBI_FAILED)
-          throw HostError(std::string(reinterpret_cast<const char*>(exchange_.reply),
-                                      static_cast<size_t>(exchange_.reply_length)));
-        return result;
-      }
+      int64_t send();
 
       /// What the host has answered; it lives as long as this request.
       Reader reply() const
@@ -191,5 +143,9 @@ namespace urbi
     };
   }
 }
+
+#ifdef URBI_HAS_CODE
+#include <urbi/detail/code/host.hh>
+#endif
 
 #endif

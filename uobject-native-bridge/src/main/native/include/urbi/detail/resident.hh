@@ -81,95 +81,42 @@ namespace urbi
         return named(every(period, bound(this, function).function(), false));
       }
 
-      TimerHandle USetTimer(ufloat period, const std::function<void()>& function)
-      {
-        return named(every(period, bound(function).function(), false));
-      }
+      TimerHandle USetTimer(ufloat period, const std::function<void()>& function);
 
       /// Ends a timer. \return whether there was such one
-      bool removeTimer(const TimerHandle& handle)
-      {
-        if (!handle || handle->compare(0, timer_prefix().size(), timer_prefix()) != 0)
-          return false;
-        const char* digits = handle->c_str() + timer_prefix().size();
-        char* end = nullptr;
-        int64_t timer = std::strtoll(digits, &end, 10);
-        return end != digits && !*end && Request(URBI_TIMER_END, context(), timer).send();
-      }
+      bool removeTimer(const TimerHandle& handle);
 
       /// Has update called every so many milliseconds, just after a pass of urbiscript code; -1 for
       /// never.
-      void USetUpdate(ufloat period)
-      {
-        if (updates_)
-          Request(URBI_TIMER_END, context(), updates_).send();
-        updates_ = 0;
-        if (period >= 0)
-          updates_ = every(period, bound(this, &Resident::update).function(), true);
-      }
+      void USetUpdate(ufloat period);
 
       /// Called when USetUpdate has asked for it; what it returns does not matter.
-      virtual int update()
-      {
-        return 0;
-      }
+      virtual int update();
 
-      static void write_callback(Writer& out, const Callback* callback, const LockSpec* lock)
-      {
-        out.raw(address_of(callback));
-        out.raw(callback->arity());
-        out.raw(lock ? static_cast<int64_t>(lock->lockMode) : int64_t(-1));
-        out.raw(lock ? static_cast<int64_t>(lock->maxQueueSize) : int64_t(0));
-      }
+      static void write_callback(Writer& out, const Callback* callback, const LockSpec* lock);
 
       /// By which the host knows it.
-      static int64_t address_of(const Callback* callback)
-      {
-        return static_cast<int64_t>(reinterpret_cast<intptr_t>(callback));
-      }
+      static int64_t address_of(const Callback* callback);
 
     protected:
       friend class Creator;
 
-      Resident(impl::UContextImpl* context, int64_t id)
-        : urbi::UContext(context)
-        , id_(id)
-        , updates_(0)
-      {}
+      Resident(impl::UContextImpl* context, int64_t id);
 
-      virtual ~Resident() = default;
+      virtual ~Resident();
 
       /// It belongs to this from now on.
-      Callback* own(std::unique_ptr<Callback> callback)
-      {
-        std::lock_guard<std::mutex> guard(lock_);
-        callbacks_.push_back(std::move(callback));
-        return callbacks_.back().get();
-      }
+      Callback* own(std::unique_ptr<Callback> callback);
 
       /// Its number on the host's side.
       int64_t id_;
 
     private:
-      static std::string timer_prefix()
-      {
-        return "timer_";
-      }
+      static std::string timer_prefix();
 
-      static TimerHandle named(int64_t timer)
-      {
-        return std::make_shared<std::string>(timer_prefix() + std::to_string(timer));
-      }
+      static TimerHandle named(int64_t timer);
 
-      int64_t every(ufloat period, std::unique_ptr<Callback> made, bool after)
-      {
-        Callback* callback = own(std::move(made));
-        Request request(URBI_EVERY, context(), id_);
-        request.out.raw(period);
-        request.out.raw(static_cast<int64_t>(after));
-        write_callback(request.out, callback, nullptr);
-        return request.send();
-      }
+      int64_t every(ufloat period, std::unique_ptr<Callback> made, bool after);
 
       int64_t updates_;
       std::mutex lock_;
@@ -177,5 +124,9 @@ namespace urbi
     };
   }
 }
+
+#ifdef URBI_HAS_CODE
+#include <urbi/detail/code/resident.hh>
+#endif
 
 #endif

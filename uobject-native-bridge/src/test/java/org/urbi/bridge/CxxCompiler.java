@@ -1,9 +1,13 @@
 package org.urbi.bridge;
 
+import static java.nio.file.StandardOpenOption.CREATE;
+import static java.nio.file.StandardOpenOption.WRITE;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,9 +16,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Compiles C++ code for tests, as the manual says to do it by hand. */
+/** Compiles C++ code for tests, by umake, or as the manual says to do it by hand. */
 final class CxxCompiler {
   static final Path HEADERS = Path.of("src", "main", "native", "include").toAbsolutePath();
+  private static final Path UMAKE =
+      Path.of("..", "bin", "umake-shared").toAbsolutePath().normalize();
   static final Path MADE = Path.of("target", "cxx").toAbsolutePath();
 
   private CxxCompiler() {}
@@ -63,16 +69,48 @@ final class CxxCompiler {
     }
   }
 
-  /** The library that is made of a text. */
-  static Path libraryOf(String name, String code, String... options) {
+  /** The source that is made of a text. */
+  private static Path source(String name, String code) throws IOException {
+    Files.createDirectories(MADE);
+    Path source = MADE.resolve(name + ".cc");
+    String whole = "#include <urbi/uobject.hh>\n" + code;
+    if (!Files.exists(source) || !Files.readString(source).equals(whole)) {
+      Files.writeString(source, whole);
+    }
+    return source;
+  }
+
+  /** The library that is made of a text by one command, as the manual says to do it by hand. */
+  static Path libraryByHand(String name, String code) {
     try {
-      Files.createDirectories(MADE);
-      Path source = MADE.resolve(name + ".cc");
-      String whole = "#include <urbi/uobject.hh>\n" + code;
-      if (!Files.exists(source) || !Files.readString(source).equals(whole)) {
-        Files.writeString(source, whole);
+      return library(source(name, code), name);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** The library that {@code umake-shared} makes of a text, without a warning. */
+  static Path libraryOf(String name, String code) {
+    assumeCompiler();
+    assumeTrue(exists("make"), "no make: apt-get install make");
+    try {
+      Path source = source(name, code);
+      Path library = MADE.resolve(name + ".so");
+      // Other tests, in another JVM, may make or use the same one.
+      try (FileChannel file = FileChannel.open(MADE.resolve("lock"), CREATE, WRITE)) {
+        file.lock();
+        Run made =
+            run(
+                List.of(
+                    UMAKE.toString(),
+                    "-q",
+                    "EXTRA_CXXFLAGS=-O0 -Wall -Wextra -Werror",
+                    source.toString(),
+                    "-o",
+                    library.toString()));
+        assertEquals(new Run(0, "umake: running to build library.\n"), made);
       }
-      return library(source, name, options);
+      return library;
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

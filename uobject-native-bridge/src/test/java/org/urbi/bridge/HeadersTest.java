@@ -20,18 +20,16 @@ import org.urbi.bridge.CxxCompiler.Run;
 class HeadersTest {
   private static final Path UNIT = Path.of("src", "test", "native", "unit.cc").toAbsolutePath();
 
-  private static Path program(String compiler, String name, String... options) throws IOException {
-    assumeTrue(CxxCompiler.exists(compiler), "no " + compiler);
-    Files.createDirectories(CxxCompiler.MADE);
-    Path program = CxxCompiler.MADE.resolve(name);
-    CxxCompiler.compileProgram(compiler, program, UNIT, options);
-    return program;
-  }
-
-  /** No leak, no access to what has been freed. */
+  /**
+   * The code in them does what it should. Whether it does so with memory, scripts/memory-check
+   * tells.
+   */
   @Test
-  void addressSanitizer() throws IOException {
-    Path program = program("g++", "unit-asan", "-g", "-fsanitize=address");
+  void unitTests() throws IOException {
+    CxxCompiler.assumeCompiler();
+    Files.createDirectories(CxxCompiler.MADE);
+    Path program = CxxCompiler.MADE.resolve("unit");
+    CxxCompiler.compileProgram("g++", program, UNIT, "-std=c++20");
     assertEquals(new Run(0, "0 failures\n"), CxxCompiler.run(List.of(program.toString())));
   }
 
@@ -108,7 +106,7 @@ class HeadersTest {
 
   /** Other compilers and versions of the language understand them, without a warning. */
   @ParameterizedTest
-  @CsvSource({"g++, 20", "g++, 2b", "clang++, 17", "clang++, 2b"})
+  @CsvSource({"g++, 2b", "clang++, 17", "clang++, 2b"})
   void compile(String compiler, String version) throws IOException {
     assumeTrue(CxxCompiler.exists(compiler), "no " + compiler);
     Files.createDirectories(CxxCompiler.MADE);

@@ -47,7 +47,7 @@ class LifetimeTest {
   }
 
   private static Path library(String name, int version) {
-    return CxxCompiler.libraryOf(name, "enum { VERSION = " + version + " };\n" + COUNTED);
+    return CxxCompiler.libraryByHand(name, "enum { VERSION = " + version + " };\n" + COUNTED);
   }
 
   @Test

@@ -51,7 +51,6 @@ final class CxxModules {
   }
 
   private static Path make(String name, Path sources) {
-    assumeTools("g++", "make");
     try {
       Files.createDirectories(MADE);
     } catch (IOException e) {
@@ -61,19 +60,27 @@ final class CxxModules {
     try (FileChannel file = FileChannel.open(MADE.resolve("lock"), CREATE, WRITE)) {
       file.lock();
       Path library = MADE.resolve(name + ".so");
-      String output =
-          output(
-              ROOT.resolve("bin/umake-shared").toString(),
-              "-q",
-              "EXTRA_CXXFLAGS=-O0 -Wall -Wextra -Werror",
-              sources.toString(),
-              "-o",
-              library.toString());
-      assertEquals("umake: running to build library.\n", output);
+      umake("umake-shared", "library", sources, library);
       return library;
     } catch (IOException | InterruptedException e) {
       throw new AssertionError(e);
     }
+  }
+
+  /**
+   * Has umake compile sources, and accepts no warning.
+   *
+   * @param tool umake, or one of its sisters
+   * @param kind what it says that it makes
+   */
+  static void umake(String tool, String kind, Path sources, Path made, String... options)
+      throws IOException, InterruptedException {
+    assumeTools("g++", "make");
+    List<String> words = new ArrayList<>(List.of(ROOT.resolve("bin").resolve(tool).toString()));
+    words.addAll(List.of(options));
+    words.addAll(List.of("-q", "EXTRA_CXXFLAGS=-O0 -Wall -Wextra -Werror"));
+    words.addAll(List.of(sources.toString(), "-o", made.toString()));
+    assertEquals("umake: running to build " + kind + ".\n", output(words.toArray(String[]::new)));
   }
 
   private static boolean runs(String... command) {

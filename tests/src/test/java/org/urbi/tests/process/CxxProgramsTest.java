@@ -33,10 +33,19 @@ class CxxProgramsTest {
 
   @TempDir Path folder;
 
-  private Path compile(String main) throws IOException, InterruptedException {
-    Path source = Files.writeString(folder.resolve("own.cc"), OBJECT + main);
+  private Path source(String main) throws IOException {
+    return Files.writeString(folder.resolve("own.cc"), OBJECT + main);
+  }
+
+  private Path compileByHand(String main) throws IOException, InterruptedException {
     Path program = folder.resolve("own");
-    CxxModules.compileProgram("g++", source, program, "-std=c++17", "-rdynamic");
+    CxxModules.compileProgram("g++", source(main), program, "-std=c++17", "-rdynamic");
+    return program;
+  }
+
+  private Path compile(String main) throws IOException, InterruptedException {
+    Path program = folder.resolve("own");
+    CxxModules.umake("umake", "program", source(main), program, "--disable-automain");
     return program;
   }
 
@@ -87,7 +96,7 @@ class CxxProgramsTest {
 
   @Test
   void nothingButItsObjects() throws Exception {
-    Path program = compile("UMAIN();\n");
+    Path program = compileByHand("UMAIN();\n");
     try (ServerProcess server = ServerProcess.in(folder)) {
       CompletableFuture<String> running = start(program, "--port", "" + server.port());
       ask(server);
@@ -192,7 +201,7 @@ class CxxProgramsTest {
             UStart(Left);
             """);
     Path library = folder.resolve("left.so");
-    CxxModules.compileProgram("g++", source, library, "-std=c++17", "-shared", "-fPIC");
+    CxxModules.umake("umake-shared", "library", source, library);
     try (JavaProcess server =
         JavaProcess.start(
             JavaProcess.Setting.in(folder),
