@@ -63,18 +63,19 @@ class WatchdogTest {
   @Test
   void memoryOfWhichThereIsNoneForARescueEndsTheProcess() throws Exception {
     VirtualClock clock = new VirtualClock();
+    clock.advanceTo(1);
     try (Kernel kernel = Kernel.builder().start()) {
       Watchdog watchdog =
           new Watchdog(
               clock,
               kernel,
               () -> {
-                clock.advanceTo(clock.now() + 5_000_000_000L);
                 throw new OutOfMemoryError();
               },
               Duration.ZERO,
               new PrintStream(told, true, StandardCharsets.UTF_8),
               tight -> {
+                clock.advanceTo(clock.now() + 5_000_000_000L);
                 throw new OutOfMemoryError();
               },
               end::complete);
