@@ -90,24 +90,24 @@ class ComponentFailureTest {
   @ParameterizedTest
   @ValueSource(strings = {"assertion", "later"})
   void errorOfAComponentIsInternal(String function) {
-    String told = thrownBy("Breaker." + function);
+    String told = thrownBy("FailingObject." + function);
     assertTrue(told.endsWith("internal error: java.lang.AssertionError: broken"), told);
     assertLogged("java.lang.AssertionError: broken", "\tat " + FailingObject.class.getName());
   }
 
   @Test
   void exceptionOfAComponentIsReportedByItsMessage() {
-    String told = thrownBy("Breaker.exception");
+    String told = thrownBy("FailingObject.exception");
     assertTrue(told.endsWith("UnsupportedOperationException: no arm"), told);
     assertLogged(
-        "exception caught while calling Breaker.exception",
+        "exception caught while calling FailingObject.exception",
         "java.lang.UnsupportedOperationException: no arm",
         "\tat " + FailingObject.class.getName());
   }
 
   @Test
   void missingClassOfAComponentIsInternal() {
-    String told = thrownBy("Breaker.missing");
+    String told = thrownBy("FailingObject.missing");
     assertTrue(
         told.endsWith("internal error: java.lang.NoClassDefFoundError: org/nowhere/Thing"), told);
     assertLogged("\tat " + FailingObject.class.getName());
@@ -115,7 +115,7 @@ class ComponentFailureTest {
 
   @Test
   void failingTimerIsReportedAndLogged() throws Exception {
-    kernel.eval("var Global.breaker = Breaker.new; breaker.begin");
+    kernel.eval("var Global.breaker = FailingObject.new; breaker.begin");
     String told = output.take();
     assertTrue(told.contains("internal error: java.lang.AssertionError: broken"), told);
     assertLogged("java.lang.AssertionError: broken", "\tat " + FailingObject.class.getName());

@@ -91,7 +91,7 @@ class NetworkFailureTest {
           BufferedReader in = reader(socket)) {
         endsWith(
             in,
-            "!!! internal error: java.lang.NoClassDefFoundError: org.urbi.server.net.BinaryLiteralDetector");
+            "!!! internal error: java.lang.NoClassDefFoundError: org/urbi/server/net/BinaryLiteralDetector");
         assertEquals(null, in.readLine());
       }
     }
