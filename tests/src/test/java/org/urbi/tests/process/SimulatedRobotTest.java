@@ -150,7 +150,7 @@ class SimulatedRobotTest {
             JavaProcess.start(
                 root, URBI, List.of("-q", "-i", DEMO, String.valueOf(other.getLocalPort())))) {
       urbi.awaitText("cannot use port " + other.getLocalPort() + " of 127.0.0.1");
-      urbi.awaitText("PORT takes another port");
+      urbi.awaitText("./urbi examples/ball-tracking/demo.u PORT");
       urbi.send("simulation.world.time > 0;\n");
       urbi.awaitLine(line -> line.endsWith("] true"));
       urbi.send("shutdown;\n");
