@@ -68,7 +68,12 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
       answer(context, request, HttpResponseStatus.METHOD_NOT_ALLOWED);
     } else {
       try (InputStream content = PageFiles.class.getResourceAsStream(file)) {
-        answer(context, request, HttpResponseStatus.OK, TYPES.get(file), content.readAllBytes());
+        if (content == null) {
+          // Packed without its files: the browser says so, instead of showing nothing.
+          answer(context, request, HttpResponseStatus.INTERNAL_SERVER_ERROR);
+        } else {
+          answer(context, request, HttpResponseStatus.OK, TYPES.get(file), content.readAllBytes());
+        }
       }
     }
   }

@@ -131,9 +131,12 @@ final class Browser implements AutoCloseable {
     }
   }
 
-  /** Goes to a page. */
+  /** Goes to a page, which must be there. */
   void open(String url) throws IOException {
-    post("/url", "{\"url\":\"" + url + "\"}");
+    String answer = post("/url", "{\"url\":\"" + url + "\"}");
+    if (!answer.equals("{\"value\":null}")) {
+      throw new AssertionError("the browser does not open " + url + ": " + answer);
+    }
   }
 
   /** What the body of a function in JavaScript returns, as text. */

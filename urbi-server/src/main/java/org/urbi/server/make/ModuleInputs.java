@@ -16,10 +16,12 @@ import org.urbi.server.options.Failure;
  * @param sources to be compiled
  * @param classes compiled already
  * @param libraries jars, whose contents become a part of the module
+ * @param others files of another kind in the folders: perhaps what the classes read as resources
  */
-record ModuleInputs(Set<Path> sources, Set<Path> classes, Set<Path> libraries) {
+record ModuleInputs(Set<Path> sources, Set<Path> classes, Set<Path> libraries, Set<Path> others) {
   private ModuleInputs() {
-    this(new LinkedHashSet<>(), new LinkedHashSet<>(), new LinkedHashSet<>());
+    this(
+        new LinkedHashSet<>(), new LinkedHashSet<>(), new LinkedHashSet<>(), new LinkedHashSet<>());
   }
 
   /**
@@ -69,7 +71,11 @@ record ModuleInputs(Set<Path> sources, Set<Path> classes, Set<Path> libraries) {
           .filter(file -> !file.toAbsolutePath().normalize().equals(made))
           .sorted()
           .map(Path::normalize)
-          .forEach(this::add);
+          .forEach(file -> {
+            if (!add(file)) {
+              others.add(file);
+            }
+          });
     } catch (IOException e) {
       throw Failure.of("cannot read " + folder + ": " + e.getMessage());
     }
@@ -101,10 +107,10 @@ record ModuleInputs(Set<Path> sources, Set<Path> classes, Set<Path> libraries) {
     return true;
   }
 
-  /** The class path for the sources: the jars, and others. */
-  List<Path> classPath(List<Path> others) {
+  /** The class path for the sources: the jars, and more. */
+  List<Path> classPath(List<Path> more) {
     List<Path> path = new ArrayList<>(libraries);
-    path.addAll(others);
+    path.addAll(more);
     return path;
   }
 }

@@ -1,6 +1,7 @@
 package org.urbi.server.make;
 
 import java.io.ByteArrayOutputStream;
+import java.io.File;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.lang.classfile.ClassFile;
@@ -10,8 +11,10 @@ import java.nio.file.StandardCopyOption;
 import java.time.LocalDateTime;
 import java.util.ArrayList;
 import java.util.Enumeration;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.jar.Attributes;
@@ -35,6 +38,9 @@ final class ModuleJar {
 
   private final SortedMap<String, byte[]> entries = new TreeMap<>();
 
+  /** The folders in which packages of classes begin. */
+  private final Set<Path> roots = new LinkedHashSet<>();
+
   /** Adds classes by their names in a jar. */
   void add(Map<String, byte[]> classes) {
     classes.forEach(entries::putIfAbsent);
@@ -46,10 +52,18 @@ final class ModuleJar {
       byte[] bytes = Files.readAllBytes(file);
       String name = ClassFile.of().parse(bytes).thisClass().asInternalName();
       entries.putIfAbsent(name + CLASS, bytes);
+      addRoot(file.toAbsolutePath().normalize(), Path.of(name + CLASS));
     } catch (IOException e) {
       throw Failure.of("cannot read " + file + ": " + e.getMessage());
     } catch (IllegalArgumentException e) {
       throw Failure.of("not a class file: " + file);
+    }
+  }
+
+  private void addRoot(Path file, Path place) {
+    int above = file.getNameCount() - place.getNameCount();
+    if (above > 0 && file.endsWith(place)) {
+      roots.add(file.getRoot().resolve(file.subpath(0, above)));
     }
   }
 
@@ -68,6 +82,34 @@ final class ModuleJar {
       }
     } catch (IOException e) {
       throw Failure.of("cannot read " + file + ": " + e.getMessage());
+    }
+  }
+
+  /**
+   * Adds the files that the classes may read as resources: those in the folders of the classes
+   * added so far. A folder with sources is somebody's workplace, of which only classes are taken.
+   */
+  void addResources(Set<Path> files, Set<Path> sources) {
+    for (Path root : roots) {
+      if (sources.stream().noneMatch(source -> isIn(root, source))) {
+        files.stream().filter(file -> isIn(root, file)).forEach(file -> addResource(root, file));
+      }
+    }
+  }
+
+  private static boolean isIn(Path folder, Path file) {
+    return file.toAbsolutePath().normalize().startsWith(folder);
+  }
+
+  private void addResource(Path root, Path file) {
+    String name = root.relativize(file.toAbsolutePath().normalize()).toString();
+    String entry = name.replace(File.separatorChar, '/');
+    if (!entry.startsWith(META)) {
+      try {
+        entries.putIfAbsent(entry, Files.readAllBytes(file));
+      } catch (IOException e) {
+        throw Failure.of("cannot read " + file + ": " + e.getMessage());
+      }
     }
   }
 

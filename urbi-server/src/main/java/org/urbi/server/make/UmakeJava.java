@@ -87,6 +87,7 @@ public final class UmakeJava {
     ModuleJar jar = new ModuleJar();
     compile(ingredients, arguments, jar);
     ingredients.classes().forEach(jar::addClass);
+    jar.addResources(ingredients.others(), ingredients.sources());
     ingredients.libraries().forEach(jar::addLibrary);
     jar.write(output);
     report(jar, output, arguments);

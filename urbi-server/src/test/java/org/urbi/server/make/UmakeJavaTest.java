@@ -139,6 +139,35 @@ class UmakeJavaTest {
   }
 
   @Test
+  void whatTheClassesOfAFolderReadComesWithThem() throws Exception {
+    Path classes = Files.createDirectories(folder.resolve("classes"));
+    assertEquals(0, make(sources, "-q", "-o", jar).status());
+    try (JarFile made = new JarFile(jar.toFile())) {
+      Path inside = Files.createDirectories(classes.resolve("parts"));
+      Files.write(
+          inside.resolve("Machine.class"),
+          made.getInputStream(made.getEntry("parts/Machine.class")).readAllBytes());
+    }
+    Files.writeString(classes.resolve("parts/page.html"), "<p>");
+    Files.writeString(Files.createDirectories(classes.resolve("icons")).resolve("a.svg"), "<svg/>");
+    Files.writeString(Files.createDirectories(classes.resolve("META-INF")).resolve("INDEX"), "");
+    Files.writeString(classes.resolve(".hidden"), "");
+    // Beside sources lies what is nobody's resource.
+    write("notes.txt", "to do");
+    Path both = folder.resolve("both.jar");
+    assertEquals(0, make(classes, sources, "-q", "-o", both).status());
+    assertEquals(
+        List.of(
+            "META-INF/MANIFEST.MF",
+            "UMachine.class",
+            "icons/a.svg",
+            "parts/Machine$Inside.class",
+            "parts/Machine.class",
+            "parts/page.html"),
+        entries(both));
+  }
+
+  @Test
   void sourcesMayReferToALibraryThatIsNotPacked() throws Exception {
     Path library = folder.resolve("library.jar");
     make("-q", sources.resolve("parts"), "-o", library);
