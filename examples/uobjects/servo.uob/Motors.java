@@ -11,7 +11,7 @@ final class Motors {
 
   /** Switches a motor on; false if there is no such motor. */
   static boolean initialize(int id) {
-    return 0 <= id && id <= HIGHEST_ID && POSITIONS.put(id, 0.0) == null;
+    return 0 <= id && id <= HIGHEST_ID && POSITIONS.putIfAbsent(id, 0.0) == null;
   }
 
   /** Where it is, in degrees. */

@@ -279,6 +279,9 @@ public enum Problem {
   NOT_SENDABLE(PRIMITIVE, "this value cannot be sent to a remote process"),
   WITHOUT_PROTOTYPE(PART, "{name} has no UObject as a prototype"),
   NOT_MADE_IN_TIME(PART, "the remote process has not made the object in {seconds} s"),
+  NOT_ACCESSED_IN_TIME(
+      PART,
+      "the remote process has not set {variable} within {seconds} s of an access: the value is old"),
   NAME_TAKEN(PART, "there is a UObject {name} already", "one process has the class, the first"),
   NOT_ITS_OBJECT(PART, "no such remote object: {name}"),
   NOT_AN_EVENT(PART, "not an event: {name}"),

@@ -519,6 +519,13 @@ public final class RemotePeer implements RemoteProcess {
     reading.asked(this);
     context.await(done, ACCESS_TIMEOUT);
     calls.remove(number);
+    if (done.isCancelled()) {
+      context.report(
+          module.name()
+              + ": "
+              + Problem.NOT_ACCESSED_IN_TIME.text(
+                  variable.slot().name(), ACCESS_TIMEOUT.toSeconds()));
+    }
   }
 
   /** Queues frames, which are sent at the end of the tick. */

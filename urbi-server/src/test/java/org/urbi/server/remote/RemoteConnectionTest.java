@@ -24,6 +24,7 @@ import org.urbi.server.net.Limits;
 import urbi.UClientException;
 import urbi.UObject;
 import urbi.USyncClient;
+import urbi.UVar;
 import urbi.remote.RemoteContext;
 import urbi.wire.Protocol;
 
@@ -41,6 +42,30 @@ class RemoteConnectionTest extends RemoteSession {
       CALLED.countDown();
       Thread.sleep(30_000);
     }
+  }
+
+  static class NeverSet extends UObject {
+    final UVar v = new UVar();
+
+    NeverSet(String name) {
+      super(name);
+      UBindVar(v, "v");
+      v.setValue(3);
+      UNotifyAccess(v, "hang");
+    }
+
+    public void hang(UVar accessed) throws InterruptedException {
+      Thread.sleep(30_000);
+    }
+  }
+
+  @Test
+  void accessThatAProcessDoesNotAnswerIsNamed() throws Exception {
+    remote.start(type("NeverSet", NeverSet::new));
+    assertEquals("3", eval("NeverSet.v"));
+    assertEquals(
+        "the remote process has not set NeverSet.v within 2 s of an access: the value is old",
+        log.take().replaceFirst("^\\w+: ", ""));
   }
 
   @Test

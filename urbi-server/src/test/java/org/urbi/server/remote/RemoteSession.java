@@ -8,6 +8,8 @@ import java.io.PrintStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.urbi.kernel.Kernel;
@@ -30,9 +32,12 @@ abstract class RemoteSession {
   RemoteContext remote;
   USyncClient client;
 
+  /** What the kernel has put into its log. */
+  final BlockingQueue<String> log = new LinkedBlockingQueue<>();
+
   @BeforeEach
   void start() throws IOException {
-    kernel = Kernel.builder().start();
+    kernel = Kernel.builder().log(log::add).start();
     PrintStream nowhere =
         new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
     server =
