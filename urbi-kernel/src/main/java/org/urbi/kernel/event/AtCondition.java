@@ -48,7 +48,7 @@ public final class AtCondition extends Node {
     armed.handler.scope().add(armed.attachment);
     boolean ready = false;
     try {
-      armed.evaluated(armed.watch.evaluate(frame.job()), frame.job());
+      armed.watch.begin(frame.job());
       ready = true;
     } finally {
       if (!ready) {

@@ -43,13 +43,29 @@ final class ExpressionWatcher implements Dependencies.Watcher {
     this.listener = listener;
   }
 
-  /** Evaluates the expression, and watches what it reads. */
-  UrbiObject evaluate(Job job) {
+  /**
+   * Evaluates the expression for the first time and begins to watch what it reads. An evaluation
+   * can take time; if another job changes what it has read meanwhile, it is done again.
+   */
+  void begin(Job job) {
+    listener.evaluated(evaluate(job), job);
+    if (again) {
+      evaluateAgain(job);
+    }
+  }
+
+  private UrbiObject evaluate(Job job) {
     World world = home.interpreter().world();
     Set<Dependencies> old = sources;
     Set<Dependencies> read = new LinkedHashSet<>();
     Dependencies.Tracker outer = world.tracker;
-    world.tracker = read::add;
+    // Watched at once, since other jobs may change it before the evaluation has ended.
+    world.tracker =
+        source -> {
+          if (read.add(source) && !old.contains(source)) {
+            source.add(this);
+          }
+        };
     evaluator = job;
     try {
       return job.doFor(lobby, () -> expression.execute(home.in(job)));
@@ -61,11 +77,7 @@ final class ExpressionWatcher implements Dependencies.Watcher {
         forget(old);
         forget(read);
       } else {
-        for (Dependencies source : read) {
-          if (!old.remove(source)) {
-            source.add(this);
-          }
-        }
+        old.removeAll(read);
         forget(old);
       }
     }

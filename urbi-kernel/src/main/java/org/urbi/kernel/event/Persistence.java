@@ -39,7 +39,7 @@ public final class Persistence implements ExpressionWatcher.Listener, TagScope.A
     Frame home = frame.fork(frame.job(), false);
     var persistence = new Persistence(home, expression, hold, shown);
     persistence.scope.add(persistence);
-    persistence.evaluated(persistence.watch.evaluate(frame.job()), frame.job());
+    persistence.watch.begin(frame.job());
   }
 
   @Override

@@ -54,7 +54,7 @@ public final class WaitUntil extends Node {
   private static void await(Frame frame, Condition.WhenTrue condition, long hold) {
     var waiting = new ForExpression(frame, condition.expression(), hold);
     try {
-      waiting.evaluated(waiting.watch.evaluate(frame.job()), frame.job());
+      waiting.watch.begin(frame.job());
       waiting.await();
     } catch (UrbiException e) {
       throw frame.located(e, condition.expression().span());

@@ -25,7 +25,7 @@ public final class WatchExpression extends Node {
             home, expression, (value, evaluator) -> event.emit(evaluator, false, value));
     boolean ready = false;
     try {
-      watch.evaluate(frame.job());
+      watch.begin(frame.job());
       ready = true;
     } finally {
       if (!ready) {

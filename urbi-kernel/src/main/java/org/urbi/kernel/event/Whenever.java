@@ -59,7 +59,7 @@ public final class Whenever extends Node {
         armed.scope.add(armed);
         boolean ready = false;
         try {
-          armed.evaluated(armed.watch.evaluate(frame.job()), frame.job());
+          armed.watch.begin(frame.job());
           ready = true;
         } finally {
           if (!ready) {
