@@ -380,6 +380,7 @@ class ArchitectureTest {
               ".journal",
               ".job",
               ".outside",
+              ".memory",
               ".node",
               ".builtin",
               ".event",

@@ -103,11 +103,13 @@ final class Connections {
   void add(KernelConnection connection) {
     open.add(connection);
     outOfBand.add(connection);
+    kernel.memory().add(connection);
   }
 
   void remove(KernelConnection connection) {
     open.remove(connection);
     outOfBand.remove(connection);
+    kernel.memory().remove(connection);
   }
 
   /** The open connections of clients, oldest first. */

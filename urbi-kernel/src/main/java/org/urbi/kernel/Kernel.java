@@ -35,6 +35,7 @@ import org.urbi.kernel.library.machine.Environment;
 import org.urbi.kernel.library.system.CommandLine;
 import org.urbi.kernel.library.system.SearchPath;
 import org.urbi.kernel.log.KernelLog;
+import org.urbi.kernel.memory.MemoryWatchdog;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.CorePrototypes;
 import org.urbi.kernel.node.Interpreter;
@@ -65,6 +66,7 @@ public final class Kernel implements AutoCloseable {
   private final Outside outside;
   private final Journal journal;
   private final OutOfBandControl outOfBand;
+  private final KernelMemory memory;
   private final Connections connections;
   private final KernelLifecycle life;
 
@@ -85,6 +87,7 @@ public final class Kernel implements AutoCloseable {
     world.randomNumbers().seed(builder.seed);
     this.scheduler = new Scheduler(world, clock, journal, builder.jobThreads, this::report);
     this.outOfBand = new OutOfBandControl(scheduler);
+    this.memory = builder.memory(scheduler.meter(), log);
     Inbox inbox = scheduler.inbox();
     inbox.register(Message.KERNEL, this::take);
     var answers = new AnswerPoller();
@@ -109,6 +112,7 @@ public final class Kernel implements AutoCloseable {
     var stackFrames = new StackFrames(loadedFiles);
     Library.install(interpreter, tables(builder, loadedFiles, stackFrames), stackFrames);
     embedding = new Embedding(interpreter, builder.output, this::isStopping);
+    memory.add(embedding.evictable());
   }
 
   /** The builtins, with what they need of this kernel. */
@@ -140,6 +144,10 @@ public final class Kernel implements AutoCloseable {
 
   /** Starts to run. */
   void begin(Duration maxHold) {
+    // A replayed kernel does what the recorded one has done, and hears of nothing else.
+    if (!journal.isReplay()) {
+      MemoryWatchdog.add(memory);
+    }
     scheduler.startLoop(this::ended);
     outOfBand.setWatch(HoldLimit.set(scheduler, interpreter.errors(), log, maxHold));
   }
@@ -182,6 +190,7 @@ public final class Kernel implements AutoCloseable {
   }
 
   private void ended(Throwable failure) {
+    MemoryWatchdog.remove(memory);
     outOfBand.end();
     connections.finish();
     uobjects.close();
@@ -355,25 +364,6 @@ public final class Kernel implements AutoCloseable {
   }
 
   /**
-   * Says whether memory is scarce. While it is, the kernel measures which lobby's jobs allocate
-   * most.
-   */
-  public void memoryScarce(boolean scarce) {
-    outOfBand.memoryScarce(scarce);
-  }
-
-  /**
-   * To be called when memory is nearly exhausted: ends all jobs of the lobby that has grown most,
-   * and tells its client. The next call disconnects that client; the one after that turns to the
-   * next lobby. Not to be called on the kernel thread.
-   *
-   * @return a description of what was done; empty when no lobby is left
-   */
-  public String evictLargest() throws InterruptedException {
-    return outOfBand.evictLargest();
-  }
-
-  /**
    * Ends the kernel as soon as possible, whatever its jobs are doing. May be called from any
    * thread.
    */
@@ -384,6 +374,10 @@ public final class Kernel implements AutoCloseable {
 
   OutOfBandControl outOfBand() {
     return outOfBand;
+  }
+
+  KernelMemory memory() {
+    return memory;
   }
 
   Connections connections() {

@@ -13,6 +13,7 @@ import java.util.function.IntConsumer;
 import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.JobThreads;
+import org.urbi.kernel.job.UsageMeter;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.journal.Recorder;
 import org.urbi.kernel.journal.RecordingException;
@@ -20,6 +21,7 @@ import org.urbi.kernel.journal.RecordingReader;
 import org.urbi.kernel.journal.RecordingWriter;
 import org.urbi.kernel.journal.Replay;
 import org.urbi.kernel.journal.ReplayClock;
+import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.outside.Confinement;
 import org.urbi.kernel.outside.RecordingFile;
@@ -41,6 +43,8 @@ public final class KernelBuilder {
   List<String> arguments = List.of();
   @Nullable IntConsumer onHalt;
   @Nullable Runnable onReboot;
+  private Consumer<Boolean> onMemoryNearlyFull = full -> {};
+  private @Nullable Runnable onMemoryExhausted;
   Consumer<String> output = text -> System.out.print(text);
   LogLevel logLevel = LogLevel.of(System.getenv("GD_LEVEL"));
   Consumer<String> log = System.err::println;
@@ -130,6 +134,27 @@ public final class KernelBuilder {
   /** Lets {@code System.reboot} end the kernel, after it has called this action. */
   public KernelBuilder onReboot(Runnable action) {
     onReboot = action;
+    return this;
+  }
+
+  /**
+   * Is told when the memory of the process is nearly exhausted, before lobbies are ended for it,
+   * and when it is not any more; on a thread that all kernels of the process share, and which it
+   * must not block.
+   */
+  public KernelBuilder onMemoryNearlyFull(Consumer<Boolean> action) {
+    onMemoryNearlyFull = action;
+    return this;
+  }
+
+  /**
+   * What is done when the memory of the process is nearly exhausted, and ending the jobs of all
+   * lobbies has not freed it (docs/embedding.md, "Memory"); by default the log tells. It is called
+   * again, some ten seconds later, if memory is exhausted still. It must not block, and may be
+   * unable to make objects.
+   */
+  public KernelBuilder onMemoryExhausted(Runnable action) {
+    onMemoryExhausted = action;
     return this;
   }
 
@@ -236,6 +261,16 @@ public final class KernelBuilder {
     return new Recorder(
         RecordedSettings.of(this, clock.startTime()),
         new RecordingWriter(recording.name, recording.file, trouble));
+  }
+
+  /** What the kernel does when memory runs out. */
+  KernelMemory memory(UsageMeter meter, KernelLog to) {
+    Runnable end = onMemoryExhausted;
+    return new KernelMemory(
+        meter,
+        to,
+        onMemoryNearlyFull,
+        end == null ? () -> to.write("urbi: memory exhausted") : end);
   }
 
   /** The time of the machine, of the recording, or none but a simulated one. */

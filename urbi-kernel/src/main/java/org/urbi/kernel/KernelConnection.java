@@ -18,13 +18,14 @@ import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.log.FailureLog;
+import org.urbi.kernel.memory.Evictable;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Receiver;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.trust.Role;
 
 /** A connection: what others ask of it are messages, the rest runs on the kernel thread. */
-final class KernelConnection implements Connection, Shell.Listener, Receiver {
+final class KernelConnection implements Connection, Shell.Listener, Receiver, Evictable {
   private final Kernel kernel;
   private final int number;
   private final Client client;
@@ -98,8 +99,18 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver {
     kernel.inbox().post(new Message.ConnectionFailed(number, FailureLog.text(failure)));
   }
 
-  /** Ends all jobs of the lobby, for the given reason. */
-  void evict(String why) {
+  @Override
+  public Budget budget() {
+    return lobby().budget();
+  }
+
+  @Override
+  public String description() {
+    return HoldLimit.described(lobby());
+  }
+
+  @Override
+  public void evict(String why) {
     interruptRunning();
     kernel.inbox().post(new Message.Evicted(number, why));
   }

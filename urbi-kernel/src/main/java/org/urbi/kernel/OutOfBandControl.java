@@ -25,14 +25,11 @@ final class OutOfBandControl {
 
   private final Scheduler scheduler;
   private final Map<String, KernelConnection> connections = new ConcurrentSkipListMap<>();
-  private final LobbyGrowth growth;
   private @Nullable TimeBudgetMonitor shares;
-  private @Nullable KernelConnection evicted;
   private volatile @Nullable HoldWatchdog watch;
 
   OutOfBandControl(Scheduler scheduler) {
     this.scheduler = scheduler;
-    this.growth = new LobbyGrowth(scheduler.meter(), connections.values());
   }
 
   void setWatch(@Nullable HoldWatchdog who) {
@@ -71,37 +68,6 @@ final class OutOfBandControl {
       text.append("\n    at ").append(calls[i]);
     }
     return text.toString();
-  }
-
-  /** Says whether memory is scarce; to be called several times a second. */
-  void memoryScarce(boolean scarce) {
-    if (scarce) {
-      growth.measure();
-    } else {
-      growth.forget();
-    }
-  }
-
-  /**
-   * Ends the jobs of the lobby that has grown most, and tells its client. If that was not enough,
-   * the next call disconnects that client, which frees the lobby's objects; the one after that
-   * turns to the next lobby.
-   *
-   * @return what was done, for people; empty when nobody is left
-   */
-  String evictLargest() throws InterruptedException {
-    KernelConnection before = evicted;
-    if (before != null && connections.containsValue(before) && !before.stays()) {
-      evicted = null;
-      before.close();
-      return "letting " + HoldLimit.described(before.lobby()) + " go";
-    }
-    evicted = growth.next();
-    if (evicted == null) {
-      return "";
-    }
-    evicted.evict(Problem.MEMORY_EXHAUSTED.text());
-    return "ending what is done for " + HoldLimit.described(evicted.lobby());
   }
 
   /**

@@ -15,13 +15,16 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.builtin.Primitive;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.library.system.Evaluation;
+import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.memory.Evictable;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
@@ -92,6 +95,7 @@ public final class Embedding {
           scheduler.journal().missing(call);
         }
       }
+      case Message.Evicted evicted -> evicted(evicted.reason());
       case Message.EmbeddingCancel cancel -> cancel(cancel.number());
       case Message.EmbeddingWaits waits -> {
         waitingForEnd = waits.threads();
@@ -112,6 +116,46 @@ public final class Embedding {
     if (end != null) {
       end.run();
     }
+  }
+
+  private void evicted(String reason) {
+    UrbiLobby of = own();
+    scheduler.interruptions().clear(of);
+    of.connectionTag().state().stop(interpreter.values().voidObject);
+    Diagnostics.error(of.output(), Problem.EVICTED.text(reason));
+  }
+
+  /** The embedding program, as one of those who use the memory. */
+  public Evictable evictable() {
+    return new Evictable() {
+      @Override
+      public @Nullable Budget budget() {
+        UrbiLobby of = lobby;
+        return of == null ? null : of.budget();
+      }
+
+      @Override
+      public String description() {
+        return "the program that embeds the kernel";
+      }
+
+      @Override
+      public void evict(String why) {
+        pending.values().forEach(request -> request.evicted(why));
+        scheduler.interruptions().request(own());
+        scheduler.inbox().post(new Message.Evicted(Message.EMBEDDING, why));
+      }
+
+      @Override
+      public boolean stays() {
+        return true;
+      }
+
+      @Override
+      public void close() {
+        throw new UnsupportedOperationException("it stays");
+      }
+    };
   }
 
   Interpreter interpreter() {
@@ -325,6 +369,8 @@ public final class Embedding {
     } catch (ExecutionException e) {
       throw switch (e.getCause()) {
         case UrbiError error -> error.here();
+        case OutOfMemoryError none ->
+            UrbiErrorConverter.simple(Problem.MEMORY_EXHAUSTED.text(), none);
         case IllegalStateException over -> new IllegalStateException(over.getMessage(), over);
         case Throwable other -> new IllegalStateException(other);
       };

@@ -22,6 +22,7 @@ final class Request<T> {
   private @Nullable T value;
   private @Nullable Throwable failure;
   private boolean over;
+  private volatile @Nullable String evicted;
 
   Request(Embedding embedding, int number, Embedding.Task<T> task) {
     this.embedding = embedding;
@@ -38,6 +39,11 @@ final class Request<T> {
   void cancel() {
     future.cancel(false);
     embedding.scheduler().inbox().post(new Message.EmbeddingCancel(number));
+  }
+
+  /** The job is about to be ended, for that reason; from any thread. */
+  void evicted(String reason) {
+    evicted = reason;
   }
 
   int number() {
@@ -91,14 +97,25 @@ final class Request<T> {
 
   private void jobEnded() {
     embedding.finished();
-    if (!over) {
-      failure =
-          embedding.isStopping()
-              ? Embedding.ended()
-              : new CancellationException("the evaluation was stopped");
+    try {
+      if (!over) {
+        failure = ended();
+      }
+      // Complete after the output of this tick, outside of the thread of the job.
+      embedding.scheduler().atEndOfTick(this::complete);
+    } catch (OutOfMemoryError e) {
+      fail(e);
     }
-    // Complete after the output of this tick, outside of the thread of the job.
-    embedding.scheduler().atEndOfTick(this::complete);
+  }
+
+  private Exception ended() {
+    if (embedding.isStopping()) {
+      return Embedding.ended();
+    }
+    String reason = evicted;
+    return reason == null
+        ? new CancellationException("the evaluation was stopped")
+        : UrbiErrorConverter.simple(reason, null);
   }
 
   private void complete() {

@@ -36,7 +36,7 @@ final class UrbiErrorConverter {
     };
   }
 
-  private static UrbiError simple(String message, Throwable cause) {
+  static UrbiError simple(String message, @Nullable Throwable cause) {
     UrbiError error = new UrbiError(message, null, List.of(), null, null);
     error.initCause(cause);
     return error;

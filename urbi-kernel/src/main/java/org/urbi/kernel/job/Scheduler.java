@@ -324,7 +324,12 @@ public final class Scheduler {
 
   /** Reports an exception that nobody will catch. */
   public void report(@Nullable Job job, Throwable failure) {
-    uncaught.accept(job, failure);
+    try {
+      uncaught.accept(job, failure);
+    } catch (OutOfMemoryError e) {
+      // There is no memory to say so, but who waits for the end of the job must still learn of it.
+      return;
+    }
   }
 
   /** Whether a job that could continue should let others run first. */

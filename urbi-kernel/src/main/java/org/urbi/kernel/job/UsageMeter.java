@@ -39,10 +39,12 @@ public final class UsageMeter {
     if (next == charged) {
       return;
     }
-    if (measuring) {
-      charge();
-    } else if (thread == null) {
+    if (thread == null) {
       thread = Thread.currentThread();
+      // A kernel may start while memory is scarce, and is then measured before its first job.
+      allocatedBefore = allocated();
+    } else if (measuring) {
+      charge();
     }
     charged = next;
   }
@@ -59,14 +61,17 @@ public final class UsageMeter {
   }
 
   /**
-   * Allocations can only be measured if jobs run on the kernel thread, and not on carrier threads
-   * of the JDK.
+   * Where jobs run on carrier threads of the JDK, nobody knows what they alone have allocated:
+   * there what the whole process has allocated meanwhile counts.
    */
   private long allocated() {
     Thread kernel = thread;
     ThreadMXBean known = threads;
-    return kernel == null || known == null || kernel.isVirtual()
-        ? 0
+    if (kernel == null || known == null) {
+      return 0;
+    }
+    return kernel.isVirtual()
+        ? known.getTotalThreadAllocatedBytes()
         : known.getThreadAllocatedBytes(kernel.threadId());
   }
 

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.io.UncheckedIOException;
 import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -25,6 +26,10 @@ import org.urbi.server.source.SourceText;
 
 /** One run of {@code urbi}: starts the kernel and its connections, and ends them. */
 final class Server {
+  /** Made beforehand: when it is needed, there may be no memory to make it with. */
+  private static final byte[] OUT_OF_MEMORY =
+      "urbi: memory exhausted, giving up\n".getBytes(StandardCharsets.US_ASCII);
+
   private static final String BANNER = SourceText.framed("banner", "lobby.banner;");
 
   private final Settings settings;
@@ -74,6 +79,8 @@ final class Server {
             .commandLine(settings.program(), settings.arguments())
             .onHalt(this::halt)
             .onReboot(() -> reboot = true)
+            .onMemoryNearlyFull(this::obeySignals)
+            .onMemoryExhausted(this::endWithoutMemory)
             .start();
     kernel = started;
     ConsoleServer network = null;
@@ -116,11 +123,20 @@ final class Server {
             this::networkSilence,
             settings.hasPort() ? settings.watchdog() : Duration.ZERO,
             err,
-            this::obeySignals,
             Server::giveUp);
     watchdog = made;
     made.start();
     obeySignals(false);
+  }
+
+  /** Says so without making anything, and ends the process even if that fails. */
+  private void endWithoutMemory() {
+    try {
+      err.write(OUT_OF_MEMORY, 0, OUT_OF_MEMORY.length);
+      err.flush();
+    } finally {
+      giveUp(ExitStatus.MEMORY_EXHAUSTED);
+    }
   }
 
   /** The programs that were started end as well. */

@@ -12,7 +12,6 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.time.SystemClock;
-import org.urbi.kernel.time.VirtualClock;
 import org.urbi.server.TestTimeout;
 
 class WatchdogTest {
@@ -27,7 +26,6 @@ class WatchdogTest {
             () -> silence,
             limit,
             new PrintStream(told, true, StandardCharsets.UTF_8),
-            tight -> {},
             end::complete);
     watchdog.start();
     return watchdog;
@@ -56,33 +54,6 @@ class WatchdogTest {
       watchdog.terminating();
       assertEquals(ExitStatus.TERMINATED, status());
       watchdog.stop();
-    }
-  }
-
-  /** Nothing can be made any more: not even a sentence. */
-  @Test
-  void memoryOfWhichThereIsNoneForARescueEndsTheProcess() throws Exception {
-    VirtualClock clock = new VirtualClock();
-    clock.advanceTo(1);
-    try (Kernel kernel = Kernel.builder().start()) {
-      Watchdog watchdog =
-          new Watchdog(
-              clock,
-              kernel,
-              () -> {
-                throw new OutOfMemoryError();
-              },
-              Duration.ZERO,
-              new PrintStream(told, true, StandardCharsets.UTF_8),
-              tight -> {
-                clock.advanceTo(clock.now() + 5_000_000_000L);
-                throw new OutOfMemoryError();
-              },
-              end::complete);
-      watchdog.start();
-      assertEquals(ExitStatus.MEMORY_EXHAUSTED, status());
-      watchdog.stop();
-      assertEquals("urbi: memory exhausted, giving up\n", told.toString(StandardCharsets.UTF_8));
     }
   }
 }

@@ -1,4 +1,4 @@
-package org.urbi.server.cli;
+package org.urbi.kernel.outside;
 
 import java.lang.management.GarbageCollectorMXBean;
 import java.lang.management.ManagementFactory;
@@ -9,8 +9,8 @@ import java.util.Comparator;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** How full the heap is. */
-final class HeapUsage {
+/** How full the heap of this process is. */
+public final class HeapUsage implements Heap {
   /** Below this share of the heap, memory needs no closer look. */
   private static final double SCARCE = 0.6;
 
@@ -36,20 +36,15 @@ final class HeapUsage {
   private long collectedBefore;
   private boolean collecting;
 
-  /** Whether so much memory is used that it may soon be nearly full. */
-  boolean isScarce() {
+  @Override
+  public boolean isScarce() {
     Runtime runtime = Runtime.getRuntime();
     double used = (double) runtime.totalMemory() - runtime.freeMemory();
     return used >= SCARCE * runtime.maxMemory();
   }
 
-  /**
-   * Whether garbage collection leaves nearly no room, or takes nearly all of the time. Call this
-   * several times a second while memory is scarce.
-   *
-   * @param now the time in nanoseconds
-   */
-  boolean isNearlyFull(long now) {
+  @Override
+  public boolean isNearlyFull(long now) {
     MemoryPoolMXBean known = old;
     if (known == null) {
       known =
@@ -83,9 +78,14 @@ final class HeapUsage {
     return collecting;
   }
 
-  /** Resets the measurement: memory is no longer scarce. */
-  void forget() {
+  @Override
+  public void forget() {
     windowBegan = 0;
     collecting = false;
+  }
+
+  @Override
+  public void collect() {
+    System.gc();
   }
 }

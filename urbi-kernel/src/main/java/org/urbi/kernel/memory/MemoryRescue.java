@@ -1,0 +1,145 @@
+package org.urbi.kernel.memory;
+
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.outside.Heap;
+import org.urbi.kernel.time.Clock;
+
+/**
+ * Frees memory when it is nearly exhausted: ends what the lobby does that has grown most, of all
+ * kernels of the process, then the next one, and gives up if that does not help.
+ */
+final class MemoryRescue {
+  /** How long ended jobs have to free their memory, in nanoseconds. */
+  private static final long RELIEF = 4_000_000_000L;
+
+  /** The time until the next lobby is ended, in nanoseconds. */
+  private static final long NEXT_RELIEF = 1_000_000_000;
+
+  /** How long freeing memory may take in all, in nanoseconds. */
+  private static final long MAX_RELIEF = 20_000_000_000L;
+
+  /** How long nothing is tried after giving up, in nanoseconds. */
+  private static final long REST = 10_000_000_000L;
+
+  // Made beforehand: when they are needed, there may be no memory to make them with.
+  private static final Consumer<MemoryUser> SCARCE = user -> user.memoryScarce(true);
+  private static final Consumer<MemoryUser> NOT_SCARCE = user -> user.memoryScarce(false);
+  private static final Consumer<MemoryUser> FULL = user -> user.memoryNearlyFull(true);
+  private static final Consumer<MemoryUser> NOT_FULL = user -> user.memoryNearlyFull(false);
+  private static final Consumer<MemoryUser> EXHAUSTED = MemoryUser::memoryExhausted;
+
+  private final Clock clock;
+  private final Heap heap;
+  private boolean told;
+  private boolean began;
+  private long since;
+  private boolean relieved;
+  private long relievedAt;
+  private boolean gaveUp;
+  private long gaveUpAt;
+
+  /**
+   * @param clock real time
+   */
+  MemoryRescue(Clock clock, Heap heap) {
+    this.clock = clock;
+    this.heap = heap;
+  }
+
+  /** To be called several times a second. */
+  void check(MemoryUser[] users) {
+    boolean scarce = heap.isScarce();
+    each(users, scarce ? SCARCE : NOT_SCARCE);
+    if (!scarce) {
+      heap.forget();
+    }
+    if (scarce && heap.isNearlyFull(clock.now())) {
+      rescue(users);
+    } else if (told) {
+      told = false;
+      began = false;
+      gaveUp = false;
+      each(users, NOT_FULL);
+    }
+  }
+
+  /** To be called when memory is nearly exhausted, or was when somebody wanted to look. */
+  void rescue(MemoryUser[] users) {
+    long now = clock.now();
+    if (gaveUp && now - gaveUpAt < REST) {
+      return;
+    }
+    try {
+      if (!began) {
+        began = true;
+        told = true;
+        since = now;
+        relievedAt = now;
+        relieved = false;
+        each(users, FULL);
+      }
+      if (now - relievedAt > RELIEF || now - since > MAX_RELIEF) {
+        if (!isRelieved()) {
+          giveUp(users);
+        }
+      } else if (!relieved || now - relievedAt >= NEXT_RELIEF && !isRelieved()) {
+        relieve(users);
+      }
+    } catch (VirtualMachineError | LinkageError e) {
+      if (began && clock.now() - since > RELIEF) {
+        giveUp(users);
+      }
+    }
+  }
+
+  /** Whether there is room again: what was ended may have become garbage, or what has left. */
+  private boolean isRelieved() {
+    heap.collect();
+    return !(heap.isScarce() && heap.isNearlyFull(clock.now()));
+  }
+
+  private void relieve(MemoryUser[] users) {
+    @Nullable MemoryUser most = null;
+    double grown = 0;
+    for (MemoryUser each : users) {
+      double growth = each.growth();
+      if (growth > grown) {
+        most = each;
+        grown = growth;
+      }
+    }
+    if (most != null) {
+      most.relieve();
+      relieved = true;
+      relievedAt = clock.now();
+    }
+  }
+
+  private void giveUp(MemoryUser[] users) {
+    began = false;
+    gaveUp = true;
+    gaveUpAt = clock.now();
+    // Whoever was ended before and fills the memory again is to be ended again.
+    each(users, NOT_SCARCE);
+    each(users, EXHAUSTED);
+  }
+
+  /** Tells all of them, even if one fails. */
+  private static void each(MemoryUser[] users, Consumer<MemoryUser> what) {
+    Error fatal = null;
+    for (MemoryUser user : users) {
+      try {
+        what.accept(user);
+      } catch (RuntimeException e) {
+        Thread own = Thread.currentThread();
+        own.getUncaughtExceptionHandler().uncaughtException(own, e);
+      } catch (VirtualMachineError | LinkageError e) {
+        fatal = e;
+      }
+    }
+    if (fatal != null) {
+      throw fatal;
+    }
+  }
+}

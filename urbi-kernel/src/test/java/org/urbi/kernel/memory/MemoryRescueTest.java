@@ -1,0 +1,190 @@
+package org.urbi.kernel.memory;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.urbi.kernel.outside.Heap;
+import org.urbi.kernel.time.VirtualClock;
+
+/** What happens when the heap is nearly full, in virtual time. */
+class MemoryRescueTest {
+  private static final long PERIOD = 250_000_000;
+  private static final long SECOND = 1_000_000_000;
+
+  private final VirtualClock clock = new VirtualClock();
+  private final StringBuilder events = new StringBuilder();
+  private boolean full = true;
+  private int collections;
+
+  /** Says what becomes of the heap when garbage is collected. */
+  private Runnable whenCollected = () -> {};
+
+  private final MemoryRescue rescue =
+      new MemoryRescue(
+          clock,
+          new Heap() {
+            @Override
+            public boolean isScarce() {
+              return full;
+            }
+
+            @Override
+            public boolean isNearlyFull(long now) {
+              return full;
+            }
+
+            @Override
+            public void forget() {}
+
+            @Override
+            public void collect() {
+              collections++;
+              whenCollected.run();
+            }
+          });
+
+  /** A kernel with one lobby, whose jobs are ended first, then its client let go. */
+  private class Kernel implements MemoryUser {
+    private final String name;
+    private final double grown;
+    private int steps = 2;
+
+    Kernel(String name, double grown) {
+      this.name = name;
+      this.grown = grown;
+    }
+
+    @Override
+    public void memoryScarce(boolean scarce) {}
+
+    @Override
+    public double growth() {
+      return switch (steps) {
+        case 2 -> grown;
+        case 1 -> Double.POSITIVE_INFINITY;
+        default -> 0;
+      };
+    }
+
+    @Override
+    public void relieve() {
+      steps--;
+      tell(steps == 1 ? "ended" : "gone");
+    }
+
+    @Override
+    public void memoryNearlyFull(boolean is) {
+      tell(is ? "full" : "free");
+    }
+
+    @Override
+    public void memoryExhausted() {
+      tell("exhausted");
+    }
+
+    void tell(String what) {
+      events.append(clock.now() / (double) SECOND).append(' ').append(name).append(' ');
+      events.append(what).append('\n');
+    }
+  }
+
+  private void run(double seconds, MemoryUser... users) {
+    long end = clock.now() + (long) (seconds * SECOND);
+    while (clock.now() < end) {
+      clock.advanceTo(clock.now() + PERIOD);
+      rescue.check(users);
+    }
+  }
+
+  @Test
+  void whoHasGrownMostOfAllKernelsGoesFirst() {
+    Kernel small = new Kernel("small", 10);
+    Kernel large = new Kernel("large", 20);
+    Kernel idle = new Kernel("idle", 0);
+    run(3, small, large, idle);
+    full = false;
+    run(1, small, large, idle);
+    assertEquals(
+        """
+        0.25 small full
+        0.25 large full
+        0.25 idle full
+        0.25 large ended
+        1.25 large gone
+        2.25 small ended
+        3.25 small free
+        3.25 large free
+        3.25 idle free
+        """,
+        events.toString());
+  }
+
+  @Test
+  void memoryThatCannotBeFreedIsToldAndTriedAgainLater() {
+    Kernel kernel = new Kernel("one", 10);
+    run(20, kernel);
+    assertEquals(
+        """
+        0.25 one full
+        0.25 one ended
+        1.25 one gone
+        5.5 one exhausted
+        15.5 one full
+        19.75 one exhausted
+        """,
+        events.toString());
+  }
+
+  /** Nobody asks for a collection when nobody allocates any more. */
+  @Test
+  void whatWasLeftAsGarbageDoesNotExhaustMemory() {
+    whenCollected = () -> full = false;
+    run(10, new Kernel("idle", 0));
+    assertEquals("0.25 idle full\n4.75 idle free\n", events.toString());
+    assertEquals(1, collections);
+  }
+
+  @Test
+  void kernelWhoseProgramFailsDoesNotHarmTheOthers() {
+    List<Throwable> uncaught = new ArrayList<>();
+    Thread.currentThread().setUncaughtExceptionHandler((thread, thrown) -> uncaught.add(thrown));
+    try {
+      Kernel failing =
+          new Kernel("failing", 0) {
+            @Override
+            void tell(String what) {
+              throw new IllegalStateException(what);
+            }
+          };
+      run(0.25, failing, new Kernel("good", 10));
+      assertEquals("0.25 good full\n0.25 good ended\n", events.toString());
+      assertEquals("full", uncaught.getFirst().getMessage());
+    } finally {
+      Thread.currentThread().setUncaughtExceptionHandler(null);
+    }
+  }
+
+  /** Nothing can be made any more: not even a sentence. */
+  @Test
+  void memoryOfWhichThereIsNoneForARescueIsTold() {
+    Kernel failing =
+        new Kernel("failing", 0) {
+          @Override
+          void tell(String what) {
+            throw new OutOfMemoryError(what);
+          }
+        };
+    Kernel other = new Kernel("other", 10);
+    run(6, failing, other);
+    assertEquals(
+        """
+        0.25 other full
+        0.5 other ended
+        1.5 other gone
+        5.75 other exhausted
+        """,
+        events.toString());
+  }
+}
