@@ -101,6 +101,11 @@ public final class RemoteContext implements UContext, AutoCloseable {
     listeners.add(listener);
   }
 
+  /** Measures the code that is executed in turn. */
+  SlowCallMonitor turn() {
+    return turn;
+  }
+
   /** Has each call of a function told of, and each failure; null for none. */
   public void trace(Consumer<String> told) {
     trace = told;
@@ -146,6 +151,18 @@ public final class RemoteContext implements UContext, AutoCloseable {
    */
   UValue ask(BiConsumer<WireOutput, Integer> question, Consumer<UValue> first) {
     dispatcher.letRead();
+    if (!dispatcher.isExecuting()) {
+      return answer(question, first);
+    }
+    turn.pause();
+    try {
+      return answer(question, first);
+    } finally {
+      turn.resume();
+    }
+  }
+
+  private UValue answer(BiConsumer<WireOutput, Integer> question, Consumer<UValue> first) {
     return requests.ask(number -> sendNow(out -> question.accept(out, number)), first);
   }
 
@@ -280,35 +297,38 @@ public final class RemoteContext implements UContext, AutoCloseable {
   @Override
   public void start(UClass type) {
     classes.put(type.name(), type);
-    runInTurn(() -> {
-      ask((out, number) -> out.begin(Frame.CLASS).size(number).text(type.name()).end());
-      type.create(type.name());
-      // What the constructor has bound is there for everybody when this returns.
-      return ask((out, number) -> out.begin(Frame.FENCE).size(number).end());
-    });
+    inTurn(
+        "the constructor of " + type.name(),
+        () -> {
+          ask((out, number) -> out.begin(Frame.CLASS).size(number).text(type.name()).end());
+          type.create(type.name());
+          // What the constructor has bound is there for everybody when this returns.
+          return ask((out, number) -> out.begin(Frame.FENCE).size(number).end());
+        });
   }
 
   @Override
   public void startHub(UHubClass type) {
-    runInTurn(() -> hubs.put(type.name(), type.create()));
+    inTurn("the constructor of " + type.name(), () -> hubs.put(type.name(), type.create()));
   }
 
-  private interface Construction {
-    Object make() throws Exception;
+  interface Construction<T> {
+    T make() throws Exception;
   }
 
   /** Makes something while no function of a UObject is called. */
-  private void runInTurn(Construction making) {
-    var done = new CompletableFuture<Void>();
+  <T> T inTurn(String what, Construction<T> making) {
+    var done = new CompletableFuture<T>();
     Runnable task =
         () -> {
           UContext before = UContext.enter(this);
+          turn.begin(what);
           try {
-            making.make();
-            done.complete(null);
+            done.complete(making.make());
           } catch (Throwable e) {
             done.completeExceptionally(e);
           } finally {
+            turn.end();
             UContext.enter(before);
           }
         };
@@ -318,7 +338,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
       dispatcher.run(task);
     }
     try {
-      done.join();
+      return done.join();
     } catch (CompletionException e) {
       throw e.getCause() instanceof RuntimeException known ? known : e;
     }
@@ -330,8 +350,11 @@ public final class RemoteContext implements UContext, AutoCloseable {
       if (type == null) {
         throw new IllegalStateException("no class " + className);
       }
+      turn.begin("the constructor of " + name);
       type.create(name);
+      turn.end();
     } catch (Throwable e) {
+      turn.end();
       failureLog.log(className, e);
       failures.put(name, "exception caught while making a " + className + ": " + Failure.text(e));
       objects.remove(name);
@@ -491,10 +514,18 @@ public final class RemoteContext implements UContext, AutoCloseable {
   @Override
   public void yieldFor(Duration time) {
     // The job in the kernel that waits for a function waits anyway, and the kernel goes on.
+    boolean own = dispatcher.isExecuting();
+    if (own) {
+      turn.pause();
+    }
     try {
       dispatcher.letOthersRun(time.toNanos());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+    } finally {
+      if (own) {
+        turn.resume();
+      }
     }
   }
 

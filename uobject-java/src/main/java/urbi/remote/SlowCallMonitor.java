@@ -13,6 +13,7 @@ final class SlowCallMonitor {
   private volatile @Nullable String function;
   private final Stopwatch since = new Stopwatch();
   private boolean said;
+  private volatile boolean paused;
 
   SlowCallMonitor(Consumer<String> told) {
     this.told = told;
@@ -21,6 +22,23 @@ final class SlowCallMonitor {
   void begin(String name) {
     since.restart();
     function = name;
+  }
+
+  /** The function waits for the kernel: that is not its fault. */
+  void pause() {
+    paused = true;
+  }
+
+  /** The function goes on. */
+  void resume() {
+    since.restart();
+    paused = false;
+  }
+
+  /** The function that has been executed for longer than that without waiting, or null. */
+  @Nullable String longerThan(long nanoseconds) {
+    String name = function;
+    return !paused && since.elapsed(TimeUnit.NANOSECONDS) > nanoseconds ? name : null;
   }
 
   void end() {

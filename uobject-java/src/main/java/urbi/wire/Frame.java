@@ -36,6 +36,7 @@ public final class Frame {
   public static final int RTP_OFFER = 39;
   public static final int RTP_ACTIVE = 40;
   public static final int ARGUMENT_ERROR = 41;
+  public static final int MODULE = 42;
 
   // From the kernel.
   public static final int NEW = 64;

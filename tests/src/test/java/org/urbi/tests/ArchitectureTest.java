@@ -193,9 +193,10 @@ class ArchitectureTest {
           .and()
           .resideOutsideOfPackages("org.urbi.kernel.random..", "org.urbi.bench..")
           .and()
-          // Their secrets are for the one at the other end of the datagrams, and must not be
-          // guessed from a seed.
+          // Their secrets are for the one at the other end, and must not be guessed from a seed.
           .doNotHaveFullyQualifiedName("org.urbi.server.net.FrameDatagrams")
+          .and()
+          .haveNameNotMatching("org\\.urbi\\.server\\.net\\.ModuleNetwork(\\$.*)?")
           .and()
           .haveNameNotMatching("urbi\\.remote\\.RemoteDatagrams(\\$.*)?")
           .should()

@@ -13,7 +13,7 @@ import org.urbi.kernel.outside.Outside;
 import org.urbi.kernel.remote.AnswerPoller;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.remote.RemoteTransport;
-import org.urbi.kernel.remote.ReplayTransport;
+import org.urbi.kernel.remote.UnconnectedTransport;
 import org.urbi.kernel.trust.Role;
 
 /** Who is connected to a kernel: clients, and processes that bring UObjects. */
@@ -71,6 +71,14 @@ final class Connections {
     return peer;
   }
 
+  /** The kernel's side of a process that is about to be started; on the kernel thread. */
+  RemotePeer expectRemote(String name) {
+    int number = kernel.inbox().register(message -> {});
+    RemotePeer peer = peer(number, name, new UnconnectedTransport());
+    peer.open();
+    return peer;
+  }
+
   private RemotePeer peer(int number, String name, RemoteTransport wire) {
     return new RemotePeer(
         number,
@@ -97,7 +105,7 @@ final class Connections {
   /** A remote process has connected. */
   void open(Message.RemoteOpened opened) {
     RemotePeer peer = arrivingPeers.remove(opened.peer());
-    (peer == null ? peer(opened.peer(), opened.name(), new ReplayTransport()) : peer).open();
+    (peer == null ? peer(opened.peer(), opened.name(), new UnconnectedTransport()) : peer).open();
   }
 
   void add(KernelConnection connection) {

@@ -42,6 +42,7 @@ import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.outside.Outside;
 import org.urbi.kernel.remote.AnswerPoller;
+import org.urbi.kernel.remote.IsolatedModules;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.remote.RemoteTransport;
 import org.urbi.kernel.tag.UrbiTag;
@@ -105,6 +106,11 @@ public final class Kernel implements AutoCloseable {
     this.interpreter = new Interpreter(world, scheduler, new Errors(world), core);
     scheduler.whenQuiet(this::endIfNothingCanWakeIt);
     this.uobjects = new PluggedContext(interpreter, builder.moduleSearchPath, outside, log);
+    uobjects
+        .modules()
+        .setIsolation(
+            new IsolatedModules(
+                uobjects, outside, connections::expectRemote, builder.moduleProcesses));
     if (builder.stackSize > 0) {
       interpreter.limitDepth(builder.stackSize * CALLS_PER_KIBIBYTE);
     }

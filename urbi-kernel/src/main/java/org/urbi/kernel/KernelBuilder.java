@@ -25,6 +25,7 @@ import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.outside.Confinement;
 import org.urbi.kernel.outside.RecordingFile;
+import org.urbi.kernel.remote.ModuleProcesses;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
 import org.urbi.kernel.time.VirtualClock;
@@ -45,6 +46,7 @@ public final class KernelBuilder {
   @Nullable Runnable onReboot;
   private Consumer<Boolean> onMemoryNearlyFull = full -> {};
   private @Nullable Runnable onMemoryExhausted;
+  @Nullable ModuleProcesses moduleProcesses;
   Consumer<String> output = text -> System.out.print(text);
   LogLevel logLevel = LogLevel.of(System.getenv("GD_LEVEL"));
   Consumer<String> log = System.err::println;
@@ -165,6 +167,15 @@ public final class KernelBuilder {
    */
   public KernelBuilder output(Consumer<String> consumer) {
     output = Objects.requireNonNull(consumer);
+    return this;
+  }
+
+  /**
+   * Lets {@code loadModule(module, "isolate")} run modules in processes of their own; without this
+   * it fails.
+   */
+  public KernelBuilder moduleProcesses(ModuleProcesses processes) {
+    moduleProcesses = processes;
     return this;
   }
 

@@ -33,6 +33,11 @@ final class CxxModules {
     return made.computeIfAbsent(name, key -> make(key, SOURCES.resolve(key + ".uob")));
   }
 
+  /** The library with all faults, of {@code src/test/native}. */
+  static Path faulty() {
+    return make("faulty", Path.of("src", "test", "native", "faulty.uob").toAbsolutePath());
+  }
+
   private static void assumeTools(String... tools) {
     for (String tool : tools) {
       assumeTrue(runs(tool, "--version"), "no " + tool + ": apt-get install " + tool);

@@ -244,6 +244,9 @@ public enum Problem {
   // ------------------------------------------------------------------ components
 
   NOT_A_UOBJECT(PRIMITIVE, "not a UObject"),
+  NO_ISOLATION(PART, "this program runs no modules in processes of their own"),
+  MODULE_UNLOADED(PART, "the module has been unloaded"),
+  MODULE_OPTION(PRIMITIVE, "no option of modules: {option} (there is: isolate)"),
   NOT_LOADED(PRIMITIVE, "not loaded: {module}"),
   UNREADABLE_MODULE(PRIMITIVE, "cannot read {file}: {reason}"),
   CONSTRUCTION_FAILED(PRIMITIVE, "{class} construction failed: init returned {status}."),

@@ -47,7 +47,7 @@ public final class RemotePeer implements RemoteProcess {
   private final int number;
   private final Scheduler scheduler;
   private final PluggedContext context;
-  private final RemoteTransport wire;
+  private volatile RemoteTransport wire;
   private final AnswerPoller reading;
   private volatile SocketSelector.@Nullable Socket socket;
   private boolean wanting;
@@ -73,6 +73,26 @@ public final class RemotePeer implements RemoteProcess {
   private boolean broken;
   private @Nullable String lost;
   private @Nullable Runnable rtpEnd;
+  private volatile @Nullable Supervisor supervisor;
+
+  /** Who has started the process, for a module that is isolated. */
+  interface Supervisor {
+    /** The connection is lost; called on any thread. */
+    void disconnected(String why);
+
+    /**
+     * The process tells of its module; on the kernel thread.
+     *
+     * @param problem empty when its classes can be used; otherwise why they cannot
+     */
+    void told(String problem);
+
+    /** Whether nobody wants the process to end; on the kernel thread. */
+    boolean isMissed();
+
+    /** The process has ended, and its objects with it; on the kernel thread. */
+    void ended(String why);
+  }
 
   /**
    * @param number of the receiver of its messages
@@ -96,7 +116,7 @@ public final class RemotePeer implements RemoteProcess {
     this.wire = wire;
     this.module = new UModule(name);
     this.requests = new RemoteRequests(this, describe);
-    this.tasks = new RemoteTasks(scheduler, context::lobby, wire::consumed, this::failed);
+    this.tasks = new RemoteTasks(scheduler, context::lobby, this::consumed, this::failed);
   }
 
   // ------------------------------------------------------------------ from any thread
@@ -106,9 +126,36 @@ public final class RemotePeer implements RemoteProcess {
     scheduler.inbox().post(new Message.RemoteFrame(number, frame));
   }
 
-  /** The connection is lost: waiting calls fail, and the objects of the process end. */
+  /**
+   * The connection is lost: waiting calls fail, and the objects of the process end. Where the
+   * kernel has started the process, its end is waited for first: that tells more.
+   */
   public void lost(String why) {
+    Supervisor told = supervisor;
+    if (told == null) {
+      ended(why);
+    } else {
+      told.disconnected(why);
+    }
+  }
+
+  /**
+   * The process has ended.
+   *
+   * @param why the first line is shown to code that needs the process; the others tell people more
+   */
+  public void ended(String why) {
     scheduler.inbox().post(new Message.RemoteLost(number, why));
+  }
+
+  /** The process that the kernel has started has connected. */
+  public void connected(RemoteTransport way) {
+    wire = way;
+  }
+
+  /** The process sends urbiscript, and has no lobby of its own. */
+  public void code(String text) {
+    context.send(text);
   }
 
   /** So much output is waiting that new values of variables are held back. */
@@ -154,14 +201,18 @@ public final class RemotePeer implements RemoteProcess {
       case Message.RemoteCongested news -> behind = true;
       case Message.RemoteDrained news -> later(this::refresh);
       case Message.RemoteLost loss -> {
-        scheduler.inbox().forget(number);
-        lost = loss.reason();
-        later(this::clear);
+        lose(loss.reason());
+        later(() -> clear(loss.reason()));
       }
       case Message.RemoteReadable news -> reading.begin(this);
       case Message.PollingRequested question -> wire.attended();
       default -> throw new IllegalArgumentException(message.toString());
     }
+  }
+
+  private void lose(String why) {
+    scheduler.inbox().forget(number);
+    lost = why.lines().findFirst().orElse(why);
   }
 
   private void received(byte[] frame) {
@@ -230,6 +281,23 @@ public final class RemotePeer implements RemoteProcess {
   /** Adds a task, which is executed in turn. */
   void later(Runnable task) {
     tasks.add(task, 0);
+  }
+
+  /** From now on somebody looks after the process; before it can be lost. */
+  void superviseBy(Supervisor who) {
+    supervisor = who;
+  }
+
+  /** The process tells of its module. */
+  void tellOfModule(String problem) {
+    Supervisor told = supervisor;
+    if (told != null) {
+      told.told(problem);
+    }
+  }
+
+  private void consumed(int bytes) {
+    wire.consumed(bytes);
   }
 
   private void failed(RuntimeException e) {
@@ -410,7 +478,7 @@ public final class RemotePeer implements RemoteProcess {
     int number = ++lastCall;
     calls.put(number, result);
     if (lost != null) {
-      result.completeExceptionally(new IllegalStateException(lost));
+      result.completeExceptionally(gone());
       return result;
     }
     try {
@@ -557,10 +625,28 @@ public final class RemotePeer implements RemoteProcess {
 
   // ------------------------------------------------------------------ the end
 
-  private void clear() {
+  /** Ends its objects at once, whatever becomes of the process. */
+  void end(String why) {
+    if (lost == null) {
+      lose(why);
+      clear(why);
+    }
+  }
+
+  /** For who needs the process. Where that happens says nothing, so it has no stack trace. */
+  private RuntimeException gone() {
+    RuntimeException gone = new IllegalStateException(lost);
+    gone.setStackTrace(new StackTraceElement[0]);
+    return gone;
+  }
+
+  private void clear(String why) {
+    Supervisor told = supervisor;
+    Runnable show =
+        told == null || !told.isMissed() ? () -> {} : context.keepVisible(classes.keySet());
     List<CompletableFuture<UValue>> waiting = new ArrayList<>(calls.values());
     calls.clear();
-    waiting.forEach(call -> call.completeExceptionally(new IllegalStateException(lost)));
+    waiting.forEach(call -> call.completeExceptionally(gone()));
     variables.values().forEach(RemoteVariable::close);
     variables.clear();
     List<RemoteObject> all = new ArrayList<>(objects.values());
@@ -573,5 +659,9 @@ public final class RemotePeer implements RemoteProcess {
     }
     tasks.end();
     reading.forget(this);
+    show.run();
+    if (told != null) {
+      told.ended(why);
+    }
   }
 }

@@ -111,6 +111,10 @@ final class RemoteRequests {
         UValue[] arguments = in.values();
         yield () -> peer.context().call(object, method, arguments);
       }
+      case Frame.MODULE -> {
+        String problem = in.text();
+        yield () -> peer.tellOfModule(problem);
+      }
       case Frame.REPORT -> {
         String text = in.text();
         yield () -> peer.context().report(text);

@@ -84,6 +84,14 @@ final class Instances {
     setSlot(namespace(), world.symbol(Utf8Text.toUrbi(instance.name())), present(instance));
   }
 
+  /** Makes an object that has ended a slot of {@code uobjects}, unless there is another one. */
+  void showEnded(String name, UrbiObject object) {
+    Symbol slot = world.symbol(Utf8Text.toUrbi(name));
+    if (namespace().localSlot(slot) == null) {
+      setSlot(namespace(), slot, object);
+    }
+  }
+
   private static UrbiObject present(Instance instance) {
     return requireNonNull(instance.object(), "it has just been made");
   }

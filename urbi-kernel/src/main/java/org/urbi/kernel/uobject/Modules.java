@@ -1,5 +1,7 @@
 package org.urbi.kernel.uobject;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -28,10 +30,15 @@ public final class Modules {
   /** A module, with the state of its file when it was loaded. */
   private record Loaded(UModule module, long modified, long size) {}
 
+  /** A module in a process of its own, with the state of its file when it was loaded. */
+  private record LoadedApart(ModuleIsolation.IsolatedModule module, long modified, long size) {}
+
   private final PluggedContext context;
   private final List<Path> searchPath;
   private final Outside outside;
   private final Map<Path, Loaded> loaded = new LinkedHashMap<>();
+  private final Map<Path, LoadedApart> isolated = new LinkedHashMap<>();
+  private @Nullable ModuleIsolation isolation;
 
   /** The modules whose classes all the others can use. */
   private final List<UModule> libraries = new CopyOnWriteArrayList<>();
@@ -47,9 +54,20 @@ public final class Modules {
     return searchPath;
   }
 
+  /** Sets who runs modules in processes of their own; before the first one is loaded. */
+  public void setIsolation(ModuleIsolation how) {
+    isolation = how;
+  }
+
   /** The names of the files that are loaded, in the order in which they were. */
   public List<Path> files() {
-    return List.copyOf(loaded.keySet());
+    List<Path> files = new ArrayList<>(loaded.keySet());
+    isolated.forEach((file, each) -> {
+      if (each.module.isRunning()) {
+        files.add(file);
+      }
+    });
+    return files;
   }
 
   /**
@@ -92,7 +110,8 @@ public final class Modules {
   }
 
   /**
-   * Loads a module; does nothing if that very file is loaded already.
+   * Loads a module; does nothing if that very file is loaded already. One that runs in a process of
+   * its own keeps to that.
    *
    * @param library whether its classes can be used by all modules; it need not have UObjects then
    * @throws UModuleException if the file is no module, or modules are not allowed
@@ -102,6 +121,10 @@ public final class Modules {
     try {
       outside.confinement().checkModules();
       Path key = disk().real(file);
+      if (isIsolated(key)) {
+        isolate(frame, file);
+        return;
+      }
       Loaded before = loaded.get(key);
       long modified = disk().lastModified(key);
       long size = disk().size(key);
@@ -123,6 +146,40 @@ public final class Modules {
       throw new UModuleException(
           Problem.UNREADABLE_MODULE.text(file, String.valueOf(e.getMessage())), e);
     }
+  }
+
+  /**
+   * Runs a module in a process of its own; does nothing if that very file is running so already.
+   *
+   * @throws UModuleException if that fails, or is not allowed
+   */
+  public void isolate(Frame frame, Path file) {
+    try {
+      outside.confinement().checkModules();
+      Path key = disk().real(file);
+      long modified = disk().lastModified(key);
+      long size = disk().size(key);
+      LoadedApart before = isolated.get(key);
+      if (before == null
+          || !before.module.isRunning()
+          || before.modified != modified
+          || before.size != size) {
+        unload(frame, key);
+        before = new LoadedApart(requireNonNull(isolation).start(frame, key), modified, size);
+        isolated.put(key, before);
+      }
+      before.module.awaitStart();
+    } catch (ConfinedException e) {
+      throw new UModuleException(e.getMessage(), e);
+    } catch (IOException e) {
+      throw new UModuleException(
+          Problem.UNREADABLE_MODULE.text(file, String.valueOf(e.getMessage())), e);
+    }
+  }
+
+  private boolean isIsolated(Path key) {
+    LoadedApart module = isolated.get(key);
+    return module != null && module.module.isRunning();
   }
 
   private UModule read(Frame frame, Path file, boolean library) {
@@ -177,9 +234,15 @@ public final class Modules {
    * @return false if it is not loaded
    */
   public boolean unload(Frame frame, Path file) {
-    Loaded module = loaded.remove(key(file));
+    Path key = key(file);
+    boolean apart = isIsolated(key);
+    LoadedApart process = isolated.remove(key);
+    if (apart) {
+      process.module.end();
+    }
+    Loaded module = loaded.remove(key);
     if (module == null) {
-      return false;
+      return apart;
     }
     libraries.remove(module.module);
     end(frame, module.module);

@@ -4,6 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -404,6 +405,21 @@ public final class PluggedContext implements UContext {
       creation.endClass(frame, type);
       return null;
     });
+  }
+
+  /**
+   * Returns an action that makes the objects of these names visible again after their end: code
+   * that uses them is told why they have ended, and not that there are none.
+   */
+  public Runnable keepVisible(Collection<String> names) {
+    Map<String, UrbiObject> shown = new LinkedHashMap<>();
+    for (String name : names) {
+      UrbiObject object = objects.find(name);
+      if (object != null) {
+        shown.put(name, object);
+      }
+    }
+    return () -> shown.forEach(objects::showEnded);
   }
 
   @Override

@@ -19,6 +19,7 @@ import org.urbi.kernel.Kernel;
 import org.urbi.kernel.KernelBuilder;
 import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.time.SystemClock;
+import org.urbi.server.isolated.IsolatedProcesses;
 import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
 import org.urbi.server.options.Failure;
@@ -67,6 +68,8 @@ final class Server {
   }
 
   private int runOnce() {
+    var modules =
+        new IsolatedProcesses(IsolatedProcesses.START_LIMIT, settings.maxHold(), settings.trace());
     Kernel started =
         withFiles(recorded(Kernel.builder()))
             .virtualTime(settings.fast())
@@ -81,6 +84,7 @@ final class Server {
             .onReboot(() -> reboot = true)
             .onMemoryNearlyFull(this::obeySignals)
             .onMemoryExhausted(this::endWithoutMemory)
+            .moduleProcesses(modules)
             .start();
     kernel = started;
     ConsoleServer network = null;
@@ -96,6 +100,7 @@ final class Server {
       return status == 0 && settings.strict() && local.hasFailed() ? LocalConsole.FAILED : status;
     } finally {
       started.close();
+      modules.close();
       listening = null;
       if (network != null) {
         network.close();

@@ -114,6 +114,9 @@ public final class UrbiCommand {
             "Exit with 1 after an error that nobody handled, even if the script says shutdown.",
             "--strict")
         .each("MODULE", "Load the UObject MODULE.", modules::add, "-m", "--module")
+        .flag(
+            "Run each MODULE in a process of its own: a crash there costs its objects alone.",
+            "--isolate")
         .arguments("[FILE [ARGUMENT]...]", "A script, and what it sees as System.arguments.")
         .stopAtArgument();
     return program.run(args, out, err, this::start);
@@ -151,7 +154,12 @@ public final class UrbiCommand {
       inputs.addFile(rest.getFirst());
     }
     StringBuilder text = new StringBuilder();
-    modules.forEach(module -> text.append(SourceText.loadModule(module)));
+    for (String module : modules) {
+      text.append(
+          arguments.has("--isolate")
+              ? SourceText.isolateModule(module)
+              : SourceText.loadModule(module));
+    }
     SourceText.append(text, inputs.text());
     String portFile = arguments.value("--port-file");
     return new Settings(

@@ -45,6 +45,11 @@ public final class SourceText {
     return bytes("loadModule(\"" + escaped(module) + "\");\n");
   }
 
+  /** The statement that loads it in a process of its own, option {@code --isolate}. */
+  public static String isolateModule(String module) {
+    return bytes("loadModule(\"" + escaped(module) + "\", \"isolate\");\n");
+  }
+
   /** Appends a text to another. A frame must begin a line, so a line break is added if needed. */
   public static void append(StringBuilder text, String more) {
     if (more.startsWith(PUSH) && !text.isEmpty() && text.charAt(text.length() - 1) != '\n') {

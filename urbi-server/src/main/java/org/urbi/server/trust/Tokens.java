@@ -75,6 +75,13 @@ public final class Tokens {
     return tokens;
   }
 
+  /** One token alone. */
+  public static Tokens single(String token, Role role, String name) {
+    Tokens tokens = new Tokens();
+    tokens.known.add(new KnownToken(hash(token), new TokenHolder(role, name)));
+    return tokens;
+  }
+
   private void add(String[] words) {
     Role role = Role.of(words[0]);
     if (role == null) {

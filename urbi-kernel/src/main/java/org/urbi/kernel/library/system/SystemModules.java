@@ -1,6 +1,7 @@
 package org.urbi.kernel.library.system;
 
 import java.nio.file.Path;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Optional;
@@ -47,15 +48,29 @@ final class SystemModules {
 
   @Builtin(
       doc =
-          "Loads the UObjects of a module. One that is loaded already is replaced if the file has"
-              + " changed; its objects stay.")
+          "Loads the UObjects of a module; with \"isolate\" in a process of its own. One that is"
+              + " loaded already is replaced if the file has changed; its objects stay.")
   void loadModule(
       Frame frame,
       CallSite site,
       UrbiObject self,
       UrbiObject module,
       @Optional @Nullable String options) {
-    load(frame, site, module, false);
+    boolean isolate = "isolate".equals(options);
+    if (!isolate && options != null && !options.isBlank()) {
+      throw frame.error(site, Problem.MODULE_OPTION, options);
+    }
+    load(
+        frame,
+        site,
+        module,
+        file -> {
+          if (isolate) {
+            uobjects.modules().isolate(frame, file);
+          } else {
+            uobjects.modules().load(frame, file, false);
+          }
+        });
   }
 
   @Builtin(
@@ -68,7 +83,7 @@ final class SystemModules {
       UrbiObject self,
       UrbiObject library,
       @Optional @Nullable String options) {
-    load(frame, site, library, true);
+    load(frame, site, library, file -> uobjects.modules().load(frame, file, true));
   }
 
   /** Whether it is the module that has no file: it has values sent in datagrams. */
@@ -76,13 +91,13 @@ final class SystemModules {
     return frame.interpreter().asString(frame, module).equals(RtpOptions.MODULE);
   }
 
-  private void load(Frame frame, CallSite site, UrbiObject module, boolean library) {
+  private void load(Frame frame, CallSite site, UrbiObject module, Consumer<Path> how) {
     try {
       if (isRtp(frame, module)) {
         outside.confinement().checkConnections();
         uobjects.rtp().turn(true);
       } else {
-        uobjects.modules().load(frame, file(frame, site, module), library);
+        how.accept(file(frame, site, module));
       }
     } catch (UModuleException | ConfinedException e) {
       throw frame.error(site, Problem.REASON, Utf8Text.toUrbi(String.valueOf(e.getMessage())));

@@ -5,8 +5,11 @@ import org.jspecify.annotations.Nullable;
 import urbi.rtp.RtpParameters;
 import urbi.rtp.RtpSession;
 
-/** The transport of a replay, where the process is only a recording. */
-public final class ReplayTransport implements RemoteTransport {
+/**
+ * The transport of a process that is not connected: in a replay, where it is only a recording, or
+ * because it has only just been started.
+ */
+public final class UnconnectedTransport implements RemoteTransport {
   @Override
   public void send(byte[] frames) {}
 

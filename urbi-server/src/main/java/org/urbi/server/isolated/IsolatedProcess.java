@@ -1,0 +1,218 @@
+package org.urbi.server.isolated;
+
+import java.io.File;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
+import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.outside.ChildProcess;
+import org.urbi.kernel.remote.ModuleProcess;
+import org.urbi.kernel.remote.RemotePeer;
+import org.urbi.server.Trace;
+import org.urbi.server.net.ModuleNetwork;
+
+/** A process that runs a module: {@link IsolatedModule}. */
+final class IsolatedProcess implements ModuleProcess {
+  /** How long a process that has lost its connection may take to end by itself. */
+  private static final long MILLISECONDS_TO_END = 2000;
+
+  /** How long the last words of a process are waited for: others may hold its streams. */
+  private static final long MILLISECONDS_OF_WORDS = 500;
+
+  private static final Map<Integer, String> SIGNALS =
+      Map.of(
+          4, "SIGILL", 6, "SIGABRT", 7, "SIGBUS", 8, "SIGFPE", 9, "SIGKILL", 11, "SIGSEGV", 13,
+          "SIGPIPE", 15, "SIGTERM");
+
+  /** What the launcher has said of the installation. */
+  private static final List<String> PROPERTIES =
+      List.of("urbi.root", "urbi.uobjects", "urbi.classpath");
+
+  private final Path file;
+  private final RemotePeer peer;
+  private final ModuleNetwork network;
+  private final Duration startLimit;
+  private final Duration maxHold;
+  private final Trace trace;
+  private final ModuleOutput output;
+  private final CompletableFuture<@Nullable Void> started = new CompletableFuture<>();
+  private @Nullable Process process;
+  private ModuleNetwork.@Nullable Entrance entrance;
+  private @Nullable String killed;
+
+  IsolatedProcess(
+      Path file,
+      RemotePeer peer,
+      ModuleNetwork network,
+      Duration startLimit,
+      Duration maxHold,
+      Trace trace) {
+    this.file = file;
+    this.peer = peer;
+    this.network = network;
+    this.startLimit = startLimit;
+    this.maxHold = maxHold;
+    this.trace = trace;
+    output = new ModuleOutput(line -> trace.log(name() + ": " + line));
+  }
+
+  private String name() {
+    return String.valueOf(file.getFileName());
+  }
+
+  @Override
+  public void start() {
+    try {
+      ModuleNetwork.Entrance opened = network.open(peer);
+      Process running = start(opened);
+      if (running != null) {
+        Thread reader =
+            Thread.ofPlatform()
+                .daemon()
+                .name("urbi-module-output")
+                .start(() -> output.read(running.getInputStream()));
+        running.onExit().thenRun(() -> ended(running, opened, reader));
+        sendTask(running, opened);
+        after(startLimit.toMillis())
+            .execute(() -> {
+              if (!started.isDone()) {
+                kill("not started within " + startLimit.toSeconds() + " s");
+              }
+            });
+      }
+    } catch (IOException e) {
+      peer.ended(said("cannot be run: " + e.getMessage()));
+    }
+  }
+
+  private synchronized @Nullable Process start(ModuleNetwork.Entrance opened) throws IOException {
+    if (killed != null) {
+      opened.close();
+      peer.ended(said(killed));
+      return null;
+    }
+    try {
+      ProcessBuilder builder = new ProcessBuilder(command(opened.port()));
+      process = builder.redirectErrorStream(true).start();
+      return process;
+    } catch (IOException e) {
+      opened.close();
+      throw e;
+    }
+  }
+
+  /** Only the process itself can read there; names of files are in UTF-8, whatever the locale. */
+  private void sendTask(Process running, ModuleNetwork.Entrance opened) {
+    OutputStream in = running.getOutputStream();
+    try {
+      in.write((opened.token() + "\n" + file + "\n").getBytes(StandardCharsets.UTF_8));
+      in.flush();
+    } catch (IOException e) {
+      // The process has ended already, which says more.
+    }
+  }
+
+  private List<String> command(int port) {
+    String classes = System.getProperty("java.class.path");
+    List<String> command = new ArrayList<>();
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(
+        List.of(
+            "--add-opens=java.base/java.lang=ALL-UNNAMED",
+            "--enable-native-access=ALL-UNNAMED",
+            "-XX:+UseSerialGC",
+            "-XX:+UseCompactObjectHeaders",
+            "-XX:TieredStopAtLevel=1",
+            "-XX:-UsePerfData",
+            "-XX:-CreateCoredumpOnCrash",
+            "-XX:ErrorLogTimeout=5",
+            "-XX:ErrorFile=/dev/null",
+            "-Xlog:disable"));
+    Path cache =
+        Path.of(classes.split(File.pathSeparator)[0]).resolveSibling("../urbi.aot").normalize();
+    if (Files.isRegularFile(cache)) {
+      command.add("-XX:AOTCache=" + cache);
+    }
+    for (String property : PROPERTIES) {
+      String value = System.getProperty(property);
+      if (value != null) {
+        command.add("-D" + property + "=" + value);
+      }
+    }
+    command.addAll(
+        List.of(
+            "-cp",
+            classes,
+            IsolatedModule.class.getName(),
+            String.valueOf(port),
+            String.valueOf(maxHold.toMillis()),
+            name()));
+    return command;
+  }
+
+  private static Executor after(long milliseconds) {
+    return CompletableFuture.delayedExecutor(milliseconds, TimeUnit.MILLISECONDS);
+  }
+
+  @Override
+  public void started() {
+    started.complete(null);
+  }
+
+  @Override
+  public synchronized void kill(String why) {
+    if (killed == null) {
+      killed = why;
+    }
+    if (process != null) {
+      process.destroyForcibly();
+    }
+  }
+
+  @Override
+  public void disconnected(String why) {
+    after(MILLISECONDS_TO_END).execute(() -> kill(why));
+  }
+
+  private void ended(Process gone, ModuleNetwork.Entrance opened, Thread reader) {
+    started.complete(null);
+    opened.close();
+    try {
+      reader.join(MILLISECONDS_OF_WORDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    StringBuilder text = new StringBuilder(said(how(gone.exitValue())));
+    List<String> words = output.lastWords();
+    if (!words.isEmpty()) {
+      text.append("\nits last words:");
+      words.forEach(line -> text.append("\n  ").append(line));
+    }
+    peer.ended(text.toString());
+  }
+
+  private String said(String what) {
+    return "the process of " + name() + " has ended: " + what;
+  }
+
+  private synchronized String how(int status) {
+    String crash = output.crash();
+    if (killed != null) {
+      return killed;
+    }
+    if (crash != null) {
+      return crash;
+    }
+    int signal = ChildProcess.signal(status);
+    return signal == 0 ? "exit status " + status : SIGNALS.getOrDefault(signal, "signal " + signal);
+  }
+}
