@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.library.object.UrbiFinalizable.Reclaimable;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -18,8 +19,8 @@ public final class Finalization {
   /** How often to look for an object that the virtual machine has yet to hand over. */
   private static final long COLLECTION_TIMEOUT = 10_000_000;
 
-  private final ConcurrentLinkedQueue<UrbiFinalizable> reclaimed = new ConcurrentLinkedQueue<>();
-  private final List<WeakReference<UrbiFinalizable>> alive = new ArrayList<>();
+  private final ConcurrentLinkedQueue<Reclaimable> reclaimed = new ConcurrentLinkedQueue<>();
+  private final List<WeakReference<Reclaimable>> alive = new ArrayList<>();
   private long created;
 
   /** The number of the next object. */
@@ -28,12 +29,12 @@ public final class Finalization {
   }
 
   /** One more object. */
-  void add(UrbiFinalizable object) {
+  void add(Reclaimable object) {
     alive.add(new WeakReference<>(object));
   }
 
   /** Nobody refers to that object; on any thread. */
-  void reclaimed(UrbiFinalizable object) {
+  void reclaimed(Reclaimable object) {
     reclaimed.add(object);
   }
 
@@ -45,8 +46,8 @@ public final class Finalization {
     System.gc();
     int before = alive.size();
     alive.removeIf(reference -> reference.refersTo(null));
-    List<UrbiFinalizable> objects = take(before - alive.size());
-    objects.sort(Comparator.comparingLong(UrbiFinalizable::number));
+    List<Reclaimable> objects = take(before - alive.size());
+    objects.sort(Comparator.comparingLong(Reclaimable::number));
     for (UrbiObject object : objects) {
       try {
         frame.interpreter().send(frame, object, "finalize");
@@ -57,11 +58,11 @@ public final class Finalization {
   }
 
   /** Waits for that many objects, which the virtual machine hands over from a thread of its own. */
-  private List<UrbiFinalizable> take(int count) {
-    List<UrbiFinalizable> objects = new ArrayList<>();
+  private List<Reclaimable> take(int count) {
+    List<Reclaimable> objects = new ArrayList<>();
     long timeout = COLLECTION_TIMEOUT;
     while (objects.size() < count && timeout > 0) {
-      UrbiFinalizable next = reclaimed.poll();
+      Reclaimable next = reclaimed.poll();
       if (next == null) {
         timeout--;
         Thread.onSpinWait();

@@ -6,23 +6,21 @@ import org.urbi.kernel.object.UrbiObject;
 /**
  * An object whose {@code finalize} is called when it is no longer referenced (manual,
  * "Finalizable").
+ *
+ * <p>This class is that of the prototype, which is never reclaimed, and has no finalizer of Java:
+ * that would keep a kernel that nobody uses any more, with all its objects, until the garbage
+ * collector comes twice.
  */
-public final class UrbiFinalizable extends UrbiObject {
+public sealed class UrbiFinalizable extends UrbiObject {
   private final Finalization finalization;
-  private final long number;
 
-  /**
-   * @param finalization the finalization of the kernel, called when the object is reclaimed
-   * @param number 0 for the prototype, which is never reclaimed
-   */
-  private UrbiFinalizable(Shape shape, Finalization finalization, long number) {
+  private UrbiFinalizable(Shape shape, Finalization finalization) {
     super(shape);
     this.finalization = finalization;
-    this.number = number;
   }
 
   static UrbiFinalizable prototype(Shape shape) {
-    return new UrbiFinalizable(shape, new Finalization(), 0);
+    return new UrbiFinalizable(shape, new Finalization());
   }
 
   /** That of the kernel of this object. */
@@ -30,27 +28,35 @@ public final class UrbiFinalizable extends UrbiObject {
     return finalization;
   }
 
-  /** Objects are numbered in the order in which they were made. */
-  long number() {
-    return number;
-  }
-
   @Override
   public UrbiObject cloned() {
-    var made = new UrbiFinalizable(cloneShape(), finalization, finalization.nextNumber());
+    var made = new Reclaimable(cloneShape(), finalization);
     finalization.add(made);
     return made;
   }
 
-  /**
-   * Only a Java finalizer gets the unreferenced object itself with its slots; references and
-   * cleaners do not.
-   */
-  @Override
-  @SuppressWarnings({"deprecation", "removal", "Finalize"})
-  protected void finalize() {
-    if (number > 0) {
-      finalization.reclaimed(this);
+  /** What the kernel is told of when it is reclaimed. */
+  static final class Reclaimable extends UrbiFinalizable {
+    private final long number;
+
+    private Reclaimable(Shape shape, Finalization finalization) {
+      super(shape, finalization);
+      number = finalization.nextNumber();
+    }
+
+    /** Objects are numbered in the order in which they were made. */
+    long number() {
+      return number;
+    }
+
+    /**
+     * Only a Java finalizer gets the unreferenced object itself with its slots; references and
+     * cleaners do not.
+     */
+    @Override
+    @SuppressWarnings({"deprecation", "removal", "Finalize"})
+    protected void finalize() {
+      finalization().reclaimed(this);
     }
   }
 }
