@@ -15,6 +15,7 @@ import urbi.UObjectMode;
 import urbi.UProperty;
 import urbi.USlot;
 import urbi.UValue;
+import urbi.spi.ContextEndedException;
 
 /** Executes the requests of C++ code, see {@code urbi/detail/boundary.h}. Any thread may ask. */
 final class RequestHandler {
@@ -84,16 +85,31 @@ final class RequestHandler {
     long result;
     try {
       result = carryOut(exchange, (int) Exchange.operation(exchange), reply);
+    } catch (ContextEndedException e) {
+      result = isWriting((int) Exchange.operation(exchange)) ? 0 : failure(e, reply);
     } catch (Throwable e) {
-      result = Exchange.FAILED;
-      FAILURE.set(e);
-      reply.restart();
-      String message = e.getMessage();
-      reply.plain(message == null || message.isEmpty() ? e.getClass().getSimpleName() : message);
+      result = failure(e, reply);
     }
     Exchange.setReply(exchange, reply.address());
     Exchange.setReplyLength(exchange, reply.length());
     return result;
+  }
+
+  private static long failure(Throwable e, ValueWriter reply) {
+    FAILURE.set(e);
+    reply.restart();
+    String message = e.getMessage();
+    reply.plain(message == null || message.isEmpty() ? e.getClass().getSimpleName() : message);
+    return Exchange.FAILED;
+  }
+
+  /**
+   * Whether nobody misses what is asked for when the kernel has ended. Components of 2.7 have
+   * threads that write until the process ends, and binaries that hold memory of others until the
+   * assignment has returned: an exception would have them free it.
+   */
+  private static boolean isWriting(int operation) {
+    return operation == VARIABLE_SET || operation == EVENT_EMIT;
   }
 
   /** The failure of a request that C++ code has let pass; null if there is none. */

@@ -67,7 +67,7 @@ public final class Emit extends Node implements CallSite {
     long lasts = Durations.nanoseconds(frame, duration);
     Emission emission = emitted.trigger(frame.job(), false, payload);
     try {
-      frame.job().sleepUntil(frame.job().scheduler().now() + lasts);
+      frame.job().sleepUntil(frame.job().scheduler().deadline(lasts));
     } finally {
       emission.end(frame.job());
     }

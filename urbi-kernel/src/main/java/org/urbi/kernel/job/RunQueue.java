@@ -51,6 +51,12 @@ final class RunQueue {
 
   private LobbyQueue current = nobody;
   private int left;
+
+  /** How many jobs at the head of the queue have been started in this round. */
+  private int fresh;
+
+  private boolean freshRuns;
+
   private int jobs;
   private boolean cuttable;
   private long roundBegan;
@@ -107,17 +113,23 @@ final class RunQueue {
     (shares == null ? together : shareOf(shares, job).jobs).addFirst(job);
   }
 
-  /** Adds a job that runs next in this round, because the running job has started it. */
+  /**
+   * Adds a job that runs next in this round, because the running job has started it. Should the
+   * round be cut short before, the job is behind those that have waited for longer: otherwise jobs
+   * of which each starts the next one would keep the others of their lobby from running for ever.
+   */
   void addToRound(Job job) {
     if (shares == null) {
       together.addFirst(job);
       left++;
+      fresh++;
       return;
     }
     LobbyQueue share = shareOf(shares, job);
     share.jobs.addFirst(job);
     if (share == current) {
       left++;
+      fresh++;
     }
   }
 
@@ -145,6 +157,7 @@ final class RunQueue {
     jobs = 0;
     roundBegan = now;
     sliceBegan = now;
+    fresh = 0;
     if (shares == null) {
       left = together.size();
       return;
@@ -164,10 +177,11 @@ final class RunQueue {
   @Nullable Job next() {
     if (shares == null) {
       if (left > 0 && isSliceOver()) {
+        postponeFresh(together);
         rush();
         return null;
       }
-      return left-- > 0 ? together.poll() : null;
+      return left-- > 0 ? poll(together) : null;
     }
     while (left <= 0) {
       if (round.isEmpty()) {
@@ -175,15 +189,36 @@ final class RunQueue {
         return null;
       }
       current = round.removeLast();
+      fresh = 0;
       left = current.jobs.size();
       sliceBegan = cuttable ? clock.now() : 0;
     }
     if (isSliceOver()) {
       current.roundsCut++;
+      postponeFresh(current.jobs);
       return null;
     }
     left--;
-    return current.jobs.poll();
+    return poll(current.jobs);
+  }
+
+  private @Nullable Job poll(ArrayDeque<Job> queue) {
+    freshRuns = fresh > 0;
+    if (freshRuns) {
+      fresh--;
+    }
+    return queue.poll();
+  }
+
+  /** Whether the job whose turn it is has been started in this round. */
+  boolean isFresh() {
+    return freshRuns;
+  }
+
+  private void postponeFresh(ArrayDeque<Job> queue) {
+    for (; fresh > 0; fresh--) {
+      queue.add(queue.remove());
+    }
   }
 
   private boolean isSliceOver() {

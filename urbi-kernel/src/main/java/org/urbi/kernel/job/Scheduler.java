@@ -41,11 +41,14 @@ public final class Scheduler {
    */
   private static final long BUSY_STEP = 1000L * BUSY_CYCLES;
 
-  /**
-   * The limit of jobs started in one tick: endless chains of jobs that start jobs must not starve
-   * the others.
-   */
+  /** The limit of jobs that start and run in one tick: they must not starve the others. */
   private static final int BIRTHS_PER_TICK = 100_000;
+
+  /** The same for those started by jobs of that tick, which may be an endless chain. */
+  private static final int DESCENDANTS_PER_TICK = 1000;
+
+  /** From when on a tick has taken long, in nanoseconds. */
+  private static final long LONG_TICK = 10_000_000;
 
   /** How many turns the jobs get for ending when the kernel ends. */
   private static final int LAST_ROUNDS = 1000;
@@ -76,6 +79,7 @@ public final class Scheduler {
       (problem, places) -> new IllegalStateException(problem.text(places));
   private final AtomicLong turns = new AtomicLong();
   private int births;
+  private int descendants;
   private final YieldCount yields = new YieldCount();
   private long passed;
   private long busyUntil = 1 + BUSY_CYCLES;
@@ -153,6 +157,16 @@ public final class Scheduler {
       return clock.now();
     }
     return query(clock::now);
+  }
+
+  /**
+   * When a wait ends that begins now and lasts so many nanoseconds. What begins in a tick begins at
+   * the same time, but a tick that takes long, because a component is slow, does not use up the
+   * wait.
+   */
+  public long deadline(long wait) {
+    long time = clock.isReal() ? measure() : now;
+    return (time - now < LONG_TICK ? now : time) + wait;
   }
 
   private <T> T query(Outcome.Work<T> work) {
@@ -300,10 +314,13 @@ public final class Scheduler {
   /** A job started by another one runs in the same tick, right behind it. */
   private Job start(Job job) {
     jobs.add(job);
-    if (running == null || births >= BIRTHS_PER_TICK) {
+    if (running == null || births >= BIRTHS_PER_TICK || descendants >= DESCENDANTS_PER_TICK) {
       runnable.add(job);
     } else {
       births++;
+      if (runnable.isFresh()) {
+        descendants++;
+      }
       born.add(job);
     }
     return job;
@@ -545,6 +562,7 @@ public final class Scheduler {
 
   private void runOnce(boolean last) {
     births = 0;
+    descendants = 0;
     runnable.beginRound(now, last);
     Job job;
     while ((last || !stopped) && (job = runnable.next()) != null) {

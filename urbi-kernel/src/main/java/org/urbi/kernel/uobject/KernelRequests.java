@@ -14,6 +14,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
+import urbi.spi.ContextEndedException;
 
 /**
  * Requests of other threads to the kernel thread: each is executed by a job, and the thread waits.
@@ -135,7 +136,7 @@ final class KernelRequests {
   }
 
   static IllegalStateException ended() {
-    return new IllegalStateException(Problem.KERNEL_ENDED.text());
+    return new ContextEndedException(Problem.KERNEL_ENDED.text());
   }
 
   /** The kernel has ended: fails all waiting requests. */

@@ -596,7 +596,7 @@ public final class PluggedContext implements UContext {
   public void await(CompletableFuture<?> stage, Duration most) {
     inKernel(frame -> {
       Timers.Timer limit =
-          scheduler.timers().add(scheduler.now() + most.toNanos(), () -> stage.cancel(false));
+          scheduler.timers().add(scheduler.deadline(most.toNanos()), () -> stage.cancel(false));
       try {
         awaitEnd(frame, stage);
       } finally {
@@ -630,7 +630,7 @@ public final class PluggedContext implements UContext {
     }
     inKernel(frame -> {
       if (time.isPositive()) {
-        frame.job().sleepUntil(scheduler.now() + time.toNanos());
+        frame.job().sleepUntil(scheduler.deadline(time.toNanos()));
       } else {
         frame.job().yieldNow();
       }

@@ -386,7 +386,7 @@ public final class UrbiUVar extends UrbiObject {
         scheduler
             .timers()
             .add(
-                scheduler.now() + BYPASS_TIMEOUT,
+                scheduler.deadline(BYPASS_TIMEOUT),
                 () -> {
                   reader.late = true;
                   job.wake();

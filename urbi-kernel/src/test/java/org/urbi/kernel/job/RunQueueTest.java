@@ -114,6 +114,21 @@ class RunQueueTest {
     assertTrue(queue.isEmpty());
   }
 
+  /** Otherwise endless chains of jobs that start jobs would starve the others of their lobby. */
+  @Test
+  void whoIsStartedInARoundThatIsCutShortRunsAfterThoseWhoHaveWaited() {
+    inbox.post(new Message.InputEnded(0));
+    add("a1", "a2");
+    for (int chain = 3; chain < 6; chain++) {
+      queue.beginRound(clock.now, false);
+      assertEquals("a" + (chain - 2), names.get(queue.next()));
+      queue.addToRound(job("a" + chain));
+      clock.now += 5 * MILLISECOND;
+      assertNull(queue.next());
+    }
+    assertEquals("a4 a5", round(0));
+  }
+
   @Test
   void aRoundWithoutAnybodyIsOver() {
     queue.beginRound(0, false);

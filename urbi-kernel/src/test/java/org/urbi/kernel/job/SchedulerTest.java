@@ -20,6 +20,26 @@ class SchedulerTest {
 
   // ------------------------------------------------------------------ a tick
 
+  /** Each starts the next one at once, where no time passes that could end the round. */
+  @Test
+  void anEndlessChainOfJobsLetsTheOthersRun() {
+    int[] length = {0};
+    loop.start(job -> lengthen(job, length));
+    loop.start(job -> {
+      loop.say("after " + length[0]);
+      length[0] = Integer.MAX_VALUE;
+    });
+    assertEquals(List.of("after 1002"), loop.run());
+  }
+
+  private void lengthen(Job job, int[] length) {
+    if (length[0] < 100_000) {
+      length[0]++;
+      loop.scheduler.startDetached(
+          job.lobby(), job.scope(), "shell", next -> lengthen(next, length));
+    }
+  }
+
   @Test
   void aTickTakesMessagesThenTimersThenRunsTheJobsThenEnds() {
     loop.start(job -> {

@@ -74,6 +74,21 @@ class SchedulerTimeTest {
     loop.run();
   }
 
+  /** Waits that begin in one tick end together, but a long tick uses up none of them. */
+  @Test
+  void aTickThatTakesLongDoesNotShortenTheWaitsThatBeginInIt() {
+    Loop real = new Loop(ManualClock.real());
+    real.start(job -> {
+      assertEquals(SECOND, real.scheduler.deadline(SECOND));
+      real.clock.now += 9_999_999;
+      assertEquals(SECOND, real.scheduler.deadline(SECOND));
+      real.clock.now += 1;
+      assertEquals(SECOND + 10_000_000, real.scheduler.deadline(SECOND));
+    });
+    real.run();
+    assertEquals(List.of(), real.uncaught);
+  }
+
   /** What a kernel does when it has nothing to do. */
   private static class Idle implements Journal {
     Runnable action = () -> {};

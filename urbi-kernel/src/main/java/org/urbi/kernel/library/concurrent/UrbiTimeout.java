@@ -49,7 +49,7 @@ final class UrbiTimeout extends UrbiTag {
         scheduler
             .timers()
             .add(
-                scheduler.now() + nanoseconds,
+                scheduler.deadline(nanoseconds),
                 () -> {
                   timer = null;
                   timedOut = true;

@@ -38,7 +38,7 @@ final class SystemType {
       return;
     }
     // A deadline in the past is due now.
-    job.sleepUntil(job.scheduler().now() + Durations.nanoseconds(duration));
+    job.sleepUntil(job.scheduler().deadline(Durations.nanoseconds(duration)));
   }
 
   @Builtin(doc = "The number of seconds since the server was started.")
