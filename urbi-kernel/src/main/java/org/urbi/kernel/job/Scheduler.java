@@ -496,7 +496,6 @@ public final class Scheduler {
       stop();
       return;
     }
-    statistics.add(now - before);
     yields.beginTick(now);
     inbox.take();
     fireTimers();
@@ -507,6 +506,8 @@ public final class Scheduler {
       runEndOfTick();
       if (begins && !clock.isReal() && timers.next() == Long.MAX_VALUE) {
         cycle--;
+      } else if (begins) {
+        statistics.add(now - before);
       }
       // Counted from the cycle that may find something first.
       busyUntil = cycle() + (timeHolders == 0 ? 1 : 0) + BUSY_CYCLES;
@@ -519,6 +520,9 @@ public final class Scheduler {
         }
       }
       return;
+    }
+    if (begins) {
+      statistics.add(now - before);
     }
     runOnce(false);
     runBehind();
