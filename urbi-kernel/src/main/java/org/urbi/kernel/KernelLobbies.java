@@ -8,6 +8,7 @@ import org.urbi.kernel.lobby.Lobbies;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.outside.SocketConnection;
+import org.urbi.kernel.trust.Role;
 
 /** The lobbies of a kernel: one for each connection, and those created by programs. */
 final class KernelLobbies implements Lobbies {
@@ -38,6 +39,7 @@ final class KernelLobbies implements Lobbies {
 
           @Override
           public void finished() {
+            creator.removeCreated(made[0]);
             gone(made[0]);
           }
         };
@@ -49,6 +51,10 @@ final class KernelLobbies implements Lobbies {
             creator.role(),
             creator.budget());
     created.add(made[0]);
+    if (creator.role() != Role.OWNER) {
+      // It shares the budget of its creator, and must not live on beyond it.
+      creator.addCreated(made[0]);
+    }
     made[0].shell().start();
     return made[0];
   }

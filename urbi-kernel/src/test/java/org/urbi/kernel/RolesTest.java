@@ -279,6 +279,22 @@ class RolesTest {
   }
 
   @Test
+  void whatAUserHasCreatedEndsWithIt() {
+    String count = "sleep(10ms) | Lobby.instances.size;";
+    String create = "var l = Lobby.create|;";
+    // The prototype counts, too.
+    assertEquals("", user.say(create));
+    assertEquals("5", owner.say(count));
+    user.connection().close();
+    assertEquals("3", owner.say(count));
+    TestClient other = new TestClient(kernel, Role.OWNER);
+    assertEquals("", other.say(create));
+    assertEquals("5", owner.say(count));
+    other.connection().close();
+    assertEquals("4", owner.say(count));
+  }
+
+  @Test
   void onlyAnOwnerIsAnOperator() {
     assertTrue(user.connection().interrupt("").contains("needs the role owner"));
     assertTrue(observer.connection().interrupt("Lobby_1").contains("needs the role owner"));

@@ -182,6 +182,7 @@ public final class Shell {
       if (lobby.remoteObjects() != null) {
         lobby.remoteObjects().disconnected();
       }
+      lobby.closeCreated();
       if (job != null) {
         job.terminate();
       }

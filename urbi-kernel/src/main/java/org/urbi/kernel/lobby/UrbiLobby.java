@@ -3,6 +3,9 @@ package org.urbi.kernel.lobby;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Budgeted;
@@ -28,6 +31,9 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
   private volatile Role role = Role.OWNER;
   private Budget budget = new Budget();
   private boolean connected = true;
+
+  /** The lobbies that its code has made, and that end with it. */
+  private final Set<UrbiLobby> created = new LinkedHashSet<>(0);
 
   /**
    * @param connectionTag labels all the code executed for this lobby; null for the prototype
@@ -134,6 +140,23 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
     made.role = role;
     made.budget = budget;
     return made;
+  }
+
+  /** From now on a lobby that its code has made ends with it. */
+  public void addCreated(UrbiLobby lobby) {
+    created.add(lobby);
+  }
+
+  /** Forgets a lobby that has ended. */
+  public void removeCreated(UrbiLobby lobby) {
+    created.remove(lobby);
+  }
+
+  /** Ends the lobbies that are to end with it. */
+  void closeCreated() {
+    List<UrbiLobby> left = List.copyOf(created);
+    created.clear();
+    left.forEach(lobby -> lobby.shell().close());
   }
 
   /** Whether the connection is open. A condition that asks is evaluated again when it closes. */
