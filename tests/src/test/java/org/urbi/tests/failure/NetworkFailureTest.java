@@ -16,6 +16,7 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.urbi.tests.TestTimeout;
 
 /** A class that the network thread cannot load. */
 class NetworkFailureTest {
@@ -40,7 +41,7 @@ class NetworkFailureTest {
       Thread.sleep(10);
     }
     Socket socket = new Socket(InetAddress.getLoopbackAddress(), port(file));
-    socket.setSoTimeout(20_000);
+    socket.setSoTimeout((int) TestTimeout.LONG.toMillis());
     return socket;
   }
 

@@ -31,6 +31,9 @@ class RemoteLeakTest {
   private static final int CYCLES = 1000;
   private static final int WARM_UP = 300;
 
+  /** How long those who have left are given when nothing is known that could be waited for. */
+  private static final Duration SETTLING = Duration.ofSeconds(2);
+
   static class Machine extends UObject {
     final UVar speed = new UVar();
 
@@ -90,8 +93,10 @@ class RemoteLeakTest {
 
   /** How many there are, when those who leave have had the time to. */
   private Left settled(Left expected) throws InterruptedException {
-    Left left = null;
-    for (int i = 0; i < 200; i++) {
+    Left left;
+    long begin = System.nanoTime();
+    Duration patience = expected == null ? SETTLING : TestTimeout.LONG;
+    do {
       left =
           new Left(
               eval("jobs.size"),
@@ -106,7 +111,7 @@ class RemoteLeakTest {
         return left;
       }
       Thread.sleep(10);
-    }
+    } while (System.nanoTime() - begin < patience.toNanos());
     return left;
   }
 

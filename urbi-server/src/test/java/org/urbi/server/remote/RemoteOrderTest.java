@@ -10,6 +10,7 @@ import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
+import org.urbi.server.TestTimeout;
 import urbi.USlot;
 import urbi.UValue;
 import urbi.remote.RemoteContext;
@@ -62,8 +63,9 @@ class RemoteOrderTest {
       try (RemoteContext context = new RemoteContext("127.0.0.1", listener.getLocalPort())) {
         for (int i = 0; i < 100; i++) {
           USlot slot = context.variable("x.y" + i);
-          for (int j = 0; j < 20 && slot.get().intValue() != 2; j++) {
-            Thread.sleep(50);
+          long end = System.nanoTime() + TestTimeout.LONG.toNanos();
+          while (slot.get().intValue() != 2 && System.nanoTime() < end) {
+            Thread.sleep(5);
           }
           assertEquals(2, slot.get().intValue());
         }
