@@ -257,6 +257,20 @@ namespace urbi
         }
       }
       ::freeaddrinfo(all);
+      if (!rc)
+        showToken();
+    }
+
+    /// Sends the token in the environment: a comment, which servers without tokens ignore.
+    void showToken()
+    {
+      const char* token = std::getenv("URBI_TOKEN");
+      if (token && *token)
+      {
+        std::string line(token);
+        line = "//token " + line.substr(0, line.find_first_of("\r\n")) + "\n";
+        effectiveSend(line.data(), line.size());
+      }
     }
 
     void run()

@@ -2,7 +2,9 @@ package org.urbi.tests.process;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -10,6 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** Clients in C++, {@code urbi/uclient.hh} and {@code urbi/usyncclient.hh}, with a real server. */
 class CxxClientsTest {
+  private static final int TERMINATED = 143;
   private static final Path SOURCE = Path.of("src", "test", "native", "clients.cc");
 
   @TempDir Path folder;
@@ -24,10 +27,17 @@ class CxxClientsTest {
   @Test
   void clientsOfTheSdkWork() throws Exception {
     Path program = compile("g++", "-std=c++17", "-g", "-fsanitize=address");
-    try (ServerProcess server = ServerProcess.in(folder)) {
-      assertEquals(
-          "0 failures\n", CxxModules.output(program.toString(), String.valueOf(server.port())));
-      assertEquals(0, server.shutDown(), server::text);
+    String token = "0123456789abcdef0123456789abcdef";
+    Path tokens = Files.writeString(folder.resolve("tokens"), "owner " + token + " clients\n");
+    Files.setPosixFilePermissions(tokens, PosixFilePermissions.fromString("rw-------"));
+    // Without a token they could only look.
+    String[] options = {"--tokens", tokens.toString(), "--default-role", "observer"};
+    try (ServerProcess server = ServerProcess.in(folder, options)) {
+      String port = String.valueOf(server.port());
+      String[] command = {"env", "URBI_TOKEN=" + token, program.toString(), port};
+      assertEquals("0 failures\n", CxxModules.output(command));
+      server.terminate();
+      assertEquals(TERMINATED, server.awaitEnd(), server::text);
     }
   }
 
