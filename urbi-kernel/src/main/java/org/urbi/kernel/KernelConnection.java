@@ -157,7 +157,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
       return;
     }
     kernel.inbox().register(number, this);
-    Budget budget = new Budget(kernel.outOfBand()::watchTime);
+    Budget budget = new Budget(this::limited);
     budget.setLimits(limits);
     Output output = new Output(kernel.scheduler(), this::show, () -> isBehind(budget));
     UrbiLobby made = UrbiLobby.start(kernel.interpreter(), output, this, role, budget);
@@ -165,6 +165,14 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     lobby = made;
     kernel.connections().add(this);
     made.shell().start();
+  }
+
+  private void limited(Resource what, long limit) {
+    if (what == Resource.DEPTH) {
+      kernel.interpreter().budgetDepth(limit);
+    } else {
+      kernel.outOfBand().watchBudget(what, limit);
+    }
   }
 
   private boolean isBehind(Budget budget) {
@@ -247,6 +255,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     if (!finished) {
       lobby().shell().interrupt();
       lobby().connectionTag().state().stop(kernel.interpreter().values().voidObject);
+      kernel.outOfBand().leftJobs().end(lobby().budget(), lobby().shell());
       tell(Problem.EVICTED.text(reason));
       consumed();
     }
@@ -349,6 +358,9 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
         own.output().close();
         if (!kernel.isStopping()) {
           own.disconnected(kernel.interpreter());
+          if (!client.isProgram()) {
+            kernel.outOfBand().leftJobs().add(own.budget());
+          }
         }
       }
       client.closed();

@@ -2,6 +2,7 @@ package org.urbi.kernel.job;
 
 import java.util.function.BiConsumer;
 import java.util.function.LongSupplier;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.time.Clock;
 
 /**
@@ -29,10 +30,11 @@ public final class HoldWatchdog {
   private final Clock machine;
   private final LongSupplier processorTime;
   private final long limit;
-  private final long pause;
+  private volatile long pause;
   private final BiConsumer<Job, String> listener;
   private volatile long heldTurn = -1;
   private volatile long heldSince;
+  private boolean started;
 
   // These are for its own thread alone.
 
@@ -48,7 +50,7 @@ public final class HoldWatchdog {
   /**
    * @param processorTime tells how much the kernel thread has had, in nanoseconds, or {@link
    *     #UNKNOWN}
-   * @param limit in nanoseconds
+   * @param limit in nanoseconds; {@link Long#MAX_VALUE} for none but those of budgets
    * @param listener called with the job and the component function that it executes, or null
    */
   HoldWatchdog(
@@ -61,12 +63,32 @@ public final class HoldWatchdog {
     this.machine = machine;
     this.processorTime = processorTime;
     this.limit = limit;
-    this.pause = Math.clamp(limit / LOOKS / 1_000_000, 1, LONGEST_PAUSE);
+    this.pause = pauseFor(limit);
     this.listener = listener;
   }
 
+  private static long pauseFor(long limit) {
+    return Math.clamp(limit / LOOKS / 1_000_000, 1, LONGEST_PAUSE);
+  }
+
+  /** Starts to watch, if there is a limit. */
   void start() {
-    Thread.ofPlatform().daemon().name("urbi-watch").start(this::watch);
+    if (limit != Long.MAX_VALUE) {
+      watching();
+    }
+  }
+
+  /** The budget of a lobby has a limit, in nanoseconds, which must be watched from now on. */
+  public synchronized void watchBudget(long budgeted) {
+    pause = Math.min(pause, pauseFor(budgeted));
+    watching();
+  }
+
+  private synchronized void watching() {
+    if (!started) {
+      started = true;
+      Thread.ofPlatform().daemon().name("urbi-watch").start(this::watch);
+    }
   }
 
   /**
@@ -84,8 +106,9 @@ public final class HoldWatchdog {
   }
 
   private void watch() {
+    Runnable look = FailureLog.guarding("the watch over the jobs", this::check);
     while (!scheduler.isOver()) {
-      check();
+      look.run();
       try {
         Thread.sleep(pause);
       } catch (InterruptedException e) {
@@ -110,21 +133,22 @@ public final class HoldWatchdog {
   }
 
   private boolean isOverdue(long held) {
-    if (held >= limit / 2 && processorTimeAtHalf == UNKNOWN) {
+    Job job = scheduler.running();
+    long most = job == null ? limit : job.budget().holdLimit(limit);
+    if (held >= most / 2 && processorTimeAtHalf == UNKNOWN) {
       // Asking for it earlier would cost the start of every kernel some milliseconds.
       processorTimeAtHalf = processorTime.getAsLong();
       // This thread may be late, too, as when garbage is collected.
-      heldAtHalf = Math.min(held, limit / 4 * 3);
+      heldAtHalf = Math.min(held, most / 4 * 3);
     }
-    if (held < limit) {
+    if (held < most) {
       return false;
     }
-    Job job = scheduler.running();
     return job == null
         || job.componentCode().function() != null
         || processorTimeAtHalf == UNKNOWN
-        || heldAtHalf + processorTime.getAsLong() - processorTimeAtHalf >= limit
-        || held / LONGEST_WAIT >= limit;
+        || heldAtHalf + processorTime.getAsLong() - processorTimeAtHalf >= most
+        || held / LONGEST_WAIT >= most;
   }
 
   private void end(long turn) {

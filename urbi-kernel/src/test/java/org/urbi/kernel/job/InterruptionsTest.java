@@ -22,8 +22,13 @@ class InterruptionsTest {
   private final UrbiObject lobby = loop.object();
   private final UrbiObject other = loop.object();
   private long turn = 7;
+
+  /** What the kernel thread has had; by default nobody knows it. */
+  private long processor = HoldWatchdog.UNKNOWN;
+
   private int changes;
-  private final Interruptions interruptions = new Interruptions(() -> turn, Journal.NONE, machine);
+  private final Interruptions interruptions =
+      new Interruptions(() -> turn, Journal.NONE, machine, () -> processor);
 
   @Test
   void nobodyEndsByHimself() {
@@ -49,6 +54,21 @@ class InterruptionsTest {
     assertFalse(interruptions.arePending());
     interruptions.clear(lobby);
     assertFalse(interruptions.isMessageDue(lobby));
+  }
+
+  @Test
+  void whatGetsNoProcessorHasMoreTimeToCleanUp() {
+    processor = 100;
+    interruptions.requestOverdue(turn);
+    assertEquals(StopReason.OVERDUE, interruptions.decide(lobby));
+    machine.now = 2 * FAREWELL;
+    processor = 100 + FAREWELL - 1;
+    assertEquals(StopReason.NONE, interruptions.decide(lobby));
+    processor = 100 + FAREWELL;
+    assertEquals(StopReason.OVERDUE, interruptions.decide(lobby));
+    processor = 100;
+    machine.now = 20 * FAREWELL;
+    assertEquals(StopReason.OVERDUE, interruptions.decide(lobby));
   }
 
   @Test
@@ -183,7 +203,8 @@ class InterruptionsTest {
                 return StopReason.OVERDUE;
               }
             },
-            machine);
+            machine,
+            () -> HoldWatchdog.UNKNOWN);
     assertTrue(recorded.arePending());
     assertEquals(StopReason.OVERDUE, recorded.decide(lobby));
     recorded.clear(lobby);
