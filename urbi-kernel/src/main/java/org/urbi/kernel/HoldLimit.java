@@ -14,8 +14,6 @@ import org.urbi.kernel.log.LogLevel;
 
 /** Ends jobs that hold the kernel for too long without letting others run. */
 final class HoldLimit {
-  private static final double NANOSECONDS_PER_SECOND = 1e9;
-
   private final Errors errors;
   private final KernelLog log;
   private final Duration limit;
@@ -30,21 +28,17 @@ final class HoldLimit {
    * Sets the limit of a kernel that has been started.
    *
    * @param limit zero for none
-   * @return the watchdog, which watches the budgets, too; null in a replay
+   * @return the watchdog, or null when there is no limit
    */
   static @Nullable HoldWatchdog set(
       Scheduler scheduler, Errors errors, KernelLog log, Duration limit) {
     HoldLimit holding = new HoldLimit(errors, log, limit);
     // A replay may have no limit where the recorded run had one and reached it.
     scheduler.interruptions().setOverdueFailure(holding::failure);
-    if (scheduler.journal().isReplay()) {
+    if (limit.isZero() || scheduler.journal().isReplay()) {
       return null;
     }
-    return scheduler.limitHolding(holding.nanoseconds(), holding::tell);
-  }
-
-  private long nanoseconds() {
-    return limit.isZero() ? Long.MAX_VALUE : limit.toNanos();
+    return scheduler.limitHolding(limit.toNanos(), holding::tell);
   }
 
   private UrbiException failure(Job job) {
@@ -56,9 +50,7 @@ final class HoldLimit {
     if (log.shows(LogLevel.LOG)) {
       log.write(
           "urbi: "
-              + Problem.HOLDS_KERNEL.text(
-                  described(job, component),
-                  job.budget().holdLimit(nanoseconds()) / NANOSECONDS_PER_SECOND));
+              + Problem.HOLDS_KERNEL.text(described(job, component), limit.toMillis() / 1000.0));
     }
   }
 

@@ -157,7 +157,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
       return;
     }
     kernel.inbox().register(number, this);
-    Budget budget = new Budget(this::limited);
+    Budget budget = new Budget(kernel.outOfBand()::watchTime);
     budget.setLimits(limits);
     Output output = new Output(kernel.scheduler(), this::show, () -> isBehind(budget));
     UrbiLobby made = UrbiLobby.start(kernel.interpreter(), output, this, role, budget);
@@ -165,14 +165,6 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     lobby = made;
     kernel.connections().add(this);
     made.shell().start();
-  }
-
-  private void limited(Resource what, long limit) {
-    if (what == Resource.DEPTH) {
-      kernel.interpreter().budgetDepth(limit);
-    } else {
-      kernel.outOfBand().watchBudget(what, limit);
-    }
   }
 
   private boolean isBehind(Budget budget) {
@@ -255,7 +247,6 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     if (!finished) {
       lobby().shell().interrupt();
       lobby().connectionTag().state().stop(kernel.interpreter().values().voidObject);
-      kernel.outOfBand().leftJobs().end(lobby().budget(), lobby().shell());
       tell(Problem.EVICTED.text(reason));
       consumed();
     }
@@ -358,9 +349,6 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
         own.output().close();
         if (!kernel.isStopping()) {
           own.disconnected(kernel.interpreter());
-          if (!client.isProgram()) {
-            kernel.outOfBand().leftJobs().add(own.budget());
-          }
         }
       }
       client.closed();

@@ -2,10 +2,8 @@ package org.urbi.kernel;
 
 import java.util.Map;
 import java.util.concurrent.ConcurrentSkipListMap;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
-import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.HoldWatchdog;
 import org.urbi.kernel.job.Job;
@@ -27,18 +25,11 @@ final class OutOfBandControl {
 
   private final Scheduler scheduler;
   private final Map<String, KernelConnection> connections = new ConcurrentSkipListMap<>();
-  private final LeftJobs leftJobs;
   private @Nullable TimeBudgetMonitor shares;
   private volatile @Nullable HoldWatchdog watch;
 
   OutOfBandControl(Scheduler scheduler) {
     this.scheduler = scheduler;
-    this.leftJobs = new LeftJobs(scheduler);
-  }
-
-  /** The jobs that clients have left behind; for the kernel thread. */
-  LeftJobs leftJobs() {
-    return leftJobs;
   }
 
   void setWatch(@Nullable HoldWatchdog who) {
@@ -79,14 +70,13 @@ final class OutOfBandControl {
     return text.toString();
   }
 
-  /** The budget of a lobby has got a limit of time, which must be watched from now on. */
-  void watchBudget(Resource what, long limit) {
-    HoldWatchdog who = watch;
-    if (what == Resource.TIME && shares == null) {
+  /**
+   * Starts to measure the time of lobbies: one of them has a limited share of the kernel's time.
+   */
+  void watchTime() {
+    if (shares == null) {
       shares = new TimeBudgetMonitor(scheduler.meter(), connections.values());
       shares.start();
-    } else if (what == Resource.HOLD && who != null) {
-      who.watchBudget(TimeUnit.MILLISECONDS.toNanos(limit));
     }
   }
 

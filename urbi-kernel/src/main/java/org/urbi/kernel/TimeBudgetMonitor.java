@@ -7,7 +7,6 @@ import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.UsageMeter;
-import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
 
@@ -50,9 +49,8 @@ final class TimeBudgetMonitor {
         return;
       }
       long now = clock.now();
-      long window = now - since;
       for (KernelConnection each : connections) {
-        FailureLog.guarding("the watch over budgets", () -> check(each, window)).run();
+        check(each, now - since);
       }
       since = now;
     }

@@ -162,47 +162,6 @@ class BudgetTest {
     }
   }
 
-  /** As many as one client may have, of all that have gone. */
-  @Test
-  void jobsThatAreLeftBehind() {
-    TestClient judge = owner();
-    judge.say("var Global.beats = 0;");
-    for (int i = 0; i < 4; i++) {
-      TestClient client = owner();
-      client.say("lobby.setBudget(\"jobs\", 5);");
-      client.say("for (3) spawn(closure () { loop { Global.beats++; sleep(1s) } }, true);");
-      client.connection().close();
-      judge.say("sleep(10s);");
-      // The third one goes while six are left behind by the first two.
-      int left = i == 0 ? 3 : i == 2 ? 3 : 6;
-      String counted = judge.say("{ var before = beats; sleep(1s); beats - before };");
-      assertEquals(String.valueOf(left), counted, "after client " + i);
-    }
-  }
-
-  /** Without a general limit of holding. */
-  @Test
-  void holding() {
-    try (Kernel real = Kernel.builder().log(line -> {}).start()) {
-      TestClient client = new TestClient(real, Role.OWNER);
-      client.say("lobby.setBudget(\"hold\", 20);");
-      assertTrue(client.say("while| (true) {};").contains("has held the kernel for too long"));
-      assertEquals("2", client.say("1+1;"));
-    }
-  }
-
-  @Test
-  void depth() {
-    TestClient client = owner();
-    client.say("function deep(n) { if (n == 0) 0 else deep(n - 1) };");
-    client.say("lobby.setBudget(\"depth\", 100);");
-    assertEquals("0", client.say("deep(90);"));
-    assertTrue(client.say("deep(110);").contains("stack space exhausted"));
-    TestClient other = owner();
-    other.say("function deep(n) { if (n == 0) 0 else deep(n - 1) };");
-    assertEquals("0", other.say("deep(500);"));
-  }
-
   @Test
   void onlyAnOwnerSetsBudgets() {
     TestClient user = new TestClient(kernel, Role.USER);
@@ -216,8 +175,7 @@ class BudgetTest {
     "jobs=7,JOBS,7",
     "' input = 2k',INPUT,2048",
     "'jobs=1,output=3M',OUTPUT,3145728",
-    "time=50%,TIME,50",
-    "'hold=5,depth=1000',HOLD,5"
+    "time=50%,TIME,50"
   })
   void optionsSayLimits(String text, Resource what, long limit) {
     Budget budget = new Budget();

@@ -1,7 +1,6 @@
 package org.urbi.kernel.budget;
 
 import java.util.concurrent.atomic.AtomicLongArray;
-import java.util.function.ObjLongConsumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.urbi.kernel.error.Problem;
@@ -18,8 +17,6 @@ public final class Budget {
   /** There is no limit. */
   public static final long UNLIMITED = Long.MAX_VALUE;
 
-  private static final long NANOSECONDS_PER_MILLISECOND = 1_000_000;
-
   private static final Pattern PART =
       Pattern.compile("\\s*([a-z]+)\\s*=\\s*(\\d{1,15})([kMG%]?)\\s*");
 
@@ -28,20 +25,21 @@ public final class Budget {
   private volatile long nanoseconds;
   private volatile long bytes;
 
-  private final ObjLongConsumer<Resource> limited;
+  private final Runnable timeLimited;
 
   /** A budget without limits. */
   public Budget() {
-    this((what, most) -> {});
+    this(() -> {});
   }
 
   /**
    * A budget that has no limits yet.
    *
-   * @param limited called with each limit that is set: some resources must then be monitored
+   * @param timeLimited called when a limit of {@link Resource#TIME} is set, which must then be
+   *     monitored
    */
-  public Budget(ObjLongConsumer<Resource> limited) {
-    this.limited = limited;
+  public Budget(Runnable timeLimited) {
+    this.timeLimited = timeLimited;
     for (Resource what : Resource.values()) {
       limits.set(what.ordinal(), UNLIMITED);
     }
@@ -55,8 +53,8 @@ public final class Budget {
   /** Sets a limit from now on; what is in use already stays. */
   public void setLimit(Resource what, long most) {
     limits.set(what.ordinal(), most);
-    if (most != UNLIMITED) {
-      limited.accept(what, most);
+    if (what == Resource.TIME && most != UNLIMITED) {
+      timeLimited.run();
     }
   }
 
@@ -92,16 +90,6 @@ public final class Budget {
   public static String fitting(long memory, String options) {
     String jobs = Resource.JOBS.word() + "=" + memory / MEMORY_OF_JOB;
     return options.isBlank() ? jobs : jobs + "," + options;
-  }
-
-  /**
-   * For how long a job may hold the kernel, in nanoseconds.
-   *
-   * @param most the limit of all jobs
-   */
-  public long holdLimit(long most) {
-    long own = limit(Resource.HOLD);
-    return own > most / NANOSECONDS_PER_MILLISECOND ? most : own * NANOSECONDS_PER_MILLISECOND;
   }
 
   /** How much is in use. */

@@ -2,7 +2,6 @@ package org.urbi.kernel.job;
 
 import java.util.function.BiConsumer;
 import java.util.function.LongSupplier;
-import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.time.Clock;
 
 /**
@@ -30,11 +29,10 @@ public final class HoldWatchdog {
   private final Clock machine;
   private final LongSupplier processorTime;
   private final long limit;
-  private volatile long pause;
+  private final long pause;
   private final BiConsumer<Job, String> listener;
   private volatile long heldTurn = -1;
   private volatile long heldSince;
-  private boolean started;
 
   // These are for its own thread alone.
 
@@ -50,7 +48,7 @@ public final class HoldWatchdog {
   /**
    * @param processorTime tells how much the kernel thread has had, in nanoseconds, or {@link
    *     #UNKNOWN}
-   * @param limit in nanoseconds; {@link Long#MAX_VALUE} for none but those of budgets
+   * @param limit in nanoseconds
    * @param listener called with the job and the component function that it executes, or null
    */
   HoldWatchdog(
@@ -63,32 +61,12 @@ public final class HoldWatchdog {
     this.machine = machine;
     this.processorTime = processorTime;
     this.limit = limit;
-    this.pause = pauseFor(limit);
+    this.pause = Math.clamp(limit / LOOKS / 1_000_000, 1, LONGEST_PAUSE);
     this.listener = listener;
   }
 
-  private static long pauseFor(long limit) {
-    return Math.clamp(limit / LOOKS / 1_000_000, 1, LONGEST_PAUSE);
-  }
-
-  /** Starts to watch, if there is a limit. */
   void start() {
-    if (limit != Long.MAX_VALUE) {
-      watching();
-    }
-  }
-
-  /** The budget of a lobby has a limit, in nanoseconds, which must be watched from now on. */
-  public synchronized void watchBudget(long budgeted) {
-    pause = Math.min(pause, pauseFor(budgeted));
-    watching();
-  }
-
-  private synchronized void watching() {
-    if (!started) {
-      started = true;
-      Thread.ofPlatform().daemon().name("urbi-watch").start(this::watch);
-    }
+    Thread.ofPlatform().daemon().name("urbi-watch").start(this::watch);
   }
 
   /**
@@ -106,9 +84,8 @@ public final class HoldWatchdog {
   }
 
   private void watch() {
-    Runnable look = FailureLog.guarding("the watch over the jobs", this::check);
     while (!scheduler.isOver()) {
-      look.run();
+      check();
       try {
         Thread.sleep(pause);
       } catch (InterruptedException e) {
@@ -133,22 +110,21 @@ public final class HoldWatchdog {
   }
 
   private boolean isOverdue(long held) {
-    Job job = scheduler.running();
-    long most = job == null ? limit : job.budget().holdLimit(limit);
-    if (held >= most / 2 && processorTimeAtHalf == UNKNOWN) {
+    if (held >= limit / 2 && processorTimeAtHalf == UNKNOWN) {
       // Asking for it earlier would cost the start of every kernel some milliseconds.
       processorTimeAtHalf = processorTime.getAsLong();
       // This thread may be late, too, as when garbage is collected.
-      heldAtHalf = Math.min(held, most / 4 * 3);
+      heldAtHalf = Math.min(held, limit / 4 * 3);
     }
-    if (held < most) {
+    if (held < limit) {
       return false;
     }
+    Job job = scheduler.running();
     return job == null
         || job.componentCode().function() != null
         || processorTimeAtHalf == UNKNOWN
-        || heldAtHalf + processorTime.getAsLong() - processorTimeAtHalf >= most
-        || held / LONGEST_WAIT >= most;
+        || heldAtHalf + processorTime.getAsLong() - processorTimeAtHalf >= limit
+        || held / LONGEST_WAIT >= limit;
   }
 
   private void end(long turn) {

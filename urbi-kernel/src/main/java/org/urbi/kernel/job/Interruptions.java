@@ -7,7 +7,6 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
-import org.urbi.kernel.budget.Budgeted;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.journal.StopReason;
 import org.urbi.kernel.object.UrbiObject;
@@ -23,14 +22,8 @@ import org.urbi.kernel.time.Clock;
  * still holds the kernel, these are ended, too.
  */
 public final class Interruptions {
-  /**
-   * How long code that is being ended may still work without letting others run, in nanoseconds;
-   * less where the budget of its lobby says so.
-   */
+  /** How long code that is being ended may still hold the kernel, in nanoseconds. */
   private static final long GRACE_PERIOD = 50_000_000;
-
-  /** Code that gets no processor has so many times that by the clock. */
-  private static final int LONGEST_WAIT = 20;
 
   private static final long NONE = -1;
 
@@ -38,7 +31,6 @@ public final class Interruptions {
   private final LongSupplier turns;
   private final Journal journal;
   private final Clock machine;
-  private final LongSupplier processorTime;
   private final boolean counted;
   private Function<Job, RuntimeException> overdueFailure = job -> new TagStop(null, null);
   private volatile boolean wanted;
@@ -49,7 +41,7 @@ public final class Interruptions {
   // The following fields belong to the kernel thread: the code that is being ended at present.
   private long endingTurn = NONE;
   private StopReason ending = StopReason.NONE;
-  private Grace grace = new Grace(0, 0, HoldWatchdog.UNKNOWN);
+  private long graceEnd;
   private @Nullable RuntimeException failure;
 
   /** The lobbies whose code has been ended, but whose message has not been taken yet. */
@@ -58,14 +50,11 @@ public final class Interruptions {
   /**
    * @param turns the number of the current turn
    * @param machine measures how long code takes to end
-   * @param processorTime tells how much the kernel thread has had, in nanoseconds, or {@link
-   *     HoldWatchdog#UNKNOWN}
    */
-  Interruptions(LongSupplier turns, Journal journal, Clock machine, LongSupplier processorTime) {
+  Interruptions(LongSupplier turns, Journal journal, Clock machine) {
     this.turns = turns;
     this.journal = journal;
     this.machine = machine;
-    this.processorTime = processorTime;
     this.counted = journal.countsChecks();
     this.wanted = counted;
   }
@@ -141,7 +130,7 @@ public final class Interruptions {
     if (endingTurn != turn) {
       endingTurn = turn;
       failure = null;
-      grace = new Grace(graceOf(lobby), machine.now(), processorTime.getAsLong());
+      graceEnd = machine.now() + GRACE_PERIOD;
       // Clear the flag, so that the same request does not end code twice: its message may have been
       // taken already while others ran.
       if (decided == StopReason.REQUESTED && lobby != null && !all) {
@@ -157,7 +146,7 @@ public final class Interruptions {
     long turn = turns.getAsLong();
     if (endingTurn != NONE) {
       if (endingTurn == turn) {
-        return grace.isOver(machine, processorTime) ? ending : StopReason.NONE;
+        return machine.now() - graceEnd < 0 ? StopReason.NONE : ending;
       }
       forgetEnded(turn);
     }
@@ -177,32 +166,12 @@ public final class Interruptions {
     update();
   }
 
-  private static long graceOf(UrbiObject lobby) {
-    return lobby instanceof Budgeted owner ? owner.budget().holdLimit(GRACE_PERIOD) : GRACE_PERIOD;
-  }
-
-  /**
-   * For how long code may still work, in nanoseconds.
-   *
-   * @param since when that began
-   * @param processor what the kernel thread had had of the processor then
-   */
-  private record Grace(long period, long since, long processor) {
-    boolean isOver(Clock machine, LongSupplier processorTime) {
-      long passed = machine.now() - since;
-      return passed >= period
-          && (processor == HoldWatchdog.UNKNOWN
-              || passed / LONGEST_WAIT >= period
-              || processorTime.getAsLong() - processor >= period);
-    }
-  }
-
   /** The state of ending the running job. */
-  record Termination(StopReason ending, Grace grace, @Nullable RuntimeException failure) {}
+  record Termination(StopReason ending, long until, @Nullable RuntimeException failure) {}
 
   /** Saves that state while the running job lets others run; null if the job is not being ended. */
   @Nullable Termination pause() {
-    return endingTurn == turns.getAsLong() ? new Termination(ending, grace, failure) : null;
+    return endingTurn == turns.getAsLong() ? new Termination(ending, graceEnd, failure) : null;
   }
 
   /** Restores the state when the job continues to end. */
@@ -210,7 +179,7 @@ public final class Interruptions {
     if (paused != null) {
       endingTurn = turns.getAsLong();
       ending = paused.ending;
-      grace = paused.grace;
+      graceEnd = paused.until;
       failure = paused.failure;
       announce();
     }

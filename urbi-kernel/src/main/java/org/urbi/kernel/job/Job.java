@@ -636,11 +636,6 @@ public final class Job implements Runnable {
     }
   }
 
-  /** Whether an exception is about to end it, or a part of it. */
-  public boolean isEnding() {
-    return injected != null;
-  }
-
   /** Ends the job, wherever it is. */
   public void terminate() {
     inject(new TagStop(null, null));

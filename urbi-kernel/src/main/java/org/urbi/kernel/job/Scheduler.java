@@ -121,7 +121,7 @@ public final class Scheduler {
     this.journal = journal;
     this.counted = journal.countsChecks();
     this.inbox = new Inbox(journal);
-    this.interruptions = new Interruptions(this::turn, journal, machine, this::processorTime);
+    this.interruptions = new Interruptions(this::turn, journal, machine);
     this.clock = clock;
     this.pace = new SimulationPace(clock, machine);
     this.meter = new UsageMeter(machine);
@@ -276,11 +276,6 @@ public final class Scheduler {
     return threads.maximumDepth();
   }
 
-  /** What the kernel thread has had of the processor, in nanoseconds. */
-  private long processorTime() {
-    return threads.processorTime();
-  }
-
   JobThread newThread(Job job) {
     return threads.create(job);
   }
@@ -429,7 +424,7 @@ public final class Scheduler {
    *     function that it executes, or null
    */
   public HoldWatchdog limitHolding(long limit, BiConsumer<Job, String> told) {
-    HoldWatchdog watch = new HoldWatchdog(this, machine, this::processorTime, limit, told);
+    HoldWatchdog watch = new HoldWatchdog(this, machine, threads::processorTime, limit, told);
     watch.start();
     return watch;
   }

@@ -171,11 +171,6 @@ public final class Shell {
     }
   }
 
-  /** Whether that is the job which executes the input. */
-  public boolean isExecutedBy(Job candidate) {
-    return candidate == job;
-  }
-
   /** Ends all that the lobby does. */
   public void close() {
     if (!closed) {

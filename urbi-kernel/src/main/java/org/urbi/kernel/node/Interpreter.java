@@ -7,8 +7,6 @@ import java.util.Map;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
-import org.urbi.kernel.budget.Budget;
-import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
@@ -65,9 +63,6 @@ public final class Interpreter {
    */
   private volatile int callLimit;
 
-  /** The lowest limit of nested calls that the budget of a lobby has had. */
-  private volatile long lowestDepth = Budget.UNLIMITED;
-
   public Interpreter(World world, Scheduler scheduler, Errors errors, CorePrototypes prototypes) {
     this.world = world;
     this.values = world.values();
@@ -113,23 +108,16 @@ public final class Interpreter {
     setCallLimit();
   }
 
-  /** The budget of a lobby limits the number of nested calls. */
-  public void budgetDepth(long calls) {
-    lowestDepth = Math.min(calls, lowestDepth);
-    setCallLimit();
-  }
-
   /** Synchronized because several threads call it: the last one must see the changes of all. */
   private synchronized void setCallLimit() {
-    callLimit =
-        scheduler.interruptions().arePending() ? -1 : (int) Math.min(maximumDepth, lowestDepth);
+    callLimit = scheduler.interruptions().arePending() ? -1 : maximumDepth;
   }
 
   /** The checks at the start of each function call. */
   void enter(Frame frame) {
     if (frame.depth > callLimit) {
       frame.job.checkInterrupted();
-      if (frame.depth > maximumDepth || !frame.job.budget().allows(Resource.DEPTH, frame.depth)) {
+      if (frame.depth > maximumDepth) {
         throw errors.scheduling(Problem.STACK_EXHAUSTED);
       }
     }

@@ -216,35 +216,6 @@ class HoldWatchdogTest {
     assertEquals(1, told.size());
   }
 
-  /** The log may fail: what comes later is watched all the same. */
-  @Test
-  void anErrorDoesNotEndTheWatch() throws InterruptedException {
-    loop.machine.step = 1;
-    CountDownLatch ended = new CountDownLatch(2);
-    loop.start(job -> {
-      loop.scheduler.limitHolding(
-          1,
-          (held, component) -> {
-            ended.countDown();
-            throw new NoClassDefFoundError("org/nowhere/Log");
-          });
-      for (int i = 0; i < 2; i++) {
-        boolean goesOn = true;
-        while (goesOn) {
-          Thread.onSpinWait();
-          try {
-            job.checkInterrupted();
-          } catch (TagStop stop) {
-            goesOn = false;
-          }
-        }
-        job.yieldNow();
-      }
-    });
-    loop.run();
-    ended.await();
-  }
-
   /** By another thread, in the machine's time: the job goes on until that has happened. */
   @Test
   void itWatchesByItself() throws InterruptedException {

@@ -22,13 +22,8 @@ class InterruptionsTest {
   private final UrbiObject lobby = loop.object();
   private final UrbiObject other = loop.object();
   private long turn = 7;
-
-  /** What the kernel thread has had; by default nobody knows it. */
-  private long processor = HoldWatchdog.UNKNOWN;
-
   private int changes;
-  private final Interruptions interruptions =
-      new Interruptions(() -> turn, Journal.NONE, machine, () -> processor);
+  private final Interruptions interruptions = new Interruptions(() -> turn, Journal.NONE, machine);
 
   @Test
   void nobodyEndsByHimself() {
@@ -54,21 +49,6 @@ class InterruptionsTest {
     assertFalse(interruptions.arePending());
     interruptions.clear(lobby);
     assertFalse(interruptions.isMessageDue(lobby));
-  }
-
-  @Test
-  void whatGetsNoProcessorHasMoreTimeToCleanUp() {
-    processor = 100;
-    interruptions.requestOverdue(turn);
-    assertEquals(StopReason.OVERDUE, interruptions.decide(lobby));
-    machine.now = 2 * FAREWELL;
-    processor = 100 + FAREWELL - 1;
-    assertEquals(StopReason.NONE, interruptions.decide(lobby));
-    processor = 100 + FAREWELL;
-    assertEquals(StopReason.OVERDUE, interruptions.decide(lobby));
-    processor = 100;
-    machine.now = 20 * FAREWELL;
-    assertEquals(StopReason.OVERDUE, interruptions.decide(lobby));
   }
 
   @Test
@@ -203,8 +183,7 @@ class InterruptionsTest {
                 return StopReason.OVERDUE;
               }
             },
-            machine,
-            () -> HoldWatchdog.UNKNOWN);
+            machine);
     assertTrue(recorded.arePending());
     assertEquals(StopReason.OVERDUE, recorded.decide(lobby));
     recorded.clear(lobby);

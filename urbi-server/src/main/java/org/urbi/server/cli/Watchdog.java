@@ -5,7 +5,6 @@ import java.time.Duration;
 import java.util.function.IntConsumer;
 import java.util.function.LongSupplier;
 import org.urbi.kernel.Kernel;
-import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.time.Clock;
 
 /**
@@ -76,8 +75,6 @@ final class Watchdog {
       } catch (VirtualMachineError | LinkageError e) {
         // There is so little memory that not even a class can be loaded; the kernel sees to that.
         continue;
-      } catch (Throwable failure) {
-        FailureLog.internal("the watchdog", failure);
       }
     }
   }
