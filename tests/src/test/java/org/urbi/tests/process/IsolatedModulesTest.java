@@ -48,10 +48,11 @@ class IsolatedModulesTest {
   /** The processes of modules end with the server, however it ends. */
   @AfterAll
   static void end() throws Exception {
-    try (ConsoleClient client = server.connect()) {
+    try (ServerProcess ending = server;
+        ConsoleClient client = ending.connect()) {
       assertEquals(List.of(), client.answers(LOAD));
       ProcessHandle module = moduleProcess();
-      server.close();
+      ending.close();
       module.onExit().get(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS);
     }
   }

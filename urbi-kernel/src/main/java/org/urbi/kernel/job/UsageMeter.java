@@ -42,6 +42,7 @@ public final class UsageMeter {
     if (thread == null) {
       thread = Thread.currentThread();
       // A kernel may start while memory is scarce, and is then measured before its first job.
+      since = machine.now();
       allocatedBefore = allocated();
     } else if (measuring) {
       charge();

@@ -1,6 +1,7 @@
 package org.urbi.kernel.memory;
 
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.outside.Heap;
 import org.urbi.kernel.time.Clock;
@@ -30,6 +31,7 @@ final class MemoryRescue {
   private static final Consumer<MemoryUser> EXHAUSTED = MemoryUser::memoryExhausted;
 
   private final Clock clock;
+  private final LongSupplier worked;
   private final Heap heap;
   private boolean told;
   private boolean began;
@@ -41,9 +43,11 @@ final class MemoryRescue {
 
   /**
    * @param clock real time
+   * @param worked for how long the process has worked, by which it is given time to free memory
    */
-  MemoryRescue(Clock clock, Heap heap) {
+  MemoryRescue(Clock clock, LongSupplier worked, Heap heap) {
     this.clock = clock;
+    this.worked = worked;
     this.heap = heap;
   }
 
@@ -66,7 +70,7 @@ final class MemoryRescue {
 
   /** To be called when memory is nearly exhausted, or was when somebody wanted to look. */
   void rescue(MemoryUser[] users) {
-    long now = clock.now();
+    long now = worked.getAsLong();
     if (gaveUp && now - gaveUpAt < REST) {
       return;
     }
@@ -86,8 +90,8 @@ final class MemoryRescue {
       } else if (!relieved || now - relievedAt >= NEXT_RELIEF && !isRelieved()) {
         relieve(users);
       }
-    } catch (VirtualMachineError | LinkageError e) {
-      if (began && clock.now() - since > RELIEF) {
+    } catch (Error e) {
+      if (began && worked.getAsLong() - since > RELIEF) {
         giveUp(users);
       }
     }
@@ -112,14 +116,14 @@ final class MemoryRescue {
     if (most != null) {
       most.relieve();
       relieved = true;
-      relievedAt = clock.now();
+      relievedAt = worked.getAsLong();
     }
   }
 
   private void giveUp(MemoryUser[] users) {
     began = false;
     gaveUp = true;
-    gaveUpAt = clock.now();
+    gaveUpAt = worked.getAsLong();
     // Whoever was ended before and fills the memory again is to be ended again.
     each(users, NOT_SCARCE);
     each(users, EXHAUSTED);
@@ -134,7 +138,7 @@ final class MemoryRescue {
       } catch (RuntimeException e) {
         Thread own = Thread.currentThread();
         own.getUncaughtExceptionHandler().uncaughtException(own, e);
-      } catch (VirtualMachineError | LinkageError e) {
+      } catch (Error e) {
         fatal = e;
       }
     }

@@ -32,7 +32,10 @@ public final class MemoryWatchdog {
 
   private synchronized void join(MemoryUser user) {
     if (thread == null) {
-      var rescue = new MemoryRescue(new SystemClock(), new HeapUsage());
+      var heap = new HeapUsage();
+      var clock = new SystemClock();
+      var worked = new WorkTime(clock);
+      var rescue = new MemoryRescue(clock, worked, heap);
       Thread made =
           Thread.ofPlatform()
               .daemon()
@@ -40,7 +43,7 @@ public final class MemoryWatchdog {
               .priority(Thread.MAX_PRIORITY)
               // It must not hold on to whatever the program has set up for its own threads.
               .inheritInheritableThreadLocals(false)
-              .unstarted(() -> watch(rescue));
+              .unstarted(() -> watch(heap, worked, rescue));
       made.start();
       thread = made;
     }
@@ -55,11 +58,17 @@ public final class MemoryWatchdog {
     }
   }
 
-  private void watch(MemoryRescue rescue) {
+  private void watch(HeapUsage heap, WorkTime worked, MemoryRescue rescue) {
+    boolean prepared = false;
     for (MemoryUser[] known = next(); known.length > 0; known = next()) {
       try {
+        if (!prepared) {
+          prepared = true;
+          heap.prepare();
+          worked.prepare();
+        }
         look(rescue, known);
-      } catch (VirtualMachineError | LinkageError e) {
+      } catch (Error e) {
         // It goes on: others need it, and there may be memory again.
         continue;
       }
@@ -69,7 +78,7 @@ public final class MemoryWatchdog {
   private static void look(MemoryRescue rescue, MemoryUser[] known) {
     try {
       rescue.check(known);
-    } catch (VirtualMachineError | LinkageError e) {
+    } catch (Error e) {
       // There is so little memory that not even a class can be loaded.
       rescue.rescue(known);
     }

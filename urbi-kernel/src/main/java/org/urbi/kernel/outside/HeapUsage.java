@@ -28,7 +28,10 @@ public final class HeapUsage implements Heap {
 
   private static final long MILLISECOND = 1_000_000;
 
-  /** The old generation; looked up only when it is needed, because that takes long. */
+  /**
+   * The old generation; looked up only in programs that live for some time, because that takes
+   * long.
+   */
   private @Nullable MemoryPoolMXBean old;
 
   private List<GarbageCollectorMXBean> collectors = List.of();
@@ -43,8 +46,16 @@ public final class HeapUsage implements Heap {
     return used >= SCARCE * runtime.maxMemory();
   }
 
-  @Override
-  public boolean isNearlyFull(long now) {
+  /**
+   * Finds what it measures with, and what others measure with: when memory is exhausted, the JVM
+   * may fail to make that, and then never tries again.
+   */
+  public void prepare() {
+    ManagementFactory.getThreadMXBean();
+    oldGeneration();
+  }
+
+  private MemoryPoolMXBean oldGeneration() {
     MemoryPoolMXBean known = old;
     if (known == null) {
       known =
@@ -59,7 +70,12 @@ public final class HeapUsage implements Heap {
               .filter(bean -> !bean.getName().matches(".*(Cycles|Concurrent).*"))
               .toList();
     }
-    MemoryUsage left = known.getCollectionUsage();
+    return known;
+  }
+
+  @Override
+  public boolean isNearlyFull(long now) {
+    MemoryUsage left = oldGeneration().getCollectionUsage();
     return left != null && left.getMax() > 0 && left.getUsed() > FULL * left.getMax()
         || isCollecting(now);
   }

@@ -258,17 +258,14 @@ public final class RemotePeer implements RemoteProcess {
   }
 
   private void complete(int number, @Nullable UValue value, @Nullable RuntimeException error) {
+    CompletableFuture<UValue> call = calls.remove(number);
+    if (call == null) {
+      return;
+    }
     // Requests that came before the result are finished first: the caller may rely on them, for
     // instance on functions bound by the call.
-    tasks.finishFirst();
-    CompletableFuture<UValue> call = calls.remove(number);
-    if (call != null) {
-      if (error == null) {
-        call.complete(value);
-      } else {
-        call.completeExceptionally(error);
-      }
-    }
+    tasks.whenFinished(
+        error == null ? () -> call.complete(value) : () -> call.completeExceptionally(error));
   }
 
   // ------------------------------------------------------------------ in the job

@@ -19,20 +19,27 @@ final class RemoteTasks {
   /** How many tasks are executed before other jobs have their turn. */
   private static final int TURN = 256;
 
+  /** After how long it is looked again whether a task waits, in nanoseconds. */
+  private static final long PATIENCE = 1_000_000;
+
   private record Task(Runnable action, int size) {}
+
+  /** An answer, and the number of the last task that has come before it. */
+  private record Answer(long last, Runnable action) {}
 
   private final Scheduler scheduler;
   private final Supplier<? extends UrbiObject> lobby;
   private final IntConsumer consumed;
   private final Consumer<RuntimeException> failed;
   private final ArrayDeque<Task> tasks = new ArrayDeque<>();
+  private final ArrayDeque<Answer> answers = new ArrayDeque<>();
   private long added;
-
-  /** The number of the last task to execute without letting others run. */
-  private long urgent;
+  private long done;
 
   private @Nullable Job job;
   private boolean waiting;
+  private boolean performing;
+  private boolean looking;
   private boolean ended;
 
   /**
@@ -66,13 +73,40 @@ final class RemoteTasks {
     }
   }
 
-  /** Executes all tasks added so far before other jobs have their turn. */
-  void finishFirst() {
-    urgent = added;
+  /**
+   * Gives an answer once all tasks added so far are executed. If one of them waits, perhaps for
+   * that very answer, it is given before.
+   */
+  void whenFinished(Runnable answer) {
+    if (ended || done == added) {
+      answer.run();
+      return;
+    }
+    answers.add(new Answer(added, answer));
+    if (!looking) {
+      looking = true;
+      scheduler.atEndOfTick(this::look);
+    }
+  }
+
+  private void look() {
+    looking = false;
+    if (performing) {
+      answer(Long.MAX_VALUE);
+    } else if (!answers.isEmpty()) {
+      // The tasks have not had their turn yet.
+      looking = true;
+      scheduler.timers().add(scheduler.now() + PATIENCE, this::look);
+    }
+  }
+
+  private void answer(long finished) {
+    while (!answers.isEmpty() && answers.getFirst().last <= finished) {
+      answers.poll().action.run();
+    }
   }
 
   private void run(Job self) {
-    long done = 0;
     while (!ended) {
       Task task = tasks.poll();
       if (task == null) {
@@ -80,11 +114,15 @@ final class RemoteTasks {
         self.waitForWake();
         continue;
       }
+      performing = true;
       perform(task.action);
+      performing = false;
       if (task.size > 0) {
         consumed.accept(task.size);
       }
-      if (++done % TURN == 0 && done >= urgent) {
+      done++;
+      answer(done);
+      if (done % TURN == 0 && answers.isEmpty()) {
         self.yield();
       }
     }
@@ -111,5 +149,6 @@ final class RemoteTasks {
   /** Ends the job: no more tasks will come. */
   void end() {
     ended = true;
+    answer(Long.MAX_VALUE);
   }
 }

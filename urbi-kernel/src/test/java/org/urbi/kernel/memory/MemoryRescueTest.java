@@ -24,6 +24,7 @@ class MemoryRescueTest {
   private final MemoryRescue rescue =
       new MemoryRescue(
           clock,
+          clock::now,
           new Heap() {
             @Override
             public boolean isScarce() {

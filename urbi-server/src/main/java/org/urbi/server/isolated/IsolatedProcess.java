@@ -75,12 +75,8 @@ final class IsolatedProcess implements ModuleProcess {
       ModuleNetwork.Entrance opened = network.open(peer);
       Process running = start(opened);
       if (running != null) {
-        Thread reader =
-            Thread.ofPlatform()
-                .daemon()
-                .name("urbi-module-output")
-                .start(() -> output.read(running.getInputStream()));
-        running.onExit().thenRun(() -> ended(running, opened, reader));
+        Thread reader = thread("urbi-module-output", () -> output.read(running.getInputStream()));
+        thread("urbi-module-end", () -> awaitEnd(running, opened, reader));
         sendTask(running, opened);
         after(startLimit.toMillis())
             .execute(() -> {
@@ -159,8 +155,14 @@ final class IsolatedProcess implements ModuleProcess {
     return command;
   }
 
+  /** On a thread of its own: those that the program around the kernel shares may all be blocked. */
   private static Executor after(long milliseconds) {
-    return CompletableFuture.delayedExecutor(milliseconds, TimeUnit.MILLISECONDS);
+    return CompletableFuture.delayedExecutor(
+        milliseconds, TimeUnit.MILLISECONDS, work -> thread("urbi-module-limit", work));
+  }
+
+  private static Thread thread(String name, Runnable work) {
+    return Thread.ofPlatform().daemon().name(name).start(work);
   }
 
   @Override
@@ -183,14 +185,19 @@ final class IsolatedProcess implements ModuleProcess {
     after(MILLISECONDS_TO_END).execute(() -> kill(why));
   }
 
-  private void ended(Process gone, ModuleNetwork.Entrance opened, Thread reader) {
-    started.complete(null);
-    opened.close();
+  private void awaitEnd(Process running, ModuleNetwork.Entrance opened, Thread reader) {
     try {
+      running.waitFor();
+      started.complete(null);
+      opened.close();
       reader.join(MILLISECONDS_OF_WORDS);
     } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
+      throw new IllegalStateException("nobody interrupts this thread", e);
     }
+    ended(running);
+  }
+
+  private void ended(Process gone) {
     StringBuilder text = new StringBuilder(said(how(gone.exitValue())));
     List<String> words = output.lastWords();
     if (!words.isEmpty()) {
