@@ -114,9 +114,8 @@ final class RunQueue {
   }
 
   /**
-   * Adds a job that runs next in this round, because the running job has started it. Should the
-   * round be cut short before, the job is behind those that have waited for longer: otherwise jobs
-   * of which each starts the next one would keep the others of their lobby from running for ever.
+   * Adds a job that runs next, because the running job has started it, and what follows may rely on
+   * what it does first: even if the round is cut short before.
    */
   void addToRound(Job job) {
     if (shares == null) {
@@ -177,7 +176,6 @@ final class RunQueue {
   @Nullable Job next() {
     if (shares == null) {
       if (left > 0 && isSliceOver()) {
-        postponeFresh(together);
         rush();
         return null;
       }
@@ -195,7 +193,6 @@ final class RunQueue {
     }
     if (isSliceOver()) {
       current.roundsCut++;
-      postponeFresh(current.jobs);
       return null;
     }
     left--;
@@ -213,12 +210,6 @@ final class RunQueue {
   /** Whether the job whose turn it is has been started in this round. */
   boolean isFresh() {
     return freshRuns;
-  }
-
-  private void postponeFresh(ArrayDeque<Job> queue) {
-    for (; fresh > 0; fresh--) {
-      queue.add(queue.remove());
-    }
   }
 
   private boolean isSliceOver() {
