@@ -1,5 +1,5 @@
-// A program that talks to a server, by all that the clients in C++ can do: clients PORT. It says what is
-// not as it should be, and ends with status 1 then.
+// A program that talks to a server, by all that the clients in C++ can do: clients PORT FILE, where FILE
+// is its Unix domain socket. It says what is not as it should be, and ends with status 1 then.
 #include <cstdio>
 #include <cstring>
 #include <string>
@@ -158,14 +158,30 @@ static void what_goes_wrong(unsigned port)
   CHECK(!client.syncGet("1"));
 }
 
+static void byFile(const std::string& file)
+{
+  USyncClient client(file, 1);
+  ufloat answer = 0;
+  CHECK(client.error() == 0 && client.syncGetResult("6*7", answer) == 1 && answer == 42);
+  std::string text(300000, 'x');
+  UMessage* message = client.syncGet("\"" + text + "\"");
+  CHECK(message && message->value && std::string(*message->value) == text);
+  delete message;
+  UClient nobody("/nowhere/at/all", 1);
+  CHECK(nobody.error() != 0);
+  UClient tooLong("/" + std::string(200, 'x'), 1);
+  CHECK(tooLong.error() != 0);
+}
+
 int main(int argc, char* argv[])
 {
   std::setvbuf(stdout, nullptr, _IONBF, 0);
-  unsigned port = argc == 2 ? static_cast<unsigned>(std::atoi(argv[1])) : 0;
+  unsigned port = argc == 3 ? static_cast<unsigned>(std::atoi(argv[1])) : 0;
   callbacks(port);
   questions(port);
   withoutThread(port);
   what_goes_wrong(port);
+  byFile(argc == 3 ? argv[2] : "");
   std::printf("%d failures\n", failures.load());
   return failures != 0;
 }

@@ -8,8 +8,8 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 
 /**
- * An open connection to a server, whatever it is made of: TCP, or TLS where the process is told so.
- * The server has been shown the process's token (docs/networking.md).
+ * An open connection to a server, whatever it is made of: TCP, a Unix domain socket, or TLS where
+ * the process is told so. The server has been shown the process's token (docs/networking.md).
  */
 public final class ServerConnection implements AutoCloseable {
   /** The system property that asks for TLS; the variable of the environment is URBI_TLS. */
@@ -34,25 +34,46 @@ public final class ServerConnection implements AutoCloseable {
   /**
    * Connects.
    *
+   * @param host a name or an address; one with a {@code /} is the file of a Unix domain socket, for
+   *     which there is neither a port nor TLS
    * @param milliseconds how long that may take; 0 for as long as it likes
    * @throws IOException if nobody answers, or somebody whom TLS does not trust; the message says
    *     what to do
    */
   public static ServerConnection open(String host, int port, int milliseconds) throws IOException {
+    Socket socket =
+        isFile(host) ? UnixSocket.connect(host, milliseconds) : openPort(host, port, milliseconds);
+    try {
+      ServerConnection connection = new ServerConnection(socket);
+      connection.out.write(TokenLine.bytes());
+      return connection;
+    } catch (IOException e) {
+      socket.close();
+      throw e;
+    }
+  }
+
+  private static Socket openPort(String host, int port, int milliseconds) throws IOException {
     Socket plain = new Socket();
     try {
       plain.setTcpNoDelay(true);
       plain.setKeepAlive(true);
       plain.connect(new InetSocketAddress(host, port), milliseconds);
-      Socket socket =
-          TlsClient.isWanted() ? TlsClient.secure(plain, host, port, milliseconds) : plain;
-      ServerConnection connection = new ServerConnection(socket);
-      connection.out.write(TokenLine.bytes());
-      return connection;
+      return TlsClient.isWanted() ? TlsClient.secure(plain, host, port, milliseconds) : plain;
     } catch (IOException e) {
       plain.close();
       throw e;
     }
+  }
+
+  /** Whether a host is the file of a Unix domain socket. */
+  public static boolean isFile(String host) {
+    return host.indexOf('/') >= 0;
+  }
+
+  /** The address of a server, for people. */
+  public static String name(String host, int port) {
+    return isFile(host) ? host : host + ":" + port;
   }
 
   /** From now on this process connects by TLS, and trusts the certificates in a file alone. */
@@ -71,7 +92,7 @@ public final class ServerConnection implements AutoCloseable {
     return out;
   }
 
-  /** Where the server is. */
+  /** The machine where the server is. */
   public InetAddress address() {
     return socket.getInetAddress();
   }

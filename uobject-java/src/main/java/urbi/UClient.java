@@ -18,7 +18,7 @@ import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A client of a server, over TCP or TLS, see {@link ServerConnection}.
+ * A client of a server, over TCP, TLS or a Unix domain socket, see {@link ServerConnection}.
  *
  * <p>Sending returns at once, and a thread of the client's sends; only who sends much faster than
  * the server takes has to wait. Callbacks are called one after the other by another thread: none of
@@ -88,7 +88,7 @@ public class UClient extends UAbstractClient implements AutoCloseable {
   }
 
   private String reason(IOException e) {
-    String where = getServerName() + ":" + getServerPort();
+    String where = ServerConnection.name(getServerName(), getServerPort());
     return e instanceof UnknownHostException
         ? "unknown host: " + getServerName()
         : "cannot connect to " + where + ": " + e.getMessage();

@@ -89,7 +89,8 @@ final class Connection implements AutoCloseable {
 
   private static UClientException failed(
       String host, int port, @Nullable String reason, IOException cause) {
-    return new UClientException("cannot connect to " + host + ":" + port + ": " + reason, cause);
+    return new UClientException(
+        "cannot connect to " + ServerConnection.name(host, port) + ": " + reason, cause);
   }
 
   /**

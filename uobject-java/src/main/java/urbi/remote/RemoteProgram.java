@@ -29,7 +29,7 @@ public final class RemoteProgram implements RemoteRunner {
 
       Options:
         -h, --help            output this message and exit successfully
-        -H, --host ADDRESS    address of the server (default: 127.0.0.1)
+        -H, --host ADDRESS    address of the server (default: 127.0.0.1); with a / the file of its socket
         -P, --port PORT       port of the server (default: 54000)
             --port-file FILE  take the port from FILE
             --tls             connect by TLS (default: URBI_TLS)
@@ -217,7 +217,7 @@ public final class RemoteProgram implements RemoteRunner {
           start(module, context);
           module.classes().forEach(type -> say("started " + type.name()));
         }
-        say("running on " + host + ":" + port);
+        say("running on " + ServerConnection.name(host, port));
         String why = context.onClosed().join();
         loaded.forEach(module -> module.leave(context));
         return why;

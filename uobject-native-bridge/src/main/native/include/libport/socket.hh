@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <functional>
 #include <mutex>
-#include <netdb.h>
 #include <string>
 #include <sys/socket.h>
 #include <system_error>
@@ -14,6 +13,7 @@
 #include <unistd.h>
 
 #include <libport/compiler.hh>
+#include <libport/detail/connect.hh>
 #include <libport/lockable.hh>
 #include <libport/utime.hh>
 
@@ -37,28 +37,12 @@ namespace libport
     Socket(const Socket&) = delete;
     Socket& operator=(const Socket&) = delete;
 
-    /// Connects. \return what is wrong, or nothing
+    /// Connects; a host with a `/` is the file of a Unix domain socket. \return what is wrong, or nothing
     std::error_code connect(const std::string& host, const std::string& port, bool udp = false)
     {
       close();
-      addrinfo hints = addrinfo();
-      hints.ai_socktype = udp ? SOCK_DGRAM : SOCK_STREAM;
-      addrinfo* all = nullptr;
-      if (::getaddrinfo(host.c_str(), port.c_str(), &hints, &all) != 0)
-        return std::make_error_code(std::errc::host_unreachable);
-      std::error_code error = std::make_error_code(std::errc::host_unreachable);
-      int made = -1;
-      for (addrinfo* each = all; each && made == -1; each = each->ai_next)
-      {
-        made = ::socket(each->ai_family, each->ai_socktype, each->ai_protocol);
-        if (made != -1 && ::connect(made, each->ai_addr, each->ai_addrlen) != 0)
-        {
-          error = std::error_code(errno, std::generic_category());
-          ::close(made);
-          made = -1;
-        }
-      }
-      ::freeaddrinfo(all);
+      std::error_code error;
+      int made = detail::connected_socket(host, port, udp ? SOCK_DGRAM : SOCK_STREAM, error);
       if (made == -1)
         return error;
       join();

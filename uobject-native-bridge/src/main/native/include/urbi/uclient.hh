@@ -13,7 +13,6 @@
 #include <thread>
 
 #include <cerrno>
-#include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
@@ -21,6 +20,7 @@
 
 #include <libport/cstring>
 #include <libport/debug.hh>
+#include <libport/detail/connect.hh>
 #include <libport/foreach.hh>
 #include <libport/format.hh>
 #include <libport/lockable.hh>
@@ -72,7 +72,7 @@ namespace urbi
       bool asynchronous_;
     };
 
-    /// Connects. \see error
+    /// Connects; a host with a `/` is the file of a Unix domain socket. \see error
     explicit UClient(const std::string& host = default_host(), unsigned port = URBI_PORT,
                      size_t = URBI_BUFLEN, const options& how = options())
       : UClient(host, port, how.start(), true)
@@ -238,25 +238,10 @@ namespace urbi
   private:
     void connect()
     {
-      addrinfo hints = addrinfo();
-      hints.ai_socktype = SOCK_STREAM;
-      addrinfo* all = nullptr;
-      std::string port = detail::number_text(port_);
-      rc = -1;
-      if (::getaddrinfo(host_.c_str(), port.c_str(), &hints, &all) != 0)
-        return;
-      for (addrinfo* each = all; each && rc; each = each->ai_next)
-      {
-        socket_ = ::socket(each->ai_family, each->ai_socktype, each->ai_protocol);
-        if (socket_ != -1 && ::connect(socket_, each->ai_addr, each->ai_addrlen) == 0)
-          rc = 0;
-        else if (socket_ != -1)
-        {
-          ::close(socket_);
-          socket_ = -1;
-        }
-      }
-      ::freeaddrinfo(all);
+      std::error_code error;
+      socket_ =
+        libport::detail::connected_socket(host_, detail::number_text(port_), SOCK_STREAM, error);
+      rc = socket_ == -1 ? -1 : 0;
       if (!rc)
         showToken();
     }

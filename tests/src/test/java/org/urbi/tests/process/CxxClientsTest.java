@@ -30,11 +30,14 @@ class CxxClientsTest {
     String token = "0123456789abcdef0123456789abcdef";
     Path tokens = Files.writeString(folder.resolve("tokens"), "owner " + token + " clients\n");
     Files.setPosixFilePermissions(tokens, PosixFilePermissions.fromString("rw-------"));
+    String socket = folder.resolve("console").toString();
     // Without a token they could only look.
-    String[] options = {"--tokens", tokens.toString(), "--default-role", "observer"};
+    String[] options = {
+      "--tokens", tokens.toString(), "--default-role", "observer", "--socket", socket
+    };
     try (ServerProcess server = ServerProcess.in(folder, options)) {
       String port = String.valueOf(server.port());
-      String[] command = {"env", "URBI_TOKEN=" + token, program.toString(), port};
+      String[] command = {"env", "URBI_TOKEN=" + token, program.toString(), port, socket};
       assertEquals("0 failures\n", CxxModules.output(command));
       server.terminate();
       assertEquals(TERMINATED, server.awaitEnd(), server::text);

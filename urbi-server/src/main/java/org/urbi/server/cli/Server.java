@@ -24,6 +24,7 @@ import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
 import org.urbi.server.options.Failure;
 import org.urbi.server.source.SourceText;
+import urbi.ServerConnection;
 
 /** One run of {@code urbi}: starts the kernel and its connections, and ends them. */
 final class Server {
@@ -91,7 +92,7 @@ final class Server {
     watch(started);
     try {
       startFiles.loadGlobal(started, err);
-      network = settings.hasPort() ? listen() : null;
+      network = settings.keepsServing() ? listen() : null;
       listening = network;
       var local = new LocalConsole(settings, started, this::connect, this::end, out, err);
       console = local;
@@ -126,7 +127,7 @@ final class Server {
             new SystemClock(),
             watched,
             this::networkSilence,
-            settings.hasPort() ? settings.watchdog() : Duration.ZERO,
+            settings.keepsServing() ? settings.watchdog() : Duration.ZERO,
             err,
             Server::giveUp);
     watchdog = made;
@@ -230,9 +231,39 @@ final class Server {
   }
 
   private ConsoleServer listen() {
+    ConsoleServer server =
+        new ConsoleServer(
+            client -> connect(client, false),
+            kernel()::connectRemote,
+            limits(),
+            settings.access().accessPolicy(),
+            settings.trace());
+    try {
+      if (settings.hasPort()) {
+        listenOnPort(server);
+      }
+      Path socket = settings.socket().file();
+      if (socket != null) {
+        server.listen(socket, settings.socket().permissions());
+        sayListening(socket.toString());
+      }
+      return server;
+    } catch (IOException e) {
+      server.close();
+      throw Failure.of(e.getMessage());
+    } catch (Failure e) {
+      server.close();
+      throw e;
+    }
+  }
+
+  private void listenOnPort(ConsoleServer server) {
     InetSocketAddress address = new InetSocketAddress(settings.host(), settings.port());
     if (address.isUnresolved()) {
-      throw Failure.of("unknown host: " + settings.host());
+      throw Failure.of(
+          "unknown host: "
+              + settings.host()
+              + (ServerConnection.isFile(settings.host()) ? " (--socket listens on a file)" : ""));
     }
     String warning = settings.access().checkAddress(address);
     if (warning != null) {
@@ -240,29 +271,19 @@ final class Server {
     }
     settings.access().warnings().forEach(settings.trace()::log);
     try {
-      ConsoleServer server =
-          new ConsoleServer(
-              address,
-              client -> connect(client, false),
-              kernel()::connectRemote,
-              limits(),
-              settings.access().accessPolicy(),
-              settings.trace());
-      kernel().evalAsync("System.listenPort = " + server.port() + "|");
-      writePortFile(server.port());
-      if (!settings.quiet()) {
-        settings
-            .trace()
-            .log(
-                "listening on "
-                    + settings.host()
-                    + ":"
-                    + server.port()
-                    + (settings.access().accessPolicy().identity() == null ? "" : ", by TLS"));
-      }
-      return server;
+      server.listen(address);
     } catch (IOException e) {
       throw Failure.of(e.getMessage() + "; --port 0 takes any free port");
+    }
+    kernel().evalAsync("System.listenPort = " + server.port() + "|");
+    writePortFile(server.port());
+    boolean tls = settings.access().accessPolicy().identity() != null;
+    sayListening(settings.host() + ":" + server.port() + (tls ? ", by TLS" : ""));
+  }
+
+  private void sayListening(String where) {
+    if (!settings.quiet()) {
+      settings.trace().log("listening on " + where);
     }
   }
 

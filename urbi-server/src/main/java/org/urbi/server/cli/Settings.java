@@ -19,10 +19,11 @@ import org.urbi.server.trust.AccessOptions;
  * @param quiet whether clients are not sent a banner
  * @param port where to listen; 0 for any, {@link #NO_PORT} for nowhere
  * @param portFile where to write the port's number, or null
- * @param maxConnections how many clients of the port there may be at a time; 0: any number
- * @param maxOutput how many bytes may wait for all clients of the port together; 0: the default
- * @param budget what the lobby of a client of the port may have
- * @param access who is let in by the port, and as what
+ * @param socket where to listen besides
+ * @param maxConnections how many clients there may be at a time; 0: any number
+ * @param maxOutput how many bytes may wait for all clients together; 0: the default
+ * @param budget what the lobby of a client may have
+ * @param access who is let in, and as what
  * @param record where to record the run, or null
  * @param strict whether the exit status tells of errors even after {@code shutdown}
  * @param text what the console's lobby is sent first
@@ -42,6 +43,7 @@ record Settings(
     String host,
     int port,
     @Nullable Path portFile,
+    SocketOptions socket,
     AccessOptions access,
     @Nullable String record,
     int maxConnections,
@@ -78,6 +80,6 @@ record Settings(
 
   /** Whether something may still happen once the console's lobby has nothing to do. */
   boolean keepsServing() {
-    return hasPort();
+    return hasPort() || socket.file() != null;
   }
 }

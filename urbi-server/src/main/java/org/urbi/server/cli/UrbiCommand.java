@@ -79,30 +79,31 @@ public final class UrbiCommand {
         .option(
             "TIME",
             "End a job that holds the kernel for longer without letting others run, as 500ms or 5s;"
-                + " 0: none (default: 5s with a port, otherwise none).",
+                + " 0: none (default: 5s with a port or socket, otherwise none).",
             "--max-hold")
         .option(
             "TIME",
-            "With a port, end the process when kernel or network have not turned for so long; 0:"
+            "With a port or socket, end the process when kernel or network have not turned for so long; 0:"
                 + " never (default: 60s).",
             "--watchdog")
         .option(
             "LIMITS",
-            "What the lobby of each client of the port may have, as"
+            "What the lobby of each client of the network may have, as"
                 + " jobs=1000,timers=100,processes=5,output=1M,input=64k,time=50% (default: no"
                 + " limits).",
             "--budget")
         .option(
             "MIB",
-            "Of the output that all clients of the port together have not read, keep so much"
+            "Of the output that all clients together have not read, keep so much"
                 + " (default: a quarter of the memory).",
             "--max-output")
         .option(
             "NUMBER",
-            "Serve so many clients of the port at a time; 0 (the default): any number.",
+            "Serve so many clients at a time; 0 (the default): any number.",
             "--max-connections")
         .option(
             "FILE", "Write the number of the port to FILE once it is open.", "-w", "--port-file");
+    SocketOptions.declare(program);
     AccessOptions.declare(program)
         .option("FILE", "Record the run to FILE, so that it can be replayed.", "--record")
         .option(
@@ -143,9 +144,15 @@ public final class UrbiCommand {
     if (port == Settings.NO_PORT && arguments.has("--port-file")) {
       throw Failure.usage("--port-file needs --port (--port 0 takes any free one)");
     }
+    SocketOptions socket = SocketOptions.of(arguments);
+    boolean serves = port != Settings.NO_PORT || socket.file() != null;
     Settings.Input input = Settings.Input.NONE;
     if (arguments.has("--interactive")
-        || rest.isEmpty() && inputs.isEmpty() && modules.isEmpty() && !arguments.has("--port")) {
+        || rest.isEmpty()
+            && inputs.isEmpty()
+            && modules.isEmpty()
+            && !arguments.has("--port")
+            && socket.file() == null) {
       input = Settings.Input.SESSION;
     } else if (!rest.isEmpty() && !Terminal.isStandardInput()) {
       input = Settings.Input.STREAM;
@@ -169,12 +176,13 @@ public final class UrbiCommand {
             System.getenv("URBI_UOBJECT_PATH"), SearchPath.standardModules(SearchPath.root())),
         arguments.has("--fast"),
         stackSize(arguments),
-        arguments.duration("--max-hold", port != Settings.NO_PORT ? MAX_HOLD : Duration.ZERO),
+        arguments.duration("--max-hold", serves ? MAX_HOLD : Duration.ZERO),
         arguments.duration("--watchdog", WATCHDOG),
         arguments.has("--quiet"),
         arguments.value("--host", "127.0.0.1"),
         port,
         portFile == null ? null : Path.of(portFile),
+        socket,
         AccessOptions.of(arguments),
         arguments.value("--record"),
         arguments.number("--max-connections", 0, 0, Integer.MAX_VALUE),

@@ -12,6 +12,7 @@ import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
 import org.urbi.server.tools.ServerAddress;
+import urbi.ServerConnection;
 import urbi.UModule;
 import urbi.UModuleException;
 import urbi.remote.RemoteProgram;
@@ -83,7 +84,8 @@ final class ModuleLauncher {
             "--start")
         .option(
             "ADDRESS",
-            "Address of the server (default: 127.0.0.1); with --start where it listens.",
+            "Address of the server (default: 127.0.0.1), or with a / the file of its socket; with"
+                + " --start where it listens.",
             "-H",
             "--host")
         .option(
@@ -181,7 +183,8 @@ final class ModuleLauncher {
     for (String option : List.of("--host", "--port", "--port-file", "--debug")) {
       String value = arguments.value(option);
       if (value != null) {
-        options.addAll(List.of(option, value));
+        boolean file = option.equals("--host") && ServerConnection.isFile(value);
+        options.addAll(List.of(file ? "--socket" : option, value));
       }
     }
     ModulePath path = ModulePath.ofEnvironment();

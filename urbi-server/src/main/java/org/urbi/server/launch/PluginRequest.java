@@ -3,7 +3,6 @@ package org.urbi.server.launch;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.net.InetAddress;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.urbi.server.options.Arguments;
@@ -39,7 +38,7 @@ final class PluginRequest {
     ServerAddress server = ServerAddress.of(arguments, arguments.value("--host", "127.0.0.1"));
     try (ServerConnection connection = server.connect()) {
       StringBuilder text = new StringBuilder();
-      boolean here = InetAddress.getByName(server.host()).isLoopbackAddress();
+      boolean here = connection.address().isLoopbackAddress();
       for (String module : arguments.rest()) {
         text.append(SourceText.loadModule(here ? ownName(module) : module));
       }

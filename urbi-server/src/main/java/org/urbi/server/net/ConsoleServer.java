@@ -1,11 +1,14 @@
 package org.urbi.server.net;
 
+import static java.util.Objects.requireNonNull;
+
 import io.netty.bootstrap.ServerBootstrap;
 import io.netty.channel.Channel;
 import io.netty.channel.ChannelFuture;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInitializer;
 import io.netty.channel.ChannelOption;
+import io.netty.channel.ChannelPipeline;
 import io.netty.channel.EventLoopGroup;
 import io.netty.channel.MultiThreadIoEventLoopGroup;
 import io.netty.channel.group.ChannelGroup;
@@ -16,6 +19,9 @@ import io.netty.util.concurrent.DefaultThreadFactory;
 import io.netty.util.concurrent.GlobalEventExecutor;
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermission;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BiFunction;
 import java.util.function.Function;
@@ -32,8 +38,8 @@ import org.urbi.server.trust.AccessPolicy;
 import org.urbi.server.trust.TokenThrottle;
 
 /**
- * Listens for telnet-like clients and gives each its lobby (options {@code --host} and {@code
- * --port}; manual, section 21.3).
+ * Listens for telnet-like clients and gives each its lobby (options {@code --host}, {@code --port}
+ * and {@code --socket}; manual, section 21.3).
  */
 public final class ConsoleServer implements AutoCloseable {
   /**
@@ -47,8 +53,18 @@ public final class ConsoleServer implements AutoCloseable {
   private final Clock clock = new SystemClock();
   private final EventLoopGroup loop;
   private final ChannelGroup clients = new DefaultChannelGroup(GlobalEventExecutor.INSTANCE);
-  private final Channel listener;
+  private final ChannelGroup listeners = new DefaultChannelGroup(GlobalEventExecutor.INSTANCE);
   private final DatagramPort datagrams;
+  private final Function<Client, Connection> lobbies;
+  private final @Nullable BiFunction<String, RemoteTransport, RemotePeer> remotes;
+  private final Limits limits;
+  private final AccessPolicy accessPolicy;
+  private final Trace trace;
+  private final TokenThrottle wrong = new TokenThrottle(new SystemClock());
+  private final TotalOutput totalOutput;
+  private final ConnectionLimit crowd;
+  private @Nullable InetSocketAddress address;
+  private @Nullable UnixSocketFile socket;
   private volatile boolean answered = true;
   private long asked;
 
@@ -85,11 +101,6 @@ public final class ConsoleServer implements AutoCloseable {
    * Starts listening, for processes with UObjects, too.
    *
    * @param address where; port 0 takes any free one, see {@link #port}
-   * @param lobbies makes the lobby of a new client, and may welcome it; called on the network
-   *     thread
-   * @param remotes makes the kernel's side of a process with UObjects, given its name for people
-   *     and the way to it; null if there are to be none
-   * @param accessPolicy who is let in, and as what
    * @throws IOException if the address cannot be listened to, or TLS cannot be had; the message
    *     says which and why
    */
@@ -101,73 +112,136 @@ public final class ConsoleServer implements AutoCloseable {
       AccessPolicy accessPolicy,
       Trace trace)
       throws IOException {
-    SslContext tls =
-        accessPolicy.identity() == null ? null : TlsGate.context(accessPolicy.identity());
+    this(lobbies, remotes, limits, accessPolicy, trace);
+    try {
+      listen(address);
+    } catch (IOException e) {
+      close();
+      throw e;
+    }
+  }
+
+  /**
+   * Listens nowhere yet.
+   *
+   * @param lobbies makes the lobby of a new client, and may welcome it; called on the network
+   *     thread
+   * @param remotes makes the kernel's side of a process with UObjects, given its name for people
+   *     and the way to it; null if there are to be none
+   * @param accessPolicy who is let in, and as what
+   */
+  public ConsoleServer(
+      Function<Client, Connection> lobbies,
+      @Nullable BiFunction<String, RemoteTransport, RemotePeer> remotes,
+      Limits limits,
+      AccessPolicy accessPolicy,
+      Trace trace) {
+    this.lobbies = lobbies;
+    this.remotes = remotes;
+    this.limits = limits;
+    this.accessPolicy = accessPolicy;
+    this.trace = trace;
     loop =
         new MultiThreadIoEventLoopGroup(
             1, new DefaultThreadFactory("urbi-network", true), NioIoHandler.newFactory());
-    datagrams =
-        new DatagramPort(loop, () -> new InetSocketAddress(address.getAddress(), port()), trace);
-    TokenThrottle wrong = new TokenThrottle(new SystemClock());
-    TotalOutput totalOutput = new TotalOutput(limits.totalOutput());
-    ConnectionLimit crowd = new ConnectionLimit(clients, limits.connections(), trace);
+    datagrams = new DatagramPort(loop, this::datagramAddress, trace);
+    totalOutput = new TotalOutput(limits.totalOutput());
+    crowd = new ConnectionLimit(clients, limits.connections(), trace);
+  }
+
+  /**
+   * Listens on a port, once.
+   *
+   * @param where port 0 takes any free one, see {@link #port}
+   * @throws IOException if the address cannot be listened to, or TLS cannot be had; the message
+   *     says which and why
+   */
+  public void listen(InetSocketAddress where) throws IOException {
+    SslContext tls =
+        accessPolicy.identity() == null ? null : TlsGate.context(accessPolicy.identity());
     ChannelFuture bound =
-        new ServerBootstrap()
-            .group(loop)
-            .channelFactory(() -> new ConsoleListener(trace))
+        bootstrap(tls)
+            .channelFactory(ConsoleListener::new)
+            .handler(new AcceptFailures(trace))
             .option(ChannelOption.SO_REUSEADDR, true)
             .option(ChannelOption.SO_BACKLOG, PENDING_CONNECTIONS)
+            .childOption(ChannelOption.ALLOW_HALF_CLOSURE, true)
             .childOption(ChannelOption.SO_KEEPALIVE, true)
             .childOption(ChannelOption.TCP_NODELAY, true)
-            .childOption(ChannelOption.ALLOW_HALF_CLOSURE, true)
-            .childHandler(
-                new ChannelInitializer<>() {
-                  @Override
-                  protected void initChannel(Channel client) {
-                    if (!crowd.acceptClient(client)) {
-                      return;
-                    }
-                    if (tls != null) {
-                      client.pipeline().addLast(new TlsGate(tls, trace));
-                    }
-                    client.pipeline().addLast(new ForeignProtocolFilter(trace));
-                    if (accessPolicy.asks()) {
-                      client.pipeline().addLast(new TokenAuthenticator(accessPolicy, wrong, trace));
-                    }
-                    if (remotes != null) {
-                      client
-                          .pipeline()
-                          .addLast(
-                              new ProtocolDetector(
-                                  () -> new FrameHandler(remotes, datagrams, trace),
-                                  Version.number()));
-                    }
-                    client
-                        .pipeline()
-                        .addLast(
-                            new TelnetDecoder(),
-                            new ConsoleHandler(lobbies, limits, totalOutput, trace));
-                  }
-
-                  @Override
-                  public void exceptionCaught(ChannelHandlerContext context, Throwable failure) {
-                    ConsoleHandler.refuse(context, failure);
-                  }
-                })
-            .bind(address)
+            .bind(where)
             .awaitUninterruptibly();
     if (!bound.isSuccess()) {
-      loop.shutdownGracefully(0, 0, TimeUnit.SECONDS);
       throw new IOException(
           "cannot listen on "
-              + address.getHostString()
+              + where.getHostString()
               + ":"
-              + address.getPort()
+              + where.getPort()
               + ": "
               + bound.cause().getMessage(),
           bound.cause());
     }
-    listener = bound.channel();
+    listeners.add(bound.channel());
+    address = (InetSocketAddress) bound.channel().localAddress();
+  }
+
+  /**
+   * Listens on a Unix domain socket, once. TLS is not spoken there: who may write the file may
+   * connect, and nobody else can listen in.
+   *
+   * @param permissions of the file, which is removed at the end
+   * @throws IOException if that is not possible; the message says why
+   */
+  public void listen(Path file, Set<PosixFilePermission> permissions) throws IOException {
+    UnixSocketFile opened = UnixSocketFile.listen(file, permissions, PENDING_CONNECTIONS);
+    socket = opened;
+    ChannelFuture registered =
+        bootstrap(null)
+            .channelFactory(() -> new UnixListener(opened.channel()))
+            .handler(new AcceptFailures(trace))
+            .register()
+            .awaitUninterruptibly();
+    if (!registered.isSuccess()) {
+      throw new IOException(
+          "cannot listen on the socket " + file + ": " + registered.cause().getMessage(),
+          registered.cause());
+    }
+    listeners.add(registered.channel());
+  }
+
+  private ServerBootstrap bootstrap(@Nullable SslContext tls) {
+    return new ServerBootstrap()
+        .group(loop)
+        .childHandler(
+            new ChannelInitializer<>() {
+              @Override
+              protected void initChannel(Channel client) {
+                if (crowd.acceptClient(client)) {
+                  handle(client, tls);
+                }
+              }
+
+              @Override
+              public void exceptionCaught(ChannelHandlerContext context, Throwable failure) {
+                ConsoleHandler.refuse(context, failure);
+              }
+            });
+  }
+
+  private void handle(Channel client, @Nullable SslContext tls) {
+    ChannelPipeline pipeline = client.pipeline();
+    if (tls != null) {
+      pipeline.addLast(new TlsGate(tls, trace));
+    }
+    pipeline.addLast(new ForeignProtocolFilter(trace));
+    if (accessPolicy.asks()) {
+      pipeline.addLast(new TokenAuthenticator(accessPolicy, wrong, trace));
+    }
+    if (remotes != null) {
+      pipeline.addLast(
+          new ProtocolDetector(
+              () -> new FrameHandler(remotes, datagrams, trace), Version.number()));
+    }
+    pipeline.addLast(new TelnetDecoder(), new ConsoleHandler(lobbies, limits, totalOutput, trace));
   }
 
   /**
@@ -186,7 +260,11 @@ public final class ConsoleServer implements AutoCloseable {
 
   /** The port that is listened to. */
   public int port() {
-    return ((InetSocketAddress) listener.localAddress()).getPort();
+    return datagramAddress().getPort();
+  }
+
+  private InetSocketAddress datagramAddress() {
+    return requireNonNull(address, "no port is listened to");
   }
 
   /**
@@ -198,10 +276,21 @@ public final class ConsoleServer implements AutoCloseable {
     if (loop.isShuttingDown()) {
       return;
     }
-    listener.close().awaitUninterruptibly();
+    removeSocketFile();
+    listeners.close().awaitUninterruptibly();
     datagrams.close();
     clients.newCloseFuture().awaitUninterruptibly(CLOSE_SECONDS, TimeUnit.SECONDS);
     clients.close().awaitUninterruptibly();
     loop.shutdownGracefully(0, 1, TimeUnit.SECONDS).awaitUninterruptibly();
+  }
+
+  private void removeSocketFile() {
+    try {
+      if (socket != null) {
+        socket.close();
+      }
+    } catch (IOException e) {
+      trace.debug("cannot remove the socket " + socket.path() + ": " + e.getMessage());
+    }
   }
 }

@@ -66,7 +66,8 @@ public final class ModuleNetwork implements AutoCloseable {
       ChannelFuture bound =
           new ServerBootstrap()
               .group(group)
-              .channelFactory(() -> new ConsoleListener(trace))
+              .channelFactory(ConsoleListener::new)
+              .handler(new AcceptFailures(trace))
               .childOption(ChannelOption.TCP_NODELAY, true)
               .childHandler(
                   new ChannelInitializer<>() {

@@ -28,7 +28,11 @@ public record ServerAddress(String host, int port) {
   /** Adds the options to a program. */
   public static Program options(Program program) {
     program
-        .option("HOST", "Address to connect to (default: 127.0.0.1).", "-H", "--host")
+        .option(
+            "HOST",
+            "Address to connect to (default: 127.0.0.1); with a / the file of a Unix socket.",
+            "-H",
+            "--host")
         .option("PORT", "Port to connect to (default: " + DEFAULT_PORT + ").", "-P", "--port")
         .option("FILE", "Connect to the port that is written in FILE.", "--port-file");
     return trustOptions(program);
@@ -111,12 +115,14 @@ public record ServerAddress(String host, int port) {
   }
 
   private String hint() {
-    return " (is a server running there? urbi --port " + port + " starts one)";
+    return " (is a server running there? urbi "
+        + (ServerConnection.isFile(host) ? "--socket " + host : "--port " + port)
+        + " starts one)";
   }
 
   @Override
   public String toString() {
-    return host + ":" + port;
+    return ServerConnection.name(host, port);
   }
 
   /**
@@ -130,8 +136,7 @@ public record ServerAddress(String host, int port) {
     } catch (UnknownHostException e) {
       throw Failure.of("unknown host: " + host);
     } catch (IOException e) {
-      throw Failure.of(
-          "cannot connect to %s:%d: %s%s".formatted(host, port, e.getMessage(), hint()));
+      throw Failure.of("cannot connect to %s: %s%s".formatted(this, e.getMessage(), hint()));
     }
   }
 }

@@ -69,7 +69,7 @@ public final class UrbiPing {
     try (ServerConnection server = target.connect()) {
       Runtime.getRuntime().addShutdownHook(summary);
       server.setReadTimeout(TIMEOUT_MILLISECONDS);
-      out.println("Pinging " + target.host() + ":" + target.port());
+      out.println("Pinging " + target);
       exchange(server, interval, count);
     } catch (IOException e) {
       throw Failure.of("connection lost: " + e.getMessage());

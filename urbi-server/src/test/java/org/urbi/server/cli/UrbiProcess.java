@@ -73,6 +73,11 @@ final class UrbiProcess implements AutoCloseable {
     process.waitFor();
   }
 
+  /** Ends it without asking. */
+  void kill() throws InterruptedException {
+    process.destroyForcibly().waitFor();
+  }
+
   boolean isAlive() {
     return process.isAlive();
   }

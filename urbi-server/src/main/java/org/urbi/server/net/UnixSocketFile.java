@@ -1,0 +1,188 @@
+package org.urbi.server.net;
+
+import static java.nio.file.LinkOption.NOFOLLOW_LINKS;
+
+import java.io.IOException;
+import java.net.ConnectException;
+import java.net.SocketException;
+import java.net.StandardProtocolFamily;
+import java.net.UnixDomainSocketAddress;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.channels.SocketChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.nio.file.attribute.PosixFilePermission;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Set;
+
+/**
+ * The file of a Unix domain socket that a server listens on. Whoever may write the file may
+ * connect: it appears with its permissions, never with others, and only when the server listens.
+ */
+final class UnixSocketFile implements AutoCloseable {
+  private static final Set<PosixFilePermission> MINE_ALONE =
+      PosixFilePermissions.fromString("rwx------");
+
+  /** The most that Linux takes; macOS takes 104. */
+  private static final int MAX_BYTES = 107;
+
+  /** Processes that were killed may have left some. */
+  private static final int MAX_FOLDERS = 100;
+
+  private static final int TYPE = 0170000;
+  private static final int SOCKET = 0140000;
+
+  private final Path file;
+  private final ServerSocketChannel channel;
+  private final Object key;
+
+  private UnixSocketFile(Path file, ServerSocketChannel channel) throws IOException {
+    this.file = file;
+    this.channel = channel;
+    key = key(file);
+  }
+
+  /**
+   * Listens. The socket of a server that has gone is replaced; nothing else is.
+   *
+   * @param backlog how many clients may wait to be let in
+   * @throws IOException if that is not possible; the message says why
+   */
+  static UnixSocketFile listen(Path file, Set<PosixFilePermission> permissions, int backlog)
+      throws IOException {
+    // A process in another folder finds what this one has made; and so does this one, if it moves.
+    Path where = file.toAbsolutePath();
+    try {
+      return listenAt(where, permissions, backlog);
+    } catch (NoSuchFileException e) {
+      throw failed(file, "there is no folder " + where.getParent(), e);
+    } catch (FileAlreadyExistsException e) {
+      throw failed(file, "somebody else is just making it", e);
+    } catch (IOException | UnsupportedOperationException e) {
+      throw failed(file, reason(e), e);
+    }
+  }
+
+  private static String reason(Exception e) {
+    return e instanceof java.nio.file.AccessDeniedException denied
+        ? "permission denied: " + denied.getFile()
+        : String.valueOf(e.getMessage());
+  }
+
+  private static IOException failed(Path file, String reason, Exception cause) {
+    return new IOException("cannot listen on the socket " + file + ": " + reason, cause);
+  }
+
+  private static UnixSocketFile listenAt(
+      Path file, Set<PosixFilePermission> permissions, int backlog) throws IOException {
+    refuseUnlessStale(file);
+    refuseIfTooLong(file);
+    // Nobody can reach the socket here before it has its permissions.
+    Path folder = privateFolder(file);
+    Path made = folder.resolve("s");
+    ServerSocketChannel channel = ServerSocketChannel.open(StandardProtocolFamily.UNIX);
+    try {
+      channel.bind(UnixDomainSocketAddress.of(made), backlog);
+      Files.setPosixFilePermissions(made, permissions);
+      removeStale(file, folder.resolve("o"));
+      Files.createLink(file, made);
+      return new UnixSocketFile(file, channel);
+    } catch (IOException | RuntimeException e) {
+      channel.close();
+      throw e;
+    } finally {
+      Files.deleteIfExists(made);
+      Files.deleteIfExists(folder.resolve("o"));
+      Files.delete(folder);
+    }
+  }
+
+  /** A new folder beside a file, with a short name. */
+  private static Path privateFolder(Path file) throws IOException {
+    for (int i = 0; ; i++) {
+      Path folder = file.resolveSibling(".%x.%x".formatted(ProcessHandle.current().pid(), i));
+      refuseIfTooLong(folder.resolve("s"));
+      try {
+        return Files.createDirectory(folder, PosixFilePermissions.asFileAttribute(MINE_ALONE));
+      } catch (FileAlreadyExistsException e) {
+        if (i == MAX_FOLDERS) {
+          throw e;
+        }
+      }
+    }
+  }
+
+  private static void refuseIfTooLong(Path file) throws IOException {
+    int length = file.toString().getBytes(StandardCharsets.UTF_8).length;
+    if (length > MAX_BYTES) {
+      throw new IOException(
+          "the path has " + (length - MAX_BYTES) + " bytes too many for a socket");
+    }
+  }
+
+  /** Somebody else may start at the same time: what has been taken away is looked at again. */
+  private static void removeStale(Path file, Path old) throws IOException {
+    try {
+      Files.move(file, old);
+    } catch (NoSuchFileException e) {
+      return;
+    }
+    try {
+      refuseUnlessStale(old);
+    } catch (IOException e) {
+      Files.createLink(file, old);
+      throw e;
+    }
+  }
+
+  private static void refuseUnlessStale(Path file) throws IOException {
+    if (!Files.exists(file, NOFOLLOW_LINKS)) {
+      return;
+    }
+    int mode = (int) Files.getAttribute(file, "unix:mode", NOFOLLOW_LINKS);
+    if ((mode & TYPE) != SOCKET) {
+      throw new IOException("it is there, and is no socket");
+    }
+    try (SocketChannel probe = SocketChannel.open(StandardProtocolFamily.UNIX)) {
+      // If the queue of that server is full, a blocking one would wait.
+      probe.configureBlocking(false);
+      probe.connect(UnixDomainSocketAddress.of(file));
+    } catch (ConnectException e) {
+      return;
+    } catch (SocketException e) {
+      throw new IOException("somebody else has it: " + e.getMessage(), e);
+    }
+    throw new IOException("a server listens there already");
+  }
+
+  private static Object key(Path file) throws IOException {
+    return Files.readAttributes(file, BasicFileAttributes.class, NOFOLLOW_LINKS).fileKey();
+  }
+
+  /** Where clients are accepted. */
+  ServerSocketChannel channel() {
+    return channel;
+  }
+
+  /** Where it is, absolute. */
+  Path path() {
+    return file;
+  }
+
+  /** Removes the file, unless it is somebody else's by now. Clients that are connected stay so. */
+  @Override
+  public void close() throws IOException {
+    channel.close();
+    try {
+      if (key(file).equals(key)) {
+        Files.delete(file);
+      }
+    } catch (NoSuchFileException e) {
+      // Somebody else has removed it.
+    }
+  }
+}
