@@ -1,6 +1,14 @@
 # The JVM's flags and class path; sourced by scripts/launch.sh and scripts/warm-up.sh, which must agree
 # or the start-up cache does not fit.
-jvm_flags="--add-opens java.base/java.lang=ALL-UNNAMED --enable-native-access=ALL-UNNAMED -XX:+UseSerialGC -XX:+UseCompactObjectHeaders -XX:-UsePerfData -Djdk.trackAllThreads=false -Xlog:disable"
+# A garbage collector in URBI_JAVA_OPTS takes the place of ours: the JVM refuses to have two.
+collector=-XX:+UseSerialGC
+for word in ${URBI_JAVA_OPTS:-}; do
+  case $word in
+    -XX:+UseSerialGC | -XX:+UseParallelGC | -XX:+UseG1GC | -XX:+UseZGC | -XX:+UseShenandoahGC | -XX:+UseEpsilonGC)
+      collector= ;;
+  esac
+done
+jvm_flags="--add-opens java.base/java.lang=ALL-UNNAMED --enable-native-access=ALL-UNNAMED $collector -XX:+UseCompactObjectHeaders -XX:-UsePerfData -Djdk.trackAllThreads=false -Xlog:disable"
 
 class_path() { # DISTRIBUTION: sets cp, always in the same order
   cp=

@@ -3,6 +3,7 @@
 # the JDK writes beside the jars (their profiles would only make the compilers busy at start-up).   warm-up.sh ROOT DIST JAVA, called by ./build.
 set -eu
 root=$1 dist=$2 java=$3
+unset URBI_JAVA_OPTS # the cache is for those who start without
 . "$root/scripts/flags.sh"
 class_path "$root/$dist"
 # shellcheck disable=SC2086

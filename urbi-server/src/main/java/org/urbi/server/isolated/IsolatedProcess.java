@@ -121,18 +121,13 @@ final class IsolatedProcess implements ModuleProcess {
     String classes = System.getProperty("java.class.path");
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(JvmFlags.inherited());
     command.addAll(
         List.of(
-            "--add-opens=java.base/java.lang=ALL-UNNAMED",
-            "--enable-native-access=ALL-UNNAMED",
-            "-XX:+UseSerialGC",
-            "-XX:+UseCompactObjectHeaders",
             "-XX:TieredStopAtLevel=1",
-            "-XX:-UsePerfData",
             "-XX:-CreateCoredumpOnCrash",
             "-XX:ErrorLogTimeout=5",
-            "-XX:ErrorFile=/dev/null",
-            "-Xlog:disable"));
+            "-XX:ErrorFile=/dev/null"));
     Path cache =
         Path.of(classes.split(File.pathSeparator)[0]).resolveSibling("../urbi.aot").normalize();
     if (Files.isRegularFile(cache)) {
