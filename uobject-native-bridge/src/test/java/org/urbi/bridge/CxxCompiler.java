@@ -104,7 +104,7 @@ final class CxxCompiler {
                 List.of(
                     UMAKE.toString(),
                     "-q",
-                    "EXTRA_CXXFLAGS=-O0 -Wall -Wextra -Werror",
+                    "EXTRA_CXXFLAGS=-O0 -g0 -Wall -Wextra -Werror",
                     source.toString(),
                     "-o",
                     library.toString()));

@@ -83,7 +83,7 @@ final class CxxModules {
     assumeTools("g++", "make");
     List<String> words = new ArrayList<>(List.of(ROOT.resolve("bin").resolve(tool).toString()));
     words.addAll(List.of(options));
-    words.addAll(List.of("-q", "EXTRA_CXXFLAGS=-O0 -Wall -Wextra -Werror"));
+    words.addAll(List.of("-q", "EXTRA_CXXFLAGS=-O0 -g0 -Wall -Wextra -Werror"));
     words.addAll(List.of(sources.toString(), "-o", made.toString()));
     assertEquals("umake: running to build " + kind + ".\n", output(words.toArray(String[]::new)));
   }
