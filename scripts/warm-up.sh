@@ -1,13 +1,26 @@
 #!/bin/sh
-# Makes the start-up cache of a distribution, urbi.aot: a rehearsal whose loaded classes
-# the JDK writes beside the jars (their profiles would only make the compilers busy at start-up).   warm-up.sh ROOT DIST JAVA, called by ./build.
+# Makes a start-up cache of a distribution: a rehearsal whose loaded classes the JDK writes beside the
+# jars (their profiles would only make the compilers busy at start-up).
+#   warm-up.sh ROOT DIST JAVA             urbi.aot, for short programs; called by ./build
+#   warm-up.sh ROOT DIST JAVA JAR FOLDER  server.aot, for servers: with the network, and a module; for ./check
 set -eu
 root=$1 dist=$2 java=$3
 unset URBI_JAVA_OPTS # the cache is for those who start without
 . "$root/scripts/flags.sh"
 class_path "$root/$dist"
+if [ $# = 3 ]; then
+  cache=$root/$dist/urbi.aot
+  log=$root/.build/warm-up.log
+  set -- org.urbi.server.cli.TrainingRun "$root/scripts/warm-up.u"
+else
+  cache=$root/$dist/server.aot
+  log=$root/.build/warm-up-server.log
+  WARM_UP_PORT=$5/port
+  export WARM_UP_PORT
+  set -- org.urbi.server.cli.UrbiCommand -q --port 0 --port-file "$5/port" -m "$4" \
+    -f "$root/scripts/warm-up.u" -f "$root/scripts/warm-up-server.u"
+fi
 # shellcheck disable=SC2086
 timeout 120 "$java" $jvm_flags -XX:+UnlockDiagnosticVMOptions -XX:-AOTRecordTraining \
-  -XX:AOTCacheOutput="$root/$dist/urbi.aot" -Durbi.root="$root" \
-  -cp "$cp" org.urbi.server.cli.TrainingRun "$root/scripts/warm-up.u" </dev/null >"$root/.build/warm-up.log" 2>&1
-[ -s "$root/$dist/urbi.aot" ]
+  -XX:AOTCacheOutput="$cache" -Durbi.root="$root" -cp "$cp" "$@" </dev/null >"$log" 2>&1
+[ -s "$cache" ]
