@@ -1,7 +1,9 @@
 package urbi;
 
+import java.net.InetSocketAddress;
 import java.time.Duration;
 import java.util.concurrent.Executor;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -25,6 +27,11 @@ import org.jspecify.annotations.Nullable;
 public interface UContext {
   /** Whether the kernel is in this process. */
   UObjectMode getRunningMode();
+
+  /** The server to which this process is connected; null in the process of the kernel. */
+  default @Nullable InetSocketAddress server() {
+    return null;
+  }
 
   // ------------------------------------------------------------------ classes and objects
 
@@ -128,6 +135,15 @@ public interface UContext {
    * sleeps, and the kernel goes on; other threads just sleep.
    */
   void yieldFor(Duration time);
+
+  /**
+   * Executes native code that may call {@link #yieldFor}. Such code cannot be left in the middle: a
+   * kernel executes it on a thread of its own, always the same, for which it waits unless the code
+   * yields.
+   */
+  default <T> T executeNative(Supplier<T> code) {
+    return code.get();
+  }
 
   /**
    * Has nothing done but what this thread asks for, until {@link #unlock}: functions of UObjects

@@ -90,10 +90,7 @@ final class Dispatcher {
     while (true) {
       Runnable task = next();
       if (task != null) {
-        begun++;
-        if (watchSleeps) {
-          LockSupport.unpark(watch);
-        }
+        countTask();
         turn.lock();
         try {
           guard.accept(task);
@@ -111,6 +108,14 @@ final class Dispatcher {
       } else {
         return;
       }
+    }
+  }
+
+  /** The watch looks at how long each task takes. */
+  private void countTask() {
+    begun++;
+    if (watchSleeps) {
+      LockSupport.unpark(watch);
     }
   }
 
@@ -222,6 +227,7 @@ final class Dispatcher {
     do {
       Runnable task = nextUntil(deadline);
       if (task != null) {
+        countTask();
         guard.accept(task);
       }
     } while (Stopwatch.nanoseconds() - deadline < 0);
@@ -232,13 +238,13 @@ final class Dispatcher {
     synchronized (lock) {
       try {
         while (tasks.isEmpty()) {
-          long left = deadline - Stopwatch.nanoseconds();
-          if (left <= 0) {
-            return null;
-          }
           if (!helperReads && !ended) {
             helperReads = true;
             lock.notifyAll();
+          }
+          long left = deadline - Stopwatch.nanoseconds();
+          if (left <= 0) {
+            return null;
           }
           state = State.WAITS;
           TimeUnit.NANOSECONDS.timedWait(lock, left);

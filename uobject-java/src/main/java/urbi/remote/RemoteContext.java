@@ -3,6 +3,7 @@ package urbi.remote;
 import static java.util.Objects.requireNonNullElse;
 
 import java.io.IOException;
+import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
@@ -52,6 +53,10 @@ import urbi.wire.WireOutput;
 public final class RemoteContext implements UContext, AutoCloseable {
   private static final int CONNECT_MILLISECONDS = 10_000;
 
+  /** Why the connection has ended, where that is what {@link #endWithLastObject} asks for. */
+  static final String NO_OBJECT = "urbiscript has destroyed the last object";
+
+  private final InetSocketAddress server;
   private final Connection link;
   private final Dispatcher dispatcher = new Dispatcher(this::readOne, this::execute, this::ping);
   private final PendingRequests requests = new PendingRequests();
@@ -67,6 +72,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   private final CompletableFuture<String> closed = new CompletableFuture<>();
   private final List<Consumer<byte[]>> listeners = new CopyOnWriteArrayList<>();
   private final KernelTime time = new KernelTime();
+  private volatile boolean endsWithLastObject;
   private volatile @Nullable Consumer<String> trace;
   private final FailureLog failureLog = new FailureLog(Log::error);
   private final SlowCallMonitor turn = new SlowCallMonitor(this::complain);
@@ -87,6 +93,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
    * @param silence measures that of the server
    */
   RemoteContext(String host, int port, Stopwatch silence) {
+    server = InetSocketAddress.createUnresolved(host, port);
     link = new Connection(host, port, CONNECT_MILLISECONDS);
     watch =
         new ConnectionMonitor(
@@ -104,6 +111,11 @@ public final class RemoteContext implements UContext, AutoCloseable {
   /** Measures the code that is executed in turn. */
   SlowCallMonitor turn() {
     return turn;
+  }
+
+  /** Has the connection end when urbiscript has destroyed the last object of this process. */
+  void endWithLastObject() {
+    endsWithLastObject = true;
   }
 
   /** Has each call of a function told of, and each failure; null for none. */
@@ -295,6 +307,11 @@ public final class RemoteContext implements UContext, AutoCloseable {
   }
 
   @Override
+  public InetSocketAddress server() {
+    return server;
+  }
+
+  @Override
   public void start(UClass type) {
     classes.put(type.name(), type);
     inTurn(
@@ -367,6 +384,9 @@ public final class RemoteContext implements UContext, AutoCloseable {
     UObject object = objects.get(name);
     if (object != null) {
       object.clean();
+      if (endsWithLastObject && objects.isEmpty()) {
+        end(NO_OBJECT);
+      }
     }
   }
 

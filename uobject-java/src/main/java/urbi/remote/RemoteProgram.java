@@ -186,6 +186,9 @@ public final class RemoteProgram implements RemoteRunner {
         try {
           String why = serve(loaded);
           err.println("urbi.UMain: " + why);
+          if (why.equals(RemoteContext.NO_OBJECT)) {
+            return 0;
+          }
         } catch (UClientException e) {
           if (!reconnect) {
             throw e;
@@ -217,6 +220,7 @@ public final class RemoteProgram implements RemoteRunner {
           start(module, context);
           module.classes().forEach(type -> say("started " + type.name()));
         }
+        context.endWithLastObject();
         say("running on " + ServerConnection.name(host, port));
         String why = context.onClosed().join();
         loaded.forEach(module -> module.leave(context));

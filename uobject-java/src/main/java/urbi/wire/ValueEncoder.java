@@ -1,6 +1,5 @@
 package urbi.wire;
 
-import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import urbi.UBinary;
 import urbi.UValue;
@@ -45,7 +44,7 @@ public abstract class ValueEncoder {
   }
 
   protected final void putText(String value) {
-    byte[] utf8 = value.getBytes(StandardCharsets.UTF_8);
+    byte[] utf8 = ByteText.encode(value);
     putInt(utf8.length);
     putBytes(utf8, 0, utf8.length);
   }

@@ -3,7 +3,6 @@ package urbi.wire;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
-import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import urbi.UValue;
 
@@ -69,7 +68,7 @@ public final class WireInput extends ValueDecoder {
   @Override
   protected String takeText(int length) {
     require(length);
-    String text = new String(bytes, at, length, StandardCharsets.UTF_8);
+    String text = ByteText.decode(bytes, at, length);
     at += length;
     return text;
   }

@@ -12,8 +12,11 @@
 
 #if defined _WIN32
 #define URBI_ENTRY extern "C" inline __declspec(dllexport)
+#define URBI_ENTRY_IF_USED extern "C" inline __declspec(dllexport)
 #else
 #define URBI_ENTRY extern "C" inline __attribute__((visibility("default"), used))
+/// A function that is exported only by modules that call it.
+#define URBI_ENTRY_IF_USED extern "C" inline __attribute__((visibility("default"), noinline))
 #endif
 
 /// The code of these headers stands in detail/code. It is compiled with each component that includes

@@ -288,11 +288,22 @@ namespace urbi
 
   namespace detail
   {
-    URBI_LOCAL inline UClient*& default_client()
+    /// The clients that code uses which names none.
+    struct DefaultClients
     {
-      static UClient* client = nullptr;
-      return client;
+      std::mutex lock;
+      UClient* chosen = nullptr;
+      UClient* own = nullptr; ///< that of a remote process, which it has been given
+    };
+
+    URBI_LOCAL inline DefaultClients& default_clients()
+    {
+      static DefaultClients all;
+      return all;
     }
+
+    /// Connects to the server that runs the objects of this process; null if there is none.
+    UClient* connect_to_own_server();
 
     /// Sends what is written to it by a client.
     class ClientStream : private std::stringbuf, public std::ostream
@@ -325,10 +336,19 @@ namespace urbi
     };
   }
 
-  /// The client that URBI((...)) uses: the first that `connect` has made.
+  /// The client that URBI((...)) uses: the first that `connect` has made. In a remote process it is one
+  /// that is connected to the server of its objects, if there has been none before; else null.
   inline UClient* getDefaultClient()
   {
-    return detail::default_client();
+    detail::DefaultClients& all = detail::default_clients();
+    std::lock_guard<std::mutex> guard(all.lock);
+    if (!all.chosen)
+    {
+      if (!all.own)
+        all.own = detail::connect_to_own_server();
+      all.chosen = all.own;
+    }
+    return all.chosen;
   }
 
   inline UClient& get_default_client()
@@ -338,22 +358,32 @@ namespace urbi
 
   inline void setDefaultClient(UClient* client)
   {
-    detail::default_client() = client;
+    detail::DefaultClients& all = detail::default_clients();
+    std::lock_guard<std::mutex> guard(all.lock);
+    all.chosen = client;
   }
 
   /// Connects to a server; to be ended by `disconnect`.
   inline UClient& connect(const std::string& host)
   {
     UClient* client = new UClient(host);
-    if (!getDefaultClient())
-      setDefaultClient(client);
+    detail::DefaultClients& all = detail::default_clients();
+    std::lock_guard<std::mutex> guard(all.lock);
+    if (!all.chosen)
+      all.chosen = client;
     return *client;
   }
 
   inline void disconnect(UClient& client)
   {
-    if (getDefaultClient() == &client)
-      setDefaultClient(nullptr);
+    {
+      detail::DefaultClients& all = detail::default_clients();
+      std::lock_guard<std::mutex> guard(all.lock);
+      if (all.chosen == &client)
+        all.chosen = nullptr;
+      if (all.own == &client)
+        all.own = nullptr;
+    }
     delete &client;
   }
 
@@ -384,5 +414,8 @@ namespace urbi
     std::exit(code);
   }
 }
+
+// The default client of a remote process is one of these.
+#include <urbi/usyncclient.hh>
 
 #endif

@@ -38,7 +38,21 @@ namespace urbi
     UObjectMode running_mode(int64_t context);
 
     void yield_for(int64_t context, libport::utime_t microseconds);
+
+    /// Where the server is to which this process is connected: false in the process of a kernel.
+    bool server(int64_t context, std::string& host, unsigned& port);
   }
+}
+
+/// Lets everything else go on for so long. By this symbol the host knows that the module does so: see
+/// boundary.h.
+URBI_ENTRY_IF_USED void urbi_module_yield(int64_t context, int64_t microseconds)
+{
+  urbi::detail::yield_for(context, microseconds);
+}
+
+namespace urbi
+{
 
   namespace impl
   {
@@ -96,22 +110,22 @@ namespace urbi
 
       void yield() const
       {
-        detail::yield_for(number_, 0);
+        urbi_module_yield(number_, 0);
       }
 
       void yield_for(libport::utime_t microseconds) const
       {
-        detail::yield_for(number_, microseconds);
+        urbi_module_yield(number_, microseconds);
       }
 
       void yield_until(libport::utime_t deadline) const
       {
-        detail::yield_for(number_, deadline - libport::utime());
+        urbi_module_yield(number_, deadline - libport::utime());
       }
 
       void yield_until_things_changed() const
       {
-        detail::yield_for(number_, 0);
+        urbi_module_yield(number_, 0);
       }
 
       /// The next context of this module.

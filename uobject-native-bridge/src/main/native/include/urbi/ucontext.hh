@@ -103,25 +103,25 @@ namespace urbi
     /// Lets everything else go on for a moment.
     void yield() const
     {
-      detail::yield_for(context(), 0);
+      urbi_module_yield(context(), 0);
     }
 
     /// Waits so many microseconds, while everything else goes on.
     void yield_for(libport::utime_t microseconds) const
     {
-      detail::yield_for(context(), microseconds);
+      urbi_module_yield(context(), microseconds);
     }
 
     /// Waits until it is that time, see libport::utime.
     void yield_until(libport::utime_t deadline) const
     {
-      detail::yield_for(context(), deadline - libport::utime());
+      urbi_module_yield(context(), deadline - libport::utime());
     }
 
     /// Waits until something else has been done.
     void yield_until_things_changed() const
     {
-      detail::yield_for(context(), 0);
+      urbi_module_yield(context(), 0);
     }
 
     /// Marks this call as one that changes nothing. Nobody is faster by it here, it is only remembered.

@@ -309,6 +309,25 @@ namespace urbi
     std::thread caller_;
     std::atomic<bool> ended_;
   };
+
+  namespace detail
+  {
+    inline UClient* connect_to_own_server()
+    {
+      std::string host;
+      unsigned port = 0;
+      if (!server(current_context(), host, port))
+        return nullptr;
+      // Its threads have to end before the module is unloaded.
+      module().closers.push_back([] {
+        UClient* made = default_clients().own;
+        if (made)
+          disconnect(*made);
+        return true;
+      });
+      return new USyncClient(host, port);
+    }
+  }
 }
 
 #endif

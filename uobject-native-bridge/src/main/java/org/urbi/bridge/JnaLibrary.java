@@ -32,6 +32,9 @@ final class JnaLibrary implements AutoCloseable {
           "urbi_module_forget",
           "urbi_module_free");
 
+  /** What a library exports only if it calls it. */
+  private static final String YIELD = "urbi_module_yield";
+
   /**
    * What libraries call. Given as an argument to a function that is mapped directly, it is called
    * without boxing, which takes half as long.
@@ -121,6 +124,16 @@ final class JnaLibrary implements AutoCloseable {
 
   ModuleFunctions entries() {
     return entries;
+  }
+
+  /** Whether its code yields, and may have to be left in the middle of a call. */
+  boolean yields() {
+    try {
+      library.getFunction(YIELD);
+      return true;
+    } catch (UnsatisfiedLinkError e) {
+      return false;
+    }
   }
 
   /** Unloads it: none of its functions may be called any more. */

@@ -39,6 +39,7 @@ final class NativeCallback {
   private final long address;
   private final ModuleFunctions entries;
   private final long context;
+  private final boolean yields;
 
   private NativeCallback(NativeInstance owner, String name, long address) {
     this.owner = owner;
@@ -46,6 +47,7 @@ final class NativeCallback {
     this.address = address;
     this.entries = owner.in().module().entries();
     this.context = owner.in().number();
+    this.yields = owner.in().module().yields();
   }
 
   /**
@@ -86,11 +88,16 @@ final class NativeCallback {
   }
 
   private UValue call(UValue... arguments) {
+    return yields ? owner.in().execute(() -> callHere(arguments)) : callHere(arguments);
+  }
+
+  private UValue callHere(UValue... arguments) {
     if (!owner.enter()) {
       throw new NativeException(name + " has been destroyed");
     }
     CallFrame frame = CallFrame.take();
     UContext before = UContext.enter(owner.in().context());
+    NativeFrames frames = NativeFrames.enter();
     try {
       for (UValue argument : arguments) {
         frame.arguments.value(argument);
@@ -101,6 +108,7 @@ final class NativeCallback {
       }
       return frame.reply().value();
     } finally {
+      frames.leave();
       UContext.enter(before);
       frame.release(entries);
       owner.leave();

@@ -1,5 +1,6 @@
 package org.urbi.bridge;
 
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import urbi.UContext;
 import urbi.UEmitter;
@@ -38,6 +39,14 @@ final class NativeContext {
 
   long number() {
     return number;
+  }
+
+  /** Executes code of the module, on the thread for native code that yields if it does. */
+  <T> T execute(Supplier<T> code) {
+    if (!module.yields()) {
+      return code.get();
+    }
+    return context.executeNative(NativeFrames.holdJob() ? () -> NativeFrames.held(code) : code);
   }
 
   /** Deletes the hubs: nobody else does. */

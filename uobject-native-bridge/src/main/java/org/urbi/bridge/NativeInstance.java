@@ -61,6 +61,15 @@ final class NativeInstance {
   }
 
   private void construct() {
+    try {
+      address = in.execute(this::create);
+    } catch (RuntimeException e) {
+      end();
+      throw e;
+    }
+  }
+
+  private long create() {
     ModuleFunctions entries = in.module().entries();
     CallFrame frame = CallFrame.take();
     try {
@@ -71,10 +80,7 @@ final class NativeInstance {
       if (made == Exchange.FAILED) {
         throw frame.failure();
       }
-      address = made;
-    } catch (RuntimeException e) {
-      end();
-      throw e;
+      return made;
     } finally {
       frame.release(entries);
     }
@@ -148,21 +154,26 @@ final class NativeInstance {
 
   private void delete() {
     if (address != 0) {
-      ModuleFunctions entries = in.module().entries();
-      CallFrame frame = CallFrame.take();
-      UContext before = UContext.enter(in.context());
-      try {
-        frame.prepare(kind, in.number(), address);
-        if (entries.destroy(frame.exchange) == Exchange.FAILED) {
-          in.context().report("exception caught while deleting " + name + ": " + frame.error());
-        }
-        address = 0;
-      } finally {
-        UContext.enter(before);
-        frame.release(entries);
-      }
+      address = in.execute(this::destroy);
     }
     in.residents.remove(number);
     in.module().release();
+  }
+
+  /** Deletes it; returns where it is then. */
+  private long destroy() {
+    ModuleFunctions entries = in.module().entries();
+    CallFrame frame = CallFrame.take();
+    UContext before = UContext.enter(in.context());
+    try {
+      frame.prepare(kind, in.number(), address);
+      if (entries.destroy(frame.exchange) == Exchange.FAILED) {
+        in.context().report("exception caught while deleting " + name + ": " + frame.error());
+      }
+      return 0;
+    } finally {
+      UContext.enter(before);
+      frame.release(entries);
+    }
   }
 }

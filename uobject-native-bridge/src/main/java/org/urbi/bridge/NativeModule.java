@@ -40,6 +40,7 @@ public final class NativeModule implements AutoCloseable {
   private final Object fileKey;
   private final JnaLibrary library;
   private final ModuleFunctions entries;
+  private final boolean yields;
   private final UModule module;
   private final UTaskQueue queue = new UTaskQueue();
   private final Map<String, UTaskQueue> classQueues = new ConcurrentHashMap<>();
@@ -55,6 +56,7 @@ public final class NativeModule implements AutoCloseable {
     this.fileKey = fileKey;
     this.library = library;
     this.entries = library.entries();
+    this.yields = library.yields();
     this.module = new UModule(shown, this::close);
   }
 
@@ -198,6 +200,11 @@ public final class NativeModule implements AutoCloseable {
 
   ModuleFunctions entries() {
     return entries;
+  }
+
+  /** Whether its code yields. */
+  boolean yields() {
+    return yields;
   }
 
   /** What this module has in a context. */

@@ -2,7 +2,7 @@ package org.urbi.bridge;
 
 import java.lang.foreign.MemorySegment;
 import java.lang.foreign.ValueLayout;
-import java.nio.charset.StandardCharsets;
+import urbi.wire.ByteText;
 
 /**
  * Memory that C++ code reads and writes too, by its address; numbers in the machine's byte order.
@@ -36,7 +36,7 @@ final class RawMemory {
   }
 
   static String getText(long address, int length) {
-    return new String(getBytes(address, length), StandardCharsets.UTF_8);
+    return ByteText.decode(getBytes(address, length));
   }
 
   static void putByte(long address, byte value) {

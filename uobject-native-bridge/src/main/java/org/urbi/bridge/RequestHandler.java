@@ -2,6 +2,7 @@ package org.urbi.bridge;
 
 import static java.util.Objects.requireNonNull;
 
+import java.net.InetSocketAddress;
 import java.time.Duration;
 import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
@@ -58,6 +59,7 @@ final class RequestHandler {
   private static final int LOCK = 37;
   private static final int UNLOCK = 38;
   private static final int CALLBACK_END = 39;
+  private static final int SERVER = 40;
 
   private static final UProperty[] PROPERTIES = UProperty.values();
 
@@ -192,18 +194,30 @@ final class RequestHandler {
       case UNLOCK -> context.unlock();
       case CALLBACK_END ->
           ((NativeObject) resident(subject).javaSide()).endNotification(arguments.rawLong());
+      case SERVER -> {
+        return server();
+      }
       default -> throw new IllegalStateException("unknown request " + operation);
     }
     return 0;
   }
 
-  /** Waits; where C++ code runs on the kernel thread, nothing else can be done meanwhile. */
+  /** Waits; a job whose thread has native frames waits with all others. */
   private void yieldFor(Duration time) throws InterruptedException {
-    if (Thread.currentThread().isVirtual()) {
+    if (Thread.currentThread().isVirtual() || NativeFrames.isHeld()) {
       Thread.sleep(time);
     } else {
       context.yieldFor(time);
     }
+  }
+
+  private long server() {
+    InetSocketAddress server = context.server();
+    if (server == null) {
+      return 0;
+    }
+    reply.text(server.getHostString());
+    return server.getPort();
   }
 
   // ------------------------------------------------------------------ objects

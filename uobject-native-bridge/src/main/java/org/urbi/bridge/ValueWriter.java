@@ -1,9 +1,9 @@
 package org.urbi.bridge;
 
 import com.sun.jna.Native;
-import java.nio.charset.StandardCharsets;
 import urbi.UBinary;
 import urbi.UValue;
+import urbi.wire.ByteText;
 import urbi.wire.ValueEncoder;
 
 /** Writes texts and values for C++ code, see {@code urbi/detail/wire.hh}. */
@@ -125,7 +125,7 @@ final class ValueWriter extends ValueEncoder {
 
   /** A text that is no value: of an error. */
   void plain(String text) {
-    byte[] utf8 = text.getBytes(StandardCharsets.UTF_8);
+    byte[] utf8 = ByteText.encode(text);
     putBytes(utf8, 0, utf8.length);
   }
 

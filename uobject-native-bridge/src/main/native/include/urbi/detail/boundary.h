@@ -73,7 +73,8 @@ enum urbi_request
   URBI_YIELD,            /* microseconds: waits while everything else goes on */
   URBI_LOCK,             /* nothing but what this thread asks for is done until URBI_UNLOCK */
   URBI_UNLOCK,
-  URBI_CALLBACK_END      /* subject object; address of a callback of a notification that ends */
+  URBI_CALLBACK_END,     /* subject object; address of a callback of a notification that ends */
+  URBI_SERVER            /* -> port of the server that this process is connected to, or 0; host */
 };
 
 /* A callback, in arguments, is: its address, its arity, lock mode, queue size, all as int64_t; the
@@ -97,6 +98,12 @@ enum urbi_request
      void urbi_module_free(void*)
        Frees a reply.
 
-   All but the last return URBI_FAILED where an exception was thrown; the reply is its text. */
+   All but the last return URBI_FAILED where an exception was thrown; the reply is its text.
+
+   And only if it has code that yields:
+
+     void urbi_module_yield(int64_t context, int64_t microseconds)
+       Lets everything else go on for so long. The host does not call it: it sees by its presence that
+       calls of the module may have to be left in the middle. */
 
 #endif

@@ -24,6 +24,10 @@ import java.util.stream.Stream;
 final class CxxModules {
   static final Path ROOT = Path.of("..").toAbsolutePath().normalize();
   static final Path SOURCES = ROOT.resolve("examples").resolve("uobjects-cpp");
+
+  /** Modules and dialogues for tests alone. */
+  static final Path OWN = Path.of("src", "test", "native").toAbsolutePath();
+
   private static final Path MADE = Path.of("target", "cxx").toAbsolutePath();
 
   private final Map<String, Path> made = new ConcurrentHashMap<>();
@@ -33,9 +37,18 @@ final class CxxModules {
     return made.computeIfAbsent(name, key -> make(key, SOURCES.resolve(key + ".uob")));
   }
 
-  /** The library with all faults, of {@code src/test/native}. */
+  /** The library that is made of {@code NAME.uob} in {@code src/test/native}. */
+  Path ownLibrary(String name) {
+    return made.computeIfAbsent("own " + name, key -> own(name));
+  }
+
+  private static Path own(String name) {
+    return make(name, OWN.resolve(name + ".uob"));
+  }
+
+  /** The library with all faults. */
   static Path faulty() {
-    return make("faulty", Path.of("src", "test", "native", "faulty.uob").toAbsolutePath());
+    return own("faulty");
   }
 
   private static void assumeTools(String... tools) {

@@ -71,11 +71,17 @@ class UObjectDialogueTest {
     return tests(CxxModules.SOURCES, "UrbiLaunch", CXX_MODULES::library);
   }
 
+  @TestFactory
+  Stream<DynamicTest> programsOf27Run() throws IOException {
+    return tests(CxxModules.OWN, "UrbiLaunch", CXX_MODULES::ownLibrary);
+  }
+
   private static Stream<DynamicTest> tests(
       Path folder, String launcher, Function<String, Path> maker) throws IOException {
     List<DynamicTest> tests = new ArrayList<>();
     try (Stream<Path> files = Files.list(folder)) {
-      for (Path file : files.filter(Files::isRegularFile).sorted().toList()) {
+      for (Path file :
+          files.filter(file -> file.toString().matches(".*\\.u(-session)?")).sorted().toList()) {
         DialogueCase play =
             new DialogueCase(Dialogue.read(file), "org.urbi.server.launch." + launcher, maker);
         Dialogue dialogue = play.dialogue();

@@ -42,6 +42,17 @@ namespace urbi
       request.send();
     }
 
+    URBI_INLINE bool server(int64_t context, std::string& host, unsigned& port)
+    {
+      if (!context || !module().host)
+        return false;
+      Request request(URBI_SERVER, context);
+      port = static_cast<unsigned>(request.send());
+      if (port)
+        host = request.reply().text();
+      return port;
+    }
+
     URBI_STATE Contexts& contexts()
     {
       static Contexts all;

@@ -267,9 +267,7 @@ namespace urbi
 
     URBI_INLINE UValue name_of(const UObject* object)
     {
-      if (!object)
-        return UValue();
-      UValue name(object->__name);
+      UValue name(object ? object->__name : "nil");
       name.type = DATA_SLOTNAME;
       return name;
     }

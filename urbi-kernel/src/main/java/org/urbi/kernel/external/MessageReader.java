@@ -173,7 +173,7 @@ final class MessageReader {
         if (key == null) {
           return null;
         }
-        innermost.key = Utf8Text.toJava(key);
+        innermost.key = Utf8Text.toComponent(key);
       } else if (!readOne()) {
         return null;
       }
@@ -232,7 +232,7 @@ final class MessageReader {
           return false;
         }
         in.octet();
-        String text = Utf8Text.toJava(wholeString());
+        String text = Utf8Text.toComponent(wholeString());
         put(type == STRING ? new UValue(text) : named(text));
       }
       case BINARY -> {

@@ -65,7 +65,7 @@ public final class ValueText {
   /** Writes a string in quotes; characters that are not printable ASCII are escaped. */
   static void quote(StringBuilder to, String text) {
     to.append('"');
-    String bytes = Utf8Text.toUrbi(text);
+    String bytes = Utf8Text.fromComponent(text);
     for (int i = 0; i < bytes.length(); i++) {
       StringEscape.appendBasic(to, bytes.charAt(i), '"');
     }

@@ -3,6 +3,7 @@ package org.urbi.kernel.object;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import urbi.wire.ByteText;
 
 /**
  * Converts text between urbiscript and Java. A string of urbiscript is a sequence of bytes, one in
@@ -28,6 +29,16 @@ public final class Utf8Text {
     } catch (CharacterCodingException e) {
       return bytes;
     }
+  }
+
+  /** Decodes a string for a component, which can give it back as it was: see {@link ByteText}. */
+  public static String toComponent(String bytes) {
+    return isAscii(bytes) ? bytes : ByteText.decode(bytes(bytes));
+  }
+
+  /** Encodes a text of a component. */
+  public static String fromComponent(String text) {
+    return isAscii(text) ? text : text(ByteText.encode(text));
   }
 
   private static boolean isAscii(String text) {

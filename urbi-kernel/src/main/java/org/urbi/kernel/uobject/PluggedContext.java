@@ -14,6 +14,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
@@ -53,7 +54,7 @@ import urbi.spi.ThreadPool;
  * <p>Their code runs in jobs and pins them to the kernel thread: it blocks everything else (manual,
  * "Asynchronous binding"). Its requests to the kernel are executed at once, and may let other jobs
  * run like any urbiscript code. Requests of other threads are executed by a job, for which the
- * thread waits.
+ * thread waits. Native code that yields runs on a thread of its own, see {@link NativeThread}.
  */
 public final class PluggedContext implements UContext {
   private final Interpreter interpreter;
@@ -72,6 +73,7 @@ public final class PluggedContext implements UContext {
   private final PeriodicCalls periods;
   private final Modules modules;
   private final SystemLobby systemLobby;
+  private final NativeThread nativeThread = new NativeThread(this);
   private final ThreadPool threads = new ThreadPool("urbi-uobject-");
   private final Map<String, UObjectHub> hubs = new LinkedHashMap<>();
   private volatile boolean over;
@@ -231,7 +233,9 @@ public final class PluggedContext implements UContext {
    */
   <T> @Nullable T inKernel(Function<Frame, T> task) {
     if (!scheduler.isKernelThread()) {
-      return requests.ask(frame -> translated(frame, task));
+      return nativeThread.isCurrent()
+          ? nativeThread.ask(() -> inKernel(task))
+          : requests.ask(frame -> translated(frame, task));
     }
     if (over) {
       return null;
@@ -509,7 +513,7 @@ public final class PluggedContext implements UContext {
   }
 
   private void emit(String name, UValue... payload) {
-    if (scheduler.isKernelThread()) {
+    if (isInTurn()) {
       inKernel(frame -> {
         emit(frame, name, payload);
         return null;
@@ -624,7 +628,7 @@ public final class PluggedContext implements UContext {
 
   @Override
   public void yieldFor(Duration time) {
-    if (!scheduler.isKernelThread()) {
+    if (!isInTurn()) {
       LockSupport.parkNanos(time.toNanos());
       return;
     }
@@ -640,16 +644,26 @@ public final class PluggedContext implements UContext {
 
   @Override
   public void lock() {
-    if (!scheduler.isKernelThread()) {
+    if (!isInTurn()) {
       requests.lock();
     }
   }
 
   @Override
   public void unlock() {
-    if (!scheduler.isKernelThread()) {
+    if (!isInTurn()) {
       requests.unlock();
     }
+  }
+
+  @Override
+  public <T> T executeNative(Supplier<T> code) {
+    return scheduler.isKernelThread() ? nativeThread.execute(code) : code.get();
+  }
+
+  /** Whether this thread executes code of a component for which the kernel waits. */
+  private boolean isInTurn() {
+    return scheduler.isKernelThread() || nativeThread.isCurrent();
   }
 
   @Override
@@ -679,6 +693,7 @@ public final class PluggedContext implements UContext {
     requests.close();
     modules.close();
     creation.close();
+    nativeThread.close();
     threads.close();
   }
 }

@@ -30,6 +30,9 @@ import urbi.UValue;
 
 /** Converts urbiscript values to {@link UValue}s and back (manual, "Binding functions"). */
 final class ValueConversion {
+  /** The name by which components return no object. */
+  private static final String NOTHING = "nil";
+
   private static final int DEEPEST = 200;
 
   private final PluggedContext context;
@@ -56,7 +59,7 @@ final class ValueConversion {
       return new UValue(number.value());
     }
     if (object instanceof UrbiString string) {
-      return new UValue(Utf8Text.toJava(string.value()));
+      return new UValue(Utf8Text.toComponent(string.value()));
     }
     if (object == values.trueObject || object == values.falseObject) {
       return new UValue(object == values.trueObject);
@@ -93,7 +96,7 @@ final class ValueConversion {
           if (!(key.value() instanceof UrbiString name)) {
             throw badKey(key.value());
           }
-          result.put(Utf8Text.toJava(name.value()), toJava(value, depth + 1));
+          result.put(Utf8Text.toComponent(name.value()), toJava(value, depth + 1));
         });
     return result;
   }
@@ -112,7 +115,8 @@ final class ValueConversion {
 
   private static UBinary toJava(UrbiBinary binary) {
     return new UBinary(
-        Utf8Text.toJava(binary.keywords()), binary.data().getBytes(StandardCharsets.ISO_8859_1));
+        Utf8Text.toComponent(binary.keywords()),
+        binary.data().getBytes(StandardCharsets.ISO_8859_1));
   }
 
   private UValue other(UrbiObject object, int depth) {
@@ -125,7 +129,7 @@ final class ValueConversion {
     }
     return context.fromKernel(frame -> {
       try {
-        return new UValue(Utf8Text.toJava(frame.interpreter().asString(frame, object)));
+        return new UValue(Utf8Text.toComponent(frame.interpreter().asString(frame, object)));
       } catch (UrbiException e) {
         throw new ConversionFailure(object, "UValue", null);
       }
@@ -143,7 +147,7 @@ final class ValueConversion {
     return switch (value.getType()) {
       case DATA_VOID -> values.nil;
       case DATA_DOUBLE -> values.number(value.doubleValue());
-      case DATA_STRING -> values.string(Utf8Text.toUrbi(value.stringValue()));
+      case DATA_STRING -> values.string(Utf8Text.fromComponent(value.stringValue()));
       case DATA_SLOTNAME -> named(value.stringValue());
       case DATA_LIST -> list(value.ulistValue());
       case DATA_DICTIONARY -> dictionary(value.udictionaryValue());
@@ -152,6 +156,9 @@ final class ValueConversion {
   }
 
   private UrbiObject named(String name) {
+    if (name.equals(NOTHING)) {
+      return values.nil;
+    }
     UrbiObject object = context.objects().find(name);
     if (object != null) {
       return object;
@@ -178,14 +185,15 @@ final class ValueConversion {
   private Map<UrbiDictionary.Key, UrbiObject> entries(Frame frame, UDictionary dictionary) {
     Map<UrbiDictionary.Key, UrbiObject> entries = new LinkedHashMap<>();
     dictionary.forEach((name, value) ->
-        entries.put(DictionaryKey.of(frame, values.string(Utf8Text.toUrbi(name))), content(value)));
+        entries.put(
+            DictionaryKey.of(frame, values.string(Utf8Text.fromComponent(name))), content(value)));
     return entries;
   }
 
   private UrbiObject toUrbi(UBinary binary) {
     return new UrbiBinary(
         world.prototype("Binary").cloneShape(),
-        Utf8Text.toUrbi(binary.getMessage()),
+        Utf8Text.fromComponent(binary.getMessage()),
         new String(binary.getData(), StandardCharsets.ISO_8859_1));
   }
 

@@ -1,0 +1,223 @@
+package org.urbi.kernel.uobject;
+
+import static java.util.Objects.requireNonNull;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.job.ControlFlowException;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.KernelThreadPin;
+import org.urbi.kernel.message.Outcome;
+import urbi.UContext;
+
+/**
+ * The thread of native code that yields in the middle of a call. A native frame cannot leave the
+ * thread that it is on: on the kernel thread it would hold all jobs.
+ *
+ * <p>Only one of the two threads runs at a time. A job that calls native code occupies the kernel
+ * thread, executes the requests of that code in between, and waits like any other job when such a
+ * request makes it wait. Other jobs may call native code then: their calls are on top of the first
+ * one, which goes on when they have returned.
+ */
+final class NativeThread {
+  /** The thread's stack, for calls on top of calls; the system provides it page by page. */
+  private static final long STACK_BYTES = 64L << 20;
+
+  /** What the kernel thread gives this one to do. */
+  private sealed interface Order {}
+
+  /** A new call, on top of the others. */
+  private record Begin(Supplier<?> code) implements Order {}
+
+  /** What came of a request: the call on top goes on. */
+  private record Answer(Outcome outcome) implements Order {}
+
+  private record End() implements Order {}
+
+  /** What this thread gives the kernel thread. */
+  private sealed interface Step {}
+
+  /** The call on top has returned. */
+  private record Returned(Outcome outcome) implements Step {}
+
+  /** The call on top wants something of the kernel. */
+  private record Request(Supplier<?> task) implements Step {}
+
+  /** A call that has not returned; used on the kernel thread. */
+  private static final class Call {
+    /** The job, while it waits until the call is on top; null while it does not. */
+    @Nullable Job waiting;
+
+    /** What has ended the job of the call; null if it lives. */
+    @Nullable Throwable ended;
+  }
+
+  private final PluggedContext context;
+  private final BlockingQueue<Order> orders = new LinkedBlockingQueue<>();
+  private final BlockingQueue<Step> steps = new LinkedBlockingQueue<>();
+  private final Deque<Call> calls = new ArrayDeque<>();
+  private volatile @Nullable Thread thread;
+
+  NativeThread(PluggedContext context) {
+    this.context = context;
+  }
+
+  /** Whether the calling code runs on this thread. */
+  boolean isCurrent() {
+    return Thread.currentThread() == thread;
+  }
+
+  // ------------------------------------------------------------------ the kernel thread
+
+  /** Executes code on this thread, for which the kernel thread waits unless the code yields. */
+  @SuppressWarnings("unchecked") // the outcome is that of the code
+  <T> T execute(Supplier<T> code) {
+    if (thread == null) {
+      start();
+    }
+    Call call = new Call();
+    calls.push(call);
+    orders.add(new Begin(code));
+    return (T) requireNonNull(result(serve(call)), "native code returns something");
+  }
+
+  private void start() {
+    Thread made = new Thread(null, this::work, "urbi-component", STACK_BYTES);
+    made.setDaemon(true);
+    thread = made;
+    made.start();
+  }
+
+  private static @Nullable Object result(Outcome outcome) {
+    switch (outcome.failure()) {
+      case null -> {
+        return outcome.value();
+      }
+      case RuntimeException failure -> throw failure;
+      case Error failure -> throw failure;
+      case Throwable failure -> throw new IllegalStateException(failure);
+    }
+  }
+
+  /** Executes what the call on top asks for, until it has returned. */
+  private Outcome serve(Call call) {
+    while (true) {
+      switch (uninterruptibly(steps)) {
+        case Returned step -> {
+          calls.pop();
+          passTurn();
+          return step.outcome();
+        }
+        case Request step -> orders.add(new Answer(perform(call, step.task())));
+      }
+    }
+  }
+
+  /** Executes a request, which may let others run, and waits until its call is on top again. */
+  private Outcome perform(Call call, Supplier<?> task) {
+    Outcome outcome;
+    try {
+      outcome = Outcome.of(task::get);
+      awaitTurn(call);
+    } catch (ControlFlowException e) {
+      outcome = new Outcome(null, e);
+    }
+    if (outcome.failure() instanceof ControlFlowException e && calls.peek() != call) {
+      // The job ends now. The call has to wait until it is on top.
+      call.ended = e;
+      throw e;
+    }
+    return outcome;
+  }
+
+  private void awaitTurn(Call call) {
+    if (calls.peek() == call) {
+      return;
+    }
+    context.inKernel(frame -> {
+      call.waiting = frame.job();
+      try {
+        while (calls.peek() != call) {
+          frame.job().waitForWake();
+        }
+      } finally {
+        call.waiting = null;
+      }
+      return null;
+    });
+  }
+
+  /** A call has returned: the one below goes on, or is ended if its job has been. */
+  private void passTurn() {
+    Call top = calls.peek();
+    if (top == null) {
+      return;
+    }
+    if (top.ended != null) {
+      orders.add(new Answer(new Outcome(null, top.ended)));
+      serve(top);
+    } else if (top.waiting != null) {
+      top.waiting.wake();
+    }
+  }
+
+  /** The kernel has ended; on its thread. */
+  void close() {
+    if (calls.isEmpty()) {
+      orders.add(new End());
+    }
+  }
+
+  /** Takes the next one; a job stays on the kernel thread meanwhile. */
+  private static <T> T uninterruptibly(BlockingQueue<T> from) {
+    boolean interrupted = false;
+    KernelThreadPin.pin();
+    try {
+      while (true) {
+        try {
+          return from.take();
+        } catch (InterruptedException e) {
+          interrupted = true;
+        }
+      }
+    } finally {
+      KernelThreadPin.unpin();
+      if (interrupted) {
+        Thread.currentThread().interrupt();
+      }
+    }
+  }
+
+  // ------------------------------------------------------------------ this thread
+
+  /** Has the kernel thread execute a request of the code that runs here. */
+  @SuppressWarnings("unchecked") // the outcome is that of the task
+  <T> @Nullable T ask(Supplier<? extends @Nullable T> task) {
+    steps.add(new Request(task));
+    return (T) result(requireNonNull(executeUntilAnswer(), "it ends only when nothing is called"));
+  }
+
+  private void work() {
+    UContext.enter(context);
+    executeUntilAnswer();
+  }
+
+  /** Executes calls on top of the present one until that goes on; null at the end. */
+  private @Nullable Outcome executeUntilAnswer() {
+    while (true) {
+      switch (uninterruptibly(orders)) {
+        case Begin order -> steps.add(new Returned(Outcome.of(order.code()::get)));
+        case Answer order -> {
+          return order.outcome();
+        }
+        case End order -> {
+          return null;
+        }
+      }
+    }
+  }
+}
