@@ -1,5 +1,5 @@
 // A program that talks to a server, by all that the clients in C++ can do: clients PORT FILE, where FILE
-// is its Unix domain socket. It says what is not as it should be, and ends with status 1 then.
+// is its Unix domain socket, or by TLS: clients --tls HOST PORT. It says what is not as it should be, and ends with status 1 then.
 #include <cstdio>
 #include <cstring>
 #include <string>
@@ -173,9 +173,54 @@ static void byFile(const std::string& file)
   CHECK(tooLong.error() != 0);
 }
 
+/// Waits until an expression is true in a server.
+static bool becomes_true(USyncClient& judge, const std::string& expression)
+{
+  std::string answer;
+  for (int i = 0; i < 500 && answer != "true"; ++i)
+  {
+    UMessage* message = judge.syncGet("(" + expression + ").asString");
+    if (message && message->value && message->value->type == DATA_STRING)
+      answer = std::string(*message->value);
+    delete message;
+    usleep(20000);
+  }
+  return answer == "true";
+}
+
+/// By TLS, says the environment: why there is no connection, or what is not as it should be.
+static int secure(const std::string& host, unsigned port)
+{
+  USyncClient client(host, port);
+  if (client.error())
+  {
+    std::printf("%s\n", client.errorMessage().c_str());
+    return 0;
+  }
+  std::string text(300000, 'x');
+  UMessage* message = client.syncGet("\"" + text + "\"");
+  CHECK(message && message->value && std::string(*message->value) == text);
+  delete message;
+  client.send("var Global.sum = 0|;");
+  std::thread other([&client] {
+    for (int i = 0; i < 300; ++i)
+      client.send("Global.sum += 1|;");
+  });
+  for (int i = 0; i < 300; ++i)
+    client.send("Global.sum += 1|;");
+  other.join();
+  CHECK(becomes_true(client, "Global.sum == 600"));
+  client.send("Global.removeLocalSlot(\"sum\")|;");
+  CHECK(becomes_true(client, "!Global.hasSlot(\"sum\")"));
+  std::printf("%d failures\n", failures.load());
+  return failures != 0;
+}
+
 int main(int argc, char* argv[])
 {
   std::setvbuf(stdout, nullptr, _IONBF, 0);
+  if (argc == 4)
+    return secure(argv[2], static_cast<unsigned>(std::atoi(argv[3])));
   unsigned port = argc == 3 ? static_cast<unsigned>(std::atoi(argv[1])) : 0;
   callbacks(port);
   questions(port);

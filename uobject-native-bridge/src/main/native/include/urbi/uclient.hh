@@ -21,6 +21,7 @@
 #include <libport/cstring>
 #include <libport/debug.hh>
 #include <libport/detail/connect.hh>
+#include <libport/detail/tls.hh>
 #include <libport/foreach.hh>
 #include <libport/format.hh>
 #include <libport/lockable.hh>
@@ -72,7 +73,8 @@ namespace urbi
       bool asynchronous_;
     };
 
-    /// Connects; a host with a `/` is the file of a Unix domain socket. \see error
+    /// Connects; a host with a `/` is the file of a Unix domain socket. URBI_TLS in the environment
+    /// asks for TLS, except for such a file. \see error, errorMessage
     explicit UClient(const std::string& host = default_host(), unsigned port = URBI_PORT,
                      size_t = URBI_BUFLEN, const options& how = options())
       : UClient(host, port, how.start(), true)
@@ -90,6 +92,8 @@ namespace urbi
     /// Closes the connection.
     int closeUClient()
     {
+      if (tls_)
+        tls_->endOutput();
       if (socket_ != -1)
         ::shutdown(socket_, SHUT_RDWR);
       return 0;
@@ -133,6 +137,12 @@ namespace urbi
       ::setsockopt(socket_, SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);
       ::setsockopt(socket_, IPPROTO_TCP, TCP_KEEPIDLE, &idle, sizeof idle);
       ::setsockopt(socket_, IPPROTO_TCP, TCP_USER_TIMEOUT, &timeout, sizeof timeout);
+    }
+
+    /// Why it could not connect; empty if it could.
+    const std::string& errorMessage() const
+    {
+      return problem_;
     }
 
     unsigned long bytesSent() const
@@ -221,6 +231,13 @@ namespace urbi
     error_type effectiveSend(const void* buffer, size_t size) override
     {
       const char* at = static_cast<const char*>(buffer);
+      if (tls_)
+      {
+        if (!tls_->send(at, size))
+          return -1;
+        sent_ += static_cast<unsigned long>(size);
+        return 0;
+      }
       while (size)
       {
         ssize_t sent = socket_ == -1 ? -1 : ::send(socket_, at, size, MSG_NOSIGNAL);
@@ -242,8 +259,34 @@ namespace urbi
       socket_ =
         libport::detail::connected_socket(host_, detail::number_text(port_), SOCK_STREAM, error);
       rc = socket_ == -1 ? -1 : 0;
+      if (rc)
+        problem_ = error.message();
+      else if (!libport::detail::is_file(host_) && libport::detail::TlsSettings::wanted())
+        secure();
       if (!rc)
         showToken();
+    }
+
+    void secure()
+    {
+      try
+      {
+        tls_.reset(new libport::detail::Tls(socket_, host_));
+      }
+      catch (const std::runtime_error& e)
+      {
+        problem_ = e.what();
+        std::cerr << "urbi::UClient: cannot connect to " << host_ << ":" << port_ << ": " << problem_
+                  << std::endl;
+        ::close(socket_);
+        socket_ = -1;
+        rc = -1;
+      }
+    }
+
+    ssize_t take(char* buffer, size_t size)
+    {
+      return tls_ ? tls_->receive(buffer, size) : ::recv(socket_, buffer, size, 0);
     }
 
     /// Sends the token in the environment: a comment, which servers without tokens ignore.
@@ -264,8 +307,8 @@ namespace urbi
       char buffer[16384];
       for (;;)
       {
-        ssize_t length = ::recv(socket_, buffer, sizeof buffer, 0);
-        if (length < 0 && errno == EINTR)
+        ssize_t length = take(buffer, sizeof buffer);
+        if (length < 0 && !tls_ && errno == EINTR)
           continue;
         if (length <= 0)
           break;
@@ -279,6 +322,8 @@ namespace urbi
     }
 
     int socket_;
+    std::unique_ptr<libport::detail::Tls> tls_;
+    std::string problem_;
     bool receiving_;
     std::atomic<unsigned long> sent_;
     std::atomic<unsigned long> came_;

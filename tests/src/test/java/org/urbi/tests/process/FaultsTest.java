@@ -1,10 +1,14 @@
 package org.urbi.tests.process;
 
+import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.net.SocketTimeoutException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -153,12 +157,48 @@ class FaultsTest {
     Path jar = folder.resolve("stuck.jar");
     String[] words = {"-q", sources.toString(), "-o", jar.toString()};
     assertEquals(0, UmakeJava.run(words, System.out, System.err));
+    String program = "loadModule(\"" + jar + "\");\nStuck.spin;\n";
     try (ServerProcess server = ServerProcess.in(folder, "--watchdog", "2s", "--max-hold", "1s");
         ConsoleClient client = server.connect()) {
-      client.send("loadModule(\"" + jar + "\");\nStuck.spin;\n");
+      client.send(program);
       assertEquals(STUCK, server.awaitEnd());
       assertTrue(server.text().contains("in Stuck.spin"), server.text());
       assertTrue(server.text().contains("Stuck.spin(Stuck.java:"), server.text());
+    }
+    try (ServerProcess server = ServerProcess.in(folder, "--watchdog", "16s");
+        ConsoleClient client = server.connect()) {
+      client.send(program);
+      server.awaitText("the kernel is held for");
+      server.terminate();
+      assertEquals(TERMINATED, server.awaitEnd());
+    }
+  }
+
+  /** Its log is a pipe that is full, and that nobody reads. */
+  @Test
+  void networkThreadThatHearsNothingDoesNotPreventTermination() throws Exception {
+    Path port = folder.resolve("port");
+    try (JavaProcess urbi =
+        urbi("mkfifo log && exec 3<>log 2>log", "-P", "0", "--port-file", port.toString(), "-q")) {
+      long end = System.nanoTime() + TestTimeout.LONG.toNanos();
+      while (!Files.exists(port)) {
+        assertTrue(System.nanoTime() < end, urbi.text());
+        Thread.sleep(20);
+      }
+      int number = Integer.parseInt(Files.readString(port).strip());
+      assertThrows(
+          SocketTimeoutException.class,
+          () -> {
+            while (System.nanoTime() < end) {
+              try (Socket refused = new Socket(InetAddress.getLoopbackAddress(), number)) {
+                refused.setSoTimeout(1000);
+                refused.getOutputStream().write("GET / HTTP/1.1\r\n".getBytes(US_ASCII));
+                assertTrue(refused.getInputStream().read() >= 0);
+              }
+            }
+          });
+      urbi.terminate();
+      assertEquals(TERMINATED, urbi.awaitEnd());
     }
   }
 

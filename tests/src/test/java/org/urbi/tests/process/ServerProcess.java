@@ -36,7 +36,8 @@ final class ServerProcess implements AutoCloseable {
   ServerProcess(JavaProcess process) throws InterruptedException {
     this.process = process;
     String line = process.awaitText(LISTENING);
-    port = Integer.parseInt(line.substring(line.indexOf(LISTENING) + LISTENING.length()));
+    String address = line.substring(line.indexOf(LISTENING) + LISTENING.length());
+    port = Integer.parseInt(address.replaceFirst(", by TLS$", ""));
   }
 
   int port() {

@@ -25,6 +25,9 @@ public final class Network {
   private static final int MAXIMUM_PORT = 65_535;
   private static final Path SERVICES = Path.of("/etc/services");
 
+  /** As many as most systems allow; Java's own limit is 50, and further clients wait a second. */
+  private static final int PENDING_CONNECTIONS = 4096;
+
   private Network() {}
 
   /** A connection with its two ends. */
@@ -93,7 +96,7 @@ public final class Network {
             () -> {
               ServerSocketChannel made = ServerSocketChannel.open();
               try {
-                return made.bind(address(host, port));
+                return made.bind(address(host, port), PENDING_CONNECTIONS);
               } catch (IOException | RuntimeException e) {
                 made.close();
                 throw e;

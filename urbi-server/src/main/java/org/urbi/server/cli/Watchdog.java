@@ -18,11 +18,14 @@ final class Watchdog {
   /** How long an orderly end may take, in nanoseconds. */
   private static final long TERMINATION = 4_000_000_000L;
 
+  /** How long the end waits for a standard error stream that does not take its last words. */
+  private static final long LAST_WORDS_MILLISECONDS = 1000;
+
   private final Clock clock;
   private final Kernel kernel;
   private final LongSupplier networkSilence;
   private final long limit;
-  private final PrintStream err;
+  private final WatchdogVoice voice;
   private final IntConsumer halt;
   private volatile long terminating;
   private volatile boolean over;
@@ -45,13 +48,14 @@ final class Watchdog {
     this.kernel = kernel;
     this.networkSilence = networkSilence;
     this.limit = limit.isZero() ? Long.MAX_VALUE : limit.toNanos();
-    this.err = err;
+    voice = new WatchdogVoice(err);
     this.halt = halt;
   }
 
   void start() {
     Thread thread = Thread.ofPlatform().daemon().name("urbi-watchdog").unstarted(this::watch);
     thread.setPriority(Thread.MAX_PRIORITY);
+    voice.start();
     thread.start();
   }
 
@@ -63,6 +67,7 @@ final class Watchdog {
   /** Stops watching. */
   void stop() {
     over = true;
+    voice.stop();
   }
 
   private void watch() {
@@ -79,7 +84,7 @@ final class Watchdog {
     }
   }
 
-  private void check() {
+  private void check() throws InterruptedException {
     if (terminating != 0 && clock.now() - terminating > TERMINATION) {
       halt.accept(ExitStatus.TERMINATED);
     }
@@ -90,25 +95,22 @@ final class Watchdog {
     }
   }
 
-  private void lookAtKernel() {
+  private void lookAtKernel() throws InterruptedException {
     long held = kernel.heldFor();
     if (held > limit) {
       stuck("the kernel has been held for " + seconds(held) + " s, by " + kernel.holder());
     } else if (held > limit / 4 && !told) {
       told = true;
-      say("the kernel is held for " + seconds(held) + " s, by " + kernel.holder());
+      voice.say("the kernel is held for " + seconds(held) + " s, by " + kernel.holder());
     } else if (held == 0) {
       told = false;
     }
   }
 
-  private void stuck(String what) {
-    say(what + "\nurbi: giving up");
+  private void stuck(String what) throws InterruptedException {
+    voice.say(what + "\nurbi: giving up");
+    voice.await(LAST_WORDS_MILLISECONDS);
     halt.accept(ExitStatus.STUCK);
-  }
-
-  private void say(String text) {
-    err.println("urbi: " + text);
   }
 
   private static double seconds(long nanoseconds) {

@@ -11,6 +11,9 @@ import java.io.PrintStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -74,6 +77,39 @@ class ConsoleServerTest {
       assertEquals(
           "[:error] !!! 1.1-5: lookup failed: taken (possible misspelling of tan)",
           judge.ask("taken;"));
+    }
+  }
+
+  /** Those for whom the system has no room in its queue would try again after a second. */
+  @Test
+  void fiveHundredThatConnectAtOnceFindRoom() throws Exception {
+    CountDownLatch deaf = new CountDownLatch(1);
+    try (ConsoleServer busy =
+        new ConsoleServer(
+            new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
+            client -> {
+              try {
+                deaf.await();
+              } catch (InterruptedException e) {
+                throw new IllegalStateException(e);
+              }
+              return kernel.connect(client, false);
+            },
+            Limits.DEFAULT,
+            QUIET)) {
+      List<TestClient> clients = new ArrayList<>();
+      for (int i = 0; i < 500; i++) {
+        // Nobody accepts them: the next would wait for ever if the queue were full.
+        clients.add(new TestClient(busy.port()));
+      }
+      deaf.countDown();
+      for (TestClient each : clients) {
+        each.send("1;");
+      }
+      for (TestClient each : clients) {
+        assertEquals("[] 1", each.line());
+        each.close();
+      }
     }
   }
 

@@ -29,6 +29,8 @@ import java.security.cert.CertificateFactory;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.net.ssl.SSLContext;
@@ -312,6 +314,29 @@ class TlsTest {
     }
     assertServes();
     assertEquals(2, lobbies.get());
+  }
+
+  @Test
+  void othersAreServedDuringAFloodOfHandshakes() throws Exception {
+    try (USyncClient judge = client();
+        var flood = Executors.newVirtualThreadPerTaskExecutor()) {
+      List<Future<?>> all = new ArrayList<>();
+      for (int i = 0; i < 40; i++) {
+        all.add(
+            flood.submit(() -> {
+              try (SSLSocket client = secure(socket())) {
+                return client.isConnected();
+              }
+            }));
+      }
+      for (int i = 0; i < 10; i++) {
+        assertEquals(i, judge.syncEval(String.valueOf(i)).intValue());
+      }
+      for (Future<?> each : all) {
+        assertEquals(true, each.get());
+      }
+    }
+    assertServes();
   }
 
   @Test
