@@ -368,10 +368,12 @@ public final class RemoteContext implements UContext, AutoCloseable {
         throw new IllegalStateException("no class " + className);
       }
       turn.begin("the constructor of " + name);
-      type.create(name);
-      turn.end();
+      try {
+        type.create(name);
+      } finally {
+        turn.end();
+      }
     } catch (Throwable e) {
-      turn.end();
       failureLog.log(className, e);
       failures.put(name, "exception caught while making a " + className + ": " + Failure.text(e));
       objects.remove(name);

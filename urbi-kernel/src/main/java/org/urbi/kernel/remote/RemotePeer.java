@@ -252,7 +252,10 @@ public final class RemotePeer implements RemoteProcess {
 
   /** An exception for one thrown in the process; its stack trace is in the log of that process. */
   private static RuntimeException thrownThere(String text) {
-    RuntimeException thrown = new RuntimeException(text);
+    return withoutTrace(new RuntimeException(text));
+  }
+
+  private static RuntimeException withoutTrace(RuntimeException thrown) {
     thrown.setStackTrace(new StackTraceElement[0]);
     return thrown;
   }
@@ -632,9 +635,7 @@ public final class RemotePeer implements RemoteProcess {
 
   /** For who needs the process. Where that happens says nothing, so it has no stack trace. */
   private RuntimeException gone() {
-    RuntimeException gone = new IllegalStateException(lost);
-    gone.setStackTrace(new StackTraceElement[0]);
-    return gone;
+    return withoutTrace(new IllegalStateException(lost));
   }
 
   private void clear(String why) {

@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.Frame;
@@ -27,11 +28,14 @@ import urbi.spi.ModuleFiles;
  * module that is loaded again is replaced if its file has changed: its urbiscript objects stay.
  */
 public final class Modules {
+  /** The state of a file, by which it is seen whether it has changed. */
+  private record FileState(long modified, long size) {}
+
   /** A module, with the state of its file when it was loaded. */
-  private record Loaded(UModule module, long modified, long size) {}
+  private record Loaded(UModule module, FileState state) {}
 
   /** A module in a process of its own, with the state of its file when it was loaded. */
-  private record LoadedApart(ModuleIsolation.IsolatedModule module, long modified, long size) {}
+  private record LoadedApart(ModuleIsolation.IsolatedModule module, FileState state) {}
 
   private final PluggedContext context;
   private final List<Path> searchPath;
@@ -118,33 +122,30 @@ public final class Modules {
    * @throws org.urbi.kernel.error.UrbiException if a constructor fails
    */
   public void load(Frame frame, Path file, boolean library) {
-    try {
-      outside.confinement().checkModules();
-      Path key = disk().real(file);
-      if (isIsolated(key)) {
-        isolate(frame, file);
-        return;
-      }
-      Loaded before = loaded.get(key);
-      long modified = disk().lastModified(key);
-      long size = disk().size(key);
-      if (before != null && before.modified == modified && before.size == size) {
-        return;
-      }
-      UModule module = read(frame, key, library);
-      start(frame, module, before);
-      loaded.put(key, new Loaded(module, modified, size));
-      if (before != null) {
-        libraries.remove(before.module);
-      }
-      if (library) {
-        libraries.add(module);
-      }
-    } catch (ConfinedException e) {
-      throw new UModuleException(e.getMessage(), e);
-    } catch (IOException e) {
-      throw new UModuleException(
-          Problem.UNREADABLE_MODULE.text(file, String.valueOf(e.getMessage())), e);
+    find(
+        file,
+        (key, state) -> {
+          if (isIsolated(key)) {
+            isolate(frame, key, state);
+          } else {
+            load(frame, key, state, library);
+          }
+        });
+  }
+
+  private void load(Frame frame, Path key, FileState state, boolean library) {
+    Loaded before = loaded.get(key);
+    if (before != null && before.state.equals(state)) {
+      return;
+    }
+    UModule module = read(frame, key, library);
+    start(frame, module, before);
+    loaded.put(key, new Loaded(module, state));
+    if (before != null) {
+      libraries.remove(before.module);
+    }
+    if (library) {
+      libraries.add(module);
     }
   }
 
@@ -154,21 +155,25 @@ public final class Modules {
    * @throws UModuleException if that fails, or is not allowed
    */
   public void isolate(Frame frame, Path file) {
+    find(file, (key, state) -> isolate(frame, key, state));
+  }
+
+  private void isolate(Frame frame, Path key, FileState state) {
+    LoadedApart before = isolated.get(key);
+    if (before == null || !before.module.isRunning() || !before.state.equals(state)) {
+      unload(frame, key);
+      before = new LoadedApart(requireNonNull(isolation).start(frame, key), state);
+      isolated.put(key, before);
+    }
+    before.module.awaitStart();
+  }
+
+  /** Looks at the file of a module, if modules are allowed, and does something with it. */
+  private void find(Path file, BiConsumer<Path, FileState> found) {
     try {
       outside.confinement().checkModules();
       Path key = disk().real(file);
-      long modified = disk().lastModified(key);
-      long size = disk().size(key);
-      LoadedApart before = isolated.get(key);
-      if (before == null
-          || !before.module.isRunning()
-          || before.modified != modified
-          || before.size != size) {
-        unload(frame, key);
-        before = new LoadedApart(requireNonNull(isolation).start(frame, key), modified, size);
-        isolated.put(key, before);
-      }
-      before.module.awaitStart();
+      found.accept(key, new FileState(disk().lastModified(key), disk().size(key)));
     } catch (ConfinedException e) {
       throw new UModuleException(e.getMessage(), e);
     } catch (IOException e) {

@@ -44,9 +44,8 @@ final class IsolatedProcess implements ModuleProcess {
   private final Duration maxHold;
   private final Trace trace;
   private final ModuleOutput output;
-  private final CompletableFuture<@Nullable Void> started = new CompletableFuture<>();
+  private volatile boolean started;
   private @Nullable Process process;
-  private ModuleNetwork.@Nullable Entrance entrance;
   private @Nullable String killed;
 
   IsolatedProcess(
@@ -80,7 +79,7 @@ final class IsolatedProcess implements ModuleProcess {
         sendTask(running, opened);
         after(startLimit.toMillis())
             .execute(() -> {
-              if (!started.isDone()) {
+              if (!started) {
                 kill("not started within " + startLimit.toSeconds() + " s");
               }
             });
@@ -162,7 +161,7 @@ final class IsolatedProcess implements ModuleProcess {
 
   @Override
   public void started() {
-    started.complete(null);
+    started = true;
   }
 
   @Override
@@ -183,7 +182,7 @@ final class IsolatedProcess implements ModuleProcess {
   private void awaitEnd(Process running, ModuleNetwork.Entrance opened, Thread reader) {
     try {
       running.waitFor();
-      started.complete(null);
+      started = true;
       opened.close();
       reader.join(MILLISECONDS_OF_WORDS);
     } catch (InterruptedException e) {
