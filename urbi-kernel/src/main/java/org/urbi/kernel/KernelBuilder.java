@@ -13,7 +13,7 @@ import java.util.function.IntConsumer;
 import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.JobThreads;
-import org.urbi.kernel.job.UsageMeter;
+import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.journal.Recorder;
 import org.urbi.kernel.journal.RecordingException;
@@ -275,10 +275,11 @@ public final class KernelBuilder {
   }
 
   /** What the kernel does when memory runs out. */
-  KernelMemory memory(UsageMeter meter, KernelLog to) {
+  KernelMemory memory(Scheduler scheduler, KernelLog to) {
     Runnable end = onMemoryExhausted;
     return new KernelMemory(
-        meter,
+        scheduler.meter(),
+        scheduler::turn,
         to,
         onMemoryNearlyFull,
         end == null ? () -> to.write("urbi: memory exhausted") : end);

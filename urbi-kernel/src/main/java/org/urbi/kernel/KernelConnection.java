@@ -191,25 +191,37 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
       interrupted();
     } else if (message instanceof Message.RoleGranted given) {
       roleGiven(Role.valueOf(given.role()));
-    } else if (message instanceof Message.Evicted evicted) {
-      evicted(evicted.reason());
+    } else if (message instanceof Message.Ending ending) {
+      end(ending);
     } else if (message instanceof Message.ConnectionFailed failed) {
       tell(failed.error());
     } else if (message instanceof Message.CompletionRequested asked) {
       complete(asked.question(), asked.text());
-    } else if (message instanceof Message.ConnectionClosed) {
-      closed();
     } else {
       throw new IllegalArgumentException(message.toString());
     }
   }
 
-  private void closed() {
+  private void end(Message.Ending ending) {
     kernel.scheduler().interruptions().clear(lobby());
-    kernel.inbox().forget(number);
+    try {
+      if (ending instanceof Message.Evicted evicted) {
+        evicted(evicted.reason());
+      } else {
+        closed();
+      }
+    } catch (OutOfMemoryError e) {
+      // Until there is memory to end them, its jobs must not take more.
+      interruptRunning();
+      throw e;
+    }
+  }
+
+  private void closed() {
     gone = true;
     finish();
     completions.values().forEach(names -> names.complete(List.of()));
+    kernel.inbox().forget(number);
   }
 
   private void received(String bytes) {
@@ -243,7 +255,6 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   }
 
   private void evicted(String reason) {
-    kernel.scheduler().interruptions().clear(lobby());
     if (!finished) {
       lobby().shell().interrupt();
       lobby().connectionTag().state().stop(kernel.interpreter().values().voidObject);
@@ -340,18 +351,28 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   void finish() {
     if (!finished) {
       finished = true;
-      releaseTime();
-      kernel.connections().remove(this);
-      pending.set(0);
-      UrbiLobby own = lobby;
-      if (own != null) {
-        own.shell().close();
-        own.output().close();
-        if (!kernel.isStopping()) {
-          own.disconnected(kernel.interpreter());
-        }
+      try {
+        leave();
+      } catch (OutOfMemoryError e) {
+        // It is still to be left, when there is memory.
+        finished = false;
+        throw e;
       }
-      client.closed();
     }
+  }
+
+  private void leave() {
+    releaseTime();
+    pending.set(0);
+    UrbiLobby own = lobby;
+    if (own != null) {
+      own.shell().close();
+      own.output().close();
+    }
+    kernel.connections().remove(this);
+    if (own != null && !kernel.isStopping()) {
+      own.disconnected(kernel.interpreter());
+    }
+    client.closed();
   }
 }

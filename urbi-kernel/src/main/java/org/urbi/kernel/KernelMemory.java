@@ -1,9 +1,13 @@
 package org.urbi.kernel;
 
+import java.util.ArrayDeque;
+import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.UsageMeter;
 import org.urbi.kernel.log.KernelLog;
@@ -18,15 +22,35 @@ final class KernelMemory implements MemoryUser {
   private final KernelLog log;
   private final Consumer<Boolean> onNearlyFull;
   private final Runnable onExhausted;
-  private @Nullable Evictable evicted;
+  private final UsageMeter meter;
+  private final LongSupplier turns;
+
+  /** Whose jobs were ended, and who can be let go next. */
+  private final Queue<Evictable> evicted = new ArrayDeque<>();
+
+  /** The turn in which the kernel was when somebody was last asked to give back memory. */
+  private long turnBefore = -1;
 
   /**
+   * @param turns the number of the current turn, on any thread
    * @param onNearlyFull told when memory is nearly exhausted, and when it is not any more
    * @param onExhausted called when memory could not be freed
    */
   KernelMemory(
-      UsageMeter meter, KernelLog log, Consumer<Boolean> onNearlyFull, Runnable onExhausted) {
-    this.growth = new LobbyGrowth(meter, candidates);
+      UsageMeter meter,
+      LongSupplier turns,
+      KernelLog log,
+      Consumer<Boolean> onNearlyFull,
+      Runnable onExhausted) {
+    this.meter = meter;
+    this.turns = turns;
+    this.growth =
+        new LobbyGrowth(
+            budget -> {
+              meter.begin();
+              return meter.bytes(budget);
+            },
+            candidates);
     this.log = log;
     this.onNearlyFull = onNearlyFull;
     this.onExhausted = onExhausted;
@@ -42,43 +66,75 @@ final class KernelMemory implements MemoryUser {
 
   @Override
   public void memoryScarce(boolean scarce) {
-    if (scarce) {
-      growth.measure();
-    } else {
+    growth.measure(scarce);
+    if (!scarce) {
       growth.forget();
+      evicted.clear();
     }
   }
 
   @Override
   public double growth() {
-    return remaining() == null ? growth.largest() : Double.POSITIVE_INFINITY;
+    return holder() != null || remaining() != null ? Double.POSITIVE_INFINITY : growth.largest();
   }
 
   /**
    * Ends the jobs of the lobby that has grown most, and tells its client. If that was not enough,
    * the next call disconnects that client, which frees the lobby's objects; the one after that
-   * turns to the next lobby.
+   * turns to the next lobby. But whoever holds the kernel keeps those who were ended from ending,
+   * so it goes first.
    */
   @Override
   public void relieve() {
+    Evictable holder = holder();
+    turnBefore = turns.getAsLong();
+    if (holder != null) {
+      evict(holder);
+      return;
+    }
     Evictable before = remaining();
     if (before != null) {
-      evicted = null;
+      // There may be no memory even for this: then nothing has changed, and it is tried again.
       before.close();
+      evicted.remove(before);
       tell("letting " + before.description() + " go");
       return;
     }
-    evicted = growth.next();
-    if (evicted != null) {
-      evicted.evict(Problem.MEMORY_EXHAUSTED.text());
-      tell("ending what is done for " + evicted.description());
+    Evictable next = growth.next();
+    if (next != null) {
+      evict(next);
     }
+  }
+
+  private void evict(Evictable next) {
+    next.evict(Problem.MEMORY_EXHAUSTED.text());
+    growth.evicted(next);
+    evicted.add(next);
+    tell("ending what is done for " + next.description());
+  }
+
+  /** Whoever has held the kernel since somebody was last asked to give back memory. */
+  private @Nullable Evictable holder() {
+    if (turnBefore != turns.getAsLong()) {
+      return null;
+    }
+    for (Evictable each : candidates) {
+      Budget budget = each.budget();
+      if (budget != null && meter.isCharged(budget) && growth.mayBeAsked(each)) {
+        return each;
+      }
+    }
+    return null;
   }
 
   /** Whose jobs were ended before, if it can be let go now. */
   private @Nullable Evictable remaining() {
-    Evictable before = evicted;
-    return before != null && candidates.contains(before) && !before.stays() ? before : null;
+    for (Evictable each : evicted) {
+      if (candidates.contains(each) && !each.stays()) {
+        return each;
+      }
+    }
+    return null;
   }
 
   @Override

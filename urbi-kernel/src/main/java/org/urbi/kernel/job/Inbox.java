@@ -1,6 +1,8 @@
 package org.urbi.kernel.job;
 
+import java.util.ArrayDeque;
 import java.util.Map;
+import java.util.Queue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -36,6 +38,7 @@ public final class Inbox {
   private int registered = Message.FIRST_FREE;
   private KernelPoller listening = KernelPoller.NONE;
   private BiConsumer<Message, Throwable> failures = (message, failure) -> {};
+  private final Queue<Message.Ending> unfinished = new ArrayDeque<>();
 
   public Inbox(Journal journal) {
     this.journal = journal;
@@ -99,6 +102,9 @@ public final class Inbox {
 
   /** Delivers the waiting messages to their receivers. */
   void take() {
+    for (int left = unfinished.size(); left > 0; left--) {
+      deliver(unfinished.remove());
+    }
     if (!filled && !journal.isReplay()) {
       return;
     }
@@ -114,7 +120,7 @@ public final class Inbox {
   private @Nullable Message next() {
     Message message = messages.poll();
     if (message == null) {
-      filled = false;
+      filled = !unfinished.isEmpty();
       // One may have come between the two.
       message = messages.poll();
       if (message != null) {
@@ -130,6 +136,12 @@ public final class Inbox {
     if (receiver != null) {
       try {
         receiver.take(message);
+      } catch (OutOfMemoryError failure) {
+        if (message instanceof Message.Ending ending) {
+          unfinished.add(ending);
+        } else {
+          failures.accept(message, failure);
+        }
       } catch (Throwable failure) {
         failures.accept(message, failure);
       }

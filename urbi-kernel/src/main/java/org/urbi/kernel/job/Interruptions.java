@@ -32,7 +32,7 @@ public final class Interruptions {
   private final Journal journal;
   private final Clock machine;
   private final boolean counted;
-  private Function<Job, RuntimeException> overdueFailure = job -> new TagStop(null, null);
+  private Function<Job, RuntimeException> overdueFailure = job -> TagStop.WHOLE_JOB;
   private volatile boolean wanted;
   private volatile boolean all;
   private final AtomicLong overdueTurn = new AtomicLong(NONE);

@@ -638,7 +638,7 @@ public final class Job implements Runnable {
 
   /** Ends the job, wherever it is. */
   public void terminate() {
-    inject(new TagStop(null, null));
+    inject(TagStop.WHOLE_JOB);
   }
 
   /** The turn of the job; called by the tick loop alone. */

@@ -257,7 +257,7 @@ public final class Scheduler {
    * The number of this turn: another one whenever a job begins to run, lets others run, or could
    * have. May be asked on any thread.
    */
-  long turn() {
+  public long turn() {
     return turns.getOpaque() + passed;
   }
 

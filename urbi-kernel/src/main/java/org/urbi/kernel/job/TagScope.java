@@ -154,6 +154,19 @@ public final class TagScope {
     return all;
   }
 
+  /** Whether there is a job under this scope. */
+  boolean hasJobs() {
+    if (!jobs.isEmpty()) {
+      return true;
+    }
+    for (TagScope scope : inner) {
+      if (scope.hasJobs()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** Everything that waits under this scope without a job. */
   List<Attachment> allAttachments() {
     List<Attachment> all = new ArrayList<>();
@@ -168,7 +181,8 @@ public final class TagScope {
     }
   }
 
-  private void collect(List<Job> all) {
+  /** Adds every job under this scope. */
+  void collect(List<Job> all) {
     all.addAll(jobs);
     for (TagScope scope : inner) {
       scope.collect(all);

@@ -37,7 +37,7 @@ public final class TagState {
   /** Whether nothing is running under this tag, not even what has been frozen. */
   public boolean isIdle() {
     for (TagScope scope : scopes) {
-      if (!scope.allJobs().isEmpty()) {
+      if (scope.hasJobs()) {
         return false;
       }
     }
@@ -76,8 +76,9 @@ public final class TagState {
       for (TagScope.Attachment attachment : scope.allAttachments()) {
         attachment.stopped(scope);
       }
+      TagStop unwinding = new TagStop(scope, value);
       for (Job job : scope.allJobs()) {
-        job.inject(new TagStop(scope, value));
+        job.inject(unwinding);
       }
     }
   }
@@ -127,7 +128,7 @@ public final class TagState {
   private List<Job> jobs() {
     List<Job> jobs = new ArrayList<>();
     for (TagScope scope : scopes) {
-      jobs.addAll(scope.allJobs());
+      scope.collect(jobs);
     }
     return jobs;
   }

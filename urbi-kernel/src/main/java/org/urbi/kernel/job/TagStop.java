@@ -7,6 +7,9 @@ import org.urbi.kernel.object.UrbiObject;
 
 /** Unwinds a job up to the tagged code that was stopped (manual, "Tag", {@code stop}). */
 public final class TagStop extends ControlFlowException {
+  /** Ends a whole job; one for all of them, of which there may be very many. */
+  static final TagStop WHOLE_JOB = new TagStop(null, null);
+
   private final transient @Nullable TagScope scope;
   private final transient @Nullable UrbiObject value;
   private final boolean interruption;

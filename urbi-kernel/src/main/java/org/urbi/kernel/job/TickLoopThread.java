@@ -118,7 +118,7 @@ final class TickLoopThread implements JobThread, Executor {
   @Override
   public void suspend() {
     if (factory.ended) {
-      throw new TagStop(null, null);
+      throw TagStop.WHOLE_JOB;
     }
     resumed = false;
     handing = true;

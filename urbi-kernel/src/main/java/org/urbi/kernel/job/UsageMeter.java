@@ -76,6 +76,11 @@ public final class UsageMeter {
         : known.getThreadAllocatedBytes(kernel.threadId());
   }
 
+  /** Whether it is the turn of a job with that budget. From any thread. */
+  public boolean isCharged(Budget budget) {
+    return charged == budget;
+  }
+
   /**
    * For how long jobs with that budget have run since measuring started, in nanoseconds, including
    * the current turn. From any thread.

@@ -65,6 +65,7 @@ public final class Shell {
   private boolean waiting;
   private boolean ended;
   private boolean closed;
+  private boolean stopped;
   private boolean busy;
   private long bytesReceived;
 
@@ -171,10 +172,10 @@ public final class Shell {
     }
   }
 
-  /** Ends all that the lobby does. */
+  /** Ends all that the lobby does. If memory is wanting for that, it can be called again. */
   public void close() {
-    if (!closed) {
-      closed = true;
+    closed = true;
+    if (!stopped) {
       received.setLength(0);
       // Ends handlers without their onleave clauses: no client is left for them.
       lobby.connectionTag().state().dismiss();
@@ -186,6 +187,7 @@ public final class Shell {
       if (job != null) {
         job.terminate();
       }
+      stopped = true;
     }
   }
 

@@ -154,9 +154,8 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
 
   /** Ends the lobbies that are to end with it. */
   void closeCreated() {
-    List<UrbiLobby> left = List.copyOf(created);
+    List.copyOf(created).forEach(lobby -> lobby.shell().close());
     created.clear();
-    left.forEach(lobby -> lobby.shell().close());
   }
 
   /** Whether the connection is open. A condition that asks is evaluated again when it closes. */

@@ -3,62 +3,94 @@ package org.urbi.kernel.memory;
 import java.util.Collection;
 import java.util.Map;
 import java.util.WeakHashMap;
+import java.util.function.ToLongFunction;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
-import org.urbi.kernel.job.UsageMeter;
 
 /**
- * Finds the lobby that has grown most lately: the one whose jobs have allocated most since memory
- * became scarce, where recent allocations weigh more. Memory that has become garbage since counts,
- * too, because nobody knows whose it was.
+ * Finds the lobby that has grown most lately: the one whose jobs have allocated most, where recent
+ * allocations weigh more. Memory that has become garbage since counts, too, because nobody knows
+ * whose it was.
  */
 public final class LobbyGrowth {
   /** The factor by which older allocations lose weight at each measurement. */
   private static final double KEPT = 0.98;
 
-  private final UsageMeter meter;
+  /** While memory is not scarce, only one of so many measurements is made. */
+  private static final int SELDOM = 20;
+
+  private static final double KEPT_SELDOM = Math.pow(KEPT, SELDOM);
+
+  /** Who has less than this share of all growth has nothing worth giving back. */
+  private static final double NEGLIGIBLE = 0.005;
+
+  private final ToLongFunction<Budget> allocated;
   private final Collection<Evictable> candidates;
   private final Map<Evictable, Score> scores = new WeakHashMap<>();
+
+  /** The growth of all of them, including those that have gone. */
+  private double all;
+
+  private int skipped;
 
   private static final class Score {
     long bytes;
     double grown;
     boolean evicted;
-
-    /**
-     * @param bytes what was allocated before memory became scarce
-     */
-    Score(long bytes) {
-      this.bytes = bytes;
-    }
   }
 
   /**
+   * @param allocated how many bytes jobs with that budget have allocated so far
    * @param candidates all there are, at any time
    */
-  public LobbyGrowth(UsageMeter meter, Collection<Evictable> candidates) {
-    this.meter = meter;
+  public LobbyGrowth(ToLongFunction<Budget> allocated, Collection<Evictable> candidates) {
+    this.allocated = allocated;
     this.candidates = candidates;
   }
 
-  /** To be called several times a second while memory is scarce. */
-  public synchronized void measure() {
-    meter.begin();
-    boolean first = scores.isEmpty();
+  /**
+   * Measures how much each has grown; to be called several times a second. What was allocated at
+   * one go just before memory became scarce must be known by then, so it is always measured.
+   */
+  public synchronized void measure(boolean scarce) {
+    if (scarce) {
+      measure(KEPT);
+    } else if (skipped++ % SELDOM == 0) {
+      measure(KEPT_SELDOM);
+    }
+  }
+
+  private void measure(double kept) {
+    all *= kept;
     for (Evictable each : candidates) {
       Budget budget = each.budget();
       if (budget != null) {
-        long bytes = meter.bytes(budget);
-        Score score = scores.computeIfAbsent(each, unknown -> new Score(first ? bytes : 0));
-        score.grown = score.grown * KEPT + bytes - score.bytes;
+        long bytes = allocated.applyAsLong(budget);
+        Score score = scores.computeIfAbsent(each, unknown -> new Score());
+        score.grown = score.grown * kept + bytes - score.bytes;
+        all += bytes - score.bytes;
         score.bytes = bytes;
       }
     }
   }
 
-  /** Memory is not scarce any more. */
+  /** That one has been asked to give back its memory, so others are next. */
+  public synchronized void evicted(Evictable asked) {
+    Score score = scores.get(asked);
+    if (score != null) {
+      score.evicted = true;
+    }
+  }
+
+  /** Whether that one has not been asked yet. */
+  public synchronized boolean mayBeAsked(Evictable one) {
+    Score score = scores.get(one);
+    return score != null && !score.evicted;
+  }
+
+  /** Whoever has been asked before may be asked again. */
   public synchronized void forget() {
-    scores.clear();
+    scores.values().forEach(score -> score.evicted = false);
   }
 
   /** How much the {@link #next} one has grown, in bytes; 0 if there is none. */
@@ -67,19 +99,15 @@ public final class LobbyGrowth {
     return most == null ? 0 : most.getValue().grown;
   }
 
-  /** The one whose lobby has grown most, of those not returned yet; null when none has grown. */
+  /** The one whose lobby has grown most, of those not asked yet; null when none has grown. */
   public synchronized @Nullable Evictable next() {
     Map.Entry<Evictable, Score> most = most();
-    if (most == null) {
-      return null;
-    }
-    most.getValue().evicted = true;
-    return most.getKey();
+    return most == null ? null : most.getKey();
   }
 
   private Map.@Nullable Entry<Evictable, Score> most() {
     Map.Entry<Evictable, Score> most = null;
-    double grown = 0;
+    double grown = NEGLIGIBLE * all;
     for (Evictable each : candidates) {
       Score score = scores.get(each);
       if (score != null && !score.evicted && score.grown > grown) {

@@ -38,6 +38,7 @@ final class MemoryRescue {
   private long since;
   private boolean relieved;
   private long relievedAt;
+  private long collections;
   private boolean gaveUp;
   private long gaveUpAt;
 
@@ -83,7 +84,7 @@ final class MemoryRescue {
         relieved = false;
         each(users, FULL);
       }
-      if (now - relievedAt > RELIEF || now - since > MAX_RELIEF) {
+      if (isOver(now)) {
         if (!isRelieved()) {
           giveUp(users);
         }
@@ -91,15 +92,22 @@ final class MemoryRescue {
         relieve(users);
       }
     } catch (Error e) {
-      if (began && worked.getAsLong() - since > RELIEF) {
+      // There was no memory for it: it is tried again, as long as there is hope.
+      if (began && isOver(worked.getAsLong())) {
         giveUp(users);
       }
     }
   }
 
+  private boolean isOver(long now) {
+    return now - relievedAt > RELIEF || now - since > MAX_RELIEF;
+  }
+
   /** Whether there is room again: what was ended may have become garbage, or what has left. */
   private boolean isRelieved() {
-    heap.collect();
+    if (heap.collections() == collections) {
+      heap.collect();
+    }
     return !(heap.isScarce() && heap.isNearlyFull(clock.now()));
   }
 
@@ -115,6 +123,7 @@ final class MemoryRescue {
     }
     if (most != null) {
       most.relieve();
+      collections = heap.collections();
       relieved = true;
       relievedAt = worked.getAsLong();
     }

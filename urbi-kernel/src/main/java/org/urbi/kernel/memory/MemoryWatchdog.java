@@ -34,7 +34,7 @@ public final class MemoryWatchdog {
     if (thread == null) {
       var heap = new HeapUsage();
       var clock = new SystemClock();
-      var worked = new WorkTime(clock);
+      var worked = new WorkTime(clock, heap);
       var rescue = new MemoryRescue(clock, worked, heap);
       Thread made =
           Thread.ofPlatform()

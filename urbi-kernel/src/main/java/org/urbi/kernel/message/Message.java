@@ -81,11 +81,17 @@ public sealed interface Message {
   /** A client wants to interrupt the statement being executed. */
   record Interrupted(int to) implements Message {}
 
+  /**
+   * What frees memory, so it must not be lost for want of memory: a receiver that fails with an
+   * {@link OutOfMemoryError} is given it again, and does then what is left to do.
+   */
+  sealed interface Ending extends Message {}
+
   /** All jobs of a lobby must end, for that reason. */
-  record Evicted(int to, String reason) implements Message {}
+  record Evicted(int to, String reason) implements Ending {}
 
   /** A client has disconnected. */
-  record ConnectionClosed(int to) implements Message {}
+  record ConnectionClosed(int to) implements Ending {}
 
   /** The code that carries a client's text has failed because of a bug of ours. */
   record ConnectionFailed(int to, String error) implements Message {}

@@ -16,6 +16,12 @@ public interface Heap {
   /** Resets the measurement: memory is no longer scarce. */
   void forget();
 
+  /** How many times all garbage has been collected so far. */
+  long collections();
+
+  /** How long the program has stood still so far while garbage was collected, in nanoseconds. */
+  long collecting();
+
   /** Collects garbage, which nobody else would do soon. */
   void collect();
 }

@@ -35,6 +35,7 @@ public final class HeapUsage implements Heap {
   private @Nullable MemoryPoolMXBean old;
 
   private List<GarbageCollectorMXBean> collectors = List.of();
+  private List<GarbageCollectorMXBean> oldCollectors = List.of();
   private long windowBegan;
   private long collectedBefore;
   private boolean collecting;
@@ -69,6 +70,12 @@ public final class HeapUsage implements Heap {
           ManagementFactory.getGarbageCollectorMXBeans().stream()
               .filter(bean -> !bean.getName().matches(".*(Cycles|Concurrent).*"))
               .toList();
+      String name = known.getName();
+      oldCollectors =
+          collectors.stream()
+              .filter(bean -> List.of(bean.getMemoryPoolNames()).contains(name))
+              .filter(bean -> !bean.getName().contains("Young"))
+              .toList();
     }
     return known;
   }
@@ -81,12 +88,9 @@ public final class HeapUsage implements Heap {
   }
 
   private boolean isCollecting(long now) {
-    long collected = 0;
-    for (GarbageCollectorMXBean each : collectors) {
-      collected += each.getCollectionTime();
-    }
     if (windowBegan == 0 || now - windowBegan > WINDOW) {
-      double spent = (collected - collectedBefore) * (double) MILLISECOND;
+      long collected = collecting();
+      double spent = (double) collected - collectedBefore;
       collecting = windowBegan != 0 && spent > MAX_COLLECTING * (now - windowBegan);
       windowBegan = now;
       collectedBefore = collected;
@@ -98,6 +102,24 @@ public final class HeapUsage implements Heap {
   public void forget() {
     windowBegan = 0;
     collecting = false;
+  }
+
+  @Override
+  public long collections() {
+    long count = 0;
+    for (GarbageCollectorMXBean each : oldCollectors) {
+      count += each.getCollectionCount();
+    }
+    return count;
+  }
+
+  @Override
+  public long collecting() {
+    long collected = 0;
+    for (GarbageCollectorMXBean each : collectors) {
+      collected += each.getCollectionTime();
+    }
+    return collected * MILLISECOND;
   }
 
   @Override

@@ -72,6 +72,30 @@ class InboxTest {
     assertEquals(List.of(new Message.InputEnded(good)), taken);
   }
 
+  /** Otherwise a client that was to be let go for its memory would keep it for ever. */
+  @Test
+  void whatEndsSomebodyIsNotLostForWantOfMemory() {
+    List<Throwable> told = new ArrayList<>();
+    inbox.setFailures((message, failure) -> told.add(failure));
+    int[] tries = {0};
+    int full =
+        inbox.register(message -> {
+          if (++tries[0] < 3) {
+            throw new OutOfMemoryError();
+          }
+          taken.add(message);
+        });
+    inbox.post(new Message.ConnectionClosed(full));
+    inbox.take();
+    assertTrue(inbox.isFilled(), "it waits for no other message");
+    inbox.take();
+    assertEquals(List.of(), taken);
+    inbox.take();
+    assertEquals(List.of(new Message.ConnectionClosed(full)), taken);
+    assertEquals(List.of(), told);
+    assertFalse(inbox.isFilled());
+  }
+
   @Test
   void aFloodLeavesTheJobsTheirTurn() {
     int number = inbox.reserve();

@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.urbi.kernel.outside.Heap;
 import org.urbi.kernel.time.VirtualClock;
 
 /** What happens when the heap is nearly full, in virtual time. */
@@ -15,36 +15,13 @@ class MemoryRescueTest {
 
   private final VirtualClock clock = new VirtualClock();
   private final StringBuilder events = new StringBuilder();
-  private boolean full = true;
-  private int collections;
+  private final GivenHeap heap = new GivenHeap();
+  private final MemoryRescue rescue = new MemoryRescue(clock, clock::now, heap);
 
-  /** Says what becomes of the heap when garbage is collected. */
-  private Runnable whenCollected = () -> {};
-
-  private final MemoryRescue rescue =
-      new MemoryRescue(
-          clock,
-          clock::now,
-          new Heap() {
-            @Override
-            public boolean isScarce() {
-              return full;
-            }
-
-            @Override
-            public boolean isNearlyFull(long now) {
-              return full;
-            }
-
-            @Override
-            public void forget() {}
-
-            @Override
-            public void collect() {
-              collections++;
-              whenCollected.run();
-            }
-          });
+  @BeforeEach
+  void memoryIsFull() {
+    heap.full = true;
+  }
 
   /** A kernel with one lobby, whose jobs are ended first, then its client let go. */
   private class Kernel implements MemoryUser {
@@ -105,7 +82,7 @@ class MemoryRescueTest {
     Kernel large = new Kernel("large", 20);
     Kernel idle = new Kernel("idle", 0);
     run(3, small, large, idle);
-    full = false;
+    heap.full = false;
     run(1, small, large, idle);
     assertEquals(
         """
@@ -141,10 +118,10 @@ class MemoryRescueTest {
   /** Nobody asks for a collection when nobody allocates any more. */
   @Test
   void whatWasLeftAsGarbageDoesNotExhaustMemory() {
-    whenCollected = () -> full = false;
+    heap.whenCollected = () -> heap.full = false;
     run(10, new Kernel("idle", 0));
     assertEquals("0.25 idle full\n4.75 idle free\n", events.toString());
-    assertEquals(1, collections);
+    assertEquals(1, heap.collections);
   }
 
   @Test

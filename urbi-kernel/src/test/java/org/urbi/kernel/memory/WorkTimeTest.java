@@ -10,7 +10,8 @@ class WorkTimeTest {
   private static final long HOUR = 3_600_000_000_000L;
 
   private final VirtualClock clock = new VirtualClock();
-  private final WorkTime worked = new WorkTime(clock);
+  private final GivenHeap heap = new GivenHeap();
+  private final WorkTime worked = new WorkTime(clock, heap);
 
   @Test
   void itIsThatOfTheClockBeforeItIsPrepared() {
@@ -25,6 +26,16 @@ class WorkTimeTest {
     long before = worked.getAsLong();
     clock.advanceTo(HOUR);
     assertEquals(HOUR / 5, worked.getAsLong() - before);
+  }
+
+  /** Who could not run could not give back memory, either. */
+  @Test
+  void aProcessThatOnlyCollectsGarbageHasLonger() {
+    worked.prepare();
+    long before = worked.getAsLong();
+    heap.collecting = HOUR;
+    clock.advanceTo(HOUR);
+    assertEquals(HOUR / 3, worked.getAsLong() - before);
   }
 
   @Test

@@ -78,7 +78,13 @@ final class ClientOutput {
    */
   void finish() {
     if (closed.compareAndSet(false, true)) {
-      NetworkThread.execute(channel.eventLoop(), this::closeGracefully);
+      try {
+        NetworkThread.execute(channel.eventLoop(), this::closeGracefully);
+      } catch (OutOfMemoryError e) {
+        // It is closed when there is memory again.
+        closed.set(false);
+        throw e;
+      }
     }
   }
 
