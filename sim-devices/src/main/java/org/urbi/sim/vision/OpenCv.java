@@ -4,12 +4,20 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
+import java.net.JarURLConnection;
 import java.net.URL;
-import java.net.URLConnection;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Deque;
+import java.util.List;
 import java.util.Locale;
+import java.util.jar.JarEntry;
+import java.util.jar.JarFile;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.opencv.core.Core;
 import org.opencv.core.CvType;
@@ -17,12 +25,23 @@ import org.opencv.core.Mat;
 import org.urbi.sim.SimulationException;
 
 /**
- * Loads OpenCV's native library. Its 60 MB are unpacked once, into {@code opencv-VERSION/PLATFORM}
- * of the cache folder: {@code urbi.cache} if that system property is set, {@code
- * $XDG_CACHE_HOME/urbi}, or {@code ~/.cache/urbi}.
+ * Loads OpenCV's native libraries. Their 83 MB are unpacked once, into {@code
+ * opencv-VERSION/PLATFORM} of the cache folder: {@code urbi.cache} if that system property is set,
+ * {@code $XDG_CACHE_HOME/urbi}, or {@code ~/.cache/urbi}.
  */
 public final class OpenCv {
   private static final String CACHE = "urbi.cache";
+
+  /** Where the jars have the libraries: first those that the others need. */
+  private static final List<String> FOLDERS =
+      List.of("org/bytedeco/openblas/", "org/bytedeco/opencv/");
+
+  /** A library, unless it is for JavaCPP's own bindings, which nobody uses here. */
+  private static final Pattern LIBRARY =
+      Pattern.compile("(?!lib/?jni|jni)[^/]+\\.(dll|dylib|so)(\\.\\d+)*");
+
+  /** The library of the classes in {@code org.opencv}. */
+  private static final String BINDINGS = "opencv_java";
 
   private static boolean loaded;
   private static @Nullable SimulationException failure;
@@ -59,8 +78,14 @@ public final class OpenCv {
 
   private static @Nullable SimulationException load() {
     try {
-      Path library = unpacked(resource(), cacheFolder());
-      loadForOpenCv(library);
+      String platform =
+          platform(System.getProperty("os.name", ""), System.getProperty("os.arch", ""));
+      Path target = cacheFolder().resolve(Path.of("opencv-" + Core.VERSION, platform));
+      List<Path> libraries = new ArrayList<>();
+      for (String folder : FOLDERS) {
+        libraries.addAll(unpacked(folder + platform + "/", target));
+      }
+      loadAll(libraries);
       // One thread: what is computed is the same everywhere, and small images gain nothing.
       Core.setNumThreads(1);
       return null;
@@ -70,6 +95,31 @@ public final class OpenCv {
       return new SimulationException("OpenCV cannot be unpacked: " + e, e);
     } catch (LinkageError e) {
       return new SimulationException("OpenCV cannot be loaded: " + e.getMessage(), e);
+    }
+  }
+
+  /**
+   * Loads libraries that need each other: one that cannot be loaded yet has another turn. Nobody
+   * misses one that cannot be loaded at all and that the bindings do not need.
+   */
+  private static void loadAll(List<Path> libraries) throws IOException {
+    Deque<Path> left = new ArrayDeque<>(libraries);
+    int inVain = 0;
+    while (!left.isEmpty()) {
+      Path next = left.remove();
+      try {
+        loadForOpenCv(next);
+        inVain = 0;
+      } catch (UnsatisfiedLinkError e) {
+        left.add(next);
+        inVain++;
+        if (inVain >= left.size()) {
+          if (left.stream().anyMatch(each -> each.toString().contains(BINDINGS))) {
+            throw e;
+          }
+          return;
+        }
+      }
     }
   }
 
@@ -103,35 +153,23 @@ public final class OpenCv {
     }
   }
 
-  /** {@code linux/x86_64} and so on, as the jar has it. */
+  /** {@code linux-x86_64} and so on, as the jars have it. */
   static String platform(String system, String machine) {
     String os = system.toLowerCase(Locale.ROOT);
     String folder =
         os.startsWith("linux")
             ? "linux"
-            : os.startsWith("mac") ? "osx" : os.startsWith("windows") ? "windows" : null;
+            : os.startsWith("mac") ? "macosx" : os.startsWith("windows") ? "windows" : null;
     String architecture =
         switch (machine.toLowerCase(Locale.ROOT)) {
           case "amd64", "x86_64" -> "x86_64";
-          case "aarch64", "arm64" -> "ARMv8";
-          case "arm" -> "ARMv7";
-          case "x86", "i386", "i686" -> "x86_32";
+          case "aarch64", "arm64" -> "arm64";
           default -> null;
         };
     if (folder == null || architecture == null) {
       throw new SimulationException("no OpenCV for " + system + " on " + machine);
     }
-    return folder + "/" + architecture;
-  }
-
-  private static URL resource() {
-    String platform = platform(System.getProperty("os.name"), System.getProperty("os.arch"));
-    String file = System.mapLibraryName(Core.NATIVE_LIBRARY_NAME);
-    URL url = OpenCv.class.getResource("/nu/pattern/opencv/" + platform + "/" + file);
-    if (url == null) {
-      throw new SimulationException("no OpenCV for this machine (" + platform + ")");
-    }
-    return url;
+    return folder + "-" + architecture;
   }
 
   static Path cacheFolder() {
@@ -145,28 +183,45 @@ public final class OpenCv {
         : Path.of(System.getProperty("user.home"), ".cache", "urbi");
   }
 
-  /** The file in the cache, written if it is missing or of another size. */
-  static Path unpacked(URL source, Path cache) throws IOException {
-    String path = source.getPath();
-    String[] steps = path.substring(path.indexOf("nu/pattern/")).split("/");
-    Path target =
-        cache.resolve(Path.of("opencv-" + Core.VERSION, steps[3] + "-" + steps[4], steps[5]));
-    URLConnection connection = source.openConnection();
+  private static List<Path> unpacked(String folder, Path target) throws IOException {
+    URL url = OpenCv.class.getClassLoader().getResource(folder);
+    if (url == null || !(url.openConnection() instanceof JarURLConnection connection)) {
+      throw new SimulationException("no OpenCV for this machine (" + folder + ")");
+    }
     connection.setUseCaches(false);
-    try (InputStream input = connection.getInputStream()) {
-      if (!Files.exists(target) || Files.size(target) != connection.getContentLengthLong()) {
-        Files.createDirectories(target.getParent());
-        // Others may be doing the same: each writes a file of its own, and the last one stays.
-        Path draft = Files.createTempFile(target.getParent(), "unpacking", null);
-        try {
-          Files.copy(input, draft, StandardCopyOption.REPLACE_EXISTING);
-          Files.move(draft, target, StandardCopyOption.ATOMIC_MOVE);
-        } finally {
-          Files.deleteIfExists(draft);
+    try (JarFile jar = connection.getJarFile()) {
+      return unpacked(jar, folder, target);
+    }
+  }
+
+  /** The libraries in a folder of a jar, written to another if missing or of another size. */
+  static List<Path> unpacked(JarFile jar, String folder, Path target) throws IOException {
+    Files.createDirectories(target);
+    List<Path> all = new ArrayList<>();
+    for (JarEntry each : Collections.list(jar.entries())) {
+      String name = each.getName();
+      if (name.startsWith(folder) && LIBRARY.matcher(name.substring(folder.length())).matches()) {
+        Path file = target.resolve(name.substring(folder.length())).toAbsolutePath();
+        if (!Files.exists(file) || Files.size(file) != each.getSize()) {
+          try (InputStream input = jar.getInputStream(each)) {
+            write(input, file);
+          }
         }
+        all.add(file);
       }
     }
-    return target.toAbsolutePath();
+    return all;
+  }
+
+  /** Others may be doing the same: each writes a file of its own, and the last one stays. */
+  private static void write(InputStream input, Path file) throws IOException {
+    Path draft = Files.createTempFile(file.getParent(), "unpacking", null);
+    try {
+      Files.copy(input, draft, StandardCopyOption.REPLACE_EXISTING);
+      Files.move(draft, file, StandardCopyOption.ATOMIC_MOVE);
+    } finally {
+      Files.deleteIfExists(draft);
+    }
   }
 
   /**

@@ -6,11 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.abort;
 
-import java.net.URL;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.jar.JarEntry;
+import java.util.jar.JarFile;
+import java.util.jar.JarOutputStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -211,21 +214,29 @@ class VisionTest {
 
   @Test
   void libraryIsUnpackedOnce(@TempDir Path folder) throws Exception {
-    // Any resource of that place and name does; the real one has 60 MB.
-    Path tree = folder.resolve("nu/pattern/opencv/linux/test");
-    Files.createDirectories(tree);
-    Files.writeString(tree.resolve("library.so"), "one");
-    URL source = tree.resolve("library.so").toUri().toURL();
-    Path cache = folder.resolve("cache");
-    Path first = OpenCv.unpacked(source, cache);
-    assertEquals("one", Files.readString(first));
-    assertTrue(first.startsWith(cache.resolve("opencv-4.9.0")), first.toString());
-    Files.writeString(first, "two");
-    assertEquals("two", Files.readString(OpenCv.unpacked(source, cache)), "of the same size");
-    Files.writeString(first, "broken");
-    assertEquals("one", Files.readString(OpenCv.unpacked(source, cache)));
-    try (var files = Files.list(first.getParent())) {
-      assertEquals(1, files.count(), "nothing else stays");
+    Path file = folder.resolve("natives.jar");
+    try (JarOutputStream jar = new JarOutputStream(Files.newOutputStream(file))) {
+      for (String name : List.of("libone.so.4", "libjnione.so", "include/one.so", "one.xml")) {
+        jar.putNextEntry(new JarEntry("natives/test/" + name));
+        jar.write("one".getBytes(StandardCharsets.US_ASCII));
+        jar.closeEntry();
+      }
+    }
+    Path cache = folder.resolve("cache/platform");
+    try (JarFile jar = new JarFile(file.toFile())) {
+      List<Path> all = OpenCv.unpacked(jar, "natives/test/", cache);
+      Path only = cache.resolve("libone.so.4").toAbsolutePath();
+      assertEquals(List.of(only), all);
+      assertEquals("one", Files.readString(only));
+      Files.writeString(only, "two");
+      assertEquals(all, OpenCv.unpacked(jar, "natives/test/", cache));
+      assertEquals("two", Files.readString(only), "of the same size");
+      Files.writeString(only, "broken");
+      OpenCv.unpacked(jar, "natives/test/", cache);
+      assertEquals("one", Files.readString(only));
+      try (var files = Files.list(cache)) {
+        assertEquals(1, files.count(), "nothing else stays");
+      }
     }
   }
 }
