@@ -26,7 +26,15 @@ public final class Properties {
       return changed(frame, holder, slot);
     }
     SlotData data = holder.slotData(slot);
-    return data == null ? null : data.properties.get(property);
+    if (data == null) {
+      return null;
+    }
+    UrbiObject variable = holder.localSlot(slot);
+    return property.equals("timestamp")
+            && variable != null
+            && data.getter instanceof SlotUpdate.Whole
+        ? frame.interpreter.send(frame, variable, property)
+        : data.properties.get(property);
   }
 
   /** The event that is emitted when the slot is assigned; it is created on first use. */

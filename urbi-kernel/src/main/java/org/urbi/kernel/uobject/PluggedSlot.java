@@ -57,7 +57,7 @@ final class PluggedSlot implements USlot {
       if (told != null && variable.isInput()) {
         return context.conversion().toJava(told.value());
       }
-      UrbiObject value = owner || told != null ? seen().value() : variable.read(frame);
+      UrbiObject value = owner || told != null ? seen().value() : variable.readNow(frame);
       return context.conversion().toJava(value);
     });
   }

@@ -363,12 +363,15 @@ public final class UrbiUVar extends UrbiObject {
    * next value, and returns {@code nil} if none is written within half a second.
    */
   public UrbiObject read(Frame frame) {
+    UrbiObject present = readNow(frame);
+    return bypass && isForgotten() && world().tracker == null ? awaitValue(frame.job()) : present;
+  }
+
+  /** As {@link #read}, but never waits: in bypass mode there may be no value. */
+  public UrbiObject readNow(Frame frame) {
     if (!onAccess.isEmpty()) {
       onAccess.run(frame, this, visible());
       reviewAccess(frame.interpreter());
-    }
-    if (bypass && isForgotten() && world().tracker == null) {
-      return awaitValue(frame.job());
     }
     return visible().value();
   }

@@ -25,6 +25,8 @@ import org.urbi.kernel.variable.UrbiUVar;
     doc = "A variable whose changes and accesses can be hooked.",
     needs = Permission.NOTHING)
 final class UVarType {
+  private static final double NANOSECONDS_PER_SECOND = 1e9;
+
   private final PluggedContext uobjects;
 
   UVarType(PluggedContext uobjects) {
@@ -163,6 +165,17 @@ final class UVarType {
       needs = Permission.CHANGE)
   static void assignVal(Frame frame, UrbiUVar self, UrbiObject value) {
     self.write(frame, new Datum(value));
+  }
+
+  @Builtin(
+      doc = "Reads the value as the slot does, which may call functions. The list is not used.")
+  static UrbiObject apply(Frame frame, UrbiUVar self, UrbiObject arguments) {
+    return self.read(frame);
+  }
+
+  @Builtin(doc = "When the value was last written, in seconds as those of System.time.")
+  static double timestamp(UrbiUVar self) {
+    return self.written() / NANOSECONDS_PER_SECOND;
   }
 
   @Builtin(doc = "The value that everybody reads. No function is called for it.")
