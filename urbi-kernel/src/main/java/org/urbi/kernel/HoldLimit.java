@@ -16,12 +16,10 @@ import org.urbi.kernel.log.LogLevel;
 final class HoldLimit {
   private final Errors errors;
   private final KernelLog log;
-  private final Duration limit;
 
-  private HoldLimit(Errors errors, KernelLog log, Duration limit) {
+  private HoldLimit(Errors errors, KernelLog log) {
     this.errors = errors;
     this.log = log;
-    this.limit = limit;
   }
 
   /**
@@ -32,7 +30,7 @@ final class HoldLimit {
    */
   static @Nullable HoldWatchdog set(
       Scheduler scheduler, Errors errors, KernelLog log, Duration limit) {
-    HoldLimit holding = new HoldLimit(errors, log, limit);
+    HoldLimit holding = new HoldLimit(errors, log);
     // A replay may have no limit where the recorded run had one and reached it.
     scheduler.interruptions().setOverdueFailure(holding::failure);
     if (limit.isZero() || scheduler.journal().isReplay()) {
@@ -46,11 +44,11 @@ final class HoldLimit {
   }
 
   /** Called on the watchdog's thread, so it reads nothing but names. */
-  private void tell(Job job, String component) {
+  private void tell(Job job, @Nullable String component, long limit) {
     if (log.shows(LogLevel.LOG)) {
       log.write(
           "urbi: "
-              + Problem.HOLDS_KERNEL.text(described(job, component), limit.toMillis() / 1000.0));
+              + Problem.HOLDS_KERNEL.text(described(job, component), limit / 1_000_000 / 1000.0));
     }
   }
 

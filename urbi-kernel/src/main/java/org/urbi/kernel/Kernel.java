@@ -88,7 +88,7 @@ public final class Kernel implements AutoCloseable {
     world.randomNumbers().seed(builder.seed);
     this.scheduler = new Scheduler(world, clock, journal, builder.jobThreads, this::report);
     this.outOfBand = new OutOfBandControl(scheduler);
-    this.memory = builder.memory(scheduler, log);
+    this.memory = builder.memory(scheduler, outOfBand, log);
     Inbox inbox = scheduler.inbox();
     inbox.register(Message.KERNEL, this::take);
     var answers = new AnswerPoller();

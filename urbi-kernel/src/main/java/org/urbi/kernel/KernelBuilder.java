@@ -275,13 +275,17 @@ public final class KernelBuilder {
   }
 
   /** What the kernel does when memory runs out. */
-  KernelMemory memory(Scheduler scheduler, KernelLog to) {
+  KernelMemory memory(Scheduler scheduler, OutOfBandControl control, KernelLog to) {
     Runnable end = onMemoryExhausted;
+    Consumer<Boolean> told = onMemoryNearlyFull;
     return new KernelMemory(
         scheduler.meter(),
         scheduler::turn,
         to,
-        onMemoryNearlyFull,
+        full -> {
+          control.hurry(full);
+          told.accept(full);
+        },
         end == null ? () -> to.write("urbi: memory exhausted") : end);
   }
 

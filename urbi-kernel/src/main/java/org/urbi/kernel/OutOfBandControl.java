@@ -36,6 +36,14 @@ final class OutOfBandControl {
     watch = who;
   }
 
+  /** Says whether memory is nearly exhausted: then nobody may hold the kernel for long. */
+  void hurry(boolean is) {
+    HoldWatchdog who = watch;
+    if (who != null) {
+      who.hurry(is);
+    }
+  }
+
   void add(KernelConnection connection) {
     connections.put(connection.lobby().name(), connection);
   }

@@ -1,7 +1,7 @@
 package org.urbi.kernel.job;
 
-import java.util.function.BiConsumer;
 import java.util.function.LongSupplier;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.time.Clock;
 
 /**
@@ -12,6 +12,9 @@ import org.urbi.kernel.time.Clock;
  * <p>Code that gets no processor holds nothing: once half of the limit has passed, only the
  * processor time of the kernel thread counts. A component may wait instead of work, so for it the
  * machine's clock counts throughout.
+ *
+ * <p>While memory is nearly exhausted, whoever holds the kernel keeps others from giving theirs
+ * back, so code may then work for a small part of that time only.
  */
 public final class HoldWatchdog {
   /** A processor time that nobody knows. */
@@ -22,6 +25,9 @@ public final class HoldWatchdog {
 
   private static final long LONGEST_PAUSE = 50;
 
+  /** The part of the limit that is left while memory is nearly exhausted. */
+  private static final int HURRY = 20;
+
   /** What neither works nor lets others run is ended as well, after so many times the limit. */
   private static final int LONGEST_WAIT = 20;
 
@@ -30,7 +36,8 @@ public final class HoldWatchdog {
   private final LongSupplier processorTime;
   private final long limit;
   private final long pause;
-  private final BiConsumer<Job, String> listener;
+  private final Listener listener;
+  private volatile boolean hurried;
   private volatile long heldTurn = -1;
   private volatile long heldSince;
 
@@ -45,18 +52,29 @@ public final class HoldWatchdog {
   /** What of the limit was over then. */
   private long heldAtHalf;
 
+  /** Who is told when a job is ended. */
+  @FunctionalInterface
+  public interface Listener {
+    /**
+     * Called on the watchdog's thread.
+     *
+     * @param component the component function that it executes, or null
+     * @param limit how long it was allowed to hold the kernel, in nanoseconds
+     */
+    void ended(Job job, @Nullable String component, long limit);
+  }
+
   /**
    * @param processorTime tells how much the kernel thread has had, in nanoseconds, or {@link
    *     #UNKNOWN}
    * @param limit in nanoseconds
-   * @param listener called with the job and the component function that it executes, or null
    */
   HoldWatchdog(
       Scheduler scheduler,
       Clock machine,
       LongSupplier processorTime,
       long limit,
-      BiConsumer<Job, String> listener) {
+      Listener listener) {
     this.scheduler = scheduler;
     this.machine = machine;
     this.processorTime = processorTime;
@@ -78,16 +96,21 @@ public final class HoldWatchdog {
     return heldTurn == scheduler.turn() && scheduler.running() != null ? machine.now() - since : 0;
   }
 
+  /** Says whether memory is nearly exhausted; from any thread. */
+  public void hurry(boolean is) {
+    hurried = is;
+  }
+
   /** Interrupts what holds the kernel, as its client could; from any thread. */
   public void interrupt() {
-    end(scheduler.turn());
+    end(scheduler.turn(), limit);
   }
 
   private void watch() {
     while (!scheduler.isOver()) {
       check();
       try {
-        Thread.sleep(pause);
+        Thread.sleep(hurried ? Math.max(1, pause / HURRY) : pause);
       } catch (InterruptedException e) {
         return;
       }
@@ -103,36 +126,39 @@ public final class HoldWatchdog {
       heldTurn = seen;
       told = false;
       processorTimeAtHalf = UNKNOWN;
-    } else if (!told && isOverdue(now - heldSince)) {
-      told = true;
-      end(seen);
+    } else if (!told) {
+      long allowed = hurried ? limit / HURRY : limit;
+      if (isOverdue(now - heldSince, allowed)) {
+        told = true;
+        end(seen, allowed);
+      }
     }
   }
 
-  private boolean isOverdue(long held) {
-    if (held >= limit / 2 && processorTimeAtHalf == UNKNOWN) {
+  private boolean isOverdue(long held, long allowed) {
+    if (held >= allowed / 2 && processorTimeAtHalf == UNKNOWN) {
       // Asking for it earlier would cost the start of every kernel some milliseconds.
       processorTimeAtHalf = processorTime.getAsLong();
       // This thread may be late, too, as when garbage is collected.
-      heldAtHalf = Math.min(held, limit / 4 * 3);
+      heldAtHalf = Math.min(held, allowed / 4 * 3);
     }
-    if (held < limit) {
+    if (held < allowed) {
       return false;
     }
     Job job = scheduler.running();
-    return job == null
-        || job.componentCode().function() != null
-        || processorTimeAtHalf == UNKNOWN
-        || heldAtHalf + processorTime.getAsLong() - processorTimeAtHalf >= limit
+    if (job == null || job.componentCode().function() != null || processorTimeAtHalf == UNKNOWN) {
+      return held >= limit;
+    }
+    return heldAtHalf + processorTime.getAsLong() - processorTimeAtHalf >= allowed
         || held / LONGEST_WAIT >= limit;
   }
 
-  private void end(long turn) {
+  private void end(long turn, long allowed) {
     Job job = scheduler.running();
     if (job != null) {
       String component = job.componentCode().function();
       scheduler.interruptions().requestOverdue(turn);
-      listener.accept(job, component);
+      listener.ended(job, component, allowed);
       if (component != null) {
         job.componentCode().interrupt(turn);
       }

@@ -420,10 +420,9 @@ public final class Scheduler {
    * been started.
    *
    * @param limit in nanoseconds; {@link Long#MAX_VALUE} for none
-   * @param told called on another thread when that has happened, with the job and the component
-   *     function that it executes, or null
+   * @param told called on another thread when that has happened
    */
-  public HoldWatchdog limitHolding(long limit, BiConsumer<Job, String> told) {
+  public HoldWatchdog limitHolding(long limit, HoldWatchdog.Listener told) {
     HoldWatchdog watch = new HoldWatchdog(this, machine, threads::processorTime, limit, told);
     watch.start();
     return watch;

@@ -26,7 +26,7 @@ class HoldWatchdogTest {
           loop.machine,
           () -> processorTime,
           LIMIT,
-          (job, component) -> told.add(job.name() + " " + component));
+          (job, component, limit) -> told.add(job.name() + " " + component));
 
   private void lookAt(long time) {
     loop.machine.now = time;
@@ -68,6 +68,30 @@ class HoldWatchdogTest {
       lookAt(5 * LIMIT + 1, 20 + LIMIT / 2);
       assertEquals(List.of(job.name() + " null"), told);
       assertThrows(TagStop.class, job::checkInterrupted);
+    });
+    loop.run();
+    assertEquals(1, told.size());
+  }
+
+  /** Neither the time for which garbage is collected counts then, nor that of a component. */
+  @Test
+  void whileMemoryIsNearlyExhaustedNobodyMayWorkForLong() {
+    watch.hurry(true);
+    loop.start(job -> {
+      lookAt(0, 0);
+      lookAt(LIMIT, 10);
+      lookAt(2 * LIMIT, 20);
+      job.checkInterrupted();
+      assertEquals(List.of(), told);
+      lookAt(3 * LIMIT, LIMIT / 20 + 10);
+      assertEquals(List.of(job.name() + " null"), told);
+      assertThrows(TagStop.class, job::checkInterrupted);
+    });
+    loop.start(job -> {
+      String outer = job.componentCode().enter("Robot.walk");
+      lookAt(4 * LIMIT, 0);
+      lookAt(5 * LIMIT - 1, LIMIT);
+      job.componentCode().leave(outer);
     });
     loop.run();
     assertEquals(1, told.size());
@@ -224,7 +248,7 @@ class HoldWatchdogTest {
     loop.start(job -> {
       loop.scheduler.limitHolding(
           1,
-          (held, component) -> {
+          (held, component, limit) -> {
             told.add(held.name());
             ended.countDown();
           });
