@@ -46,6 +46,11 @@ public final class HoldWatchdog {
   /** Whether the job of this turn was ended. */
   private boolean told;
 
+  /**
+   * Whether the component that it was executing then, or began to execute since, was interrupted.
+   */
+  private boolean interrupted;
+
   /** The processor time of the kernel thread when half of the limit was over. */
   private long processorTimeAtHalf = UNKNOWN;
 
@@ -125,6 +130,7 @@ public final class HoldWatchdog {
       heldSince = now;
       heldTurn = seen;
       told = false;
+      interrupted = false;
       processorTimeAtHalf = UNKNOWN;
     } else if (!told) {
       long allowed = hurried ? limit / HURRY : limit;
@@ -132,6 +138,8 @@ public final class HoldWatchdog {
         told = true;
         end(seen, allowed);
       }
+    } else if (!interrupted) {
+      interruptComponent(seen);
     }
   }
 
@@ -159,9 +167,18 @@ public final class HoldWatchdog {
       String component = job.componentCode().function();
       scheduler.interruptions().requestOverdue(turn);
       listener.ended(job, component, allowed);
-      if (component != null) {
-        job.componentCode().interrupt(turn);
-      }
+      interruptComponent(turn);
+    }
+  }
+
+  /**
+   * What waits in Java code takes no notice of requests; it may have been called after one, too.
+   */
+  private void interruptComponent(long turn) {
+    Job job = scheduler.running();
+    if (job != null && job.componentCode().function() != null) {
+      interrupted = true;
+      job.componentCode().interrupt(turn);
     }
   }
 }

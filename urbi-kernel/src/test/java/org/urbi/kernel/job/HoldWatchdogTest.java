@@ -146,6 +146,25 @@ class HoldWatchdogTest {
     assertEquals(1, told.size());
   }
 
+  /** It may be called just when the time is over, and would then never return. */
+  @Test
+  void aComponentThatIsCalledTooLateIsInterruptedToo() {
+    loop.start(job -> {
+      lookAt(0);
+      lookAt(LIMIT);
+      assertEquals(List.of(job.name() + " null"), told);
+      String outer = job.componentCode().enter("Robot.walk");
+      lookAt(LIMIT + 1);
+      assertThrows(InterruptedException.class, () -> new CountDownLatch(1).await());
+      // It may clean up, in which it is not interrupted again.
+      lookAt(LIMIT + 2);
+      assertFalse(Thread.currentThread().isInterrupted());
+      assertThrows(TagStop.class, () -> job.componentCode().leave(outer));
+    });
+    loop.run();
+    assertEquals(1, told.size());
+  }
+
   @Test
   void whatNeitherWorksNorLetsOthersRunEndsAtLast() {
     loop.start(job -> {
