@@ -25,14 +25,18 @@ class NetworkFailureTest {
   @TempDir Path folder;
 
   private CompletableFuture<Programs.Run> server(String missing) {
-    return CompletableFuture.supplyAsync(() -> {
-      try {
-        return Programs.run(
-            Set.of(missing), List.of("--port", "0", "--port-file", folder.resolve("port") + ""));
-      } catch (Exception e) {
-        throw new IllegalStateException(e);
-      }
-    });
+    // The server of one test stays, so it must not have a thread that all tests share.
+    return CompletableFuture.supplyAsync(
+        () -> {
+          try {
+            return Programs.run(
+                Set.of(missing),
+                List.of("--port", "0", "--port-file", folder.resolve("port") + ""));
+          } catch (Exception e) {
+            throw new IllegalStateException(e);
+          }
+        },
+        task -> Thread.ofPlatform().daemon().start(task));
   }
 
   private Socket connect() throws Exception {

@@ -71,13 +71,16 @@ class CxxProgramsTest {
     List<String> words =
         new ArrayList<>(List.of("env", "URBI_ROOT=" + installation(), program.toString()));
     words.addAll(List.of(arguments));
-    return CompletableFuture.supplyAsync(() -> {
-      try {
-        return CxxModules.output(words.toArray(String[]::new));
-      } catch (IOException | InterruptedException e) {
-        throw new AssertionError(e);
-      }
-    });
+    // Not on the threads that all tests of this JVM share: they may be busy for long.
+    return CompletableFuture.supplyAsync(
+        () -> {
+          try {
+            return CxxModules.output(words.toArray(String[]::new));
+          } catch (IOException | InterruptedException e) {
+            throw new AssertionError(e);
+          }
+        },
+        task -> new Thread(task).start());
   }
 
   private static String end(CompletableFuture<String> program) throws Exception {
