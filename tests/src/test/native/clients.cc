@@ -134,6 +134,43 @@ static void questions(unsigned port)
   later.join();
 }
 
+/// What is told how to ask, and to call.
+static void settings(unsigned port)
+{
+  USyncClient client("127.0.0.1", port);
+  CHECK(client.connectionID().find("Lobby_") == 0);
+  CHECK(getClientConnectionID(&client) == client.connectionID());
+  UMessage* message = client.syncGetTag("%d * 2", "named", nullptr, 21);
+  CHECK(message && message->tag == "named" && static_cast<int>(*message->value) == 42);
+  delete message;
+  client.setDefaultOptions(USyncClient::send_options().timeout(100000).tag("hasty"));
+  CHECK(client.getOptions().timeout_ == 100000);
+  CHECK(!client.syncGet(std::string("{ sleep(10s); 1 }")));
+  client.setDefaultOptions(USyncClient::send_options());
+  // What comes before somebody waits for it is kept for him.
+  Inbox inbox;
+  client.setCallback(inbox, &Inbox::take, "kept");
+  client.lockQueue();
+  client.send("Channel.new(\"kept\") << 7;");
+  message = client.syncGet("1");
+  delete message;
+  message = client.waitForTag("kept", 20000000);
+  CHECK(message && static_cast<int>(*message->value) == 7 && inbox.size() == 0);
+  delete message;
+  std::atomic<bool> other(false);
+  client.setSynchronous(true);
+  client.setCallback(
+    [&](const UMessage&) {
+      other = !client.isCallbackThread();
+      return URBI_CONTINUE;
+    },
+    "kept");
+  client.send("Channel.new(\"kept\") << 8;");
+  CHECK(inbox.has("kept 8"));
+  delete client.syncGet("1");
+  CHECK(other);
+}
+
 static void withoutThread(unsigned port)
 {
   Inbox inbox;
@@ -224,6 +261,7 @@ int main(int argc, char* argv[])
   unsigned port = argc == 3 ? static_cast<unsigned>(std::atoi(argv[1])) : 0;
   callbacks(port);
   questions(port);
+  settings(port);
   withoutThread(port);
   what_goes_wrong(port);
   byFile(argc == 3 ? argv[2] : "");

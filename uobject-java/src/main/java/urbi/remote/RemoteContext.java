@@ -36,6 +36,7 @@ import urbi.rtp.RtpOptions;
 import urbi.rtp.RtpStatistics;
 import urbi.spi.Failure;
 import urbi.spi.FailureLog;
+import urbi.spi.SentCode;
 import urbi.spi.ThreadPool;
 import urbi.time.Stopwatch;
 import urbi.wire.Frame;
@@ -517,7 +518,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
 
   @Override
   public void send(String code) {
-    byte[] bytes = code.getBytes(StandardCharsets.UTF_8);
+    byte[] bytes = SentCode.whole(code).getBytes(StandardCharsets.UTF_8);
     send(out -> out.begin(Frame.CODE).bytes(bytes, 0, bytes.length).end());
   }
 

@@ -20,6 +20,9 @@ namespace urbi
   namespace impl
   {
     class UContextImpl;
+    class UGenericCallbackImpl;
+    class UObjectImpl;
+    class UVarImpl;
   }
 
   class UContext;
@@ -28,6 +31,8 @@ namespace urbi
   class InputPort;
   class UAbstractClient;
   class UBinary;
+  class UCallbackList;
+  class UCallbackWrapper;
   class UClient;
   class UEvent;
   class UImage;
@@ -35,13 +40,17 @@ namespace urbi
   class UList;
   class UMessage;
   class UObject;
+  class UObjectData;
   class UObjectHub;
   class UProp;
   class USound;
   class USoundImpl;
   class USyncClient;
+  class UTimerCallback;
   class UValue;
   class UVar;
+  class UVardata;
+  class UVariable;
   class baseURBIStarter;
   class baseURBIStarterHub;
 
@@ -50,6 +59,9 @@ namespace urbi
 
   /// A timer that USetTimer has set: its name.
   typedef std::shared_ptr<std::string> TimerHandle;
+
+  std::string getClientConnectionID(const UAbstractClient* client);
+  UClient* getDefaultClient();
 }
 
 #endif

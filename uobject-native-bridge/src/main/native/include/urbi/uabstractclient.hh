@@ -146,7 +146,15 @@ namespace urbi
       return point == std::string::npos ? 0 : std::atoi(kernelVersion_.c_str() + point + 1);
     }
 
+    /// The name of this connection's lobby, for which the server is asked when somebody wants to know it.
+    const std::string& connectionID() const
+    {
+      waitForConnectionID();
+      return connectionID_;
+    }
+
     virtual void waitForKernelVersion() const = 0;
+    virtual void waitForConnectionID() const = 0;
     ATTRIBUTE_PRINTF(2, 3)
     virtual void printf(const char* format, ...) = 0;
     virtual unsigned getCurrentTime() const = 0;
@@ -390,9 +398,11 @@ namespace urbi
       std::memcpy(out, tag.c_str(), tag.size() + 1);
     }
 
+    static constexpr const char* CLIENTERROR_TAG = "client_error";
+
     static const char* clientErrorTag()
     {
-      return "client_error";
+      return CLIENTERROR_TAG;
     }
 
   protected:
@@ -409,6 +419,7 @@ namespace urbi
     unsigned port_;
     error_type rc;
     mutable std::string kernelVersion_;
+    mutable std::string connectionID_;
     std::atomic<int> timestamp_;
 
   private:

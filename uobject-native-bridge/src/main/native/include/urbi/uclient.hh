@@ -114,16 +114,17 @@ namespace urbi
     /// Asks for the version of the server, and waits for it.
     void waitForKernelVersion() const override
     {
-      if (!kernelVersion_.empty() || rc)
-        return;
-      // A client is asked for it where it is const.
-      UClient& self = const_cast<UClient&>(*this);
-      auto answer = std::make_shared<std::promise<std::string>>();
-      self.ask([answer](const std::string& version) { answer->set_value(version); });
-      std::future<std::string> come = answer->get_future();
-      if (come.wait_for(std::chrono::seconds(5)) == std::future_status::ready)
-        kernelVersion_ = come.get();
+      learn(kernelVersion_, "System.version", "1");
     }
+
+    /// Asks for the name of this connection's lobby, and waits for it.
+    void waitForConnectionID() const override
+    {
+      learn(connectionID_, "connectionTag.name", "");
+    }
+
+    /// Sending always waits until the system has taken the bytes.
+    void setSynchronousSend(bool) {}
 
     /// Has the connection end if the other side does not answer any more.
     ///
@@ -187,16 +188,25 @@ namespace urbi
         start();
     }
 
-    /// Has a function called with the version of the server.
-    void ask(const std::function<void(const std::string&)>& told)
+    /// Asks for a string, and waits for it, unless it is known.
+    /// \param otherwise  what it is if the server does not understand the question
+    void learn(std::string& known, const std::string& question, const std::string& otherwise) const
     {
-      sendCommand(
-        [told](const UMessage& message) {
-          bool known = message.value && message.value->type == DATA_STRING;
-          told(known ? *message.value->stringValue : std::string("1"));
+      if (!known.empty() || rc)
+        return;
+      // A client is asked for it where it is const.
+      UClient& self = const_cast<UClient&>(*this);
+      auto answer = std::make_shared<std::promise<std::string>>();
+      self.sendCommand(
+        [answer, otherwise](const UMessage& message) {
+          bool text = message.value && message.value->type == DATA_STRING;
+          answer->set_value(text ? *message.value->stringValue : otherwise);
           return URBI_REMOVE;
         },
-        std::string("System.version;\n"));
+        question + ";\n");
+      std::future<std::string> come = answer->get_future();
+      if (come.wait_for(std::chrono::seconds(5)) == std::future_status::ready)
+        known = come.get();
     }
 
     /// Starts to receive.
@@ -406,6 +416,12 @@ namespace urbi
     detail::DefaultClients& all = detail::default_clients();
     std::lock_guard<std::mutex> guard(all.lock);
     all.chosen = client;
+  }
+
+  /// The name of the lobby of a client's connection.
+  inline std::string getClientConnectionID(const UAbstractClient* client)
+  {
+    return client ? client->connectionID() : std::string();
   }
 
   /// Connects to a server; to be ended by `disconnect`.

@@ -47,6 +47,23 @@ namespace urbi
     std::string unarmored(const char* armored);
   }
 
+  /// A value of anything that can be one.
+  class UAutoValue : public UValue
+  {
+  public:
+    UAutoValue() = default;
+
+    UAutoValue(const UValue& value)
+      : UValue(value)
+    {}
+
+    template <typename T>
+    UAutoValue(const T& value)
+    {
+      *this, value;
+    }
+  };
+
   /// What objects, hubs, variables and events have in common.
   class UContext
   {
@@ -194,6 +211,9 @@ namespace urbi
   void echo(const char* format, ...);
 
   void setThreadLimit(size_t threads);
+
+  /// The name of this computer, with `_` for what no name of a variable may have.
+  std::string getFilteredHostname();
 }
 
 #ifdef URBI_HAS_CODE

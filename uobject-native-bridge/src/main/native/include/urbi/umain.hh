@@ -9,8 +9,11 @@
 #include <libport/cli.hh>
 
 #include <urbi/exit.hh>
+#include <urbi/uclient.hh>
 #include <urbi/uobject.hh>
 #include <urbi/urbi-root.hh>
+
+#define UMAIN_URBIROOT_STATIC false
 
 /// A function main that does nothing but to run the UObjects of its program.
 #define UMAIN()                                                                                          \
@@ -57,6 +60,30 @@ namespace urbi
   {
     UrbiRoot root(argv[0]);
     return main(argc, argv, root, block, errors);
+  }
+
+  /// Has the UObjects of this program run, connected to a server, and returns at once.
+  ///
+  /// \param ends   whether the program ends with the connection
+  /// \param server to wait for the server to connect, which is not possible here
+  /// \param files  urbiscript to be sent to the server first
+  /// \return 0 unless something is not possible
+  inline int initialize(const std::string& host, int port, size_t, bool ends, bool server = false,
+                        const std::vector<std::string>& files = std::vector<std::string>(), bool = true)
+  {
+    if (server)
+    {
+      std::cerr << "urbi::initialize: servers do not connect to UObjects" << std::endl;
+      return 1;
+    }
+    if (!files.empty())
+    {
+      UClient client(host, static_cast<unsigned>(port));
+      for (const std::string& file : files)
+        if (client.error() || client.sendFile(file))
+          return 1;
+    }
+    return UrbiRoot("urbi").start({"--host", host, "--port", std::to_string(port)}, ends);
   }
 }
 

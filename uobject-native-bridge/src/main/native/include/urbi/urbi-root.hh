@@ -43,6 +43,16 @@ public:
     return urbi_launch(argc, const_cast<char**>(argv));
   }
 
+  /// Has the UObjects of this program run in this process, and returns at once.
+  /// \param options those of `urbi-launch --remote`
+  /// \param ends    whether the program ends with the connection
+  int start(std::vector<std::string> options, bool ends)
+  {
+    options.insert(options.begin(), program_);
+    return urbi::detail::JavaMachine::of(root_).call("org/urbi/bridge/NativeProgram", "start", options,
+                                                     ends);
+  }
+
   /// Runs the UObjects of this program in this process, connected to a server: the options are those of
   /// `urbi-launch --remote`.
   /// \param args   the name of the program, and options
@@ -69,6 +79,8 @@ public:
 
   /// A program runs its UObjects remote; where they are plugged in, a server has loaded them.
   void load_remote() {}
+  void load_plugin() {}
+  void load_custom(const std::string&) {}
 
   const std::string& root() const
   {

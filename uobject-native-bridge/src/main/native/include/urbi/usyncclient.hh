@@ -36,6 +36,28 @@ namespace urbi
       bool startCallbackThread_;
     };
 
+    /// How it is asked.
+    struct send_options
+    {
+      /// How long to wait for the answer, in microseconds; 0 for ever.
+      send_options& timeout(utime_t useconds)
+      {
+        timeout_ = useconds;
+        return *this;
+      }
+
+      /// The tag of the answer; a fresh one if it is null.
+      send_options& tag(const char* name, const char* = nullptr)
+      {
+        mtag_ = name;
+        return *this;
+      }
+
+      utime_t timeout_ = 0;
+      const char* mtag_ = nullptr;
+      static const send_options default_options;
+    };
+
     explicit USyncClient(const std::string& host = default_host(), unsigned port = URBI_PORT,
                          size_t buffer = URBI_BUFLEN, bool callbackThread = true)
       : USyncClient(host, port, buffer, options().startCallbackThread(callbackThread))
@@ -46,6 +68,8 @@ namespace urbi
       : UClient(host, port, true, false)
       , lost_(false)
       , ended_(false)
+      , kept_(false)
+      , synchronous_(false)
     {
       receive();
       if (how.startCallbackThread())
@@ -78,10 +102,10 @@ namespace urbi
     bool processEvents(utime_t useconds = -1)
     {
       std::unique_lock<std::mutex> guard(queue_);
-      if (messages_.empty() && useconds > 0)
+      if ((messages_.empty() || kept_) && useconds > 0)
         arrived_.wait_for(guard, std::chrono::microseconds(useconds));
       bool some = false;
-      while (!messages_.empty())
+      while (!messages_.empty() && !kept_)
       {
         UMessage message(messages_.front());
         messages_.pop_front();
@@ -98,19 +122,71 @@ namespace urbi
     UMessage* waitForTag(const std::string& tag, utime_t useconds = 0)
     {
       expect(tag);
+      takeKept(tag);
       return wait(tag, useconds);
     }
 
-    /// The value of an expression, to be deleted; null after the time.
-    UMessage* syncGet(const std::string& expression, utime_t useconds = 0)
+    /// From now on messages wait for waitForTag, which is called for the answer to what is sent next.
+    void lockQueue()
     {
-      std::string tag = fresh();
-      expect(tag);
-      send("{ var urbiAnswer = Channel.new(\"" + tag + "\")| try { urbiAnswer << ("
-           + stripped(expression)
-           + ") } catch (var urbiError) { lobby.send(\"!!! \" + urbiError.asString().replace(\"\\n\", \" \"), \""
-           + tag + "\") } },\n");
-      return wait(tag, useconds);
+      std::lock_guard<std::mutex> guard(queue_);
+      kept_ = true;
+    }
+
+    /// Whether the thread that receives calls the callbacks itself.
+    void setSynchronous(bool enable)
+    {
+      synchronous_ = enable;
+    }
+
+    /// How it is asked from now on.
+    void setDefaultOptions(const send_options& how)
+    {
+      default_options_ = how;
+    }
+
+    /// These options; those of setDefaultOptions in place of the default ones.
+    const send_options& getOptions(const send_options& how = send_options::default_options) const
+    {
+      return &how == &send_options::default_options ? default_options_ : how;
+    }
+
+    /// The value of an expression, to be deleted; null after the time.
+    UMessage* syncGet(const std::string& expression)
+    {
+      return syncGet(expression, default_options_.timeout_);
+    }
+
+    UMessage* syncGet(const std::string& expression, utime_t useconds)
+    {
+      return ask(expression, default_options_.mtag_, useconds);
+    }
+
+    /// The value of an expression, sent with that tag.
+#if defined __GNUC__
+    __attribute__((format(printf, 2, 5)))
+#endif
+    UMessage*
+    syncGetTag(const char* format, const char* tag, const char* modifier, ...)
+    {
+      va_list arguments;
+      va_start(arguments, modifier);
+      std::string expression = detail::formatted(format, arguments);
+      va_end(arguments);
+      return ask(expression, tag, default_options_.timeout_);
+    }
+
+#if defined __GNUC__
+    __attribute__((format(printf, 3, 6)))
+#endif
+    UMessage*
+    syncGetTag(utime_t useconds, const char* format, const char* tag, const char* modifier, ...)
+    {
+      va_list arguments;
+      va_start(arguments, modifier);
+      std::string expression = detail::formatted(format, arguments);
+      va_end(arguments);
+      return ask(expression, tag, useconds);
     }
 
 #if defined __GNUC__
@@ -238,16 +314,33 @@ namespace urbi
   protected:
     void received(const UMessage& message) override
     {
-      std::lock_guard<std::mutex> guard(queue_);
+      std::unique_lock<std::mutex> guard(queue_);
       if (message.tag == clientErrorTag())
         lost_ = true;
       std::list<std::string>::iterator wanted
         = std::find(awaited_.begin(), awaited_.end(), message.tag);
+      if (synchronous_ && !kept_ && wanted == awaited_.end())
+      {
+        guard.unlock();
+        notifyCallbacks(message);
+        return;
+      }
       (wanted == awaited_.end() ? messages_ : answers_).push_back(message);
       arrived_.notify_all();
     }
 
   private:
+    UMessage* ask(const std::string& expression, const char* wanted, utime_t useconds)
+    {
+      std::string tag = wanted && *wanted ? wanted : fresh();
+      expect(tag);
+      send("{ var urbiAnswer = Channel.new(\"" + tag + "\")| try { urbiAnswer << ("
+           + stripped(expression)
+           + ") } catch (var urbiError) { lobby.send(\"!!! \" + urbiError.asString().replace(\"\\n\", \" \"), \""
+           + tag + "\") } },\n");
+      return wait(tag, useconds);
+    }
+
     static std::string stripped(const std::string& expression)
     {
       size_t end = expression.find_last_not_of(" \t\r\n;,");
@@ -279,6 +372,21 @@ namespace urbi
       awaited_.push_back(tag);
     }
 
+    /// The queue is no longer locked; the answer may be in it.
+    void takeKept(const std::string& tag)
+    {
+      std::lock_guard<std::mutex> guard(queue_);
+      if (!kept_)
+        return;
+      kept_ = false;
+      std::list<UMessage>::iterator come = messages_.begin();
+      while (come != messages_.end() && come->tag != tag)
+        ++come;
+      if (come != messages_.end())
+        answers_.splice(answers_.end(), messages_, come);
+      arrived_.notify_all();
+    }
+
     UMessage* wait(const std::string& tag, utime_t useconds)
     {
       std::unique_lock<std::mutex> guard(queue_);
@@ -308,7 +416,12 @@ namespace urbi
     bool lost_;
     std::thread caller_;
     std::atomic<bool> ended_;
+    bool kept_;
+    std::atomic<bool> synchronous_;
+    send_options default_options_;
   };
+
+  inline const USyncClient::send_options USyncClient::send_options::default_options;
 
   namespace detail
   {

@@ -1,6 +1,7 @@
 package org.urbi.bridge;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 import urbi.UModuleException;
 import urbi.remote.RemoteProgram;
 
@@ -19,21 +20,47 @@ public final class NativeProgram {
    * @return the exit status
    */
   public static int run(String[] words, boolean block) {
-    String[] options = Arrays.copyOfRange(words, 1, words.length);
-    NativeModule program;
-    try {
-      program = NativeModule.ofProcess(words[0]);
-    } catch (UModuleException e) {
-      System.err.println(e.getMessage());
+    if (!block) {
+      return start(words, false);
+    }
+    NativeModule program = open(words);
+    return program == null ? 1 : run(words, program);
+  }
+
+  /**
+   * Has the UObjects of the program in whose process this is run, and returns at once.
+   *
+   * @param words the name of the program, and options as those of {@link urbi.UMain}
+   * @param ends whether the program ends when the connection has ended
+   * @return 0, or an exit status if there are no UObjects to run
+   */
+  public static int start(String[] words, boolean ends) {
+    NativeModule program = open(words);
+    if (program == null) {
       return 1;
     }
-    if (block) {
-      return new RemoteProgram().run(options, program.module(), System.out, System.err);
-    }
-    Thread.ofPlatform()
-        .name("urbi-main")
-        .daemon()
-        .start(() -> new RemoteProgram().run(options, program.module(), System.out, System.err));
+    Runnable task =
+        () -> {
+          int status = run(words, program);
+          if (ends) {
+            System.exit(status);
+          }
+        };
+    Thread.ofPlatform().name("urbi-main").daemon().start(task);
     return 0;
+  }
+
+  private static @Nullable NativeModule open(String[] words) {
+    try {
+      return NativeModule.ofProcess(words[0]);
+    } catch (UModuleException e) {
+      System.err.println(e.getMessage());
+      return null;
+    }
+  }
+
+  private static int run(String[] words, NativeModule program) {
+    String[] options = Arrays.copyOfRange(words, 1, words.length);
+    return new RemoteProgram().run(options, program.module(), System.out, System.err);
   }
 }

@@ -47,6 +47,9 @@ class CompatibilityTest {
                 UBindVar(Old, seen);
                 aver(1 == 1);
                 assert(urbi::getCurrentContext() == ctx_);
+                urbi::UAutoValue five = 5;
+                assert(five.type == urbi::DATA_DOUBLE && urbi::UAutoValue("a").type == urbi::DATA_STRING);
+                assert(urbi::getFilteredHostname().find_first_of(".-") == std::string::npos);
               }
               std::string timer() { return *USetTimer(10, &Old::tick); }
               bool end(const std::string& t) { return removeTimer(urbi::TimerHandle(new std::string(t))); }

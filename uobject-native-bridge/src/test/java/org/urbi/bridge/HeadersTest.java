@@ -90,7 +90,7 @@ class HeadersTest {
   @ValueSource(
       strings = {
         "customuvar.hh customuvar.hxx exit.hh export.hh fwd.hh input-port.hh input-port.hxx",
-        "kernel-version.hh package-info.hh socket.hh uabstractclient.hh",
+        "kernel-version.hh package-info.hh qt_umain.hh socket.hh uabstractclient.hh",
         "uabstractclient.hxx ubinary.hh ubinary.hxx ublend-type.hh ucallbacks.hh uclient.hh",
         "ucontext-factory.hh ucontext-impl.hh ucontext-impl.hxx ucontext.hh ucontext.hxx",
         "uconversion.hh uevent.hh uevent.hxx uexternal.hh uimage.hh umessage.hh",
@@ -102,6 +102,20 @@ class HeadersTest {
     for (String name : names.split(" ")) {
       assertTrue(Files.exists(CxxCompiler.HEADERS.resolve("urbi").resolve(name)), name);
     }
+  }
+
+  /** Qt itself need not be there for that. */
+  @Test
+  void mainOfQt() throws IOException {
+    CxxCompiler.assumeCompiler();
+    Path qt = Files.createDirectories(CxxCompiler.MADE.resolve("qt"));
+    Files.writeString(qt.resolve("QObject"), "");
+    Files.writeString(
+        qt.resolve("QApplication"),
+        "struct QApplication { QApplication(int&, char**) {} int exec() { return 0; } };\n");
+    Path source =
+        Files.writeString(qt.resolve("main.cc"), "#include <urbi/qt_umain.hh>\nUMAIN();\n");
+    CxxCompiler.compileProgram("g++", qt.resolve("main"), source, "-fsyntax-only", "-I" + qt);
   }
 
   /** Other compilers and versions of the language understand them, without a warning. */

@@ -116,8 +116,8 @@ class CxxProgramsTest {
             int main(int argc, const char* argv[])
             {
               std::puts(urbi::isPluginMode() ? "plugged" : "remote");
-              UrbiRoot root(argv[0]);
-              if (urbi::main(argc, argv, root, false))
+              if (argc != 3
+                  || urbi::initialize("localhost", std::atoi(argv[2]), urbi::UClient::URBI_BUFLEN, false))
                 return 1;
               while (!asked)
                 usleep(1000);

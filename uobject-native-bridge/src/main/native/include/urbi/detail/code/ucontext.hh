@@ -5,6 +5,10 @@
 #ifndef URBI_DETAIL_CODE_UCONTEXT_HH
 #define URBI_DETAIL_CODE_UCONTEXT_HH
 
+#include <cctype>
+
+#include <unistd.h>
+
 namespace urbi
 {
   namespace detail
@@ -200,6 +204,17 @@ namespace urbi
     detail::Request request(URBI_REPORT, detail::current_context());
     request.out.text(text);
     request.send();
+  }
+
+  URBI_INLINE std::string getFilteredHostname()
+  {
+    char name[256] = "";
+    ::gethostname(name, sizeof name - 1);
+    std::string filtered(name);
+    for (char& each : filtered)
+      if (!std::isalnum(static_cast<unsigned char>(each)))
+        each = '_';
+    return filtered;
   }
 
   URBI_INLINE void setThreadLimit(size_t threads)

@@ -46,6 +46,7 @@ import urbi.UObjectHub;
 import urbi.UObjectMode;
 import urbi.USlot;
 import urbi.UValue;
+import urbi.spi.SentCode;
 import urbi.spi.ThreadPool;
 
 /**
@@ -566,7 +567,7 @@ public final class PluggedContext implements UContext {
 
   @Override
   public void send(String code) {
-    scheduler.inbox().post(new Message.ComponentCode(code));
+    scheduler.inbox().post(new Message.ComponentCode(SentCode.whole(code)));
   }
 
   @Override

@@ -11,6 +11,7 @@ import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.Elements;
+import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiBinary;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiFloat;
@@ -39,12 +40,14 @@ final class ValueConversion {
   private final World world;
   private final Values values;
   private final Structures structures;
+  private final Symbol serializer;
 
   ValueConversion(PluggedContext context) {
     this.context = context;
     this.world = context.interpreter().world();
     this.values = world.values();
     this.structures = new Structures(context, this);
+    this.serializer = world.symbol("uvalueSerialize");
   }
 
   // ------------------------------------------------------------------ to Java
@@ -124,6 +127,10 @@ final class ValueConversion {
     if (name != null) {
       return UValue.slotName(name);
     }
+    UrbiObject substitute = substitute(object);
+    if (substitute != object) {
+      return toJava(substitute, depth + 1);
+    }
     if (structures.isStructure(object)) {
       return new UValue(structures.toJava(object, depth));
     }
@@ -134,6 +141,15 @@ final class ValueConversion {
         throw new ConversionFailure(object, "UValue", null);
       }
     });
+  }
+
+  /** What travels in place of an object: itself, unless it defines {@code uvalueSerialize}. */
+  private UrbiObject substitute(UrbiObject object) {
+    UrbiObject holder = object.locate(serializer);
+    if (holder == null || holder == world.prototype("Object")) {
+      return object;
+    }
+    return context.fromKernel(frame -> frame.interpreter().send(frame, object, serializer.name()));
   }
 
   // ------------------------------------------------------------------ to urbiscript

@@ -56,7 +56,7 @@ final class AccessLoop {
             lobby,
             scheduler.rootScope(),
             "access",
-            job -> variable.read(Frame.top(interpreter, job, lobby, new FrameLayout())))
+            job -> variable.readInLoop(Frame.top(interpreter, job, lobby, new FrameLayout())))
         .onEnd(() -> reading = false);
   }
 }

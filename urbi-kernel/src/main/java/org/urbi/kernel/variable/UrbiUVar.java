@@ -4,7 +4,9 @@ import static java.util.Objects.requireNonNull;
 
 import java.lang.ref.WeakReference;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -74,6 +76,10 @@ public final class UrbiUVar extends UrbiObject {
 
   private final List<Reader> readers = new ArrayList<>(0);
   private @Nullable AccessLoop accessLoop;
+
+  /** The jobs that are reading it, and run the access hooks for that. */
+  private final Set<Job> accessing = new HashSet<>(0);
+
   private int mirrors;
   private @Nullable UrbiEvent changed;
   private @Nullable UrbiObject lobby;
@@ -370,10 +376,22 @@ public final class UrbiUVar extends UrbiObject {
   /** As {@link #read}, but never waits: in bypass mode there may be no value. */
   public UrbiObject readNow(Frame frame) {
     if (!onAccess.isEmpty()) {
-      onAccess.run(frame, this, visible());
+      boolean first = accessing.add(frame.job());
+      try {
+        readInLoop(frame);
+      } finally {
+        if (first) {
+          accessing.remove(frame.job());
+        }
+      }
       reviewAccess(frame.interpreter());
     }
     return visible().value();
+  }
+
+  /** Runs the access hooks as {@link #read} does, but handlers of changes are told, too. */
+  void readInLoop(Frame frame) {
+    onAccess.run(frame, this, visible());
   }
 
   private boolean isForgotten() {
@@ -484,7 +502,9 @@ public final class UrbiUVar extends UrbiObject {
     for (int i = 0; i < present.size(); i++) {
       present.get(i).pass(frame, assigned);
     }
-    if (changed != null && changed.hasSubscribers()) {
+    // The access loop tells of what is set on access: a handler that reads the variable would start
+    // itself again and again.
+    if (changed != null && changed.hasSubscribers() && !accessing.contains(frame.job())) {
       changed.emit(frame, assigned.value());
     }
     for (int i = 0; i < places.size(); i++) {

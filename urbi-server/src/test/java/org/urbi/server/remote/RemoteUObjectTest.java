@@ -313,7 +313,8 @@ class RemoteUObjectTest extends RemoteSession {
     }
 
     public void urbi() {
-      send("var Global.sent = 12;");
+      send("var Global.sent = 12; 1");
+      send("var Global.unended = 14 // The end of the text is the end of the statement.");
       call("Global", "setSlot", "called", 13);
     }
   }
@@ -324,10 +325,10 @@ class RemoteUObjectTest extends RemoteSession {
     assertEquals("1", eval("{ while (!Ticker.countsChecks) sleep(5ms); 1 }"));
     eval("Ticker.urbi");
     assertEquals(
-        "[12, 13]",
+        "[12, 14, 13]",
         eval(
-            "{ while (!Global.hasSlot(\"sent\") || !Global.hasSlot(\"called\")) sleep(5ms);"
-                + " [Global.sent, Global.called] }"));
+            "{ while (!Global.hasSlot(\"unended\") || !Global.hasSlot(\"called\")) sleep(5ms);"
+                + " [Global.sent, Global.unended, Global.called] }"));
   }
 
   static class OneThread extends UObject {

@@ -116,9 +116,10 @@ final class SystemFiles {
     }
   }
 
-  @Builtin(doc = "The folder with the source files of the library; empty when there is none.")
-  String urbiShareDir(Frame frame, UrbiObject self) {
-    return searchPath.library() == null ? "" : UrbiPath.encoded(searchPath.library());
+  @Builtin(doc = "The folder with the source files of the library, a Path; nil when there is none.")
+  UrbiObject urbiShareDir(Frame frame, UrbiObject self) {
+    Path library = searchPath.library();
+    return library == null ? frame.interpreter().values().nil : urbiPath(frame, library);
   }
 
   @Builtin(doc = "The folder in which Urbi is installed; empty when that is not known.")
