@@ -39,6 +39,10 @@ final class MemoryRescue {
   private boolean relieved;
   private long relievedAt;
   private long collections;
+
+  /** Whether garbage has been collected since the look before, so that nobody needs to do it. */
+  private boolean collected;
+
   private boolean gaveUp;
   private long gaveUpAt;
 
@@ -72,6 +76,9 @@ final class MemoryRescue {
   /** To be called when memory is nearly exhausted, or was when somebody wanted to look. */
   void rescue(MemoryUser[] users) {
     long now = worked.getAsLong();
+    long before = collections;
+    collections = heap.collections();
+    collected = collections != before;
     if (gaveUp && now - gaveUpAt < REST) {
       return;
     }
@@ -105,7 +112,7 @@ final class MemoryRescue {
 
   /** Whether there is room again: what was ended may have become garbage, or what has left. */
   private boolean isRelieved() {
-    if (heap.collections() == collections) {
+    if (!collected) {
       heap.collect();
     }
     return !(heap.isScarce() && heap.isNearlyFull(clock.now()));
@@ -123,7 +130,6 @@ final class MemoryRescue {
     }
     if (most != null) {
       most.relieve();
-      collections = heap.collections();
       relieved = true;
       relievedAt = worked.getAsLong();
     }

@@ -124,6 +124,22 @@ class MemoryRescueTest {
     assertEquals(1, heap.collections);
   }
 
+  /** Garbage may have been collected for the last time before what was ended became garbage. */
+  @Test
+  void whatBecameGarbageAfterTheLastCollectionDoesNotExhaustMemory() {
+    heap.collections = 3;
+    heap.whenCollected = () -> heap.full = false;
+    Kernel kernel = new Kernel("one", 10);
+    run(0.5, kernel);
+    heap.collections++;
+    run(10, kernel);
+    assertEquals("0.25 one full\n0.25 one ended\n1.5 one free\n", events.toString());
+    heap.full = true;
+    events.setLength(0);
+    run(10, new Kernel("idle", 0));
+    assertEquals("10.75 idle full\n15.25 idle free\n", events.toString());
+  }
+
   @Test
   void kernelWhoseProgramFailsDoesNotHarmTheOthers() {
     List<Throwable> uncaught = new ArrayList<>();
