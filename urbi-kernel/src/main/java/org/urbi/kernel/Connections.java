@@ -99,7 +99,13 @@ final class Connections {
     if (connection == null) {
       connection = new KernelConnection(kernel, number, replayed.apply(number), opened.holdsTime());
     }
-    connection.open(opened.address(), Role.valueOf(opened.role()), opened.budget());
+    try {
+      connection.open(opened.address(), Role.valueOf(opened.role()), opened.budget());
+    } catch (OutOfMemoryError e) {
+      // Its client must not wait for a lobby that it never gets.
+      connection.finish();
+      throw e;
+    }
   }
 
   /** A remote process has connected. */

@@ -41,6 +41,9 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   private boolean finished;
   private volatile boolean gone;
 
+  /** Whether its lobby has been left, and no message to it is taken any more. */
+  private volatile boolean left;
+
   /**
    * @param number of the receiver of its messages
    */
@@ -122,6 +125,10 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     UrbiObject of = lobby;
     if (of != null) {
       kernel.scheduler().interruptions().request(of);
+      if (left) {
+        // The message behind it will not be taken any more.
+        kernel.scheduler().interruptions().withdraw(of);
+      }
     }
   }
 
@@ -220,6 +227,8 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   private void closed() {
     gone = true;
     finish();
+    left = true;
+    kernel.scheduler().interruptions().clear(lobby());
     completions.values().forEach(names -> names.complete(List.of()));
     kernel.inbox().forget(number);
   }

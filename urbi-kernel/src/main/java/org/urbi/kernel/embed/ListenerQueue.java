@@ -61,12 +61,12 @@ final class ListenerQueue<T> {
     }
     queue.add(() -> deliver(message));
     if (!announced) {
-      announced = true;
       // Not at once: this may be a job, whose thread must not wait for a lock.
       scheduler.atEndOfTick(() -> {
         announced = false;
         start();
       });
+      announced = true;
     }
   }
 

@@ -1,8 +1,8 @@
 package org.urbi.kernel.job;
 
-import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
-import java.util.Queue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -25,6 +25,9 @@ public final class Inbox {
   /** How many messages one tick takes at most: a flood must not keep the jobs from running. */
   private static final int MOST_PER_TICK = 1 << 16;
 
+  /** How many ticks in a row wait for the memory to take what a client has sent. */
+  private static final int LONGEST_WANT = 50;
+
   private final Journal journal;
   private final ConcurrentLinkedQueue<Message> messages = new ConcurrentLinkedQueue<>();
   private final AtomicInteger reserved = new AtomicInteger();
@@ -38,7 +41,10 @@ public final class Inbox {
   private int registered = Message.FIRST_FREE;
   private KernelPoller listening = KernelPoller.NONE;
   private BiConsumer<Message, Throwable> failures = (message, failure) -> {};
-  private final Queue<Message.Ending> unfinished = new ArrayDeque<>();
+  private final List<Message.Lasting> unfinished = new ArrayList<>();
+
+  /** How many ticks in a row have left messages unfinished. */
+  private int wanting;
 
   public Inbox(Journal journal) {
     this.journal = journal;
@@ -102,9 +108,7 @@ public final class Inbox {
 
   /** Delivers the waiting messages to their receivers. */
   void take() {
-    for (int left = unfinished.size(); left > 0; left--) {
-      deliver(unfinished.remove());
-    }
+    takeUnfinished();
     if (!filled && !journal.isReplay()) {
       return;
     }
@@ -113,8 +117,36 @@ public final class Inbox {
       if (message == null) {
         return;
       }
-      deliver(message);
+      if (isBehindUnfinished(message, unfinished.size()) || !deliver(message)) {
+        unfinished.add((Message.Lasting) message);
+      }
     }
+  }
+
+  private void takeUnfinished() {
+    int kept = 0;
+    for (Message.Lasting message : unfinished) {
+      if (isBehindUnfinished(message, kept) || !deliver(message)) {
+        unfinished.set(kept++, message);
+      }
+    }
+    while (unfinished.size() > kept) {
+      unfinished.removeLast();
+    }
+    wanting = kept == 0 ? 0 : wanting + 1;
+  }
+
+  /** Whether its receiver must first take another one, of so many unfinished messages. */
+  private boolean isBehindUnfinished(Message message, int among) {
+    if (!(message instanceof Message.Lasting) || message instanceof Message.Ending) {
+      return false;
+    }
+    for (int i = 0; i < among; i++) {
+      if (unfinished.get(i).to() == message.to()) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private @Nullable Message next() {
@@ -130,22 +162,28 @@ public final class Inbox {
     return message;
   }
 
-  /** A failure in handling one message must not stop the others from being taken. */
-  private void deliver(Message message) {
+  /**
+   * A failure in handling one message must not stop the others from being taken.
+   *
+   * @return whether that is all; if not, the message is to be delivered again
+   */
+  private boolean deliver(Message message) {
     Receiver receiver = receivers.get(message.to());
-    if (receiver != null) {
-      try {
-        receiver.take(message);
-      } catch (OutOfMemoryError failure) {
-        if (message instanceof Message.Ending ending) {
-          unfinished.add(ending);
-        } else {
-          failures.accept(message, failure);
-        }
-      } catch (Throwable failure) {
-        failures.accept(message, failure);
-      }
+    if (receiver == null) {
+      return true;
     }
+    try {
+      receiver.take(message);
+    } catch (OutOfMemoryError failure) {
+      if (message instanceof Message.Ending
+          || message instanceof Message.Lasting && wanting < LONGEST_WANT) {
+        return false;
+      }
+      failures.accept(message, failure);
+    } catch (Throwable failure) {
+      failures.accept(message, failure);
+    }
+    return true;
   }
 
   /** Waits for a message, for at most so many nanoseconds. */

@@ -67,6 +67,11 @@ public final class Interruptions {
     announce();
   }
 
+  /** Withdraws a request: that lobby has been left, so nobody would clear it. */
+  public void withdraw(UrbiObject lobby) {
+    lobbies.remove(lobby);
+  }
+
   /** Ends every job that does not let others run, from now on. */
   public void requestAll() {
     all = true;
@@ -153,7 +158,14 @@ public final class Interruptions {
     if (all || lobby != null && lobbies.contains(lobby)) {
       return StopReason.REQUESTED;
     }
-    return overdueTurn.get() == turn ? StopReason.OVERDUE : StopReason.NONE;
+    if (overdueTurn.get() == turn) {
+      return StopReason.OVERDUE;
+    }
+    if (lobbies.isEmpty() && !counted) {
+      // What was requested has been withdrawn.
+      update();
+    }
+    return StopReason.NONE;
   }
 
   /** Code that had to end in an earlier turn has ended by now. */

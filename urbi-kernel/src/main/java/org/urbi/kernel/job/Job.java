@@ -91,6 +91,9 @@ public final class Job implements Runnable {
   private double priority;
   private final ComponentCode componentCode;
 
+  /** Where it is among the jobs that can run. */
+  final JobQueue.Link queueLink = new JobQueue.Link();
+
   Job(
       Scheduler scheduler,
       Body body,
@@ -428,8 +431,8 @@ public final class Job implements Runnable {
     if (nonInterruptible > 0) {
       throw scheduler.refusal(Problem.SLEEPS_UNINTERRUPTIBLE);
     }
-    state = State.SLEEPING;
     timer = scheduler.timers().addUncounted(deadline, this::onTimer);
+    state = State.SLEEPING;
     switchOut();
   }
 
@@ -458,12 +461,20 @@ public final class Job implements Runnable {
     if (observer != null) {
       observer.switchedOut();
     }
-    thread.suspend();
-    if (observer != null) {
-      observer.switchedIn();
+    try {
+      thread.suspend();
+    } catch (Throwable failure) {
+      // It goes on running, so nothing must wake it.
+      queueLink.leave();
+      cancelTimer();
+      throw failure;
+    } finally {
+      if (observer != null) {
+        observer.switchedIn();
+      }
+      scheduler.world().tracker = tracker;
+      state = State.RUNNING;
     }
-    scheduler.world().tracker = tracker;
-    state = State.RUNNING;
     checkInjected();
   }
 
@@ -607,15 +618,20 @@ public final class Job implements Runnable {
     if (injected == null || isOuter(unwinding)) {
       injected = unwinding;
     }
-    if (timer != null) {
-      timer.cancel();
-      timer = null;
-    }
     if (state == State.SLEEPING || state == State.WAITING) {
       makeRunnable();
     } else if (heldByFreeze) {
       heldByFreeze = false;
       scheduler.enqueue(this);
+    }
+    cancelTimer();
+  }
+
+  private void cancelTimer() {
+    Timers.Timer sleep = timer;
+    if (sleep != null) {
+      timer = null;
+      sleep.cancel();
     }
   }
 

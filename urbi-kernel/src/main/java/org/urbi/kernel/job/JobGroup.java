@@ -1,6 +1,5 @@
 package org.urbi.kernel.job;
 
-import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
@@ -37,9 +36,7 @@ public final class JobGroup {
       failure = thrown;
       parent.inject(new ChildFailure(this, thrown));
       // Stop the others now: they must not run on until the parent's next turn.
-      for (Job job : new ArrayList<>(live)) {
-        job.terminate();
-      }
+      live.forEach(Job::terminate);
     } else if (live.isEmpty()) {
       parent.wake();
     }
@@ -80,10 +77,6 @@ public final class JobGroup {
   public void leave() {
     left = true;
     parent.forget(this);
-    if (!live.isEmpty()) {
-      for (Job job : new ArrayList<>(live)) {
-        job.terminate();
-      }
-    }
+    live.forEach(Job::terminate);
   }
 }

@@ -3,7 +3,6 @@ package org.urbi.kernel.job;
 import static java.util.Objects.requireNonNull;
 
 import java.io.IOException;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -68,12 +67,12 @@ public final class Scheduler {
   private final Interruptions interruptions;
   private final JobThread.Factory threads;
   private final RunQueue runnable;
-  private final ArrayDeque<Job> ahead = new ArrayDeque<>();
-  private final ArrayDeque<Job> behind = new ArrayDeque<>();
-  private final ArrayDeque<Job> born = new ArrayDeque<>();
+  private final JobQueue ahead = new JobQueue();
+  private final JobQueue behind = new JobQueue();
+  private final JobQueue born = new JobQueue();
   private final Set<Job> jobs = new LinkedHashSet<>();
   private final TagScope rootScope = new TagScope();
-  private final List<Runnable> endOfTick = new ArrayList<>();
+  private final EndOfTick endOfTick = new EndOfTick();
   private final BiConsumer<Job, Throwable> uncaught;
   private BiFunction<Problem, Object[], RuntimeException> refusals =
       (problem, places) -> new IllegalStateException(problem.text(places));
@@ -445,7 +444,10 @@ public final class Scheduler {
     stopped = true;
   }
 
-  /** Does something at the end of this tick; on the kernel thread. */
+  /**
+   * Does something at the end of this tick; on the kernel thread. If there is no memory for it, it
+   * is done again at the end of the next tick.
+   */
   public void atEndOfTick(Runnable action) {
     endOfTick.add(action);
   }
@@ -498,8 +500,8 @@ public final class Scheduler {
     yields.beginTick(now);
     inbox.take();
     fireTimers();
-    while (!ahead.isEmpty()) {
-      runnable.addFirst(ahead.poll());
+    for (Job job = ahead.poll(); job != null; job = ahead.poll()) {
+      runnable.addFirst(job);
     }
     if (runnable.isEmpty() && behind.isEmpty()) {
       runEndOfTick();
@@ -583,25 +585,22 @@ public final class Scheduler {
   }
 
   private void runBehind() {
-    for (int left = behind.size(); left > 0 && !stopped; left--) {
-      Job job = behind.poll();
+    Job job;
+    for (int left = behind.size(); left > 0 && !stopped && (job = behind.poll()) != null; left--) {
       running = job;
       beginTurn();
       meter.turnOf(job.budget());
       job.resume();
-      born.forEach(runnable::add);
-      born.clear();
+      for (Job child = born.poll(); child != null; child = born.poll()) {
+        runnable.add(child);
+      }
     }
     running = null;
     meter.turnOf(null);
   }
 
   private void runEndOfTick() {
-    while (!endOfTick.isEmpty()) {
-      List<Runnable> actions = List.copyOf(endOfTick);
-      endOfTick.clear();
-      actions.forEach(this::attempt);
-    }
+    endOfTick.run(failure -> report(null, failure));
   }
 
   private void idle() {

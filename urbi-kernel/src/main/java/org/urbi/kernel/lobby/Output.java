@@ -16,6 +16,7 @@ public final class Output {
   private final BooleanSupplier full;
   private final int most;
   private StringBuilder buffer = new StringBuilder();
+  private final Runnable atEndOfTick = this::sendRegistered;
   private boolean registered;
   private boolean open = true;
   private long bytesSent;
@@ -77,25 +78,28 @@ public final class Output {
     if (!open) {
       return;
     }
-    bytesSent += bytes.length();
     buffer.append(bytes);
+    bytesSent += bytes.length();
     if (buffer.length() > most) {
       flush();
     } else if (!registered) {
+      scheduler.atEndOfTick(atEndOfTick);
       registered = true;
-      scheduler.atEndOfTick(() -> {
-        registered = false;
-        flush();
-      });
     }
   }
 
-  /** Sends what is waiting. */
+  private void sendRegistered() {
+    flush();
+    registered = false;
+  }
+
+  /** Sends what is waiting. If memory is wanting for that, it goes on waiting. */
   public void flush() {
     if (buffer.length() > 0) {
       String bytes = buffer.toString();
-      buffer = new StringBuilder();
+      StringBuilder next = new StringBuilder();
       client.accept(bytes);
+      buffer = next;
     }
   }
 

@@ -104,7 +104,6 @@ public final class Shell {
   /** Takes input. */
   public void receive(String bytes) {
     if (!closed) {
-      bytesReceived += bytes.length();
       if (messages == null) {
         received.append(bytes);
       } else {
@@ -112,6 +111,7 @@ public final class Shell {
         listener.consumed();
         answerIfBlocked();
       }
+      bytesReceived += bytes.length();
       wake();
     }
   }

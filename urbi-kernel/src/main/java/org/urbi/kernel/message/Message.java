@@ -31,6 +31,12 @@ public sealed interface Message {
   /** The number of its receiver. */
   int to();
 
+  /**
+   * What must not be lost for want of memory: a receiver that fails with an {@link
+   * OutOfMemoryError} is given it again, before later messages, and does then what is left to do.
+   */
+  sealed interface Lasting extends Message {}
+
   // ------------------------------------------------------------------ the kernel
 
   /** The kernel must end with that exit status. */
@@ -73,19 +79,16 @@ public sealed interface Message {
   record RoleGranted(int to, String role) implements Message {}
 
   /** A client has sent bytes, one in each character. */
-  record ConsoleBytes(int to, String bytes) implements Message {}
+  record ConsoleBytes(int to, String bytes) implements Lasting {}
 
   /** A client has ended its input. */
-  record InputEnded(int to) implements Message {}
+  record InputEnded(int to) implements Lasting {}
 
   /** A client wants to interrupt the statement being executed. */
   record Interrupted(int to) implements Message {}
 
-  /**
-   * What frees memory, so it must not be lost for want of memory: a receiver that fails with an
-   * {@link OutOfMemoryError} is given it again, and does then what is left to do.
-   */
-  sealed interface Ending extends Message {}
+  /** What frees memory. It is delivered again until it has been obeyed, before all others. */
+  sealed interface Ending extends Lasting {}
 
   /** All jobs of a lobby must end, for that reason. */
   record Evicted(int to, String reason) implements Ending {}

@@ -605,15 +605,15 @@ public final class RemotePeer implements RemoteProcess {
       throw e;
     }
     if (!flushing) {
-      flushing = true;
       scheduler.atEndOfTick(this::flush);
+      flushing = true;
     }
   }
 
   private void flush() {
-    flushing = false;
     byte[] frames = out.toBytes();
     out.reset();
+    flushing = false;
     if (lost == null) {
       if (!context.rtp().isOn()) {
         // Only frames are recorded: what is sent in datagrams depends on the network.

@@ -84,8 +84,8 @@ final class RemoteTasks {
     }
     answers.add(new Answer(added, answer));
     if (!looking) {
-      looking = true;
       scheduler.atEndOfTick(this::look);
+      looking = true;
     }
   }
 
@@ -95,8 +95,8 @@ final class RemoteTasks {
       answer(Long.MAX_VALUE);
     } else if (!answers.isEmpty()) {
       // The tasks have not had their turn yet.
-      looking = true;
       scheduler.timers().add(scheduler.now() + PATIENCE, this::look);
+      looking = true;
     }
   }
 

@@ -72,6 +72,56 @@ class InboxTest {
     assertEquals(List.of(new Message.InputEnded(good)), taken);
   }
 
+  /** Otherwise a client would wait for ever for the answer to a question that nobody has read. */
+  @Test
+  void whatAClientSendsIsNotLostForWantOfMemoryAndKeepsItsOrder() {
+    List<Throwable> told = new ArrayList<>();
+    inbox.setFailures((message, failure) -> told.add(failure));
+    int[] tries = {0};
+    int wanting =
+        inbox.register(message -> {
+          if (tries[0]++ == 0) {
+            throw new OutOfMemoryError();
+          }
+          taken.add(message);
+        });
+    int other = inbox.register(taken::add);
+    List<Message> toWanting =
+        List.of(
+            new Message.ConsoleBytes(wanting, "a"),
+            new Message.ConsoleBytes(wanting, "b"),
+            new Message.InputEnded(wanting));
+    toWanting.forEach(inbox::post);
+    Message toOther = new Message.ConsoleBytes(other, "c");
+    inbox.post(toOther);
+    inbox.take();
+    assertEquals(List.of(toOther), taken);
+    assertTrue(inbox.isFilled(), "it waits for no other message");
+    taken.clear();
+    inbox.take();
+    inbox.take();
+    assertEquals(toWanting, taken);
+    assertEquals(List.of(), told);
+    assertFalse(inbox.isFilled());
+  }
+
+  @Test
+  void clientWhoseInputNeverFitsIsToldSo() {
+    List<Message> told = new ArrayList<>();
+    inbox.setFailures((message, failure) -> told.add(message));
+    int full =
+        inbox.register(message -> {
+          throw new OutOfMemoryError();
+        });
+    Message input = new Message.ConsoleBytes(full, "a");
+    inbox.post(input);
+    for (int tick = 0; tick < 100; tick++) {
+      inbox.take();
+    }
+    assertEquals(List.of(input), told);
+    assertFalse(inbox.isFilled());
+  }
+
   /** Otherwise a client that was to be let go for its memory would keep it for ever. */
   @Test
   void whatEndsSomebodyIsNotLostForWantOfMemory() {

@@ -157,6 +157,31 @@ class SchedulerTest {
   }
 
   @Test
+  void theEndOfATickIsRepeatedUntilThereIsMemoryForIt() {
+    int[] tries = {0};
+    loop.scheduler.atEndOfTick(() -> {
+      if (++tries[0] < 3) {
+        throw new OutOfMemoryError();
+      }
+      loop.say("done");
+    });
+    loop.scheduler.atEndOfTick(() -> loop.say("other"));
+    loop.run();
+    assertEquals(List.of("other", "done"), loop.said);
+    assertEquals(List.of(), loop.uncaught);
+  }
+
+  @Test
+  void theEndOfATickThatNeverFitsIsReported() {
+    Error failure = new OutOfMemoryError();
+    loop.scheduler.atEndOfTick(() -> {
+      throw failure;
+    });
+    assertThrows(AssertionError.class, loop::run);
+    assertEquals(List.of(failure), loop.uncaught);
+  }
+
+  @Test
   void theLengthsOfTheTicksAreKept() {
     loop.start(job -> job.sleepUntil(3 * SECOND));
     loop.run();

@@ -7,8 +7,10 @@ import io.netty.channel.ChannelFutureListener;
 import io.netty.channel.socket.DuplexChannel;
 import io.netty.handler.ssl.SslHandler;
 import java.nio.charset.StandardCharsets;
-import java.util.Queue;
-import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.concurrent.ConcurrentLinkedDeque;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 
@@ -22,6 +24,9 @@ final class ClientOutput {
   /** How long a client may take to read the rest and to close its side. */
   private static final int CLOSE_SECONDS = 5;
 
+  /** When sending is tried again for which there was no memory. */
+  private static final int RETRY_MILLISECONDS = 100;
+
   /** Marks a closed queue; so negative that adding bytes never makes it positive. */
   private static final long GONE = Long.MIN_VALUE / 2;
 
@@ -29,7 +34,12 @@ final class ClientOutput {
   private volatile long limit;
   private final TotalOutput totalOutput;
   private final Runnable onOverflow;
-  private final Queue<String> waiting = new ConcurrentLinkedQueue<>();
+  private final Deque<String> waiting = new ConcurrentLinkedDeque<>();
+
+  /** What the network thread sends next; it alone uses this. */
+  private final ArrayList<String> taken = new ArrayList<>();
+
+  private final Runnable flush = this::flushOrRetry;
   private final AtomicLong unsent = new AtomicLong();
   private final AtomicBoolean scheduled = new AtomicBoolean();
   private final AtomicBoolean closed = new AtomicBoolean();
@@ -66,9 +76,27 @@ final class ClientOutput {
       return;
     }
     count(bytes.length());
-    waiting.add(bytes);
+    boolean added = false;
+    try {
+      added = waiting.add(bytes);
+      schedule();
+    } catch (OutOfMemoryError e) {
+      // Either nothing has happened, or the network thread has taken them all the same.
+      if (!added || waiting.removeLastOccurrence(bytes)) {
+        count(-bytes.length());
+        throw e;
+      }
+    }
+  }
+
+  private void schedule() {
     if (scheduled.compareAndSet(false, true)) {
-      NetworkThread.execute(channel.eventLoop(), this::flush);
+      try {
+        NetworkThread.execute(channel.eventLoop(), flush);
+      } catch (OutOfMemoryError e) {
+        scheduled.set(false);
+        throw e;
+      }
     }
   }
 
@@ -97,16 +125,35 @@ final class ClientOutput {
     }
   }
 
-  private ChannelFuture flush() {
+  private void flushOrRetry() {
     scheduled.set(false);
-    StringBuilder joined = new StringBuilder();
-    for (String bytes = waiting.poll(); bytes != null; bytes = waiting.poll()) {
-      joined.append(bytes);
+    try {
+      flush();
+    } catch (OutOfMemoryError e) {
+      channel.eventLoop().schedule(flush, RETRY_MILLISECONDS, TimeUnit.MILLISECONDS);
     }
+  }
+
+  /** Sends all that waits; what there is no memory to send goes on waiting. */
+  private ChannelFuture flush() {
+    takeWaiting();
+    StringBuilder joined = new StringBuilder();
+    taken.forEach(joined::append);
     byte[] bytes = joined.toString().getBytes(StandardCharsets.ISO_8859_1);
+    taken.clear();
     return channel
         .writeAndFlush(Unpooled.wrappedBuffer(bytes))
         .addListener(done -> count(-bytes.length));
+  }
+
+  private void takeWaiting() {
+    while (!waiting.isEmpty()) {
+      taken.ensureCapacity(taken.size() + 1);
+      String bytes = waiting.poll();
+      if (bytes != null) {
+        taken.add(bytes);
+      }
+    }
   }
 
   private void count(int more) {

@@ -123,7 +123,14 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
       trace.debug("client lost: " + name() + ": " + cause);
       context.close();
     } else if (connection != null) {
-      connection.failed("the connection of " + name(), cause);
+      try {
+        connection.failed("the connection of " + name(), cause);
+      } finally {
+        if (cause instanceof OutOfMemoryError) {
+          // A part of the input is lost, so what comes behind it must not be executed.
+          context.close();
+        }
+      }
     } else {
       refuse(context, cause);
     }

@@ -1,0 +1,115 @@
+package org.urbi.kernel.job;
+
+import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Jobs in the order in which they will run. The jobs themselves are linked, so a job is in one
+ * queue at most, and to add or move one takes no memory: when there is none left, no job may be
+ * lost on its way from one queue to another.
+ */
+final class JobQueue {
+  private @Nullable Job first;
+  private @Nullable Job last;
+  private int size;
+
+  boolean isEmpty() {
+    return first == null;
+  }
+
+  int size() {
+    return size;
+  }
+
+  boolean hasAny(Predicate<Job> condition) {
+    for (Job job = first; job != null; job = job.queueLink.after) {
+      if (condition.test(job)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Adds a job behind the others; one that is in a queue already stays where it is. */
+  void add(Job job) {
+    Link link = job.queueLink;
+    if (link.queue != null) {
+      return;
+    }
+    link.queue = this;
+    link.before = last;
+    if (last == null) {
+      first = job;
+    } else {
+      last.queueLink.after = job;
+    }
+    last = job;
+    size++;
+  }
+
+  /** Adds a job before the others; one that is in a queue already stays where it is. */
+  void addFirst(Job job) {
+    Link link = job.queueLink;
+    if (link.queue != null) {
+      return;
+    }
+    link.queue = this;
+    link.after = first;
+    if (first == null) {
+      last = job;
+    } else {
+      first.queueLink.before = job;
+    }
+    first = job;
+    size++;
+  }
+
+  /** Takes the first job out; null if there is none. */
+  @Nullable Job poll() {
+    Job job = first;
+    if (job != null) {
+      remove(job.queueLink);
+    }
+    return job;
+  }
+
+  /** Takes the last job out; null if there is none. */
+  @Nullable Job pollLast() {
+    Job job = last;
+    if (job != null) {
+      remove(job.queueLink);
+    }
+    return job;
+  }
+
+  private void remove(Link link) {
+    if (link.before == null) {
+      first = link.after;
+    } else {
+      link.before.queueLink.after = link.after;
+    }
+    if (link.after == null) {
+      last = link.before;
+    } else {
+      link.after.queueLink.before = link.before;
+    }
+    link.before = null;
+    link.after = null;
+    link.queue = null;
+    size--;
+  }
+
+  /** Where a job is in a queue. */
+  static final class Link {
+    private @Nullable JobQueue queue;
+    private @Nullable Job before;
+    private @Nullable Job after;
+
+    /** Takes the job out of the queue that it is in, if any. */
+    void leave() {
+      if (queue != null) {
+        queue.remove(this);
+      }
+    }
+  }
+}
