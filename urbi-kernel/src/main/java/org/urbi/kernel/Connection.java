@@ -9,6 +9,9 @@ import org.urbi.kernel.trust.Role;
  * {@link Client}. Every method may be called from any thread, and none waits.
  */
 public interface Connection {
+  /** The number by which the kernel knows it. */
+  int number();
+
   /** Sends a piece of input; it may end anywhere, and every {@code char} is one byte. */
   void send(String bytes);
 

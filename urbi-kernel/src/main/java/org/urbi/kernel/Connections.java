@@ -67,7 +67,7 @@ final class Connections {
     int number = kernel.inbox().reserve();
     RemotePeer peer = peer(number, name, wire);
     arrivingPeers.put(number, peer);
-    kernel.inbox().post(new Message.RemoteOpened(number, name));
+    kernel.inbox().post(new Message.RemoteOpened(number, name, wire.console()));
     return peer;
   }
 
@@ -111,7 +111,15 @@ final class Connections {
   /** A remote process has connected. */
   void open(Message.RemoteOpened opened) {
     RemotePeer peer = arrivingPeers.remove(opened.peer());
-    (peer == null ? peer(opened.peer(), opened.name(), new UnconnectedTransport()) : peer).open();
+    if (peer == null) {
+      peer = peer(opened.peer(), opened.name(), new UnconnectedTransport());
+    }
+    peer.open();
+    for (KernelConnection connection : open) {
+      if (connection.number() == opened.console()) {
+        peer.belongTo(connection.lobby());
+      }
+    }
   }
 
   void add(KernelConnection connection) {

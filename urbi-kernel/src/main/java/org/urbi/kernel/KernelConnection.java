@@ -57,6 +57,11 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   // ------------------------------------------------------------------ from any thread
 
   @Override
+  public int number() {
+    return number;
+  }
+
+  @Override
   public void send(String bytes) {
     pending.addAndGet(bytes.length());
     kernel.inbox().post(new Message.ConsoleBytes(number, bytes));
@@ -270,10 +275,6 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
       tell(Problem.EVICTED.text(reason));
       consumed();
     }
-  }
-
-  int number() {
-    return number;
   }
 
   /** Tells the client of an error; on the kernel thread. */

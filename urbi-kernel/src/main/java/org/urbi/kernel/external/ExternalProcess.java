@@ -172,6 +172,11 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
   }
 
   @Override
+  public void unnotify(String variable, double times) {
+    variables.unuse(variable, times);
+  }
+
+  @Override
   public void statementOver() {
     if (!declared.isEmpty()) {
       List.copyOf(declared).forEach(this::made);
@@ -198,6 +203,7 @@ public final class ExternalProcess implements RemoteProcess, RemoteObjects {
     }
     RemoteObject object = new RemoteObject(this, name);
     objects.put(name, object);
+    access.markRemote(name, lobby);
     if (!declaring) {
       makeThere(name);
     }

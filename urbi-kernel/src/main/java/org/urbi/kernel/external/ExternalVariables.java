@@ -88,7 +88,7 @@ public final class ExternalVariables {
   }
 
   /** {@code unnotify}: ends that number of subscriptions to the variable. */
-  public void unuse(String name, double times) {
+  void unuse(String name, double times) {
     Binding binding = bindings.get(name);
     if (binding != null) {
       binding.uses -= (int) times;

@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class RecordingWriter implements AutoCloseable {
   /** What a recording begins with; the last octet is the version of the format. */
-  static final byte[] MAGIC = {'U', 'R', 'B', 'I', 'R', 'U', 'N', 1};
+  static final byte[] MAGIC = {'U', 'R', 'B', 'I', 'R', 'U', 'N', 2};
 
   /** A block is its length, its CRC-32C, and whole entries. */
   static final int BLOCK_HEADER = 8;

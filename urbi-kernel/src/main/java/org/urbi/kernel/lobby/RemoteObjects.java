@@ -9,4 +9,12 @@ public interface RemoteObjects {
 
   /** The client has disconnected: ends the objects. */
   void disconnected();
+
+  /**
+   * The client uses a variable less.
+   *
+   * @param times how many of its uses end: each variable of its own that stands for it is one, and
+   *     so is what is notified of its changes
+   */
+  void unnotify(String variable, double times);
 }

@@ -109,8 +109,9 @@ public sealed interface Message {
    *
    * @param peer the number of the connection from now on
    * @param name for people
+   * @param console the number of the connection whose lobby executes what it sends; -1 without one
    */
-  record RemoteOpened(int peer, String name) implements Message {
+  record RemoteOpened(int peer, String name, int console) implements Message {
     @Override
     public int to() {
       return KERNEL;

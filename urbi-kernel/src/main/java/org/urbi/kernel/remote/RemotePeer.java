@@ -14,9 +14,12 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.lobby.RemoteObjects;
+import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.outside.SocketSelector;
 import org.urbi.kernel.uobject.ArgumentFailure;
+import org.urbi.kernel.uobject.ObjectAccess;
 import org.urbi.kernel.uobject.PluggedContext;
 import org.urbi.kernel.variable.UrbiUVar;
 import urbi.UClass;
@@ -40,13 +43,14 @@ import urbi.wire.WireOutput;
  * <p>One job executes its requests in order. Results for waiting jobs do not pass through that job,
  * so it may itself wait for one.
  */
-public final class RemotePeer implements RemoteProcess {
+public final class RemotePeer implements RemoteProcess, RemoteObjects {
   /** How long an access waits for the process to set the value. */
   private static final Duration ACCESS_TIMEOUT = Duration.ofSeconds(2);
 
   private final int number;
   private final Scheduler scheduler;
   private final PluggedContext context;
+  private final ObjectAccess access;
   private volatile RemoteTransport wire;
   private final AnswerPoller reading;
   private volatile SocketSelector.@Nullable Socket socket;
@@ -62,6 +66,10 @@ public final class RemotePeer implements RemoteProcess {
 
   private final Map<String, RemoteObject> objects = new LinkedHashMap<>();
   private final Map<Integer, RemoteVariable> variables = new HashMap<>();
+
+  /** How many uses of a variable the process has ended by name. */
+  private final Map<String, Double> unnotified = new HashMap<>();
+
   private final Map<String, UEmitter> events = new HashMap<>();
   private final Map<Integer, CompletableFuture<UValue>> calls = new HashMap<>();
   private final WireOutput out = new WireOutput(1 << 12);
@@ -72,6 +80,7 @@ public final class RemotePeer implements RemoteProcess {
   private boolean greeted;
   private boolean broken;
   private @Nullable String lost;
+  private @Nullable UrbiLobby lobby;
   private @Nullable Runnable rtpEnd;
   private volatile @Nullable Supervisor supervisor;
 
@@ -114,6 +123,7 @@ public final class RemotePeer implements RemoteProcess {
     this.context = context;
     this.describe = describe;
     this.wire = wire;
+    this.access = new ObjectAccess(context);
     this.module = new UModule(name);
     this.requests = new RemoteRequests(this, describe);
     this.tasks = new RemoteTasks(scheduler, context::lobby, this::consumed, this::failed);
@@ -193,6 +203,12 @@ public final class RemotePeer implements RemoteProcess {
   public void open() {
     scheduler.inbox().register(number, this::take);
     rtpEnd = context.rtp().onTurn(this::rtpTurned);
+  }
+
+  /** The lobby executes what the process sends; once, before its first request. */
+  public void belongTo(UrbiLobby own) {
+    lobby = own;
+    own.attach(this);
   }
 
   private void take(Message message) {
@@ -331,6 +347,9 @@ public final class RemotePeer implements RemoteProcess {
     }
     RemoteObject object = new RemoteObject(this, name);
     objects.put(object.get__name(), object);
+    if (lobby != null) {
+      access.markRemote(object.get__name(), lobby);
+    }
     if (!making) {
       RemoteObject prototype = objects.get(className);
       if (prototype != null) {
@@ -425,6 +444,27 @@ public final class RemotePeer implements RemoteProcess {
     if (datagrams != null) {
       datagrams.close(id);
     }
+  }
+
+  @Override
+  public void unnotify(String name, double times) {
+    List<RemoteVariable> named =
+        variables.values().stream().filter(each -> each.slot().name().equals(name)).toList();
+    double ended = unnotified.merge(name, times, Double::sum);
+    if (ended >= named.stream().mapToInt(RemoteVariable::uses).sum()) {
+      unnotified.remove(name);
+      named.forEach(RemoteVariable::unwatch);
+    }
+  }
+
+  @Override
+  public void statementOver() {
+    // Its objects come in frames, each of which is a whole.
+  }
+
+  @Override
+  public void disconnected() {
+    // The transport tells of that.
   }
 
   /** The variable of that number. */

@@ -10,6 +10,11 @@ import urbi.rtp.RtpSession;
  * thread, and never wait.
  */
 public interface RemoteTransport {
+  /** The number of the connection whose lobby executes what the process sends; -1 without one. */
+  default int console() {
+    return -1;
+  }
+
   /** Sends whole frames. */
   void send(byte[] frames);
 

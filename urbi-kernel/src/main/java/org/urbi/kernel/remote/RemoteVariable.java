@@ -71,6 +71,16 @@ final class RemoteVariable {
     return UCallback.of(slot.name(), handle.bindTo(this));
   }
 
+  /** How often the process uses it: once for itself, and once for what is notified of changes. */
+  int uses() {
+    return watch == ALL_CHANGES ? 2 : 1;
+  }
+
+  /** The process wants no more changes. */
+  void unwatch() {
+    watch(NOTHING);
+  }
+
   /** Sets which changes the process wants to be sent. */
   void watch(int how) {
     watch = how;

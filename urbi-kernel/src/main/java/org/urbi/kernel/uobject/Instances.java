@@ -57,6 +57,15 @@ final class Instances {
     return instance;
   }
 
+  /** Tells urbiscript that an object is in the process of a client, and in which lobby that is. */
+  void markRemote(String name, UrbiObject lobby) {
+    UrbiObject object = find(name);
+    if (object != null) {
+      setSlot(object, world.symbol("isRemote"), world.values().trueObject);
+      setSlot(object, world.symbol("lobby"), lobby);
+    }
+  }
+
   private static void setSlot(UrbiObject object, Symbol slot, UrbiObject value) {
     object.removeSlot(slot);
     object.addSlot(slot, value);

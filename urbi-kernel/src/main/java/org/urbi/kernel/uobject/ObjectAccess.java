@@ -27,6 +27,11 @@ public final class ObjectAccess {
     return context.objects().find(name);
   }
 
+  /** Tells urbiscript that a UObject is in the process of a client, and in which lobby that is. */
+  public void markRemote(String name, UrbiObject lobby) {
+    context.objects().markRemote(name, lobby);
+  }
+
   /** Publishes a UObject that is being constructed as a slot of {@code uobjects}. */
   public void show(String name) {
     Instance instance = context.objects().named(name);

@@ -56,6 +56,11 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
             () -> trace.log("client does not read what it is sent, letting it go: " + name()));
   }
 
+  /** The connection to the lobby; null before there is one. */
+  @Nullable Connection connection() {
+    return connection;
+  }
+
   @Override
   public void channelActive(ChannelHandlerContext context) {
     over = false;

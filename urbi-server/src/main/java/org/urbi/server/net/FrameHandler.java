@@ -13,6 +13,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BiFunction;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.Connection;
 import org.urbi.kernel.outside.SocketSelector;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.remote.RemoteTransport;
@@ -350,6 +351,13 @@ final class FrameHandler extends ChannelDuplexHandler implements RemoteTransport
   public void handlerRemoved(ChannelHandlerContext removed) {
     partial.release();
     partial = Unpooled.EMPTY_BUFFER;
+  }
+
+  @Override
+  public int console() {
+    ConsoleHandler console = context.pipeline().get(ConsoleHandler.class);
+    Connection lobby = console == null ? null : console.connection();
+    return lobby == null ? RemoteTransport.super.console() : lobby.number();
   }
 
   // ------------------------------------------------------------------ out

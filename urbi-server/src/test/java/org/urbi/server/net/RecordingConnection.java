@@ -12,6 +12,11 @@ final class RecordingConnection implements Connection {
   int pending;
 
   @Override
+  public int number() {
+    return 1;
+  }
+
+  @Override
   public void send(String bytes) {
     calls.add("send " + bytes);
   }

@@ -331,6 +331,46 @@ class RemoteUObjectTest extends RemoteSession {
                 + " [Global.sent, Global.unended, Global.called] }"));
   }
 
+  static class Follower extends UObject {
+    private int changes;
+
+    Follower(String name) {
+      super(name);
+      UBindFunctions("follow", "leave", "count");
+    }
+
+    public void follow() {
+      UNotifyChange("Global.followed", "changed");
+    }
+
+    public void changed(UVar followed) {
+      changes++;
+    }
+
+    public void leave() {
+      send("UObject.unnotify(\"Global\", \"followed\", 1); var Global.half = 1");
+      send("UObject.unnotify(\"Global\", \"followed\", 1); var Global.left = 1");
+    }
+
+    public int count() {
+      return changes;
+    }
+  }
+
+  /** A variable made for a notification is used twice: by itself, and by the notification. */
+  @Test
+  void whatIsUsedLessByNameIsNotToldAnyMore() {
+    remote.start(type("Follower", Follower::new));
+    assertEquals("1", eval("{ UVar.new(Global, \"followed\"); Follower.follow; followed = 1 }"));
+    assertEquals("1", eval("Follower.count"));
+    eval("Follower.leave");
+    assertEquals("1", eval("{ while (!Global.hasSlot(\"left\")) sleep(1ms); Global.half }"));
+    assertEquals("2", eval("followed = 2"));
+    assertEquals("1", eval("Follower.count"));
+    assertEquals(
+        "1", eval("Follower.isRemote && Follower.lobby.isA(Lobby) && Follower.lobby !== lobby"));
+  }
+
   static class OneThread extends UObject {
     final UVar v = new UVar();
     final Set<Thread> seen = ConcurrentHashMap.newKeySet();

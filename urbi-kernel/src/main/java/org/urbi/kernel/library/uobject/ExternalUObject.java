@@ -11,6 +11,7 @@ import org.urbi.kernel.external.ValueText;
 import org.urbi.kernel.library.lobby.LobbyType;
 import org.urbi.kernel.library.system.Evaluation;
 import org.urbi.kernel.lobby.Diagnostics;
+import org.urbi.kernel.lobby.RemoteObjects;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -66,8 +67,9 @@ final class ExternalUObject {
 
   @Builtin(doc = "The process at the other end uses a variable so many times less.")
   void unnotify(Frame frame, UrbiObject self, String object, String slot, double count) {
-    ExternalProcess.of(frame, uobjects)
-        .variables()
-        .unuse(Utf8Text.toJava(object + "." + slot), count);
+    RemoteObjects used = LobbyType.of(frame).remoteObjects();
+    if (used != null) {
+      used.unnotify(Utf8Text.toJava(object + "." + slot), count);
+    }
   }
 }

@@ -198,12 +198,11 @@ final class UVarType {
               + " affair.",
       needs = Permission.CHANGE)
   void update_timed(Frame frame, UrbiUVar self, UrbiObject value, double microseconds) {
-    if (LobbyType.of(frame).remoteObjects() == null) {
-      self.write(frame, new Datum(value));
+    Runnable writing = () -> self.write(frame, new Datum(value));
+    if (LobbyType.of(frame).remoteObjects() instanceof ExternalProcess process) {
+      process.variables().set(self, writing);
     } else {
-      ExternalProcess.of(frame, uobjects)
-          .variables()
-          .set(self, () -> self.write(frame, new Datum(value)));
+      writing.run();
     }
   }
 
