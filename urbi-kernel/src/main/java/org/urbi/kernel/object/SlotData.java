@@ -8,8 +8,11 @@ import org.jspecify.annotations.Nullable;
  * for it.
  */
 public final class SlotData {
-  /** Properties by name, {@code constant} included, in the order in which they are listed. */
-  public final TreeMap<String, UrbiObject> properties = new TreeMap<>();
+  /**
+   * Properties by name, {@code constant} included, in the order in which they are listed. The slots
+   * behind which the same UVar stands have them together.
+   */
+  public TreeMap<String, UrbiObject> properties = new TreeMap<>();
 
   /** May the slot be assigned? */
   public boolean constant;

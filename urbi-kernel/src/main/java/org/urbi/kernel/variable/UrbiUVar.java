@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -67,6 +68,10 @@ public final class UrbiUVar extends UrbiObject {
   private static final long BYPASS_TIMEOUT = 500_000_000;
 
   private final List<Place> places = new ArrayList<>(1);
+
+  /** The properties of all its slots. */
+  private final TreeMap<String, UrbiObject> properties = new TreeMap<>();
+
   private final Hooks onChange = new Hooks();
   private final Hooks onChangeOwned = new Hooks();
   private final Hooks onAccess = new Hooks();
@@ -146,6 +151,8 @@ public final class UrbiUVar extends UrbiObject {
       owner.setSlotAt(owner.shape().indexOf(slot), this);
     }
     SlotData data = owner.ensureSlotData(slot);
+    properties.putAll(data.properties);
+    data.properties = properties;
     places.add(new Place(owner, data));
     Shape code = interpreter.prototypes().code.cloneShape();
     data.getter = new Access(code, false);
@@ -526,18 +533,14 @@ public final class UrbiUVar extends UrbiObject {
     sensed = seen;
   }
 
-  /** The value limited to the slot's properties rangemin and rangemax. */
+  /** The value limited to the properties rangemin and rangemax. */
   private Datum inRange(Frame frame, Datum assigned) {
     // A Java value is not limited, because reading it here would copy it.
     if (assigned.foreign() != null || !(assigned.value() instanceof UrbiFloat number)) {
       return assigned;
     }
-    SlotData data = places.isEmpty() ? null : places.getFirst().data();
-    if (data == null || data.properties.isEmpty()) {
-      return assigned;
-    }
-    UrbiObject least = data.properties.get("rangemin");
-    UrbiObject most = data.properties.get("rangemax");
+    UrbiObject least = properties.get("rangemin");
+    UrbiObject most = properties.get("rangemax");
     double limited = number.value();
     if (least instanceof UrbiFloat bound) {
       limited = Math.max(limited, bound.value());
