@@ -84,6 +84,73 @@ enum Behaviour {
       Soak.pause(random.nextInt(20));
     }
   },
+  /** Programs that end, that do not, and that do not exist. */
+  PROCESS {
+    @Override
+    void act(SoakConnection soakConnection, Random random) throws IOException {
+      soakConnection.send(
+          """
+          var p = Process.new("sleep", [%d]);
+          p.run;
+          var q = Process.new("echo", ["hello"]);
+          q.run;
+          q.join;
+          try { Process.new("/nowhere/at/all", []).run } catch {};
+          """
+              .formatted(random.nextInt(20)));
+      Soak.pause(random.nextInt(100));
+      soakConnection.check();
+    }
+  },
+  /** Files that are opened, written, read and forgotten. */
+  FILES {
+    @Override
+    void act(SoakConnection soakConnection, Random random) throws IOException {
+      soakConnection.send(
+          """
+          var name = System.getenv("TMPDIR") + "/file-%d";
+          var out = OutputStream.new(File.create(name));
+          out << "x" * 1000;
+          out.close;
+          var input = InputStream.new(File.new(name));
+          File.new(name).content.data.size;
+          var never = InputStream.new(File.new("/dev/null"));
+          try { File.new("/dev/zero/nothing").content } catch {};
+          try { Directory.new("/nowhere") } catch {};
+          """
+              .formatted(random.nextInt(50)));
+      soakConnection.check();
+    }
+  },
+  /** Patterns that take for ever, and many that do not. */
+  REGEXP {
+    @Override
+    void act(SoakConnection soakConnection, Random random) throws IOException {
+      soakConnection.send(
+          "for (var i : 50) Regexp.new(\"a\" + i + \"(b|c)*d\").match(\"xa1bcbcd\");\n");
+      if (random.nextInt(8) == 0) {
+        soakConnection.send("Regexp.new(\"(a*)*b\").match(\"a\" * 30),\n");
+      }
+      soakConnection.check();
+    }
+  },
+  /** Components that are made, bound, notified of, and left behind; and modules that are none. */
+  COMPONENT {
+    @Override
+    void act(SoakConnection soakConnection, Random random) throws IOException {
+      soakConnection.send(
+          """
+          try { loadModule("/dev/null") } catch {};
+          var a = Adder.new;
+          a.v = 20;
+          at (a.v > 30) { 1 };
+          a.v = 40;
+          a.add(2);
+          """);
+      soakConnection.expect("] 42");
+      soakConnection.check();
+    }
+  },
   /** Bytes that are no text. */
   NOISE {
     @Override

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import org.urbi.bench.JavaProcess;
 
 /** A process of {@code ./urbi} that listens on a free port. */
@@ -18,11 +19,18 @@ final class ServerProcess implements AutoCloseable {
   private final int port;
 
   /** What a look at the server has shown. */
-  record Sample(long heap, int threads, Map<String, Integer> threadNames, int jobs, long resident) {
+  record Sample(
+      long heap,
+      int threads,
+      Map<String, Integer> threadNames,
+      int jobs,
+      int descriptors,
+      int children,
+      long resident) {
     @Override
     public String toString() {
-      return "heap %6.1f MB   %d threads   %4d jobs   resident %6.1f MB"
-          .formatted(heap / 1e6, threads, jobs, resident / 1e6);
+      return "heap %6.1f MB   %d threads   %4d jobs   %3d descriptors   %d programs   resident %6.1f MB"
+          .formatted(heap / 1e6, threads, jobs, descriptors, children, resident / 1e6);
     }
   }
 
@@ -30,12 +38,20 @@ final class ServerProcess implements AutoCloseable {
     Path folder = Files.createTempDirectory("urbi-soak");
     Path portFile = folder.resolve("port");
     log = folder.resolve("log");
-    process =
+    Path component = folder.resolve("adder.jar");
+    make(root, component);
+    ProcessBuilder builder =
         new ProcessBuilder(
-                root.resolve("urbi").toString(), "-q", "-P", "0", "-w", portFile.toString())
-            .redirectErrorStream(true)
-            .redirectOutput(log.toFile())
-            .start();
+            root.resolve("urbi").toString(),
+            "-q",
+            "-P",
+            "0",
+            "-w",
+            portFile.toString(),
+            "-e",
+            "loadModule(\"" + component + "\");");
+    builder.environment().put("TMPDIR", folder.toString());
+    process = builder.redirectErrorStream(true).redirectOutput(log.toFile()).start();
     process.getOutputStream().close();
     java = new JavaProcess(process.pid());
     long end = System.nanoTime() + TIMEOUT_MILLISECONDS * 1_000_000L;
@@ -47,6 +63,26 @@ final class ServerProcess implements AutoCloseable {
       Soak.pause(20);
     }
     port = Integer.parseInt(Files.readString(portFile).strip());
+  }
+
+  /** Makes the component that clients use. */
+  private static void make(Path root, Path jar) throws IOException {
+    Process umake =
+        new ProcessBuilder(
+                root.resolve("bin/umake-java").toString(),
+                "-q",
+                root.resolve("examples/uobjects/adder.uob").toString(),
+                "-o",
+                jar.toString())
+            .inheritIO()
+            .start();
+    try {
+      if (umake.waitFor() != 0) {
+        throw new IOException("the component cannot be made");
+      }
+    } catch (InterruptedException e) {
+      throw new IOException(e);
+    }
   }
 
   int port() {
@@ -73,7 +109,14 @@ final class ServerProcess implements AutoCloseable {
     // These come and go with looking at them, and with the work of the compiler.
     names.keySet().removeIf(ServerProcess::comesAndGoes);
     int threads = names.values().stream().mapToInt(Integer::intValue).sum();
-    return new Sample(heap, threads, names, jobs, resident());
+    return new Sample(
+        heap,
+        threads,
+        names,
+        jobs,
+        descriptors(),
+        (int) process.toHandle().children().count(),
+        resident());
   }
 
   /** What its heap is full of: bytes by class. */
@@ -85,6 +128,16 @@ final class ServerProcess implements AutoCloseable {
     return thread.startsWith("Attach Listener")
         || thread.contains("CompilerThread")
         || thread.startsWith("Cleaner-");
+  }
+
+  private int descriptors() throws IOException {
+    Path folder = Path.of("/proc/" + process.pid() + "/fd");
+    if (!Files.exists(folder)) {
+      return 0;
+    }
+    try (Stream<Path> all = Files.list(folder)) {
+      return (int) all.count();
+    }
   }
 
   private long resident() throws IOException {
