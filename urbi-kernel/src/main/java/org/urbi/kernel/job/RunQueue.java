@@ -3,13 +3,14 @@ package org.urbi.kernel.job;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.PriorityQueue;
+import java.util.WeakHashMap;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.journal.Journal;
-import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.time.Clock;
 
 /**
@@ -17,39 +18,68 @@ import org.urbi.kernel.time.Clock;
  * turn.
  *
  * <p>A round that would delay clients and timers noticeably is cut short. From then on, until the
- * load is over, each lobby has a queue of its own, and a round serves the lobbies in order, those
- * first whose turns have been cut short least often; it ends with the lobby for which its slice of
- * time was not enough. So a lobby that starts a million jobs delays only itself. In simulated time
+ * load is over, each budget, which is that of a lobby, has a queue of its own. A round serves them
+ * in order, those first that have cut rounds short least often, and ends after a slice of time; it
+ * is cut short by the queue whose turn it was. That is a sample of who uses the time: a lobby that
+ * starts a million jobs delays only itself, and one that needs little goes first. In simulated time
  * nobody waits, and rounds are never cut.
  */
 final class RunQueue {
-  /** How long the jobs of one lobby may run in a round while others wait, in nanoseconds. */
+  /** How long a round may take while others wait, in nanoseconds. */
   private static final long SLICE = 5_000_000;
 
-  /** How long a whole round may take, in nanoseconds, if it takes more than a slice. */
-  private static final long LONGEST_ROUND = 2 * SLICE;
+  /** The same when a timer is due, which only the next round serves. */
+  private static final long SHORT_SLICE = 1_000_000;
+
+  /** So many rounds more than the others a lobby may have cut short; the rest is forgiven. */
+  private static final long LONGEST_MEMORY = 10;
+
+  /** So many rounds a lobby seems to have cut short that was not here before: it goes last. */
+  private static final long DEBIT = 1;
+
+  /** So many rounds fewer count for a lobby that has waited for something else: it goes first. */
+  private static final long CREDIT = 1;
 
   /**
-   * How many jobs run between two readings of the clock, unless a message arrives; a power of two.
+   * How many jobs of one budget run between two readings of the clock, unless a message arrives,
+   * there is a rush, or they are slow; a power of two.
    */
   private static final int JOBS_PER_LOOK = 8;
 
+  private static final Comparator<Share> AGE = Comparator.comparingLong(share -> share.number);
+
   private final Clock clock;
+  private final Timers timers;
   private final Inbox inbox;
   private final Journal journal;
   private final boolean counted;
   private final ArrayDeque<Job> together = new ArrayDeque<>();
 
-  /** The queues of the lobbies under high load, when {@link #together} is empty; null otherwise. */
-  private @Nullable Map<UrbiObject, LobbyQueue> shares;
+  /** Whether each budget has a queue of its own, and {@link #together} is empty. */
+  private boolean rushing;
 
-  /** An empty queue, which is current when no lobby's is. */
-  private final LobbyQueue nobody = new LobbyQueue(0, 0);
+  /** The queues of budgets that still exist. */
+  private final Map<Budget, Share> shares = new WeakHashMap<>();
 
-  /** The queues still to be served in this round under high load; the next one is last. */
-  private final List<LobbyQueue> round = new ArrayList<>();
+  /** The queues to be served in this round of a rush; none is empty. */
+  private final PriorityQueue<Share> round =
+      new PriorityQueue<>(
+          Comparator.comparingLong((Share share) -> share.roundsCut).thenComparing(AGE));
 
-  private LobbyQueue current = nobody;
+  /** The queues that have been served in this round, or were empty when it began. */
+  private final List<Share> served = new ArrayList<>();
+
+  /** An empty queue, which is current when no other is. */
+  private final Share nobody = new Share(0, 0);
+
+  private Share current = nobody;
+
+  /** Whose job has run last in this round. */
+  private @Nullable Budget last;
+
+  /** How many jobs there are in the queues of a rush. */
+  private int waiting;
+
   private int left;
 
   /** How many jobs at the head of the queue have been started in this round. */
@@ -60,57 +90,67 @@ final class RunQueue {
   private int jobs;
   private boolean cuttable;
   private long roundBegan;
-  private long sliceBegan;
+  private long looked;
+
+  /** Whether the jobs before the last reading of the clock took long. */
+  private boolean slow;
+
   private long sharesMade;
 
-  /** The jobs of one lobby. */
-  private static final class LobbyQueue {
+  /** The least {@link Share#roundsCut} of those that want to run; it never decreases. */
+  private long floor;
+
+  /** The jobs of one budget. */
+  private static final class Share {
     final ArrayDeque<Job> jobs = new ArrayDeque<>();
     final long number;
 
-    /** How often the slice of this lobby was not enough. */
+    /** Whether it takes part in this rush. */
+    boolean active;
+
+    /** How often a round was cut short while one of them ran; constant while it is to be served. */
     long roundsCut;
 
-    LobbyQueue(long number, long roundsCut) {
+    Share(long number, long roundsCut) {
       this.number = number;
       this.roundsCut = roundsCut;
     }
   }
 
-  RunQueue(Clock clock, Inbox inbox, Journal journal) {
+  RunQueue(Clock clock, Timers timers, Inbox inbox, Journal journal) {
     this.clock = clock;
+    this.timers = timers;
     this.inbox = inbox;
     this.journal = journal;
     this.counted = journal.countsChecks();
   }
 
   boolean isEmpty() {
-    if (shares == null) {
-      return together.isEmpty();
-    }
-    for (LobbyQueue share : shares.values()) {
-      if (!share.jobs.isEmpty()) {
-        return false;
-      }
-    }
-    return true;
+    return together.isEmpty() && waiting == 0;
   }
 
   boolean hasAny(Predicate<Job> condition) {
-    if (shares == null) {
-      return together.stream().anyMatch(condition);
-    }
-    return shares.values().stream().anyMatch(share -> share.jobs.stream().anyMatch(condition));
+    return together.stream().anyMatch(condition)
+        || (waiting > 0
+            && shares.values().stream().anyMatch(share -> share.jobs.stream().anyMatch(condition)));
   }
 
   /** Adds a job behind all runnable ones. */
   void add(Job job) {
-    (shares == null ? together : shareOf(shares, job).jobs).add(job);
+    if (rushing) {
+      shareFor(job).jobs.add(job);
+    } else {
+      together.add(job);
+    }
   }
 
   /** Adds a job before all runnable ones. */
   void addFirst(Job job) {
-    (shares == null ? together : shareOf(shares, job).jobs).addFirst(job);
+    if (rushing) {
+      shareFor(job).jobs.addFirst(job);
+    } else {
+      together.addFirst(job);
+    }
   }
 
   /**
@@ -118,13 +158,13 @@ final class RunQueue {
    * what it does first: even if the round is cut short before.
    */
   void addToRound(Job job) {
-    if (shares == null) {
+    if (!rushing) {
       together.addFirst(job);
       left++;
       fresh++;
       return;
     }
-    LobbyQueue share = shareOf(shares, job);
+    Share share = shareFor(job);
     share.jobs.addFirst(job);
     if (share == current) {
       left++;
@@ -132,17 +172,20 @@ final class RunQueue {
     }
   }
 
-  private LobbyQueue shareOf(Map<UrbiObject, LobbyQueue> all, Job job) {
-    return all.computeIfAbsent(
-        job.lobby(), lobby -> new LobbyQueue(sharesMade++, fewestRoundsCut(all)));
+  /** The queue that a job is about to join. */
+  private Share shareFor(Job job) {
+    waiting++;
+    Share share = shareOf(job.budget());
+    if (!share.active) {
+      share.active = true;
+      share.roundsCut = Math.max(share.roundsCut, floor - CREDIT);
+      served.add(share);
+    }
+    return share;
   }
 
-  /**
-   * A lobby that joins later starts with the lowest count of the others: it must not be preferred
-   * for long.
-   */
-  private static long fewestRoundsCut(Map<UrbiObject, LobbyQueue> all) {
-    return all.values().stream().mapToLong(share -> share.roundsCut).min().orElse(0);
+  private Share shareOf(Budget budget) {
+    return shares.computeIfAbsent(budget, known -> new Share(sharesMade++, floor + DEBIT));
   }
 
   /**
@@ -155,47 +198,67 @@ final class RunQueue {
     cuttable = !whole && clock.isReal();
     jobs = 0;
     roundBegan = now;
-    sliceBegan = now;
+    looked = now;
+    last = null;
     fresh = 0;
-    if (shares == null) {
+    if (!rushing) {
       left = together.size();
       return;
     }
-    round.clear();
-    shares.values().removeIf(share -> share.jobs.isEmpty());
-    round.addAll(shares.values());
-    round.sort(
-        Comparator.comparingLong((LobbyQueue share) -> share.roundsCut)
-            .thenComparingLong(share -> share.number)
-            .reversed());
+    for (Share share : served) {
+      share.active = !share.jobs.isEmpty();
+      if (share.active) {
+        round.add(share);
+      }
+    }
+    served.clear();
+    Share first = round.peek();
+    if (first != null) {
+      floor = Math.max(floor, first.roundsCut);
+    }
     current = nobody;
     left = 0;
   }
 
   /** The next job of this round; null at its end. */
   @Nullable Job next() {
-    if (shares == null) {
-      if (left > 0 && isSliceOver()) {
-        rush();
-        return null;
-      }
-      return left-- > 0 ? poll(together) : null;
+    Job job = rushing ? nextInRush() : nextOfAll();
+    if (job != null) {
+      last = job.budget();
     }
-    while (left <= 0) {
-      if (round.isEmpty()) {
-        relax(shares);
-        return null;
-      }
-      current = round.removeLast();
-      fresh = 0;
-      left = current.jobs.size();
-      sliceBegan = cuttable ? clock.now() : 0;
+    return job;
+  }
+
+  private @Nullable Job nextOfAll() {
+    if (left <= 0) {
+      return null;
     }
-    if (isSliceOver()) {
-      current.roundsCut++;
+    if (isSliceOver(together.getFirst())) {
+      rush();
       return null;
     }
     left--;
+    return poll(together);
+  }
+
+  private @Nullable Job nextInRush() {
+    Share next = left > 0 ? current : round.peek();
+    if (next == null) {
+      relax();
+      return null;
+    }
+    if (isSliceOver(next.jobs.getFirst())) {
+      blame(current);
+      return null;
+    }
+    if (left <= 0) {
+      current = round.remove();
+      served.add(current);
+      left = current.jobs.size();
+      fresh = 0;
+    }
+    left--;
+    waiting--;
     return poll(current.jobs);
   }
 
@@ -212,32 +275,52 @@ final class RunQueue {
     return freshRuns;
   }
 
-  private boolean isSliceOver() {
+  /** Whether it is too late in this round for another job, which is not the first one. */
+  private boolean isSliceOver(Job next) {
     if (!cuttable) {
       return false;
     }
-    boolean over = (++jobs % JOBS_PER_LOOK == 0 || inbox.isFilled()) && isLate(clock.now());
+    boolean looks =
+        ++jobs % JOBS_PER_LOOK == 0
+            || rushing
+            || slow
+            || next.budget() != last
+            || inbox.isFilled();
+    boolean over = looks && last != null && isLate(clock.now());
     return (over || counted) && journal.cutsRound(jobs, over);
   }
 
   private boolean isLate(long now) {
-    return now - sliceBegan >= SLICE || now - roundBegan >= LONGEST_ROUND;
+    slow = now - looked >= SHORT_SLICE;
+    looked = now;
+    return now - roundBegan >= (timers.next() <= now ? SHORT_SLICE : SLICE);
+  }
+
+  private void blame(Share share) {
+    share.roundsCut = Math.min(share.roundsCut + 1, floor + LONGEST_MEMORY);
   }
 
   private void rush() {
     left = 0;
-    Map<UrbiObject, LobbyQueue> rush = new IdentityHashMap<>();
-    shares = rush;
-    together.forEach(job -> shareOf(rush, job).jobs.add(job));
+    rushing = true;
+    together.forEach(job -> shareFor(job).jobs.add(job));
     together.clear();
+    if (last != null) {
+      blame(shareOf(last));
+    }
   }
 
   /** Ends the separate queues: all jobs have had their turn in time. */
-  private void relax(Map<UrbiObject, LobbyQueue> rush) {
-    List<LobbyQueue> all = new ArrayList<>(rush.values());
-    all.sort(Comparator.comparingLong(share -> share.number));
-    shares = null;
+  private void relax() {
+    served.sort(AGE);
+    for (Share share : served) {
+      together.addAll(share.jobs);
+      share.jobs.clear();
+      share.active = false;
+    }
+    served.clear();
+    waiting = 0;
+    rushing = false;
     current = nobody;
-    all.forEach(share -> together.addAll(share.jobs));
   }
 }

@@ -124,7 +124,7 @@ public final class Scheduler {
     this.clock = clock;
     this.pace = new SimulationPace(clock, machine);
     this.meter = new UsageMeter(machine);
-    this.runnable = new RunQueue(clock, inbox, journal);
+    this.runnable = new RunQueue(clock, timers, inbox, journal);
     this.threads = threads.factory(inbox);
     this.uncaught = uncaught;
     inbox.register(Message.JOBS, this.threads::take);

@@ -10,6 +10,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.urbi.kernel.budget.Budget;
+import org.urbi.kernel.budget.Budgeted;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.object.UrbiObject;
@@ -21,15 +23,29 @@ class RunQueueTest {
   private final ManualClock clock = ManualClock.real();
   private final Loop loop = new Loop();
   private final Inbox inbox = new Inbox(Journal.NONE);
-  private RunQueue queue = new RunQueue(clock, inbox, Journal.NONE);
+  private final Timers timers = new Timers(Budget::new);
+  private RunQueue queue = new RunQueue(clock, timers, inbox, Journal.NONE);
 
   /** The lobbies, and the names of the jobs, which begin with that of their lobby. */
   private final Map<Character, UrbiObject> lobbies = new HashMap<>();
 
   private final Map<Job, String> names = new HashMap<>();
 
+  private final class Lobby extends UrbiObject implements Budgeted {
+    private final Budget budget = new Budget();
+
+    Lobby() {
+      super(loop.object().cloneShape());
+    }
+
+    @Override
+    public Budget budget() {
+      return budget;
+    }
+  }
+
   private Job job(String name) {
-    Job job = loop.idle(lobbies.computeIfAbsent(name.charAt(0), letter -> loop.object()));
+    Job job = loop.idle(lobbies.computeIfAbsent(name.charAt(0), letter -> new Lobby()));
     names.put(job, name);
     return job;
   }
@@ -147,7 +163,7 @@ class RunQueueTest {
 
   @Test
   void simulatedRoundsAreNeverCutShort() {
-    queue = new RunQueue(ManualClock.simulated(), inbox, Journal.NONE);
+    queue = new RunQueue(ManualClock.simulated(), timers, inbox, Journal.NONE);
     addMany("a", 30);
     assertEquals(names("a", 1, 30), round(100));
   }
@@ -157,7 +173,7 @@ class RunQueueTest {
     addMany("a", 30);
     assertEquals(names("a", 1, 30), round(100, true));
     rush();
-    assertEquals(names("a", 8, 30) + " b1", round(100, true));
+    assertEquals("b1 " + names("a", 8, 30), round(100, true));
   }
 
   /** The clock is looked at with the eighth job: that takes time as well. */
@@ -185,20 +201,43 @@ class RunQueueTest {
     assertEquals("a2 a3 a4", round(0));
   }
 
+  /** The jobs of one lobby take long, so one after the other is a reason to look at the clock. */
+  @Test
+  void slowJobsAreAReasonToLookAtTheClockEachTime() {
+    addMany("a", 16);
+    queue.beginRound(clock.now, false);
+    for (int i = 0; i < 7; i++) {
+      queue.next();
+    }
+    clock.now += MILLISECOND;
+    assertEquals("a8 a9", rest(2));
+    assertEquals(names("a", 10, 16), round(0));
+  }
+
+  /** Whom a timer wakes waits for the end of the round. */
+  @Test
+  void aTimerThatIsDueMakesARoundShort() {
+    add("a1", "b1", "c1", "d1", "e1");
+    timers.add(3 * MILLISECOND, () -> add("x1"));
+    assertEquals("a1 b1 c1", round(1));
+    timers.fire(clock.now);
+    assertEquals("d1 e1 x1", round(1));
+  }
+
   @Test
   void inARushWhoHasWaitedGoesFirst() {
     rush();
-    // The crowd is still first, as it came first; its slice is not enough, so the round is over.
-    assertEquals(names("a", 8, 14), round(1));
-    assertEquals("b1 " + names("a", 15, 20), round(1));
-    assertEquals(names("a", 21, 30), round(0));
+    assertEquals("b1 " + names("a", 8, 11), round(1));
+    add("b2");
+    assertEquals("b2 " + names("a", 12, 15), round(1));
+    assertEquals(names("a", 16, 30), round(0));
     assertTrue(queue.isEmpty());
   }
 
   @Test
   void afterARushAllAreTogetherAgain() {
     rush();
-    assertEquals(names("a", 8, 30) + " b1", round(0));
+    assertEquals("b1 " + names("a", 8, 30), round(0));
     addMany("b", 2);
     addMany("a", 2);
     add("b3");
@@ -210,10 +249,10 @@ class RunQueueTest {
   void afterARushTheOrderIsThatOfTheLobbies() {
     rush();
     queue.beginRound(clock.now, false);
+    assertEquals("b1", names.get(queue.next()));
     for (int i = 0; i < 23; i++) {
       queue.next();
     }
-    assertEquals("b1", names.get(queue.next()));
     add("c1", "b2", "a31");
     assertNull(queue.next());
     assertEquals("a31 b2 c1", round(0));
@@ -243,65 +282,93 @@ class RunQueueTest {
     rush();
     queue.addFirst(job("b0"));
     queue.addFirst(job("a0"));
-    assertEquals("a0 " + names("a", 8, 30) + " b0 b1", round(0));
+    assertEquals("b0 b1 a0 " + names("a", 8, 30), round(0));
   }
 
   @Test
   void inARushWhoIsStartedRunsNextIfItIsOfTheSameLobby() {
     rush();
     queue.beginRound(clock.now, false);
-    assertEquals("a8", names.get(queue.next()));
+    assertEquals("b1", names.get(queue.next()));
     queue.addToRound(job("a0"));
     queue.addToRound(job("b0"));
     queue.addToRound(job("c1"));
-    assertEquals("a0 " + names("a", 9, 30) + " b0 b1", rest(0));
+    assertEquals("b0 a0 " + names("a", 8, 30), rest(0));
     assertEquals("c1", round(0));
   }
 
-  /** Three lobbies whose jobs take 4 ms each: none uses up its slice, but all have to wait. */
+  /** Four lobbies whose jobs take 4 ms each: two in a round, and the others in the next one. */
   @Test
-  void aRoundOfManySlicesIsOverAfterTwo() {
-    inbox.post(new Message.InputEnded(0));
+  void aRoundOfManyLobbiesIsOverAfterASlice() {
     add("a1", "b1", "c1", "d1");
+    assertEquals("a1 b1", round(4));
+    // The round was cut short by b, so it is the last one from now on.
+    add("b2", "a2");
+    assertEquals("c1 d1", round(4));
+    assertEquals("a2 b2", round(0));
+  }
+
+  @Test
+  void somebodyRunsInEveryRound() {
+    add("a1", "b1");
     queue.beginRound(clock.now, false);
-    clock.now += 5 * MILLISECOND;
-    assertNull(queue.next());
-    assertEquals("a1 b1 c1", round(4));
-    // Who was kept from its turn is the one that was cut short.
+    clock.now += 100 * MILLISECOND;
+    assertEquals("a1", rest(0));
+    queue.beginRound(clock.now, false);
+    clock.now += 100 * MILLISECOND;
+    assertEquals("b1", rest(0));
+  }
+
+  /** The others always want to run, and take 5 ms; x needs little, and comes and goes. */
+  @Test
+  void whoNeedsLittleAndComesBackGoesFirst() {
+    add("a1", "b1", "c1", "x1", "d1");
+    int firsts = 0;
+    for (int i = 0; i < 50; i++) {
+      queue.beginRound(clock.now, false);
+      Job first = queue.next();
+      Job away = null;
+      for (Job job = first; job != null; job = queue.next()) {
+        if (names.get(job).equals("x1")) {
+          firsts += job == first ? 1 : 0;
+          away = job;
+        } else {
+          clock.now += 5 * MILLISECOND;
+          queue.add(job);
+        }
+      }
+      if (away != null) {
+        assertEquals(1, countOfRound(), "a round without x");
+        queue.add(away);
+      }
+    }
+    assertTrue(firsts >= 20, "first: " + firsts);
+  }
+
+  private int countOfRound() {
+    queue.beginRound(clock.now, false);
+    int count = 0;
+    for (Job job = queue.next(); job != null; job = queue.next()) {
+      count++;
+      clock.now += 5 * MILLISECOND;
+      queue.add(job);
+    }
+    return count;
+  }
+
+  /** New lobbies, however many, do not push aside those that were there before. */
+  @Test
+  void whoIsNewHasNoCredit() {
+    add("a1", "b1");
+    assertEquals("a1", round(5));
     add("a2");
-    assertEquals("a2 d1", round(0));
-  }
-
-  @Test
-  void twoSlicesAreOverWhenTheirTimeIs() {
-    inbox.post(new Message.InputEnded(0));
-    add("a1", "b1", "c1", "d1");
-    queue.beginRound(clock.now, false);
-    clock.now += 5 * MILLISECOND;
-    assertNull(queue.next());
-    long began = clock.now;
-    queue.beginRound(began, false);
-    assertEquals("a1", names.get(queue.next()));
-    clock.now = began + 4 * MILLISECOND;
-    assertEquals("b1", names.get(queue.next()));
-    clock.now = began + 8 * MILLISECOND;
-    assertEquals("c1", names.get(queue.next()));
-    add("c2");
-    clock.now = began + 10 * MILLISECOND - 1;
-    assertEquals("d1", names.get(queue.next()));
-    assertEquals("c2", round(0));
-  }
-
-  /** Both lobbies have been cut short once when the third one comes, so it is the last. */
-  @Test
-  void whoComesLaterHasNoCreditFromTheTimeBefore() {
-    rush();
-    assertEquals(names("a", 8, 14), round(1));
-    addMany("b", 20);
-    assertEquals("b1 " + names("b", 1, 6), round(1));
-    add("c1");
-    assertEquals(names("a", 15, 21), round(1));
-    assertEquals(names("b", 7, 20) + " c1 " + names("a", 22, 30), round(0));
+    assertEquals("b1", round(5));
+    add("b2");
+    assertEquals("b2", round(5));
+    add("b3", "c1");
+    assertEquals("a2", round(5));
+    add("a3", "d1", "e1");
+    assertEquals("b3 a3 c1 d1 e1", round(0));
   }
 
   @Test
@@ -310,6 +377,7 @@ class RunQueueTest {
     queue =
         new RunQueue(
             clock,
+            timers,
             inbox,
             new Journal() {
               @Override
