@@ -26,17 +26,18 @@ final class HoldLimit {
    * Sets the limit of a kernel that has been started.
    *
    * @param limit zero for none
-   * @return the watchdog, or null when there is no limit
+   * @return the watchdog, which watches budgets, too; null in a replay
    */
   static @Nullable HoldWatchdog set(
       Scheduler scheduler, Errors errors, KernelLog log, Duration limit) {
     HoldLimit holding = new HoldLimit(errors, log);
     // A replay may have no limit where the recorded run had one and reached it.
     scheduler.interruptions().setOverdueFailure(holding::failure);
-    if (limit.isZero() || scheduler.journal().isReplay()) {
+    if (scheduler.journal().isReplay()) {
       return null;
     }
-    return scheduler.limitHolding(limit.toNanos(), holding::tell);
+    long most = limit.isZero() ? Long.MAX_VALUE : limit.toNanos();
+    return scheduler.limitHolding(most, holding::tell);
   }
 
   private UrbiException failure(Job job) {

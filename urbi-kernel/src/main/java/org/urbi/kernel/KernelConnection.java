@@ -169,7 +169,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
       return;
     }
     kernel.inbox().register(number, this);
-    Budget budget = new Budget(kernel.outOfBand()::watchTime);
+    Budget budget = new Budget(this::limited);
     budget.setLimits(limits);
     Output output = new Output(kernel.scheduler(), this::show, () -> isBehind(budget));
     UrbiLobby made = UrbiLobby.start(kernel.interpreter(), output, this, role, budget);
@@ -177,6 +177,14 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     lobby = made;
     kernel.connections().add(this);
     made.shell().start();
+  }
+
+  private void limited(Resource what, long limit) {
+    if (what == Resource.DEPTH) {
+      kernel.interpreter().budgetDepth(limit);
+    } else {
+      kernel.outOfBand().watchBudget(what, limit);
+    }
   }
 
   private boolean isBehind(Budget budget) {

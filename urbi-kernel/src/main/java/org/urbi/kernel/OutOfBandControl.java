@@ -2,8 +2,10 @@ package org.urbi.kernel;
 
 import java.util.Map;
 import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.HoldWatchdog;
 import org.urbi.kernel.job.Job;
@@ -78,11 +80,12 @@ final class OutOfBandControl {
     return text.toString();
   }
 
-  /**
-   * Starts to measure the time of lobbies: one of them has a limited share of the kernel's time.
-   */
-  void watchTime() {
-    if (shares == null) {
+  /** The budget of a lobby has got a limit, which must perhaps be watched from now on. */
+  void watchBudget(Resource what, long limit) {
+    HoldWatchdog who = watch;
+    if (what == Resource.HOLD && who != null) {
+      who.watchBudget(TimeUnit.MILLISECONDS.toNanos(limit));
+    } else if (what == Resource.TIME && shares == null) {
       shares = new TimeBudgetMonitor(scheduler.meter(), connections.values());
       shares.start();
     }

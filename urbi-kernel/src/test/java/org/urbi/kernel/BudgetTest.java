@@ -162,6 +162,29 @@ class BudgetTest {
     }
   }
 
+  /** Without a general limit of holding. */
+  @Test
+  void holding() {
+    try (Kernel real = Kernel.builder().log(line -> {}).start()) {
+      TestClient client = new TestClient(real, Role.OWNER);
+      client.say("lobby.setBudget(\"hold\", 20);");
+      assertTrue(client.say("while| (true) {};").contains("has held the kernel for too long"));
+      assertEquals("2", client.say("1+1;"));
+    }
+  }
+
+  @Test
+  void depth() {
+    TestClient client = owner();
+    client.say("function deep(n) { if (n == 0) 0 else deep(n - 1) };");
+    client.say("lobby.setBudget(\"depth\", 100);");
+    assertEquals("0", client.say("deep(90);"));
+    assertTrue(client.say("deep(110);").contains("stack space exhausted"));
+    TestClient other = owner();
+    other.say("function deep(n) { if (n == 0) 0 else deep(n - 1) };");
+    assertEquals("0", other.say("deep(500);"));
+  }
+
   @Test
   void onlyAnOwnerSetsBudgets() {
     TestClient user = new TestClient(kernel, Role.USER);
@@ -175,7 +198,8 @@ class BudgetTest {
     "jobs=7,JOBS,7",
     "' input = 2k',INPUT,2048",
     "'jobs=1,output=3M',OUTPUT,3145728",
-    "time=50%,TIME,50"
+    "time=50%,TIME,50",
+    "'hold=5,depth=1000',HOLD,5"
   })
   void optionsSayLimits(String text, Resource what, long limit) {
     Budget budget = new Budget();

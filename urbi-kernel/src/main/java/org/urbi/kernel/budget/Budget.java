@@ -1,6 +1,7 @@
 package org.urbi.kernel.budget;
 
 import java.util.concurrent.atomic.AtomicLongArray;
+import java.util.function.ObjLongConsumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.urbi.kernel.error.Problem;
@@ -17,6 +18,8 @@ public final class Budget {
   /** There is no limit. */
   public static final long UNLIMITED = Long.MAX_VALUE;
 
+  private static final long NANOSECONDS_PER_MILLISECOND = 1_000_000;
+
   private static final Pattern PART =
       Pattern.compile("\\s*([a-z]+)\\s*=\\s*(\\d{1,15})([kMG%]?)\\s*");
 
@@ -25,21 +28,20 @@ public final class Budget {
   private volatile long nanoseconds;
   private volatile long bytes;
 
-  private final Runnable timeLimited;
+  private final ObjLongConsumer<Resource> limited;
 
   /** A budget without limits. */
   public Budget() {
-    this(() -> {});
+    this((what, most) -> {});
   }
 
   /**
    * A budget that has no limits yet.
    *
-   * @param timeLimited called when a limit of {@link Resource#TIME} is set, which must then be
-   *     monitored
+   * @param limited called with each limit that is set: some resources must then be monitored
    */
-  public Budget(Runnable timeLimited) {
-    this.timeLimited = timeLimited;
+  public Budget(ObjLongConsumer<Resource> limited) {
+    this.limited = limited;
     for (Resource what : Resource.values()) {
       limits.set(what.ordinal(), UNLIMITED);
     }
@@ -53,8 +55,8 @@ public final class Budget {
   /** Sets a limit from now on; what is in use already stays. */
   public void setLimit(Resource what, long most) {
     limits.set(what.ordinal(), most);
-    if (what == Resource.TIME && most != UNLIMITED) {
-      timeLimited.run();
+    if (most != UNLIMITED) {
+      limited.accept(what, most);
     }
   }
 
@@ -90,6 +92,16 @@ public final class Budget {
   public static String fitting(long memory, String options) {
     String jobs = Resource.JOBS.word() + "=" + memory / MEMORY_OF_JOB;
     return options.isBlank() ? jobs : jobs + "," + options;
+  }
+
+  /**
+   * For how long a job may hold the kernel, in nanoseconds.
+   *
+   * @param most the limit of all jobs
+   */
+  public long holdLimit(long most) {
+    long own = limit(Resource.HOLD);
+    return own > most / NANOSECONDS_PER_MILLISECOND ? most : own * NANOSECONDS_PER_MILLISECOND;
   }
 
   /** How much is in use. */

@@ -16,7 +16,11 @@ public enum Resource {
   /** Bytes of input that cannot be executed, since the end of its statement is missing. */
   INPUT("bytes of unfinished input"),
   /** The percentage of the kernel's time. */
-  TIME("% of the kernel's time");
+  TIME("% of the kernel's time"),
+  /** Milliseconds for which a job may hold the kernel without letting others run. */
+  HOLD("ms without letting others run"),
+  /** Nested calls of functions. */
+  DEPTH("nested calls");
 
   private final String unit;
 

@@ -1,5 +1,6 @@
 package org.urbi.kernel.job;
 
+import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.time.Clock;
@@ -23,7 +24,10 @@ public final class HoldWatchdog {
   /** How many times the watchdog checks within the time limit. */
   private static final int LOOKS = 20;
 
-  private static final long LONGEST_PAUSE = 50;
+  /** How long it sleeps between two checks, in nanoseconds. */
+  private static final long LONGEST_PAUSE = 50_000_000;
+
+  private static final long SHORTEST_PAUSE = 250_000;
 
   /** The part of the limit that is left while memory is nearly exhausted. */
   private static final int HURRY = 20;
@@ -35,11 +39,12 @@ public final class HoldWatchdog {
   private final Clock machine;
   private final LongSupplier processorTime;
   private final long limit;
-  private final long pause;
+  private volatile long pause;
   private final Listener listener;
   private volatile boolean hurried;
   private volatile long heldTurn = -1;
   private volatile long heldSince;
+  private boolean started;
 
   // These are for its own thread alone.
 
@@ -72,7 +77,7 @@ public final class HoldWatchdog {
   /**
    * @param processorTime tells how much the kernel thread has had, in nanoseconds, or {@link
    *     #UNKNOWN}
-   * @param limit in nanoseconds
+   * @param limit in nanoseconds; {@link Long#MAX_VALUE} for none but those of budgets
    */
   HoldWatchdog(
       Scheduler scheduler,
@@ -84,12 +89,32 @@ public final class HoldWatchdog {
     this.machine = machine;
     this.processorTime = processorTime;
     this.limit = limit;
-    this.pause = Math.clamp(limit / LOOKS / 1_000_000, 1, LONGEST_PAUSE);
+    this.pause = pauseFor(limit);
     this.listener = listener;
   }
 
+  private static long pauseFor(long limit) {
+    return Math.clamp(limit / LOOKS, SHORTEST_PAUSE, LONGEST_PAUSE);
+  }
+
+  /** Starts to watch, if there is a limit. */
   void start() {
-    Thread.ofPlatform().daemon().name("urbi-watch").start(this::watch);
+    if (limit != Long.MAX_VALUE) {
+      watchFromNowOn();
+    }
+  }
+
+  /** The budget of a lobby has a limit, in nanoseconds, which must be watched from now on. */
+  public synchronized void watchBudget(long budgeted) {
+    pause = Math.min(pause, pauseFor(budgeted));
+    watchFromNowOn();
+  }
+
+  private synchronized void watchFromNowOn() {
+    if (!started) {
+      started = true;
+      Thread.ofPlatform().daemon().name("urbi-watch").start(this::watch);
+    }
   }
 
   /**
@@ -108,14 +133,14 @@ public final class HoldWatchdog {
 
   /** Interrupts what holds the kernel, as its client could; from any thread. */
   public void interrupt() {
-    end(scheduler.turn(), limit);
+    end(scheduler.turn(), heldFor());
   }
 
   private void watch() {
     while (!scheduler.isOver()) {
       check();
       try {
-        Thread.sleep(hurried ? Math.max(1, pause / HURRY) : pause);
+        TimeUnit.NANOSECONDS.sleep(hurried ? Math.max(SHORTEST_PAUSE, pause / HURRY) : pause);
       } catch (InterruptedException e) {
         return;
       }
@@ -133,8 +158,9 @@ public final class HoldWatchdog {
       interrupted = false;
       processorTimeAtHalf = UNKNOWN;
     } else if (!told) {
-      long allowed = hurried ? limit / HURRY : limit;
-      if (isOverdue(now - heldSince, allowed)) {
+      long most = limitOf(scheduler.running());
+      long allowed = hurried ? Math.min(most, limit / HURRY) : most;
+      if (isOverdue(now - heldSince, allowed, most)) {
         told = true;
         end(seen, allowed);
       }
@@ -143,7 +169,11 @@ public final class HoldWatchdog {
     }
   }
 
-  private boolean isOverdue(long held, long allowed) {
+  private long limitOf(@Nullable Job job) {
+    return job == null ? limit : job.budget().holdLimit(limit);
+  }
+
+  private boolean isOverdue(long held, long allowed, long most) {
     if (held >= allowed / 2 && processorTimeAtHalf == UNKNOWN) {
       // Asking for it earlier would cost the start of every kernel some milliseconds.
       processorTimeAtHalf = processorTime.getAsLong();
@@ -155,10 +185,10 @@ public final class HoldWatchdog {
     }
     Job job = scheduler.running();
     if (job == null || job.componentCode().function() != null || processorTimeAtHalf == UNKNOWN) {
-      return held >= limit;
+      return held >= most;
     }
     return heldAtHalf + processorTime.getAsLong() - processorTimeAtHalf >= allowed
-        || held / LONGEST_WAIT >= limit;
+        || held / LONGEST_WAIT >= most;
   }
 
   private void end(long turn, long allowed) {

@@ -7,6 +7,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.budget.Budgeted;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.journal.StopReason;
 import org.urbi.kernel.object.UrbiObject;
@@ -22,7 +23,10 @@ import org.urbi.kernel.time.Clock;
  * still holds the kernel, these are ended, too.
  */
 public final class Interruptions {
-  /** How long code that is being ended may still hold the kernel, in nanoseconds. */
+  /**
+   * How long code that is being ended may still hold the kernel, in nanoseconds; no longer than
+   * half of what the budget of its lobby allows.
+   */
   private static final long GRACE_PERIOD = 50_000_000;
 
   private static final long NONE = -1;
@@ -135,7 +139,7 @@ public final class Interruptions {
     if (endingTurn != turn) {
       endingTurn = turn;
       failure = null;
-      graceEnd = machine.now() + GRACE_PERIOD;
+      graceEnd = machine.now() + graceOf(lobby);
       // Clear the flag, so that the same request does not end code twice: its message may have been
       // taken already while others ran.
       if (decided == StopReason.REQUESTED && lobby != null && !all) {
@@ -145,6 +149,12 @@ public final class Interruptions {
     }
     ending = decided;
     return decided;
+  }
+
+  private static long graceOf(UrbiObject lobby) {
+    return lobby instanceof Budgeted owner
+        ? owner.budget().holdLimit(2 * GRACE_PERIOD) / 2
+        : GRACE_PERIOD;
   }
 
   private StopReason pendingFor(UrbiObject lobby) {

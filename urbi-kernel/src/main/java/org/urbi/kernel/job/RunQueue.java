@@ -281,11 +281,7 @@ final class RunQueue {
       return false;
     }
     boolean looks =
-        ++jobs % JOBS_PER_LOOK == 0
-            || rushing
-            || slow
-            || next.budget() != last
-            || inbox.isFilled();
+        ++jobs % JOBS_PER_LOOK == 0 || rushing || slow || next.budget() != last || inbox.isFilled();
     boolean over = looks && last != null && isLate(clock.now());
     return (over || counted) && journal.cutsRound(jobs, over);
   }

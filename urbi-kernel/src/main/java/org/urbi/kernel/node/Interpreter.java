@@ -7,6 +7,8 @@ import java.util.Map;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.budget.Budget;
+import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
@@ -63,6 +65,9 @@ public final class Interpreter {
    */
   private volatile int callLimit;
 
+  /** The lowest limit of nested calls that the budget of a lobby has had. */
+  private volatile long lowestDepth = Budget.UNLIMITED;
+
   public Interpreter(World world, Scheduler scheduler, Errors errors, CorePrototypes prototypes) {
     this.world = world;
     this.values = world.values();
@@ -108,16 +113,23 @@ public final class Interpreter {
     setCallLimit();
   }
 
+  /** The budget of a lobby limits the number of nested calls. */
+  public void budgetDepth(long calls) {
+    lowestDepth = Math.min(calls, lowestDepth);
+    setCallLimit();
+  }
+
   /** Synchronized because several threads call it: the last one must see the changes of all. */
   private synchronized void setCallLimit() {
-    callLimit = scheduler.interruptions().arePending() ? -1 : maximumDepth;
+    callLimit =
+        scheduler.interruptions().arePending() ? -1 : (int) Math.min(maximumDepth, lowestDepth);
   }
 
   /** The checks at the start of each function call. */
   void enter(Frame frame) {
     if (frame.depth > callLimit) {
       frame.job.checkInterrupted();
-      if (frame.depth > maximumDepth) {
+      if (frame.depth > maximumDepth || !frame.job.budget().allows(Resource.DEPTH, frame.depth)) {
         throw errors.scheduling(Problem.STACK_EXHAUSTED);
       }
     }

@@ -9,6 +9,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
+import org.urbi.kernel.budget.Budget;
+import org.urbi.kernel.budget.Resource;
 
 /** A job that holds the kernel for too long ends. Here the job itself moves the machine's clock. */
 class HoldWatchdogTest {
@@ -51,6 +53,20 @@ class HoldWatchdogTest {
       lookAt(100 + 2 * LIMIT);
       assertEquals(1, told.size());
       assertThrows(TagStop.class, job::checkInterrupted);
+    });
+    loop.run();
+    assertEquals(1, told.size());
+  }
+
+  @Test
+  void aBudgetMayAllowLess() {
+    loop.start(job -> {
+      job.budget().setLimit(Resource.HOLD, 0);
+      watch.check();
+      lookAt(1);
+      assertEquals(List.of(job.name() + " null"), told);
+      assertThrows(TagStop.class, job::checkInterrupted);
+      job.budget().setLimit(Resource.HOLD, Budget.UNLIMITED);
     });
     loop.run();
     assertEquals(1, told.size());

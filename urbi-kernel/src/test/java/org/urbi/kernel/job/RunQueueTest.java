@@ -183,6 +183,9 @@ class RunQueueTest {
     queue.beginRound(0, false);
     clock.now = 5 * MILLISECOND - 1;
     assertEquals(names("a", 1, 8), rest(0));
+    // Those were slow, so these are looked at, and then no more.
+    addMany("c", 8);
+    assertEquals(names("c", 1, 8), round(0));
     addMany("b", 8);
     queue.beginRound(clock.now, false);
     clock.now += 5 * MILLISECOND;

@@ -114,8 +114,8 @@ public final class LobbyType {
 
   @Builtin(
       doc =
-          "How much this lobby may have at a time of jobs, timers, processes, output, input, or"
-              + " time.")
+          "How much this lobby may have at a time of jobs, timers, processes, output, input, time,"
+              + " hold, or depth.")
   static double budget(Frame frame, CallSite site, UrbiObject self, String what) {
     long limit = own(frame, self).budget().limit(resource(frame, site, what));
     return limit == Budget.UNLIMITED ? Double.POSITIVE_INFINITY : limit;
