@@ -7,6 +7,7 @@ import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.UsageMeter;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
 
@@ -49,8 +50,9 @@ final class TimeBudgetMonitor {
         return;
       }
       long now = clock.now();
+      long window = now - since;
       for (KernelConnection each : connections) {
-        check(each, now - since);
+        FailureLog.guarding("the watch over budgets", () -> check(each, window)).run();
       }
       since = now;
     }

@@ -10,6 +10,7 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import java.util.zip.CRC32C;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.log.FailureLog;
 
 /**
  * Writes entries to a file, block by block, on a thread of its own: the kernel never waits for the
@@ -108,6 +109,9 @@ public final class RecordingWriter implements AutoCloseable {
       }
     } catch (IOException e) {
       fail(e.getMessage());
+    } catch (Throwable failure) {
+      fail(FailureLog.text(failure));
+      FailureLog.internal("the recorder", failure);
     }
   }
 

@@ -58,7 +58,7 @@ final class LocalConsole implements AutoCloseable {
     consoleOutput =
         terminal != null
             ? terminal.consoleOutput()
-            : new StandardOutput(stream(out), this::outputLost);
+            : new StandardOutput(stream(out), settings.keepsServing(), this::outputLost);
     console = new Console(consoleOutput::add, this::lobbyClosed);
   }
 

@@ -107,12 +107,13 @@ final class Server {
         network.close();
         removePortFile();
       }
-      watchdog().stop();
       LocalConsole local = console;
       if (local != null) {
+        // Its reader may never read: until then SIGTERM must be obeyed.
         local.close();
         outputLost = !settings.keepsServing() && local.isOutputLost();
       }
+      watchdog().stop();
     }
   }
 

@@ -70,6 +70,7 @@ public final class TerminalSession implements AutoCloseable {
             reader.printAbove(new String(bytes, offset, length, StandardCharsets.UTF_8));
           }
         },
+        true,
         failure -> {});
   }
 
