@@ -28,7 +28,7 @@ class DescriptorsTest {
     try (ServerProcess server =
         ServerProcess.in(JavaProcess.Setting.in(folder).after("ulimit -n " + DESCRIPTORS))) {
       List<Socket> crowd = new ArrayList<>();
-      try (ConsoleClient judge = server.connect()) {
+      try (Judge judge = Judge.of(server)) {
         for (int round = 0; round < 3; round++) {
           int refused = 0;
           for (int i = 0; i < DESCRIPTORS; i++) {
@@ -41,14 +41,14 @@ class DescriptorsTest {
           if (refused == 0) {
             throw new AssertionError("the descriptors have not run out");
           }
-          assertEquals(List.of(), judge.answers("1|;"));
+          judge.isAnswered("descriptors that have run out");
           for (Socket socket : crowd) {
             socket.close();
           }
           crowd.clear();
           // Those that are gone leave their descriptors when the server has noticed.
           while (!isServedOnce(server.port())) {
-            assertEquals(List.of(), judge.answers("2|;"));
+            judge.isAnswered("descriptors that come back");
           }
         }
       } finally {

@@ -92,7 +92,7 @@ class FaultsTest {
   @Test
   void lobbyThatHasGrownMostIsEnded() throws Exception {
     try (ServerProcess server = small("--max-hold", "0");
-        ConsoleClient judge = server.connect();
+        Judge judge = Judge.of(server);
         ConsoleClient busy = server.connect();
         ConsoleClient leak = server.connect()) {
       busy.send("every (10ms) { var s = \"x\" * 100 },\n");
@@ -101,7 +101,7 @@ class FaultsTest {
       while (!line.endsWith("!!! memory exhausted: the jobs of this lobby are ended")) {
         line = leak.line();
       }
-      assertEquals(List.of(), judge.answers("1|;"));
+      judge.isAnswered("memory that was exhausted");
       // It is let go as well, if that was not enough: it holds on to its list.
       server.awaitText("letting Lobby_");
       assertThrows(AssertionError.class, leak::line);
@@ -127,6 +127,52 @@ class FaultsTest {
       }
       server.terminate();
       assertEquals(TERMINATED, server.awaitEnd());
+    }
+  }
+
+  /** What a program opens, and what it starts, needs descriptors, too; so does the next client. */
+  @Test
+  void descriptorsThatAProgramTakesAreMissedByItAlone() throws Exception {
+    try (ServerProcess server =
+            ServerProcess.in(JavaProcess.Setting.in(folder).after("ulimit -n 120"));
+        Judge judge = Judge.of(server);
+        ConsoleClient greedy = server.connect()) {
+      greedy.send(
+          "var files = []| try { for (300) files << OutputStream.new(File.new(\"/dev/null\")) }"
+              + " catch (var e) { echo(\"files: \" + e.message) };\n");
+      judge.isAnswered("files that were opened");
+      greedy.send(
+          "var sockets = []| try { for (300) { var s = Socket.new| sockets << s|"
+              + " s.connect(\"127.0.0.1\", "
+              + server.port()
+              + ") } } catch (var e) { echo(\"sockets: \" + e.message) };\n");
+      for (int i = 0; i < 20; i++) {
+        judge.isAnswered("sockets that were opened");
+      }
+      greedy.send(
+          "try { Process.new(\"true\", []).run; } catch (var e) { echo(e.message) };\n"
+              + "echo(\"that is all\");\n");
+      String line = greedy.line();
+      while (!line.endsWith("*** that is all")) {
+        line = greedy.line();
+      }
+      judge.isAnswered("programs that were started");
+      assertEquals(List.of(), greedy.answers("for (var s : sockets) s.disconnect;"));
+    }
+  }
+
+  @Test
+  void fullDiskIsAnErrorToWhoWrites() throws Exception {
+    try (ServerProcess server = ServerProcess.in(folder, "--record", "/dev/full");
+        Judge judge = Judge.of(server);
+        ConsoleClient client = server.connect()) {
+      client.send(
+          "var f = OutputStream.new(File.new(\"/dev/full\"))| try { f << \"x\" * 100000| f.flush }"
+              + " catch (var e) { echo(\"caught: \" + e.message) };\n");
+      assertTrue(client.line().contains("caught: "), server.text());
+      judge.isAnswered("a disk that is full");
+      server.awaitText("the run is not recorded any more: ");
+      assertEquals(0, server.shutDown());
     }
   }
 

@@ -167,6 +167,10 @@ final class JavaProcess implements AutoCloseable {
     return process.exitValue();
   }
 
+  long pid() {
+    return process.pid();
+  }
+
   /** Asks it to end, as the system does. */
   void terminate() {
     process.destroy();

@@ -40,6 +40,10 @@ final class ServerProcess implements AutoCloseable {
     port = Integer.parseInt(address.replaceFirst(", by TLS$", ""));
   }
 
+  long pid() {
+    return process.pid();
+  }
+
   int port() {
     return port;
   }
