@@ -50,6 +50,7 @@ record Row(
         program("string", "1e4 string appends", NONE),
         program("object", "1e5 objects made", NONE),
         program("dictionary", "1e5 dictionary updates", NONE),
+        program("set-slot", "49152 setSlot on one object", atMost(300e6)),
         program("try", "1e4 try/catch", NONE),
         new Row("semicolon", "; alone", 1_000_000, true, List.of(), atMost(20)),
         new Row(

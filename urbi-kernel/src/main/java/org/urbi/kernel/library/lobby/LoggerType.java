@@ -13,6 +13,7 @@ import org.urbi.kernel.log.LogLevel;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.object.World;
 
 /** Messages for the user and the administrator (manual, "Logger"). */
@@ -93,7 +94,7 @@ final class LoggerType {
     }
     if (level != LogLevel.NONE && log.shows(level)) {
       String text = frame.interpreter().asString(frame, message);
-      log.write(self.line(name, text));
+      log.write(Utf8Text.toJava(self.line(name, text)));
     }
     return self;
   }
