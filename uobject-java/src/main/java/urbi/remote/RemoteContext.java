@@ -463,6 +463,21 @@ public final class RemoteContext implements UContext, AutoCloseable {
     }
   }
 
+  /** Whether this thread calls UObjects in turn just now. */
+  boolean isInTurn() {
+    return dispatcher.isExecuting();
+  }
+
+  /** Tells a callback of a value, in the middle of what is called or on its own thread. */
+  void notifyNow(UCallback callback, UValue value) {
+    functions.notifyNow(callback, value);
+  }
+
+  /** Tells a callback of a value, as a call of its own on the thread that calls UObjects. */
+  void notifyInTurn(UCallback callback, UValue value) {
+    functions.notifyInTurn(callback, value);
+  }
+
   /** Tells a callback of a value, in turn or on its own thread. */
   void notify(UCallback callback, UValue value) {
     functions.notify(callback, value);

@@ -148,12 +148,30 @@ final class RemoteFunctions {
 
   /** Tells a callback of a value, in turn or on its own thread. */
   void notify(UCallback callback, UValue value) {
-    UValue[] arguments = callback.arity() == 0 ? new UValue[0] : new UValue[] {value};
+    if (callback.isThreaded()) {
+      notifyNow(callback, value);
+    } else {
+      context.later(() -> notifyInTurn(callback, value));
+    }
+  }
+
+  /** Tells a callback of a value, as a call of its own on the thread that calls UObjects. */
+  void notifyInTurn(UCallback callback, UValue value) {
+    callBackInTurn(callback, arguments(callback, value));
+  }
+
+  /** Tells a callback of a value in the middle of what is called, or on its own thread. */
+  void notifyNow(UCallback callback, UValue value) {
+    UValue[] arguments = arguments(callback, value);
     if (callback.isThreaded()) {
       callback.execute(context, () -> callBack(callback, arguments));
     } else {
-      context.later(() -> callBackInTurn(callback, arguments));
+      callBack(callback, arguments);
     }
+  }
+
+  private static UValue[] arguments(UCallback callback, UValue value) {
+    return callback.arity() == 0 ? new UValue[0] : new UValue[] {value};
   }
 
   /** Calls one of which nobody waits for the result; on the thread that calls UObjects. */

@@ -20,7 +20,9 @@ final class RemoteSlot implements USlot {
   static final int NOTHING = 0;
 
   static final int CHANGES_OF_OTHERS = 1;
-  static final int ALL_CHANGES = 2;
+
+  /** As {@link #CHANGES_OF_OTHERS}, but objects of this process are notified of each change. */
+  static final int NOTIFIED = 3;
 
   private static final UValue NONE = new UValue();
 
@@ -36,6 +38,7 @@ final class RemoteSlot implements USlot {
   private volatile boolean owned;
   private volatile RtpMode rtp = RtpMode.RTP_DEFAULT;
   private int watched = CHANGES_OF_OTHERS;
+  private boolean telling;
 
   RemoteSlot(RemoteContext context, int id, String name) {
     this.context = context;
@@ -65,6 +68,39 @@ final class RemoteSlot implements USlot {
       value = other;
     }
     context.set(id, other, rtp);
+    if (!owned) {
+      tellOwn(other);
+    }
+  }
+
+  /** Notifies this process of its own change at once, as a plugged object would be. */
+  private void tellOwn(UValue other) {
+    for (UCallback callback : onChange) {
+      if (callback.isThreaded() || !context.isInTurn()) {
+        tell(callback, other);
+      } else if (!telling) {
+        tellInTurn(() -> context.notifyNow(callback, other));
+      }
+    }
+  }
+
+  private void tell(UCallback callback, UValue other) {
+    if (callback.isThreaded()) {
+      context.notifyNow(callback, other);
+    } else {
+      context.later(() -> tellInTurn(() -> context.notifyInTurn(callback, other)));
+    }
+  }
+
+  /** What is notified may set the variable, too, and is not notified of that. */
+  private void tellInTurn(Runnable notification) {
+    boolean outer = telling;
+    telling = true;
+    try {
+      notification.run();
+    } finally {
+      telling = outer;
+    }
   }
 
   @Override
@@ -81,7 +117,7 @@ final class RemoteSlot implements USlot {
       value = other;
     }
     for (UCallback callback : onChange) {
-      context.notify(callback, other);
+      tell(callback, other);
     }
   }
 
@@ -156,7 +192,7 @@ final class RemoteSlot implements USlot {
   @Override
   public Runnable onChange(@Nullable UObject object, UCallback function) {
     onChange.add(function);
-    watch(ALL_CHANGES);
+    watch(NOTIFIED);
     return () -> {
       if (onChange.remove(function) && onChange.isEmpty()) {
         watch(CHANGES_OF_OTHERS);
@@ -200,7 +236,7 @@ final class RemoteSlot implements USlot {
 
   @Override
   public void keepSynchronized() {
-    watch(onChange.isEmpty() ? CHANGES_OF_OTHERS : ALL_CHANGES);
+    watch(onChange.isEmpty() ? CHANGES_OF_OTHERS : NOTIFIED);
   }
 
   @Override

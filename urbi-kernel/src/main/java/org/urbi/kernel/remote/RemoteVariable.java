@@ -16,6 +16,9 @@ final class RemoteVariable {
   private static final int NOTHING = 0;
   private static final int ALL_CHANGES = 2;
 
+  /** The process is notified of its own changes by itself. */
+  private static final int NOTIFIED = 3;
+
   private static final MethodHandle CHANGED = find("changed", UValue.class);
   private static final MethodHandle ACCESSED = find("accessed");
 
@@ -73,12 +76,17 @@ final class RemoteVariable {
 
   /** How often the process uses it: once for itself, and once for what is notified of changes. */
   int uses() {
-    return watch == ALL_CHANGES ? 2 : 1;
+    return isNotified() ? 2 : 1;
   }
 
   /** The process wants no more changes. */
   void unwatch() {
     watch(NOTHING);
+  }
+
+  /** Whether something in the process is notified of changes. */
+  private boolean isNotified() {
+    return watch == ALL_CHANGES || watch == NOTIFIED;
   }
 
   /** Sets which changes the process wants to be sent. */
@@ -98,8 +106,7 @@ final class RemoteVariable {
    * trigger that access itself.
    */
   private void reviewMirror() {
-    boolean now =
-        notification != null && interception != null && watch != ALL_CHANGES && !slot.isOwned();
+    boolean now = notification != null && interception != null && !isNotified() && !slot.isOwned();
     if (now != mirror) {
       mirror = now;
       peer.countMirror(variable, now);

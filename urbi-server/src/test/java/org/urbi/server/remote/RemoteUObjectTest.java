@@ -371,6 +371,47 @@ class RemoteUObjectTest extends RemoteSession {
         "1", eval("Follower.isRemote && Follower.lobby.isA(Lobby) && Follower.lobby !== lobby"));
   }
 
+  static class SelfObserver extends UObject {
+    final UVar v = new UVar();
+    private String seen = "";
+
+    SelfObserver(String name) {
+      super(name);
+      UBindVar(v, "v");
+      UNotifyChange(v, "changed");
+      UBindFunctions("write", "seen");
+    }
+
+    public void changed(int value) {
+      seen += value + " ";
+      if (value < 10) {
+        v.setValue(value + 1);
+      }
+    }
+
+    public String write(int value) {
+      v.setValue(value);
+      return seen;
+    }
+
+    public String seen() {
+      return seen;
+    }
+  }
+
+  /** As a plugged object: at once, and what it sets then it knows. */
+  @Test
+  void ownChangesAreNotifiedInTheMiddleOfTheFunction() {
+    remote.start(type("SelfObserver", SelfObserver::new));
+    assertEquals("\"1 \"", eval("SelfObserver.write(1)"));
+    assertEquals("2", eval("SelfObserver.v"));
+    assertEquals("5", eval("SelfObserver.v = 5"));
+    assertEquals("\"1 5 \"", eval("SelfObserver.seen"));
+    assertEquals("6", eval("SelfObserver.v"));
+    assertEquals("\"1 5 20 \"", eval("SelfObserver.write(20)"));
+    assertEquals("\"1 5 20 \"", eval("SelfObserver.seen"));
+  }
+
   static class OneThread extends UObject {
     final UVar v = new UVar();
     final Set<Thread> seen = ConcurrentHashMap.newKeySet();
