@@ -465,7 +465,7 @@ public final class Job implements Runnable {
       thread.suspend();
     } catch (Throwable failure) {
       // It goes on running, so nothing must wake it.
-      queueLink.leave();
+      scheduler.dequeue(this);
       cancelTimer();
       throw failure;
     } finally {

@@ -30,11 +30,16 @@ final class JobQueue {
     return false;
   }
 
-  /** Adds a job behind the others; one that is in a queue already stays where it is. */
-  void add(Job job) {
+  /** The first job; null if there is none. */
+  @Nullable Job first() {
+    return first;
+  }
+
+  /** Adds a job behind the others; one that is in a queue already stays there: then false. */
+  boolean add(Job job) {
     Link link = job.queueLink;
     if (link.queue != null) {
-      return;
+      return false;
     }
     link.queue = this;
     link.before = last;
@@ -45,13 +50,14 @@ final class JobQueue {
     }
     last = job;
     size++;
+    return true;
   }
 
-  /** Adds a job before the others; one that is in a queue already stays where it is. */
-  void addFirst(Job job) {
+  /** Adds a job before the others; one that is in a queue already stays there: then false. */
+  boolean addFirst(Job job) {
     Link link = job.queueLink;
     if (link.queue != null) {
-      return;
+      return false;
     }
     link.queue = this;
     link.after = first;
@@ -62,6 +68,7 @@ final class JobQueue {
     }
     first = job;
     size++;
+    return true;
   }
 
   /** Takes the first job out; null if there is none. */
@@ -105,11 +112,13 @@ final class JobQueue {
     private @Nullable Job before;
     private @Nullable Job after;
 
-    /** Takes the job out of the queue that it is in, if any. */
-    void leave() {
-      if (queue != null) {
-        queue.remove(this);
+    /** Takes the job out of the queue that it is in, and returns that queue; null if in none. */
+    @Nullable JobQueue leave() {
+      JobQueue left = queue;
+      if (left != null) {
+        left.remove(this);
       }
+      return left;
     }
   }
 }

@@ -1,6 +1,5 @@
 package org.urbi.kernel.job;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -53,9 +52,12 @@ final class RunQueue {
   private final Inbox inbox;
   private final Journal journal;
   private final boolean counted;
-  private final ArrayDeque<Job> together = new ArrayDeque<>();
+  private final JobQueue together = new JobQueue();
 
-  /** Whether each budget has a queue of its own, and {@link #together} is empty. */
+  /**
+   * Whether each budget has a queue of its own; {@link #together} then only has jobs for whose
+   * queues there is no memory.
+   */
   private boolean rushing;
 
   /** The queues of budgets that still exist. */
@@ -102,7 +104,7 @@ final class RunQueue {
 
   /** The jobs of one budget. */
   private static final class Share {
-    final ArrayDeque<Job> jobs = new ArrayDeque<>();
+    final JobQueue jobs = new JobQueue();
     final long number;
 
     /** Whether it takes part in this rush. */
@@ -130,26 +132,24 @@ final class RunQueue {
   }
 
   boolean hasAny(Predicate<Job> condition) {
-    return together.stream().anyMatch(condition)
+    return together.hasAny(condition)
         || (waiting > 0
-            && shares.values().stream().anyMatch(share -> share.jobs.stream().anyMatch(condition)));
+            && shares.values().stream().anyMatch(share -> share.jobs.hasAny(condition)));
   }
 
   /** Adds a job behind all runnable ones. */
   void add(Job job) {
-    if (rushing) {
-      shareFor(job).jobs.add(job);
-    } else {
-      together.add(job);
+    JobQueue queue = queueFor(job);
+    if (queue.add(job)) {
+      count(queue);
     }
   }
 
   /** Adds a job before all runnable ones. */
   void addFirst(Job job) {
-    if (rushing) {
-      shareFor(job).jobs.addFirst(job);
-    } else {
-      together.addFirst(job);
+    JobQueue queue = queueFor(job);
+    if (queue.addFirst(job)) {
+      count(queue);
     }
   }
 
@@ -158,28 +158,48 @@ final class RunQueue {
    * what it does first: even if the round is cut short before.
    */
   void addToRound(Job job) {
-    if (!rushing) {
-      together.addFirst(job);
-      left++;
-      fresh++;
-      return;
-    }
-    Share share = shareFor(job);
-    share.jobs.addFirst(job);
-    if (share == current) {
-      left++;
-      fresh++;
+    JobQueue queue = queueFor(job);
+    if (queue.addFirst(job)) {
+      count(queue);
+      if (!rushing || queue == current.jobs) {
+        left++;
+        fresh++;
+      }
     }
   }
 
-  /** The queue that a job is about to join. */
+  /** A job goes on running instead of waiting for its turn. */
+  void remove(Job job) {
+    JobQueue queue = job.queueLink.leave();
+    if (queue != null && queue != together) {
+      waiting--;
+    }
+  }
+
+  private void count(JobQueue joined) {
+    if (joined != together) {
+      waiting++;
+    }
+  }
+
+  /** The queue that a job is to join. */
+  private JobQueue queueFor(Job job) {
+    if (!rushing) {
+      return together;
+    }
+    try {
+      return shareFor(job).jobs;
+    } catch (OutOfMemoryError e) {
+      return together;
+    }
+  }
+
   private Share shareFor(Job job) {
-    waiting++;
     Share share = shareOf(job.budget());
     if (!share.active) {
+      served.add(share);
       share.active = true;
       share.roundsCut = Math.max(share.roundsCut, floor - CREDIT);
-      served.add(share);
     }
     return share;
   }
@@ -205,13 +225,16 @@ final class RunQueue {
       left = together.size();
       return;
     }
-    for (Share share : served) {
-      share.active = !share.jobs.isEmpty();
-      if (share.active) {
+    separate();
+    while (!served.isEmpty()) {
+      Share share = served.getLast();
+      if (share.jobs.isEmpty()) {
+        share.active = false;
+      } else {
         round.add(share);
       }
+      served.removeLast();
     }
-    served.clear();
     Share first = round.peek();
     if (first != null) {
       floor = Math.max(floor, first.roundsCut);
@@ -233,7 +256,11 @@ final class RunQueue {
     if (left <= 0) {
       return null;
     }
-    if (isSliceOver(together.getFirst())) {
+    Job first = together.first();
+    if (first == null) {
+      return null;
+    }
+    if (isSliceOver(first)) {
       rush();
       return null;
     }
@@ -242,27 +269,31 @@ final class RunQueue {
   }
 
   private @Nullable Job nextInRush() {
-    Share next = left > 0 ? current : round.peek();
+    Share next = left > 0 && !current.jobs.isEmpty() ? current : round.peek();
     if (next == null) {
       relax();
       return null;
     }
-    if (isSliceOver(next.jobs.getFirst())) {
+    Job first = next.jobs.first();
+    if (first != null && isSliceOver(first)) {
       blame(current);
       return null;
     }
-    if (left <= 0) {
+    if (next != current) {
+      served.add(next);
       current = round.remove();
-      served.add(current);
       left = current.jobs.size();
       fresh = 0;
     }
     left--;
-    waiting--;
-    return poll(current.jobs);
+    Job job = poll(current.jobs);
+    if (job != null) {
+      waiting--;
+    }
+    return job;
   }
 
-  private @Nullable Job poll(ArrayDeque<Job> queue) {
+  private @Nullable Job poll(JobQueue queue) {
     freshRuns = fresh > 0;
     if (freshRuns) {
       fresh--;
@@ -299,10 +330,22 @@ final class RunQueue {
   private void rush() {
     left = 0;
     rushing = true;
-    together.forEach(job -> shareFor(job).jobs.add(job));
-    together.clear();
+    separate();
     if (last != null) {
       blame(shareOf(last));
+    }
+  }
+
+  /** Gives each budget a queue of its own, as far as there is memory for that. */
+  private void separate() {
+    for (Job job = together.first(); job != null; job = together.first()) {
+      JobQueue queue = queueFor(job);
+      if (queue == together) {
+        return;
+      }
+      together.poll();
+      queue.add(job);
+      waiting++;
     }
   }
 
@@ -310,8 +353,9 @@ final class RunQueue {
   private void relax() {
     served.sort(AGE);
     for (Share share : served) {
-      together.addAll(share.jobs);
-      share.jobs.clear();
+      for (Job job = share.jobs.poll(); job != null; job = share.jobs.poll()) {
+        together.add(job);
+      }
       share.active = false;
     }
     served.clear();

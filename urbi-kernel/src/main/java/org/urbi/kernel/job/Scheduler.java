@@ -334,6 +334,10 @@ public final class Scheduler {
     runnable.add(job);
   }
 
+  void dequeue(Job job) {
+    runnable.remove(job);
+  }
+
   void ended(Job job) {
     jobs.remove(job);
   }

@@ -399,4 +399,23 @@ class RunQueueTest {
     assertEquals(List.of("1 false", "2 false", "3 false"), asked);
     assertEquals("a3 a4", round(0));
   }
+
+  @Test
+  void jobThatGoesOnRunningLeavesTheQueue() {
+    addMany("a", 30);
+    add("b1");
+    assertFalse(round(20).contains("b1"));
+    // Now each lobby has a queue of its own.
+    Job leaving = job("b2");
+    queue.add(leaving);
+    queue.remove(leaving);
+    queue.remove(leaving);
+    assertFalse(queue.hasAny(job -> job == leaving));
+    while (!queue.isEmpty()) {
+      assertFalse(round(1).contains("b2"));
+    }
+    queue.add(leaving);
+    assertEquals("b2", round(1));
+    assertTrue(queue.isEmpty());
+  }
 }
