@@ -37,6 +37,7 @@ final class Server {
   private final Settings settings;
   private final PrintStream out;
   private final PrintStream err;
+  private final Runnable lastWords;
   private final StartFiles startFiles;
   private int runs;
   private volatile @Nullable Kernel kernel;
@@ -48,10 +49,14 @@ final class Server {
   private volatile @Nullable Watchdog watchdog;
   private boolean outputLost;
 
-  Server(Settings settings, PrintStream out, PrintStream err) {
+  /**
+   * @param lastWords has the last messages written before the process ends
+   */
+  Server(Settings settings, PrintStream out, PrintStream err, Runnable lastWords) {
     this.settings = settings;
     this.out = out;
     this.err = err;
+    this.lastWords = lastWords;
     startFiles = new StartFiles(settings.searchPath());
   }
 
@@ -130,7 +135,7 @@ final class Server {
             this::networkSilence,
             settings.keepsServing() ? settings.watchdog() : Duration.ZERO,
             err,
-            Server::giveUp);
+            this::giveUp);
     watchdog = made;
     made.start();
     obeySignals(false);
@@ -147,9 +152,10 @@ final class Server {
   }
 
   /** The programs that were started end as well. */
-  private static void giveUp(int status) {
+  private void giveUp(int status) {
     try {
       ProcessHandle.current().children().forEach(ProcessHandle::destroyForcibly);
+      lastWords.run();
     } finally {
       Runtime.getRuntime().halt(status);
     }

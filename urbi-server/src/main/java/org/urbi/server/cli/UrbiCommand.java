@@ -1,5 +1,8 @@
 package org.urbi.server.cli;
 
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -8,6 +11,7 @@ import java.util.List;
 import org.urbi.bridge.NativeThreads;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.server.Trace;
+import org.urbi.server.console.ErrorOutput;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
@@ -135,16 +139,33 @@ public final class UrbiCommand {
       }
       return new ReplayedRun(replay, out, err).run();
     }
-    return new Server(settings(arguments), out, err).run();
+    int port = arguments.number("--port", Settings.NO_PORT, Settings.NO_PORT, MAX_PORT);
+    SocketOptions socket = SocketOptions.of(arguments);
+    if (port == Settings.NO_PORT && socket.file() == null) {
+      return new Server(settings(arguments, port, socket, err), out, err, () -> {}).run();
+    }
+    PrintStream before = System.err;
+    boolean own = err == before;
+    // Not the stream itself: who writes to it locks it, even if that takes for ever.
+    OutputStream stream = own ? new FileOutputStream(FileDescriptor.err) : err;
+    try (ErrorOutput errors = new ErrorOutput(stream)) {
+      PrintStream messages = errors.messages();
+      if (own) {
+        System.setErr(messages);
+      }
+      Settings settings = settings(arguments, port, socket, messages);
+      return new Server(settings, out, messages, errors::drain).run();
+    } finally {
+      System.setErr(before);
+    }
   }
 
-  private Settings settings(Arguments arguments) {
+  private Settings settings(
+      Arguments arguments, int port, SocketOptions socket, PrintStream messages) {
     List<String> rest = arguments.rest();
-    int port = arguments.number("--port", Settings.NO_PORT, Settings.NO_PORT, MAX_PORT);
     if (port == Settings.NO_PORT && arguments.has("--port-file")) {
       throw Failure.usage("--port-file needs --port (--port 0 takes any free one)");
     }
-    SocketOptions socket = SocketOptions.of(arguments);
     boolean serves = port != Settings.NO_PORT || socket.file() != null;
     Settings.Input input = Settings.Input.NONE;
     if (arguments.has("--interactive")
@@ -170,7 +191,7 @@ public final class UrbiCommand {
     SourceText.append(text, inputs.text());
     String portFile = arguments.value("--port-file");
     return new Settings(
-        trace(arguments),
+        trace(arguments, messages),
         SearchPath.of(System.getenv("URBI_PATH"), SearchPath.standard(SearchPath.root())),
         SearchPath.of(
             System.getenv("URBI_UOBJECT_PATH"), SearchPath.standardModules(SearchPath.root())),
@@ -215,13 +236,14 @@ public final class UrbiCommand {
   }
 
   /** Sets the log level of the kernel, of urbiscript's loggers and of the libraries. */
-  private Trace trace(Arguments arguments) {
+  private static Trace trace(Arguments arguments, PrintStream messages) {
     String level =
         arguments.has("--debug") ? arguments.value("--debug") : System.getenv("GD_LEVEL");
     try {
       Trace trace =
           new Trace(
-              level == null || level.isEmpty() ? Trace.Level.LOG : Trace.Level.parse(level), err);
+              level == null || level.isEmpty() ? Trace.Level.LOG : Trace.Level.parse(level),
+              messages);
       // The library reads it when it logs for the first time.
       System.setProperty("org.slf4j.simpleLogger.defaultLogLevel", trace.level().inLibraries());
       return trace;

@@ -18,14 +18,11 @@ final class Watchdog {
   /** How long an orderly end may take, in nanoseconds. */
   private static final long TERMINATION = 4_000_000_000L;
 
-  /** How long the end waits for a standard error stream that does not take its last words. */
-  private static final long LAST_WORDS_MILLISECONDS = 1000;
-
   private final Clock clock;
   private final Kernel kernel;
   private final LongSupplier networkSilence;
   private final long limit;
-  private final WatchdogVoice voice;
+  private final PrintStream err;
   private final IntConsumer halt;
   private volatile long terminating;
   private volatile boolean over;
@@ -35,6 +32,7 @@ final class Watchdog {
    * @param clock real time
    * @param networkSilence how long the network thread has been blocked, in nanoseconds
    * @param limit how long kernel and network may not turn; zero for as long as they like
+   * @param err never blocks
    * @param halt ends the process with that status, at once
    */
   Watchdog(
@@ -48,14 +46,13 @@ final class Watchdog {
     this.kernel = kernel;
     this.networkSilence = networkSilence;
     this.limit = limit.isZero() ? Long.MAX_VALUE : limit.toNanos();
-    voice = new WatchdogVoice(err);
+    this.err = err;
     this.halt = halt;
   }
 
   void start() {
     Thread thread = Thread.ofPlatform().daemon().name("urbi-watchdog").unstarted(this::watch);
     thread.setPriority(Thread.MAX_PRIORITY);
-    voice.start();
     thread.start();
   }
 
@@ -67,7 +64,6 @@ final class Watchdog {
   /** Stops watching. */
   void stop() {
     over = true;
-    voice.stop();
   }
 
   private void watch() {
@@ -84,7 +80,7 @@ final class Watchdog {
     }
   }
 
-  private void check() throws InterruptedException {
+  private void check() {
     if (terminating != 0 && clock.now() - terminating > TERMINATION) {
       halt.accept(ExitStatus.TERMINATED);
     }
@@ -95,21 +91,20 @@ final class Watchdog {
     }
   }
 
-  private void lookAtKernel() throws InterruptedException {
+  private void lookAtKernel() {
     long held = kernel.heldFor();
     if (held > limit) {
       stuck("the kernel has been held for " + seconds(held) + " s, by " + kernel.holder());
     } else if (held > limit / 4 && !told) {
       told = true;
-      voice.say("the kernel is held for " + seconds(held) + " s, by " + kernel.holder());
+      err.println("urbi: the kernel is held for " + seconds(held) + " s, by " + kernel.holder());
     } else if (held == 0) {
       told = false;
     }
   }
 
-  private void stuck(String what) throws InterruptedException {
-    voice.say(what + "\nurbi: giving up");
-    voice.await(LAST_WORDS_MILLISECONDS);
+  private void stuck(String what) {
+    err.println("urbi: " + what + "\nurbi: giving up");
     halt.accept(ExitStatus.STUCK);
   }
 

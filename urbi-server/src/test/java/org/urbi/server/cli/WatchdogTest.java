@@ -4,12 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
-import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.Kernel;
@@ -46,36 +44,6 @@ class WatchdogTest {
       assertTrue(
           told.toString(StandardCharsets.UTF_8)
               .startsWith("urbi: the network has not turned for 90.0 s\nurbi: giving up\n"));
-    }
-  }
-
-  /** As a pipe does that nobody reads. */
-  @Test
-  void standardErrorThatBlocksDoesNotKeepItFromActing() throws Exception {
-    CountDownLatch never = new CountDownLatch(1);
-    OutputStream blocked =
-        new OutputStream() {
-          @Override
-          public void write(int octet) {
-            try {
-              never.await();
-            } catch (InterruptedException e) {
-              Thread.currentThread().interrupt();
-            }
-          }
-        };
-    try (Kernel kernel = Kernel.builder().start()) {
-      Watchdog watchdog =
-          new Watchdog(
-              new SystemClock(),
-              kernel,
-              () -> 90_000_000_000L,
-              Duration.ofSeconds(60),
-              new PrintStream(blocked, true, StandardCharsets.UTF_8),
-              end::complete);
-      watchdog.start();
-      assertEquals(ExitStatus.STUCK, status());
-      watchdog.stop();
     }
   }
 
