@@ -2,8 +2,6 @@ package org.urbi.server.net;
 
 import io.netty.buffer.Unpooled;
 import io.netty.channel.Channel;
-import io.netty.channel.ChannelFuture;
-import io.netty.channel.ChannelFutureListener;
 import io.netty.channel.socket.DuplexChannel;
 import io.netty.handler.ssl.SslHandler;
 import java.nio.charset.StandardCharsets;
@@ -15,14 +13,17 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * The output queue of one client. The kernel adds output and continues; the network thread sends
- * everything in the queue at once. A client that does not read is disconnected when the limit is
+ * The output queue of one client. The kernel adds output and continues; the network thread sends it
+ * as fast as the client reads. A client that does not read is disconnected when the limit is
  * exceeded, because the kernel waits for nobody. The class uses no lock: a job may add output, and
  * a job that waits for a lock would let other jobs run.
  */
 final class ClientOutput {
   /** How long a client may take to read the rest and to close its side. */
   private static final int CLOSE_SECONDS = 5;
+
+  /** How many bytes are sent at a time, at least if there are so many. */
+  private static final int PIECE = 1 << 16;
 
   /** When sending is tried again for which there was no memory. */
   private static final int RETRY_MILLISECONDS = 100;
@@ -36,10 +37,11 @@ final class ClientOutput {
   private final Runnable onOverflow;
   private final Deque<String> waiting = new ConcurrentLinkedDeque<>();
 
-  /** What the network thread sends next; it alone uses this. */
+  // The network thread alone uses these.
   private final ArrayList<String> taken = new ArrayList<>();
+  private boolean ending;
 
-  private final Runnable flush = this::flushOrRetry;
+  private final Runnable send = this::sendOrRetry;
   private final AtomicLong unsent = new AtomicLong();
   private final AtomicBoolean scheduled = new AtomicBoolean();
   private final AtomicBoolean closed = new AtomicBoolean();
@@ -92,7 +94,7 @@ final class ClientOutput {
   private void schedule() {
     if (scheduled.compareAndSet(false, true)) {
       try {
-        NetworkThread.execute(channel.eventLoop(), flush);
+        NetworkThread.execute(channel.eventLoop(), send);
       } catch (OutOfMemoryError e) {
         scheduled.set(false);
         throw e;
@@ -125,35 +127,57 @@ final class ClientOutput {
     }
   }
 
-  private void flushOrRetry() {
-    scheduled.set(false);
-    try {
-      flush();
-    } catch (OutOfMemoryError e) {
-      channel.eventLoop().schedule(flush, RETRY_MILLISECONDS, TimeUnit.MILLISECONDS);
+  /** The socket takes more; on the network thread. */
+  void resume() {
+    if (!waiting.isEmpty() || ending) {
+      schedule();
     }
   }
 
-  /** Sends all that waits; what there is no memory to send goes on waiting. */
-  private ChannelFuture flush() {
-    takeWaiting();
-    StringBuilder joined = new StringBuilder();
-    taken.forEach(joined::append);
-    byte[] bytes = joined.toString().getBytes(StandardCharsets.ISO_8859_1);
-    taken.clear();
-    return channel
-        .writeAndFlush(Unpooled.wrappedBuffer(bytes))
-        .addListener(done -> count(-bytes.length));
+  private void sendOrRetry() {
+    scheduled.set(false);
+    try {
+      send();
+    } catch (OutOfMemoryError e) {
+      channel.eventLoop().schedule(send, RETRY_MILLISECONDS, TimeUnit.MILLISECONDS);
+    }
   }
 
-  private void takeWaiting() {
-    while (!waiting.isEmpty()) {
+  /**
+   * Sends what waits, as much as the socket takes: the rest would only be copied, while other
+   * clients wait.
+   */
+  private void send() {
+    while (channel.isWritable() && takeWaiting()) {
+      StringBuilder joined = new StringBuilder();
+      taken.forEach(joined::append);
+      byte[] bytes = joined.toString().getBytes(StandardCharsets.ISO_8859_1);
+      taken.clear();
+      channel
+          .writeAndFlush(Unpooled.wrappedBuffer(bytes))
+          .addListener(done -> count(-bytes.length));
+    }
+    if (ending && waiting.isEmpty() && taken.isEmpty()) {
+      ending = false;
+      channel.writeAndFlush(Unpooled.EMPTY_BUFFER).addListener(done -> endOutput());
+    }
+  }
+
+  /** Takes so much as is sent at a time; false if there is nothing. */
+  private boolean takeWaiting() {
+    int size = 0;
+    for (String bytes : taken) {
+      size += bytes.length();
+    }
+    while (size < PIECE && !waiting.isEmpty()) {
       taken.ensureCapacity(taken.size() + 1);
       String bytes = waiting.poll();
       if (bytes != null) {
         taken.add(bytes);
+        size += bytes.length();
       }
     }
+    return !taken.isEmpty();
   }
 
   private void count(int more) {
@@ -170,6 +194,9 @@ final class ClientOutput {
   /** The client has disconnected: discards the queue. Called on the network thread. */
   void gone() {
     closed.set(true);
+    ending = false;
+    waiting.clear();
+    taken.clear();
     totalOutput.add(-unsent.getAndSet(GONE));
     totalOutput.clientRemoved();
   }
@@ -181,15 +208,15 @@ final class ClientOutput {
   private void closeGracefully() {
     channel.config().setAutoRead(true);
     NetworkThread.close(channel, CLOSE_SECONDS);
-    flush()
-        .addListener(
-            (ChannelFutureListener)
-                done -> {
-                  if (channel instanceof DuplexChannel duplex && !duplex.isInputShutdown()) {
-                    endOutput(duplex);
-                  } else {
-                    channel.close();
-                  }
-                });
+    ending = true;
+    sendOrRetry();
+  }
+
+  private void endOutput() {
+    if (channel instanceof DuplexChannel duplex && !duplex.isInputShutdown()) {
+      endOutput(duplex);
+    } else {
+      channel.close();
+    }
   }
 }

@@ -112,6 +112,14 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
   }
 
   @Override
+  public void channelWritabilityChanged(ChannelHandlerContext context) {
+    if (output != null && context.channel().isWritable()) {
+      output.resume();
+    }
+    context.fireChannelWritabilityChanged();
+  }
+
+  @Override
   public void channelInactive(ChannelHandlerContext context) {
     trace.debug("client disconnected: " + name());
     if (output != null) {

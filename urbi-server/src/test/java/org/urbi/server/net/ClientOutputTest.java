@@ -1,7 +1,9 @@
 package org.urbi.server.net;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import io.netty.buffer.ByteBuf;
 import io.netty.channel.EventLoop;
@@ -68,5 +70,21 @@ class ClientOutputTest {
     assertEquals("", sent());
     output.add("one");
     assertEquals("one", sent());
+  }
+
+  /** It would be copied for nothing, again and again. */
+  @Test
+  void whatTheSocketDoesNotTakeGoesOnWaiting() {
+    output.add("one ");
+    assertEquals("one ", sent());
+    channel.unsafe().outboundBuffer().setUserDefinedWritability(1, false);
+    output.add("two ");
+    output.finish();
+    assertEquals("", sent());
+    assertTrue(channel.isOpen());
+    channel.unsafe().outboundBuffer().setUserDefinedWritability(1, true);
+    output.resume();
+    assertEquals("two ", sent());
+    assertFalse(channel.isOpen());
   }
 }
