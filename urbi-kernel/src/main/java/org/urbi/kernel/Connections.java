@@ -104,6 +104,7 @@ final class Connections {
     } catch (OutOfMemoryError e) {
       // Its client must not wait for a lobby that it never gets.
       connection.finish();
+      kernel.inbox().forget(number);
       throw e;
     }
   }

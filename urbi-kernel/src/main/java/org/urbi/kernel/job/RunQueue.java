@@ -246,9 +246,8 @@ final class RunQueue {
   /** The next job of this round; null at its end. */
   @Nullable Job next() {
     Job job = rushing ? nextInRush() : nextOfAll();
-    if (job != null) {
-      last = job.budget();
-    }
+    // Between rounds nobody is remembered: a budget leads to its client, who may have gone.
+    last = job == null ? null : job.budget();
     return job;
   }
 

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -417,5 +418,23 @@ class RunQueueTest {
     queue.add(leaving);
     assertEquals("b2", round(1));
     assertTrue(queue.isEmpty());
+  }
+
+  /** Its objects would stay in memory for as long as nobody else does anything. */
+  @Test
+  void lobbyThatHasGoneIsNotRemembered() {
+    WeakReference<Budget> gone = whoseJobHasRun();
+    lobbies.clear();
+    names.clear();
+    System.gc();
+    assertNull(gone.get());
+  }
+
+  private WeakReference<Budget> whoseJobHasRun() {
+    Job only = job("a1");
+    queue.add(only);
+    assertEquals("a1", round(1));
+    loop.scheduler.rootScope().remove(only);
+    return new WeakReference<>(only.budget());
   }
 }
