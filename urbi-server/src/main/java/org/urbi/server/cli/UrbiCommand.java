@@ -32,14 +32,25 @@ public final class UrbiCommand {
   private final List<String> modules = new ArrayList<>();
   private final PrintStream out;
   private final PrintStream err;
+  private final OutputStream errors;
 
   UrbiCommand(PrintStream out, PrintStream err) {
+    this(out, err, err);
+  }
+
+  /**
+   * @param errors where a server writes its messages; they end up where those to {@code err} do
+   */
+  private UrbiCommand(PrintStream out, PrintStream err, OutputStream errors) {
     this.out = out;
     this.err = err;
+    this.errors = errors;
   }
 
   public static void main(String[] args) {
-    int status = new UrbiCommand(System.out, System.err).run(RawArguments.of(args));
+    // Who writes to System.err locks it, even if that takes for ever.
+    OutputStream errors = new FileOutputStream(FileDescriptor.err);
+    int status = new UrbiCommand(System.out, System.err, errors).run(RawArguments.of(args));
     System.out.flush();
     System.err.flush();
     // Everything is closed already; an orderly exit would first load the JDK's loggers.
@@ -145,16 +156,13 @@ public final class UrbiCommand {
       return new Server(settings(arguments, port, socket, err), out, err, () -> {}).run();
     }
     PrintStream before = System.err;
-    boolean own = err == before;
-    // Not the stream itself: who writes to it locks it, even if that takes for ever.
-    OutputStream stream = own ? new FileOutputStream(FileDescriptor.err) : err;
-    try (ErrorOutput errors = new ErrorOutput(stream)) {
-      PrintStream messages = errors.messages();
-      if (own) {
+    try (ErrorOutput output = new ErrorOutput(errors)) {
+      PrintStream messages = output.messages();
+      if (err == before) {
         System.setErr(messages);
       }
       Settings settings = settings(arguments, port, socket, messages);
-      return new Server(settings, out, messages, errors::drain).run();
+      return new Server(settings, out, messages, output::drain).run();
     } finally {
       System.setErr(before);
     }
