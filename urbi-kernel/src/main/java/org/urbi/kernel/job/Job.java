@@ -91,8 +91,10 @@ public final class Job implements Runnable {
   private double priority;
   private final ComponentCode componentCode;
 
-  /** Where it is among the jobs that can run. */
-  final JobQueue.Link queueLink = new JobQueue.Link();
+  // Where it is among the jobs that can run. These belong to JobQueue.
+  @Nullable JobQueue queue;
+  @Nullable Job queueBefore;
+  @Nullable Job queueAfter;
 
   Job(
       Scheduler scheduler,

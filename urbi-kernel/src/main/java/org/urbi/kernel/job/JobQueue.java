@@ -22,7 +22,7 @@ final class JobQueue {
   }
 
   boolean hasAny(Predicate<Job> condition) {
-    for (Job job = first; job != null; job = job.queueLink.after) {
+    for (Job job = first; job != null; job = job.queueAfter) {
       if (condition.test(job)) {
         return true;
       }
@@ -37,16 +37,15 @@ final class JobQueue {
 
   /** Adds a job behind the others; one that is in a queue already stays there: then false. */
   boolean add(Job job) {
-    Link link = job.queueLink;
-    if (link.queue != null) {
+    if (job.queue != null) {
       return false;
     }
-    link.queue = this;
-    link.before = last;
+    job.queue = this;
+    job.queueBefore = last;
     if (last == null) {
       first = job;
     } else {
-      last.queueLink.after = job;
+      last.queueAfter = job;
     }
     last = job;
     size++;
@@ -55,16 +54,15 @@ final class JobQueue {
 
   /** Adds a job before the others; one that is in a queue already stays there: then false. */
   boolean addFirst(Job job) {
-    Link link = job.queueLink;
-    if (link.queue != null) {
+    if (job.queue != null) {
       return false;
     }
-    link.queue = this;
-    link.after = first;
+    job.queue = this;
+    job.queueAfter = first;
     if (first == null) {
       last = job;
     } else {
-      first.queueLink.before = job;
+      first.queueBefore = job;
     }
     first = job;
     size++;
@@ -75,7 +73,7 @@ final class JobQueue {
   @Nullable Job poll() {
     Job job = first;
     if (job != null) {
-      remove(job.queueLink);
+      remove(job);
     }
     return job;
   }
@@ -84,41 +82,36 @@ final class JobQueue {
   @Nullable Job pollLast() {
     Job job = last;
     if (job != null) {
-      remove(job.queueLink);
+      remove(job);
     }
     return job;
   }
 
-  private void remove(Link link) {
-    if (link.before == null) {
-      first = link.after;
-    } else {
-      link.before.queueLink.after = link.after;
+  /** Takes a job out of the queue that it is in, and returns that queue; null if in none. */
+  static @Nullable JobQueue leave(Job job) {
+    JobQueue left = job.queue;
+    if (left != null) {
+      left.remove(job);
     }
-    if (link.after == null) {
-      last = link.before;
-    } else {
-      link.after.queueLink.before = link.before;
-    }
-    link.before = null;
-    link.after = null;
-    link.queue = null;
-    size--;
+    return left;
   }
 
-  /** Where a job is in a queue. */
-  static final class Link {
-    private @Nullable JobQueue queue;
-    private @Nullable Job before;
-    private @Nullable Job after;
-
-    /** Takes the job out of the queue that it is in, and returns that queue; null if in none. */
-    @Nullable JobQueue leave() {
-      JobQueue left = queue;
-      if (left != null) {
-        left.remove(this);
-      }
-      return left;
+  private void remove(Job job) {
+    Job before = job.queueBefore;
+    Job after = job.queueAfter;
+    if (before == null) {
+      first = after;
+    } else {
+      before.queueAfter = after;
     }
+    if (after == null) {
+      last = before;
+    } else {
+      after.queueBefore = before;
+    }
+    job.queueBefore = null;
+    job.queueAfter = null;
+    job.queue = null;
+    size--;
   }
 }

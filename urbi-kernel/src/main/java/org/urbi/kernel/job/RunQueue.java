@@ -170,7 +170,7 @@ final class RunQueue {
 
   /** A job goes on running instead of waiting for its turn. */
   void remove(Job job) {
-    JobQueue queue = job.queueLink.leave();
+    JobQueue queue = JobQueue.leave(job);
     if (queue != null && queue != together) {
       waiting--;
     }

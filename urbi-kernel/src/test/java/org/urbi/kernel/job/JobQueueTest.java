@@ -57,11 +57,11 @@ class JobQueueTest {
     queue.add(one);
     queue.add(two);
     queue.add(three);
-    two.queueLink.leave();
-    two.queueLink.leave();
+    JobQueue.leave(two);
+    JobQueue.leave(two);
     assertFalse(queue.hasAny(job -> job == two));
     assertTrue(queue.hasAny(job -> job == three));
-    three.queueLink.leave();
+    JobQueue.leave(three);
     queue.add(two);
     assertSame(one, queue.poll());
     assertSame(two, queue.poll());
