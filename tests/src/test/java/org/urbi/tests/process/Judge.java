@@ -29,7 +29,6 @@ final class Judge implements AutoCloseable {
   private final ServerProcess server;
   private final ConsoleClient client;
   private final List<Path> threads;
-  private long slowest;
 
   private Judge(ServerProcess server) throws IOException {
     this.server = server;
@@ -96,7 +95,6 @@ final class Judge implements AutoCloseable {
     }
     long wall = (System.nanoTime() - began) / NANOSECONDS_PER_MILLISECOND;
     long took = wall - (starved() - starved);
-    slowest = Math.max(slowest, took);
     if (took > LIMIT_MILLISECONDS) {
       throw new AssertionError(
           "answered after "
@@ -108,11 +106,6 @@ final class Judge implements AutoCloseable {
               + ": "
               + server.text());
     }
-  }
-
-  /** The slowest answer so far, in milliseconds. */
-  long slowest() {
-    return slowest;
   }
 
   @Override

@@ -152,7 +152,7 @@ public final class UrbiCommand {
     }
     int port = arguments.number("--port", Settings.NO_PORT, Settings.NO_PORT, MAX_PORT);
     SocketOptions socket = SocketOptions.of(arguments);
-    if (port == Settings.NO_PORT && socket.file() == null) {
+    if (!serves(port, socket)) {
       return new Server(settings(arguments, port, socket, err), out, err, () -> {}).run();
     }
     PrintStream before = System.err;
@@ -168,13 +168,17 @@ public final class UrbiCommand {
     }
   }
 
+  private static boolean serves(int port, SocketOptions socket) {
+    return port != Settings.NO_PORT || socket.file() != null;
+  }
+
   private Settings settings(
       Arguments arguments, int port, SocketOptions socket, PrintStream messages) {
     List<String> rest = arguments.rest();
     if (port == Settings.NO_PORT && arguments.has("--port-file")) {
       throw Failure.usage("--port-file needs --port (--port 0 takes any free one)");
     }
-    boolean serves = port != Settings.NO_PORT || socket.file() != null;
+    boolean serves = serves(port, socket);
     Settings.Input input = Settings.Input.NONE;
     if (arguments.has("--interactive")
         || rest.isEmpty()
