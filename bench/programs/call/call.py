@@ -8,7 +8,7 @@ counter = Counter()
 
 def bench():
     c = counter
-    last = 0
+    sum = 0
     for i in range(1000000):
-        last = c.same(i)
-    return last
+        sum += c.same(i)
+    return sum

@@ -7,6 +7,6 @@ for line in io.lines() do
   local func = _G[name]
   local result
   for turn = 1, tonumber(times) do result = func() end
-  print(string.format(math.type(result) == "float" and "%.0f" or "%s", result))
+  print(string.format(type(result) == "number" and "%.6f" or "%s", result))
   io.stdout:flush()
 end

@@ -13,6 +13,6 @@ for line in sys.stdin:
     result = None
     for turn in range(int(times)):
         result = function()
-    print(result, flush=True)
+    print("%.6f" % result if isinstance(result, (int, float)) else result, flush=True)
 # Whatever the program has left undone stays so, without a word.
 os._exit(0)

@@ -73,6 +73,8 @@ final class Comparison {
         }
       }
       perform(row, entries, notes);
+    } catch (Disagreement e) {
+      return Result.failed(row.program(), row.title(), String.valueOf(e.getMessage()));
     } catch (IOException e) {
       notes.add(String.valueOf(e.getMessage()));
     } finally {
@@ -81,11 +83,11 @@ final class Comparison {
     return result(row, entries, notes);
   }
 
-  private void perform(Row row, List<Entry> entries, List<String> notes) {
+  private void perform(Row row, List<Entry> entries, List<String> notes) throws Disagreement {
     for (Entry entry : List.copyOf(entries)) {
       attempt(entry, entries, notes, () -> warmUp(row, entry));
     }
-    compareResults(entries, notes);
+    compareResults(entries);
     for (int round = 0; round < pace.rounds(); round++) {
       for (Entry entry : List.copyOf(entries)) {
         attempt(entry, entries, notes, () -> entry.samples.add(sample(row, entry)));
@@ -111,10 +113,7 @@ final class Comparison {
   private void warmUp(Row row, Entry entry) throws LanguageProcess.Failure {
     long start = System.nanoTime();
     entry.times = enough(entry, 1);
-    boolean compiled =
-        entry.languageProcess.language() == Language.URBISCRIPT
-            || entry.languageProcess.language() == Language.BARE;
-    if (!compiled) {
+    if (!entry.languageProcess.language().warmsUp()) {
       return;
     }
     List<Double> past = new ArrayList<>();
@@ -160,28 +159,15 @@ final class Comparison {
     return time / entry.times / row.operations();
   }
 
-  /** Programs that do the same have the same result, as far as urbiscript shows it. */
-  private static void compareResults(List<Entry> entries, List<String> notes) {
+  /** Programs that do the same have the same result, to the last of six decimals. */
+  private static void compareResults(List<Entry> entries) throws Disagreement {
     for (Entry entry : entries) {
       LanguageProcess first = entries.getFirst().languageProcess;
-      if (!alike(first.result(), entry.languageProcess.result())) {
-        notes.add(
-            "results differ: %s %s, %s %s"
-                .formatted(
-                    first.language().label(),
-                    first.result(),
-                    entry.languageProcess.language().label(),
-                    entry.languageProcess.result()));
-      }
-    }
-  }
-
-  private static boolean alike(String one, String other) {
-    try {
-      double value = Double.parseDouble(one);
-      return Math.abs(value - Double.parseDouble(other)) <= Math.abs(value) * 1e-5;
-    } catch (NumberFormatException e) {
-      return one.equals(other);
+      Disagreement.check(
+          first.language(),
+          first.result(),
+          entry.languageProcess.language(),
+          entry.languageProcess.result());
     }
   }
 

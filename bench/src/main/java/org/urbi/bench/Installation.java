@@ -1,5 +1,6 @@
 package org.urbi.bench;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -9,20 +10,41 @@ import java.util.Optional;
 
 /** The language interpreters that are installed on this machine. */
 final class Installation {
-  private final Path root = Path.of(System.getProperty("bench.root", ".")).toAbsolutePath();
+  /** Where the programs are: single constructs, and programs as people write them. */
+  static final List<String> FOLDERS = List.of("programs", "everyday");
+
+  private final Path root;
   private final List<String> flags =
       List.of(System.getProperty("bench.jvm.flags", "").strip().split("\\s+"));
   private final Map<Language, String> interpreters = new EnumMap<>(Language.class);
 
   Installation() {
-    for (Language language : List.of(Language.PYTHON, Language.LUA)) {
+    this(Path.of(System.getProperty("bench.root", ".")).toAbsolutePath());
+  }
+
+  /** With the project in a folder. */
+  Installation(Path root) {
+    this.root = root;
+    for (Language language : List.of(Language.PYTHON, Language.LUA, Language.LUAJIT)) {
       language.interpreter().ifPresent(path -> interpreters.put(language, path));
     }
   }
 
-  /** Where the programs are. */
-  Path programs() {
-    return root.resolve("bench/programs");
+  /** The folder of the project. */
+  Path root() {
+    return root;
+  }
+
+  /** A program in one of the languages, which may not exist. */
+  Path program(Language language, String name) {
+    for (String folder : FOLDERS) {
+      Path source =
+          root.resolve("bench").resolve(folder).resolve(name).resolve(name + language.suffix());
+      if (Files.exists(source)) {
+        return source;
+      }
+    }
+    return root.resolve("bench/programs").resolve(name).resolve(name + language.suffix());
   }
 
   /** Where the results go. */
@@ -73,6 +95,10 @@ final class Installation {
         interpreter(Language.LUA)
             .map(path -> Language.version(path, "-v"))
             .orElse("Lua 5.4 is not installed: its column is left out"));
+    lines.add(
+        interpreter(Language.LUAJIT)
+            .map(path -> Language.version(path, "-v"))
+            .orElse("LuaJIT is not installed: its column is left out"));
     return lines;
   }
 }

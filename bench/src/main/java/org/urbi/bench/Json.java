@@ -21,7 +21,7 @@ final class Json {
     StringJoiner fields = new StringJoiner(", ", "{", "}");
     fields.add("\"name\": " + quoted(result.name()));
     fields.add("\"title\": " + quoted(result.title()));
-    fields.add("\"unit\": " + quoted(result.unit() == Unit.TIME ? "ns" : "bytes"));
+    fields.add("\"unit\": " + quoted(result.unit().symbol()));
     StringJoiner medians = new StringJoiner(", ", "{", "}");
     for (Map.Entry<Language, Double> figure : result.figures().entrySet()) {
       medians.add(key(figure.getKey()) + number(figure.getValue()));

@@ -15,8 +15,11 @@ enum Language {
       "CPython",
       ".py",
       "import sys; print(sys.executable if sys.implementation.name == 'cpython' else '')",
-      List.of("python3", "python3.11")),
+      // The system's own is built with profile-guided optimisation; the first on the path often is
+      // not.
+      List.of("/usr/bin/python3", "python3", "python3.11")),
   LUA("Lua", ".lua", "print(_VERSION == 'Lua 5.4' and arg[0] or '')", List.of("lua5.4", "lua")),
+  LUAJIT("LuaJIT", ".lua", "print(jit and 'luajit' or '')", List.of("luajit")),
   /** Virtual threads of the JDK, without any language. */
   BARE("bare JVM", "", "", List.of());
 
@@ -42,9 +45,14 @@ enum Language {
     return label;
   }
 
-  /** Its version of a program, which may not exist. */
-  Path program(Path programs, String name) {
-    return programs.resolve(name).resolve(name + suffix);
+  /** What the names of its programs end in. */
+  String suffix() {
+    return suffix;
+  }
+
+  /** Whether it compiles programs while they run, and so gets faster. */
+  boolean warmsUp() {
+    return this == URBISCRIPT || this == LUAJIT || this == BARE;
   }
 
   /** The path of its interpreter on this machine, past any script that stands before it. */
@@ -63,7 +71,8 @@ enum Language {
 
   private Optional<String> real(String name) {
     try {
-      String path = output(this == LUA ? List.of(name, "-e", probe) : List.of(name, "-c", probe));
+      String path =
+          output(suffix.equals(".lua") ? List.of(name, "-e", probe) : List.of(name, "-c", probe));
       if (path.isBlank()) {
         return Optional.empty();
       }

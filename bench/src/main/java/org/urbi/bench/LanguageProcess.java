@@ -7,6 +7,7 @@ import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
@@ -19,6 +20,7 @@ import java.util.concurrent.TimeUnit;
  */
 final class LanguageProcess implements AutoCloseable {
   private static final int TIMEOUT_SECONDS = 300;
+  private static final int END_SECONDS = 30;
   private static final String OVER = "the program has ended";
 
   private final Language language;
@@ -51,10 +53,11 @@ final class LanguageProcess implements AutoCloseable {
    * Starts a program, unless it does not exist in that language or the language is not installed.
    *
    * @param options for the Java virtual machine that runs urbiscript
+   * @param arguments more of them for {@code ./urbi}
    * @throws Failure if it does not get ready
    */
   static Optional<LanguageProcess> start(
-      Installation machine, Language language, String program, String options)
+      Installation machine, Language language, String program, String options, String... arguments)
       throws IOException, Failure {
     if (language == Language.BARE) {
       return Optional.of(
@@ -62,15 +65,16 @@ final class LanguageProcess implements AutoCloseable {
               language,
               new ProcessBuilder(machine.javaCommand(PlainVirtualThreads.class, program))));
     }
-    Path source = language.program(machine.programs(), program);
+    Path source = machine.program(language, program);
     if (!Files.exists(source)) {
       return Optional.empty();
     }
-    Path driver = language.program(machine.programs(), "driver");
+    Path driver = machine.program(language, "driver");
     if (language == Language.URBISCRIPT) {
-      ProcessBuilder builder =
-          new ProcessBuilder(
-              machine.urbi(), "-q", "-f", source.toString(), "-f", driver.toString(), "-i");
+      List<String> command = new ArrayList<>(List.of(machine.urbi(), "-q"));
+      command.addAll(List.of(arguments));
+      command.addAll(List.of("-f", source.toString(), "-f", driver.toString(), "-i"));
+      ProcessBuilder builder = new ProcessBuilder(command);
       if (!options.isEmpty()) {
         builder.environment().put("URBI_JAVA_OPTS", options);
       }
@@ -127,8 +131,8 @@ final class LanguageProcess implements AutoCloseable {
   }
 
   private static String value(String answer) {
-    // Without the time stamp of urbiscript.
-    return answer.replaceFirst("^\\[\\d+\\] ", "").replaceFirst("\\.0$", "");
+    // Without the time stamp and the quotes of urbiscript.
+    return answer.replaceFirst("^\\[\\d+\\] ", "").replaceFirst("^\"(.*)\"$", "$1");
   }
 
   private String take() throws Failure {
@@ -184,7 +188,7 @@ final class LanguageProcess implements AutoCloseable {
         send("shutdown;\n");
       }
       input.close();
-      if (process.waitFor(5, TimeUnit.SECONDS)) {
+      if (process.waitFor(END_SECONDS, TimeUnit.SECONDS)) {
         return;
       }
     } catch (IOException | Failure e) {

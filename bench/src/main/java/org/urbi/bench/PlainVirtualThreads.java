@@ -59,7 +59,7 @@ public final class PlainVirtualThreads {
       for (int times = Integer.parseInt(words[1]); times > 0; times--) {
         result = turn(program, words[0].equals("base"));
       }
-      System.out.println(result);
+      System.out.printf("%.6f%n", (double) result);
     }
   }
 

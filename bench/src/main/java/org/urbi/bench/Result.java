@@ -22,6 +22,19 @@ record Result(
     Target target,
     String note) {
 
+  private static final String WRONG = "WRONG";
+  private static final String MISSED = "MISSED";
+
+  /** A row whose program is wrong: an error, not a measurement. */
+  static Result failed(String name, String title, String note) {
+    return new Result(name, title, Unit.TIME, Map.of(), Map.of(), new Target.Correct(), note);
+  }
+
+  /** Whether the command that measured it is to fail. */
+  boolean isFailure() {
+    return verdict().equals(WRONG) || unit == Unit.EXPONENT && verdict().equals(MISSED);
+  }
+
   /** How many times what another language needs, or null. */
   @Nullable Double ratioTo(Language other) {
     Double own = figures.get(Language.URBISCRIPT);
@@ -34,7 +47,10 @@ record Result(
     if (target instanceof Target.None) {
       return "";
     }
+    if (target instanceof Target.Correct) {
+      return WRONG;
+    }
     Boolean met = target.met(figures);
-    return met == null ? "unknown" : met ? "met" : "MISSED";
+    return met == null ? "unknown" : met ? "met" : MISSED;
   }
 }

@@ -19,9 +19,14 @@ record Row(
     List<Language> languages,
     Target target) {
 
-  private static final List<Language> SCRIPTS = List.of(Language.PYTHON, Language.LUA);
+  private static final List<Language> SCRIPTS =
+      List.of(Language.PYTHON, Language.LUA, Language.LUAJIT);
   private static final List<Language> ALL = List.of(Language.PYTHON, Language.LUA, Language.BARE);
   private static final Target PYTHON = new Target.Ratio(Language.PYTHON, 1);
+
+  /** What no program may take more of, to Lua. */
+  private static final double WORST = 1.5;
+
   private static final Target NONE = new Target.None();
 
   private static Target atMost(double nanoseconds) {
@@ -37,8 +42,42 @@ record Row(
     return new Row(program, title, operations, based, List.of(), target);
   }
 
-  /** All of them, in the order of the table. */
-  static List<Row> all() {
+  /** Programs as people write them, in the order of the table: {@code bench/everyday}. */
+  static List<Row> everyday() {
+    return List.of(
+        everyday("sieve", "sieve"),
+        everyday("queens", "queens"),
+        everyday("permute", "permute"),
+        everyday("towers", "towers"),
+        everyday("bounce", "bounce"),
+        everyday("nbody", "nbody"),
+        everyday("mandelbrot", "mandelbrot"),
+        everyday("trees", "binary trees"),
+        everyday("list-recursion", "list recursion"),
+        everyday("list-slices", "lists apart, together"),
+        everyday("tasks", "tasks"),
+        everyday("strings", "strings"),
+        everyday("dictionaries", "dictionaries"),
+        everyday("closures", "closures"),
+        everyday("exceptions", "exceptions, 5 frames up"),
+        everyday("errors", "errors of the language"),
+        everyday("choices", "switch, patterns"),
+        everyday("pipeline", "map, filter, fold, sort"),
+        everyday("matrices", "matrix multiplication"),
+        everyday("shapes", "polymorphic calls"),
+        everyday("lazy", "lazy arguments"),
+        everyday("variadic", "variadic calls"),
+        everyday("globals", "globals"),
+        everyday("particles", "particles"),
+        everyday("conversions", "conversions, isA, assert"));
+  }
+
+  private static Row everyday(String name, String title) {
+    return new Row(name, title, 1, false, SCRIPTS, new Target.Ratio(Language.LUA, WORST));
+  }
+
+  /** Single constructs, in the order of the table: {@code bench/programs}. */
+  static List<Row> constructs() {
     return List.of(
         program("fib", "fib(25)", PYTHON),
         program("loop", "while| to 1e6", PYTHON),

@@ -40,6 +40,19 @@ sealed interface Target {
     }
   }
 
+  /** A program must run, with the same result in every language; this one has not. */
+  record Correct() implements Target {
+    @Override
+    public @Nullable Boolean met(Map<Language, Double> figures) {
+      return false;
+    }
+
+    @Override
+    public String text() {
+      return "to run";
+    }
+  }
+
   /** No target: the row is for information. */
   record None() implements Target {
     @Override
