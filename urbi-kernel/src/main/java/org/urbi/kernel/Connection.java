@@ -22,6 +22,13 @@ public interface Connection {
    */
   void end();
 
+  /**
+   * The client has ended its stream, and may be gone. What it has sent before is executed as far as
+   * it runs without waiting: once a statement in the foreground waits, or no statement is left, the
+   * connection closes and all its jobs end.
+   */
+  void hangUp();
+
   /** The client has gone: all its jobs end. */
   void close();
 

@@ -73,6 +73,11 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   }
 
   @Override
+  public void hangUp() {
+    kernel.inbox().post(new Message.HungUp(number));
+  }
+
+  @Override
   public void close() {
     if (!gone) {
       // A second interruption would never be cleared: one message clears only one.
@@ -207,6 +212,8 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
       received(sent.bytes());
     } else if (message instanceof Message.InputEnded) {
       inputEnded();
+    } else if (message instanceof Message.HungUp) {
+      hungUp();
     } else if (message instanceof Message.Interrupted) {
       interrupted();
     } else if (message instanceof Message.RoleGranted given) {
@@ -259,6 +266,13 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     releaseTime();
     if (!finished) {
       lobby().shell().end();
+    }
+  }
+
+  private void hungUp() {
+    inputEnded();
+    if (!finished) {
+      lobby().shell().hangUp();
     }
   }
 

@@ -237,6 +237,11 @@ public final class Job implements Runnable {
     return frozenDepth > 0;
   }
 
+  /** Whether it does not wait for anything, not even to be unfrozen. */
+  public boolean canRun() {
+    return frozenDepth == 0 && (state == State.RUNNABLE || state == State.RUNNING);
+  }
+
   /** The scope of the innermost tagged code that it executes. */
   public TagScope scope() {
     return scope;

@@ -44,6 +44,11 @@ public final class TagState {
     return true;
   }
 
+  /** Whether there is code under this tag that does not wait for anything. */
+  public boolean canRun() {
+    return jobs().stream().anyMatch(Job::canRun);
+  }
+
   /** Sets an action that runs once, when the last job under this tag ends. */
   public void onIdle(Runnable action) {
     List<Job> jobs = jobs();

@@ -38,6 +38,7 @@ public final class EntryCodec {
     add(29, Message.ConnectionOpened.class);
     add(30, Message.RoleGranted.class);
     add(31, Message.Evicted.class);
+    add(32, Message.HungUp.class);
     add(40, Message.RemoteOpened.class);
     add(41, Message.RemoteFrame.class);
     add(42, Message.RemoteCongested.class);

@@ -48,7 +48,7 @@ public final class Shell {
       return false;
     }
 
-    /** The input and all jobs of the lobby have ended, or the lobby was quit. */
+    /** The lobby is to be closed: its input and all its jobs have ended, or its client has gone. */
     void finished();
   }
 
@@ -64,6 +64,7 @@ public final class Shell {
   private boolean textGoesOn;
   private boolean waiting;
   private boolean ended;
+  private boolean hungUp;
   private boolean closed;
   private boolean stopped;
   private boolean busy;
@@ -129,6 +130,21 @@ public final class Shell {
       lobby.remoteObjects().disconnected();
     }
     wake();
+  }
+
+  /** Nobody may be there any more: the lobby ends as soon as the statements must wait. */
+  public void hangUp() {
+    hungUp = true;
+    interpreter
+        .scheduler()
+        .startDetached(lobby, interpreter.scheduler().rootScope(), "shell", this::awaitWait);
+  }
+
+  private void awaitWait(Job watcher) {
+    while (!closed && (job().canRun() || (busy && foregroundTag.state().canRun()))) {
+      watcher.yieldNow();
+    }
+    listener.finished();
   }
 
   /** Whether the input so far ends within a statement. */
@@ -225,7 +241,7 @@ public final class Shell {
           invalid.errors().forEach(this::show);
         }
       }
-      if (!closed) {
+      if (!closed && !hungUp) {
         awaitJobs(shell);
       }
     } finally {

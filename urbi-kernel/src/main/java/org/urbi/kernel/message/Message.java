@@ -84,6 +84,9 @@ public sealed interface Message {
   /** A client has ended its input. */
   record InputEnded(int to) implements Lasting {}
 
+  /** A client has ended its stream, and may be gone. */
+  record HungUp(int to) implements Lasting {}
+
   /** A client wants to interrupt the statement being executed. */
   record Interrupted(int to) implements Message {}
 

@@ -21,8 +21,8 @@ import org.urbi.server.Trace;
  * One client of the network console and its lobby.
  *
  * <p>Input goes to the lobby as it arrives. The handler stops reading while more than {@link
- * Limits#input} bytes wait for the kernel. When the client ends its stream, the lobby still
- * executes the input that it has; when the client disconnects, the lobby ends.
+ * Limits#input} bytes wait for the kernel. When the client ends its stream, the lobby executes the
+ * input that it has as far as that does not wait; when the client disconnects, the lobby ends.
  */
 final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Client {
   /** The output limit of a process with UObjects, which receives images. */
@@ -104,7 +104,7 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
       if (lobby == null) {
         context.close();
       } else {
-        lobby.end();
+        lobby.hangUp();
         NetworkThread.close(context.channel(), limits.secondsAfterEnd());
       }
     }

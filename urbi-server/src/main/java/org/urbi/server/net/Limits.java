@@ -9,8 +9,8 @@ package org.urbi.server.net;
  *     the client is let go
  * @param totalOutput how many bytes may wait so for all of them together; beyond, whoever has more
  *     than his share of it is let go when more comes
- * @param secondsAfterEnd how long a client that has ended its stream may wait for its jobs to end;
- *     TCP cannot tell whether it still listens or is gone
+ * @param secondsAfterEnd how long a client that has ended its stream may have statements that
+ *     compute; TCP cannot tell whether it still listens or is gone
  * @param connections how many clients there may be at a time; 0 for as many as there are file
  *     descriptors
  * @param budget what the lobby of a client may have, as {@link org.urbi.kernel.Client#budget} says
@@ -19,10 +19,10 @@ public record Limits(
     int input, long output, long totalOutput, int secondsAfterEnd, int connections, String budget) {
   /**
    * The limits of a server: 1 MiB of input, 16 MiB of output, a quarter of the memory for the
-   * output of all, half a minute, any number of clients.
+   * output of all, ten seconds, any number of clients.
    */
   public static final Limits DEFAULT =
-      new Limits(1 << 20, 16L << 20, Runtime.getRuntime().maxMemory() / 4, 30, 0, "");
+      new Limits(1 << 20, 16L << 20, Runtime.getRuntime().maxMemory() / 4, 10, 0, "");
 
   /** The same limits with that number of clients; 0 for as many as there are file descriptors. */
   public Limits withConnections(int most) {

@@ -79,7 +79,7 @@ class ConsoleHandlerTest {
     channel.pipeline().fireUserEventTriggered(ChannelInputShutdownEvent.INSTANCE);
     channel.pipeline().fireUserEventTriggered(TelnetInterrupt.INSTANCE);
     channel.close();
-    assertEquals(List.of("end", "interrupt", "close"), lobby.calls);
+    assertEquals(List.of("hangUp", "interrupt", "close"), lobby.calls);
   }
 
   @Test
@@ -89,11 +89,11 @@ class ConsoleHandlerTest {
     channel.pipeline().fireUserEventTriggered(ChannelInputShutdownEvent.INSTANCE);
     channel.advanceTimeBy(29, TimeUnit.SECONDS);
     channel.runScheduledPendingTasks();
-    assertEquals(List.of("end"), lobby.calls);
+    assertEquals(List.of("hangUp"), lobby.calls);
     channel.advanceTimeBy(1, TimeUnit.SECONDS);
     channel.runScheduledPendingTasks();
     channel.runPendingTasks();
-    assertEquals(List.of("end", "close"), lobby.calls);
+    assertEquals(List.of("hangUp", "close"), lobby.calls);
   }
 
   @Test

@@ -166,11 +166,37 @@ class ConsoleServerTest {
   @Test
   void clientThatEndsItsInputStillGetsAnswers() throws IOException {
     try (TestClient client = client()) {
-      client.send("{ sleep(50ms); echo(\"later\") }, echo(\"now\");");
+      client.send("echo(0), for (100) {}; echo(1) & echo(2); 3;");
       client.end();
-      assertEquals("[] *** now", client.line());
-      assertEquals("[] *** later", client.line());
+      assertEquals("[] *** 0", client.line());
+      assertEquals("[] *** 1", client.line());
+      assertEquals("[] *** 2", client.line());
+      assertEquals("[] 3", client.line());
       assertNull(client.line());
+    }
+  }
+
+  @Test
+  void jobsOfAClientThatEndsItsInputEnd() throws Exception {
+    List<String> programs =
+        List.of(
+            "every (1ms) Global.beats++,",
+            "every| (1ms) Global.beats++; echo(\"never\");",
+            "loop Global.beats++, sleep(1h); echo(\"never\");",
+            "loop { Global.beats++; sleep(1ms) }; echo(\"never\");",
+            "detach({ loop Global.beats++ })|; waituntil(false); echo(\"never\");",
+            "at (true) loop Global.beats++; lobby.connectionTag.freeze; echo(\"never\");");
+    try (TestClient witness = client()) {
+      witness.ask("var Global.beats = 0;");
+      for (String program : programs) {
+        try (TestClient client = client()) {
+          client.send(program);
+          client.end();
+          assertNull(client.line(), program);
+        }
+        String before = witness.ask("beats;");
+        assertEquals(before, witness.ask("sleep(20ms); beats;"), program);
+      }
     }
   }
 

@@ -27,6 +27,11 @@ final class RecordingConnection implements Connection {
   }
 
   @Override
+  public void hangUp() {
+    calls.add("hangUp");
+  }
+
+  @Override
   public void close() {
     calls.add("close");
   }
