@@ -1,5 +1,7 @@
 package org.urbi.kernel.job;
 
+import static org.urbi.kernel.journal.Journal.NOBODY;
+
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -11,6 +13,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.time.Clock;
+import org.urbi.kernel.time.RandomNumbers;
 
 /**
  * The jobs that can run, in the order in which they became runnable. A round gives each of them one
@@ -18,10 +21,11 @@ import org.urbi.kernel.time.Clock;
  *
  * <p>A round that would delay clients and timers noticeably is cut short. From then on, until the
  * load is over, each budget, which is that of a lobby, has a queue of its own. A round serves them
- * in order, those first that have cut rounds short least often, and ends after a slice of time; it
- * is cut short by the queue whose turn it was. That is a sample of who uses the time: a lobby that
- * starts a million jobs delays only itself, and one that needs little goes first. In simulated time
- * nobody waits, and rounds are never cut.
+ * in the order in which they came, ends after a slice of time, and leaves the rest to the next one.
+ * For that it blames one of those it has served, drawn by lot according to the time they took, and
+ * who was to blame more often than others lets them go before. So a lobby that starts a million
+ * jobs delays only itself, one that needs little goes first, and a thousand that need the same have
+ * equally many turns. In simulated time nobody waits, and rounds are never cut.
  */
 final class RunQueue {
   /** How long a round may take while others wait, in nanoseconds. */
@@ -30,14 +34,17 @@ final class RunQueue {
   /** The same when a timer is due, which only the next round serves. */
   private static final long SHORT_SLICE = 1_000_000;
 
-  /** So many rounds more than the others a lobby may have cut short; the rest is forgiven. */
+  /** For each round a lobby is to blame for, those go first that came so many rounds later. */
+  private static final long DELAY = 50;
+
+  /** For so many rounds more than the others a lobby may be to blame; the rest is forgiven. */
   private static final long LONGEST_MEMORY = 10;
 
-  /** So many rounds a lobby seems to have cut short that was not here before: it goes last. */
+  /** For so many rounds a lobby seems to be to blame that was not here before. */
   private static final long DEBIT = 1;
 
   /** So many rounds fewer count for a lobby that has waited for something else: it goes first. */
-  private static final long CREDIT = 1;
+  private static final long CREDIT = 5;
 
   /**
    * How many jobs of one budget run between two readings of the clock, unless a message arrives,
@@ -66,7 +73,7 @@ final class RunQueue {
   /** The queues to be served in this round of a rush; none is empty. */
   private final PriorityQueue<Share> round =
       new PriorityQueue<>(
-          Comparator.comparingLong((Share share) -> share.roundsCut).thenComparing(AGE));
+          Comparator.comparingLong((Share share) -> share.place).thenComparing(AGE));
 
   /** The queues that have been served in this round, or were empty when it began. */
   private final List<Share> served = new ArrayList<>();
@@ -75,6 +82,9 @@ final class RunQueue {
   private final Share nobody = new Share(0, 0);
 
   private Share current = nobody;
+
+  /** The index in {@link #served} of the current one. */
+  private int turn;
 
   /** Whose job has run last in this round. */
   private @Nullable Budget last;
@@ -99,6 +109,14 @@ final class RunQueue {
 
   private long sharesMade;
 
+  private final RandomNumbers lots = new RandomNumbers();
+
+  /** Whom to blame when this round is cut short: an index in {@link #served}. */
+  private int culprit;
+
+  /** How many rounds rushes have had. */
+  private long rounds;
+
   /** The least {@link Share#roundsCut} of those that want to run; it never decreases. */
   private long floor;
 
@@ -110,8 +128,11 @@ final class RunQueue {
     /** Whether it takes part in this rush. */
     boolean active;
 
-    /** How often a round was cut short while one of them ran; constant while it is to be served. */
+    /** For how many rounds that were cut short it was to blame. */
     long roundsCut;
+
+    /** The least is served first; constant while it is to be served. */
+    long place;
 
     Share(long number, long roundsCut) {
       this.number = number;
@@ -187,6 +208,9 @@ final class RunQueue {
     if (!rushing) {
       return together;
     }
+    if (current != nobody && job.budget() == last) {
+      return current.jobs;
+    }
     try {
       return shareFor(job).jobs;
     } catch (OutOfMemoryError e) {
@@ -221,26 +245,36 @@ final class RunQueue {
     looked = now;
     last = null;
     fresh = 0;
+    culprit = 0;
     if (!rushing) {
       left = together.size();
       return;
     }
+    rounds++;
     separate();
     while (!served.isEmpty()) {
       Share share = served.getLast();
       if (share.jobs.isEmpty()) {
         share.active = false;
       } else {
+        share.place = rounds + DELAY * share.roundsCut;
         round.add(share);
       }
       served.removeLast();
     }
-    Share first = round.peek();
-    if (first != null) {
-      floor = Math.max(floor, first.roundsCut);
-    }
+    raiseFloor();
     current = nobody;
     left = 0;
+  }
+
+  private void raiseFloor() {
+    long least = Long.MAX_VALUE;
+    for (Share share : round) {
+      least = Math.min(least, share.roundsCut);
+    }
+    if (!round.isEmpty()) {
+      floor = Math.max(floor, least);
+    }
   }
 
   /** The next job of this round; null at its end. */
@@ -275,10 +309,13 @@ final class RunQueue {
     }
     Job first = next.jobs.first();
     if (first != null && isSliceOver(first)) {
-      blame(current);
+      if (culprit < served.size()) {
+        blame(served.get(culprit));
+      }
       return null;
     }
     if (next != current) {
+      turn = served.size();
       served.add(next);
       current = round.remove();
       left = current.jobs.size();
@@ -313,13 +350,24 @@ final class RunQueue {
     boolean looks =
         ++jobs % JOBS_PER_LOOK == 0 || rushing || slow || next.budget() != last || inbox.isFilled();
     boolean over = looks && last != null && isLate(clock.now());
-    return (over || counted) && journal.cutsRound(jobs, over);
+    int by = over || counted ? journal.cutsRound(jobs, over ? culprit : NOBODY) : NOBODY;
+    if (by == NOBODY) {
+      return false;
+    }
+    culprit = by;
+    return true;
   }
 
   private boolean isLate(long now) {
-    slow = now - looked >= SHORT_SLICE;
+    long taken = now - looked;
+    long all = now - roundBegan;
+    // Each moment of the round is as likely to be the one whose queue is kept in mind.
+    if (rushing && lots.below(all) < taken) {
+      culprit = turn;
+    }
+    slow = taken >= SHORT_SLICE;
     looked = now;
-    return now - roundBegan >= (timers.next() <= now ? SHORT_SLICE : SLICE);
+    return all >= (timers.next() <= now ? SHORT_SLICE : SLICE);
   }
 
   private void blame(Share share) {

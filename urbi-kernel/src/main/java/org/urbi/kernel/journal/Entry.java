@@ -55,8 +55,8 @@ public sealed interface Entry {
   /** A job that has held the kernel for too long is ended, at that safepoint of the tick. */
   record JobOverdue(long safepoint) implements Entry {}
 
-  /** A round of jobs was cut short before that job of the tick. */
-  record RoundCut(int jobs) implements Entry {}
+  /** A round of jobs was cut short before that job of the tick; by which of those it had served. */
+  record RoundCut(int jobs, int by) implements Entry {}
 
   /**
    * Bytes went out.

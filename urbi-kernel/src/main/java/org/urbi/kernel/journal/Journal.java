@@ -15,6 +15,9 @@ public interface Journal {
   /** Records nothing. */
   Journal NONE = new Journal() {};
 
+  /** The number of none of those that a round of jobs has served. */
+  int NOBODY = -1;
+
   /** Whether the outside is only a recording, so that nothing must be done there. */
   default boolean isReplay() {
     return false;
@@ -67,11 +70,13 @@ public interface Journal {
   }
 
   /**
-   * Whether a round of jobs is cut short here, because others wait.
+   * Whether a round of jobs is cut short here, because others wait, and by whom.
    *
    * @param jobs how many jobs of this tick could have run, with the one that does not
+   * @param wanted the number of whom to blame; {@link #NOBODY} if it should go on
+   * @return likewise
    */
-  default boolean cutsRound(int jobs, boolean wanted) {
+  default int cutsRound(int jobs, int wanted) {
     return wanted;
   }
 

@@ -70,9 +70,9 @@ public final class Recorder implements Journal {
   }
 
   @Override
-  public boolean cutsRound(int jobs, boolean wanted) {
-    if (wanted) {
-      file.write(new Entry.RoundCut(jobs));
+  public int cutsRound(int jobs, int wanted) {
+    if (wanted != NOBODY) {
+      file.write(new Entry.RoundCut(jobs, wanted));
     }
     return wanted;
   }

@@ -184,12 +184,12 @@ public final class Replay implements Journal {
   }
 
   @Override
-  public boolean cutsRound(int jobs, boolean wanted) {
+  public int cutsRound(int jobs, int wanted) {
     if (next instanceof Entry.RoundCut cut && cut.jobs() == jobs) {
       advance();
-      return true;
+      return cut.by();
     }
-    return over;
+    return over ? 0 : NOBODY;
   }
 
   @Override

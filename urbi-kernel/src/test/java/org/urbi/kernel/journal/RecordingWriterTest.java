@@ -22,7 +22,7 @@ class RecordingWriterTest {
     try (RecordingWriter writer = new RecordingWriter("run", broken, trouble::complete)) {
       String told = trouble.get(1, TimeUnit.MINUTES);
       assertTrue(told.startsWith("the run is not recorded any more: run: internal error: "), told);
-      writer.write(new Entry.RoundCut(1));
+      writer.write(new Entry.RoundCut(1, 0));
       writer.flush();
     }
   }
