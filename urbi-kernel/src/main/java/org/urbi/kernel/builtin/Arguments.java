@@ -52,24 +52,28 @@ public final class Arguments {
         : Arguments.<UrbiFloat>unexpected(caller, site, place, given, "Float").value();
   }
 
-  /** A number without a fractional part, of 32 bits. */
+  /** A number of 32 bits; what it has behind the point is dropped. */
   public static int integer(Frame caller, CallSite site, int place, UrbiObject given) {
     double value = number(caller, site, place, given);
     int integer = (int) value;
-    if (integer != value) {
-      throw notInteger(caller, site, place, given);
-    }
+    checkIsNear(caller, site, place, given, integer - value);
     return integer;
   }
 
-  /** A number without a fractional part, of 64 bits. */
+  /** A number of 64 bits; what it has behind the point is dropped. */
   public static long longInteger(Frame caller, CallSite site, int place, UrbiObject given) {
     double value = number(caller, site, place, given);
     long integer = (long) value;
-    if (integer != value) {
+    checkIsNear(caller, site, place, given, integer - value);
+    return integer;
+  }
+
+  /** Refuses what is no number, and what does not fit. */
+  private static void checkIsNear(
+      Frame caller, CallSite site, int place, UrbiObject given, double dropped) {
+    if (!(Math.abs(dropped) < 1)) {
       throw notInteger(caller, site, place, given);
     }
-    return integer;
   }
 
   /** {@code routine: argument 1: expected integer, got 0.5}. */

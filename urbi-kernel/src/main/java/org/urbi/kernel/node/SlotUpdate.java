@@ -22,7 +22,7 @@ public final class SlotUpdate {
 
   /**
    * Marks a setter that does the whole assignment, including the notification of those who watch
-   * the slot.
+   * the slot. What it returns is the value of the assignment.
    */
   public interface Whole {}
 
@@ -150,11 +150,11 @@ public final class SlotUpdate {
       write(frame, target, holder, name, data, blended);
       return value;
     }
-    write(frame, target, holder, name, data, value);
-    return value;
+    return write(frame, target, holder, name, data, value);
   }
 
-  private static void write(
+  /** Writes, and returns the value of the assignment. */
+  private static UrbiObject write(
       Frame frame,
       UrbiObject target,
       UrbiObject holder,
@@ -162,9 +162,9 @@ public final class SlotUpdate {
       SlotData data,
       UrbiObject value) {
     if (data.setter != null) {
-      frame.interpreter.call(frame, data.setter, target, value);
+      UrbiObject written = frame.interpreter.call(frame, data.setter, target, value);
       if (data.setter instanceof Whole) {
-        return;
+        return written;
       }
     } else {
       holder.setSlotAt(holder.shape().indexOf(name), value);
@@ -175,6 +175,7 @@ public final class SlotUpdate {
     if (data.changed instanceof Signal signal) {
       signal.emit(frame, value);
     }
+    return value;
   }
 
   /** Makes a slot constant, or assignable again. */

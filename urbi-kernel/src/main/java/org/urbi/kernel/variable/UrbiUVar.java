@@ -447,28 +447,34 @@ public final class UrbiUVar extends UrbiObject {
 
   // ------------------------------------------------------------------ writing
 
-  /** Writes as everybody does: to the target of an owned variable. Hooks are run afterwards. */
-  public void write(Frame frame, Datum datum) {
+  /**
+   * Writes as everybody does: to the target of an owned variable. Hooks are run afterwards.
+   *
+   * @return what was written: the given value, or what the range has made of it
+   */
+  public Datum write(Frame frame, Datum datum) {
     if (!owned) {
-      set(frame, datum);
-      return;
+      return set(frame, datum);
     }
     written = frame.interpreter().scheduler().now();
-    value = inRange(frame, datum);
+    Datum assigned = inRange(frame, datum);
+    value = assigned;
     if (rangeWarning != null) {
-      rangeWarning.note(datum, value);
+      rangeWarning.note(datum, assigned);
     }
-    if (silent) {
-      return;
+    if (!silent) {
+      onChangeOwned.run(frame, this, assigned);
     }
-    onChangeOwned.run(frame, this, value);
+    return assigned;
   }
 
   /**
    * Writes as the owner of an owned variable does, or as anybody if it is not owned: changes what
    * everybody reads.
+   *
+   * @return what was written: the given value, or what the range has made of it
    */
-  public void set(Frame frame, Datum datum) {
+  public Datum set(Frame frame, Datum datum) {
     Datum assigned = bypass ? datum : inRange(frame, datum);
     written = frame.interpreter().scheduler().now();
     if (!isInput()) {
@@ -488,6 +494,7 @@ public final class UrbiUVar extends UrbiObject {
         }
       }
     }
+    return assigned;
   }
 
   private void deliver(Datum assigned) {
@@ -589,8 +596,7 @@ public final class UrbiUVar extends UrbiObject {
       if (!writes) {
         return read(caller);
       }
-      write(caller, new Datum(arguments[0]));
-      return arguments[0];
+      return write(caller, new Datum(arguments[0])).value();
     }
   }
 }

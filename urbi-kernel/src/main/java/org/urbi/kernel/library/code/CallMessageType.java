@@ -7,11 +7,13 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.library.value.Counting;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Code;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
@@ -40,22 +42,22 @@ final class CallMessageType {
   @Builtin(
       value = {"evalArgAt", "argAt"},
       doc = "Evaluates the argument at that index; each time anew.")
-  static UrbiObject evalArgAt(Frame frame, CallSite site, UrbiObject self, double index) {
+  static UrbiObject evalArgAt(Frame frame, CallSite site, UrbiObject self, UrbiFloat index) {
+    return frame.interpreter().send(frame, argument(frame, site, self, index), "eval");
+  }
+
+  private static UrbiObject argument(Frame frame, CallSite site, UrbiObject self, UrbiFloat index) {
     List<UrbiObject> arguments = arguments(frame, self);
-    if (index < 0 || index >= arguments.size() || index != Math.rint(index)) {
-      String text = frame.interpreter().asString(frame, self.world().values().number(index));
-      throw frame.error(site, Problem.INDEX, text);
+    int place = Counting.index(frame, site, index);
+    if (place < 0 || place >= arguments.size()) {
+      throw Counting.invalidIndex(frame, site, place);
     }
-    return frame.interpreter().send(frame, arguments.get((int) index), "eval");
+    return arguments.get(place);
   }
 
   @Builtin(doc = "The text of the argument at that index.")
-  static String argString(Frame frame, CallSite site, UrbiObject self, int index) {
-    List<UrbiObject> arguments = arguments(frame, self);
-    if (index < 0 || index >= arguments.size()) {
-      throw frame.error(site, Problem.INDEX, index);
-    }
-    return frame.interpreter().asString(frame, arguments.get(index));
+  static String argString(Frame frame, CallSite site, UrbiObject self, UrbiFloat index) {
+    return frame.interpreter().asString(frame, argument(frame, site, self, index));
   }
 
   @Builtin(doc = "Evaluates all arguments, and returns the list of their values.")

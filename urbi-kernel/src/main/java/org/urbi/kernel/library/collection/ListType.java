@@ -128,14 +128,19 @@ final class ListType {
   @Builtin(
       doc = "The elements from begin to end, which is excluded; negatives number from the end.")
   static List<UrbiObject> range(
-      Frame caller, CallSite site, UrbiList self, int begin, @Optional @Nullable UrbiObject end) {
-    int from = begin;
-    int to;
-    if (end == null || end == values(caller).nil) {
-      from = 0;
-      to = begin;
-    } else {
-      to = Arguments.integer(caller, site, 2, end);
+      Frame caller,
+      CallSite site,
+      UrbiList self,
+      UrbiFloat begin,
+      @Optional @Nullable UrbiObject end) {
+    int from = 0;
+    int to = Counting.index(caller, site, begin);
+    if (end != null && end != values(caller).nil) {
+      from = to;
+      to =
+          end instanceof UrbiFloat number
+              ? Counting.index(caller, site, number)
+              : Arguments.<Integer>unexpected(caller, site, 2, end, "Float");
     }
     List<UrbiObject> elements = self.elements();
     int size = elements.size();
@@ -167,12 +172,14 @@ final class ListType {
   @Builtin(
       doc = "Inserts an element before the one at an index; returns the target.",
       needs = Permission.CHANGE)
-  static UrbiObject insert(Frame caller, CallSite site, UrbiList self, int where, UrbiObject what) {
+  static UrbiObject insert(
+      Frame caller, CallSite site, UrbiList self, UrbiFloat where, UrbiObject what) {
     Elements elements = self.modify();
-    if (where < 0 || where >= elements.size()) {
-      throw Counting.invalidIndex(caller, site, where);
+    int index = Counting.index(caller, site, where);
+    if (index < 0 || index >= elements.size()) {
+      throw Counting.invalidIndex(caller, site, index);
     }
-    elements.add(where, what);
+    elements.add(index, what);
     return changed(self);
   }
 

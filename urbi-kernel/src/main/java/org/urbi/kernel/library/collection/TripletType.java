@@ -8,6 +8,7 @@ import org.urbi.kernel.library.value.Counting;
 import org.urbi.kernel.library.value.MemberSlots;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
@@ -43,7 +44,7 @@ final class TripletType {
       doc = "Replaces the member at an index; returns the value.",
       needs = Permission.CHANGE)
   static UrbiObject setAt(
-      Frame caller, CallSite site, UrbiObject self, int index, UrbiObject value) {
+      Frame caller, CallSite site, UrbiObject self, UrbiFloat index, UrbiObject value) {
     String slot = SLOTS[Counting.index(caller, site, index, SLOTS.length)];
     MemberSlots.set(caller, self, new String[] {slot}, value);
     return value;

@@ -14,6 +14,7 @@ import org.urbi.kernel.library.value.Printing;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Tuples;
+import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiHash;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
@@ -62,7 +63,7 @@ final class TupleType {
   }
 
   @Builtin(value = "[]", doc = "The member at an index.")
-  static UrbiObject get(Frame caller, CallSite site, UrbiObject self, int index) {
+  static UrbiObject get(Frame caller, CallSite site, UrbiObject self, UrbiFloat index) {
     List<UrbiObject> members = members(caller, site, self);
     return members.get(Counting.index(caller, site, index, members.size()));
   }
@@ -71,7 +72,8 @@ final class TupleType {
       value = "[]=",
       doc = "Replaces the member at an index; returns the value.",
       needs = Permission.CHANGE)
-  static UrbiObject set(Frame caller, CallSite site, UrbiTuple self, int index, UrbiObject value) {
+  static UrbiObject set(
+      Frame caller, CallSite site, UrbiTuple self, UrbiFloat index, UrbiObject value) {
     self.set(Counting.index(caller, site, index, self.size()), value);
     return value;
   }

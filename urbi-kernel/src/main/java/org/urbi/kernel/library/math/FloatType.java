@@ -8,6 +8,7 @@ import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Optional;
 import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.library.collection.ListOrder;
 import org.urbi.kernel.library.text.Formatting;
@@ -152,7 +153,11 @@ public final class FloatType {
   }
 
   private static int bits(Frame caller, CallSite site, UrbiFloat that) {
-    return Math.min(63, Counting.nonNegative(caller, site, 1, that));
+    long bits = Counting.integer(caller, site, 1, that);
+    if (bits < 0) {
+      throw Arguments.negativeInteger(caller, site, 1, that);
+    }
+    return (int) Math.min(63, bits);
   }
 
   // ------------------------------------------------------------------ conversions

@@ -16,7 +16,7 @@ public final class Counting {
 
   private Counting() {}
 
-  /** An integer of 64 bits; the place is 0 for the target. */
+  /** A number of 64 bits, without what is behind the point; the place is 0 for the target. */
   public static long integer(Frame caller, CallSite site, int place, UrbiFloat given) {
     return Arguments.longInteger(caller, site, place, given);
   }
@@ -58,13 +58,18 @@ public final class Counting {
     return counted;
   }
 
-  /** The same for any number: one with a fraction is no index. */
+  /** The same for any number. */
   public static int index(Frame caller, CallSite site, UrbiFloat index, int size) {
+    return index(caller, site, index(caller, site, index), size);
+  }
+
+  /** A number as an index: one with a fraction is none. */
+  public static int index(Frame caller, CallSite site, UrbiFloat index) {
     double value = index.value();
     if (value != (int) value) {
       throw caller.error(site, Problem.INDEX, caller.interpreter().asString(caller, index));
     }
-    return index(caller, site, (int) value, size);
+    return (int) value;
   }
 
   /** {@code routine: invalid index: 3}. */
