@@ -383,6 +383,7 @@ class ArchitectureTest {
               ".outside",
               ".memory",
               ".node",
+              ".tier",
               ".builtin",
               ".event",
               ".tag",

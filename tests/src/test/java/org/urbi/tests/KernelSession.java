@@ -61,8 +61,15 @@ final class KernelSession implements AutoCloseable {
         .jobThreads(backEnd.jobThreads)
         .searchPath(List.of(LIBRARY))
         .library(LIBRARY)
-        .log(line -> {})
+        .log(KernelSession::checkLog)
         .moduleSearchPath(List.of(UObjectJars.folder()));
+  }
+
+  /** The log is not looked at, but for a defect that nothing else would show. */
+  private static void checkLog(String line) {
+    if (line.startsWith("urbi: code is not compiled")) {
+      throw new AssertionError(line);
+    }
   }
 
   /** A kernel whose time jumps from deadline to deadline. */
@@ -82,8 +89,23 @@ final class KernelSession implements AutoCloseable {
    * @return everything that the kernel has sent
    */
   static String run(BackEnd backEnd, InputMode feeding, String program) {
+    return run(builder(backEnd), feeding, program);
+  }
+
+  /**
+   * Runs a program likewise, and compiles what is hot.
+   *
+   * @param threshold after how many calls or turns; 0 for never
+   * @param doubt every how many times compiled code takes the slow path in spite of itself, or 0
+   */
+  static String runCompiled(int threshold, int doubt, String program) {
+    return run(
+        builder(BackEnd.TICK_LOOP).tier(threshold).tierDoubt(doubt), InputMode.WHOLE, program);
+  }
+
+  private static String run(KernelBuilder builder, InputMode feeding, String program) {
     String input = program + EPILOGUE;
-    try (KernelSession session = inVirtualTime(backEnd)) {
+    try (KernelSession session = new KernelSession(builder.virtualTime(true).start())) {
       Console console = session.connect();
       if (feeding == InputMode.WHOLE) {
         console.send(input);

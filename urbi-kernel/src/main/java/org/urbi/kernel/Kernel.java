@@ -46,6 +46,7 @@ import org.urbi.kernel.remote.IsolatedModules;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.remote.RemoteTransport;
 import org.urbi.kernel.tag.UrbiTag;
+import org.urbi.kernel.tier.Tier;
 import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.uobject.PluggedContext;
 import urbi.UClass;
@@ -104,6 +105,9 @@ public final class Kernel implements AutoCloseable {
             new UrbiEvent(world.values().object.cloneShape()),
             new UrbiTag(world.values().object.cloneShape()));
     this.interpreter = new Interpreter(world, scheduler, new Errors(world), core);
+    if (builder.tierThreshold > 0) {
+      interpreter.setCompiler(new Tier(world, builder.tierThreshold, builder.tierDoubt, log));
+    }
     scheduler.whenQuiet(this::endIfNothingCanWakeIt);
     this.uobjects = new PluggedContext(interpreter, builder.moduleSearchPath, outside, log);
     uobjects

@@ -38,6 +38,8 @@ public final class KernelBuilder {
   @Nullable Path library;
   List<Path> moduleSearchPath = List.of(Path.of("."));
   int stackSize;
+  int tierThreshold = TierSetting.threshold();
+  int tierDoubt;
   Duration maxHold = Duration.ZERO;
   long seed;
   String programName = "urbi";
@@ -111,6 +113,25 @@ public final class KernelBuilder {
   /** The stack size of a job, in KiB, which limits nested calls; 0 for no limit of its own. */
   public KernelBuilder stackSize(int kibibytes) {
     stackSize = kibibytes;
+    return this;
+  }
+
+  /**
+   * After how many calls of a function, or turns of a loop, it is compiled; 0 for never. By default
+   * what the property {@code urbi.tier} or the variable URBI_TIER of the environment says
+   * (docs/tier.md).
+   */
+  public KernelBuilder tier(int calls) {
+    tierThreshold = calls;
+    return this;
+  }
+
+  /**
+   * Lets compiled code take the slow path each time it has met so many numbers, for tests: nothing
+   * changes by it but the time. By default it never does.
+   */
+  public KernelBuilder tierDoubt(int period) {
+    tierDoubt = period;
     return this;
   }
 

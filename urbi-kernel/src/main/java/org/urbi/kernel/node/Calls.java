@@ -11,6 +11,9 @@ final class Calls {
   static UrbiObject call(Frame frame, CallSite site, Code code, UrbiObject self, Node[] arguments) {
     if (code instanceof Function function) {
       Formals formals = function.formals();
+      if (function.usesCall()) {
+        frame.exposeLocals();
+      }
       if (formals == null) {
         return function.run(frame, site, self, function.layout().newLocals());
       }
@@ -23,6 +26,7 @@ final class Calls {
       }
       formals.check(frame, site, arguments.length);
     } else if (code.isLazy()) {
+      frame.exposeLocals();
       return code.call(frame, site, self, placeholders(arguments));
     }
     return code.call(

@@ -179,6 +179,25 @@ public final class CompoundAssignment extends Node implements CallSite {
     return operand instanceof Literals.Number number ? number.value() : Double.NaN;
   }
 
+  /** The index of the plain local variable that is modified, or -1 for anything else. */
+  public int local() {
+    return local;
+  }
+
+  /** What is combined with the former value; null for {@code ++} and {@code --}. */
+  public @Nullable Node operand() {
+    return operand;
+  }
+
+  /** 1 if it adds, -1 if it subtracts, otherwise 0. */
+  public int sign() {
+    return sign;
+  }
+
+  public Symbol operator() {
+    return operator;
+  }
+
   @Override
   public String calledName() {
     return operator.name();
@@ -234,14 +253,14 @@ public final class CompoundAssignment extends Node implements CallSite {
     }
   }
 
-  private UrbiObject successor(Frame frame, UrbiObject before) {
+  UrbiObject successor(Frame frame, UrbiObject before) {
     if (before instanceof UrbiFloat number && before.shape() == values.floatShape && isIntact()) {
       return values.number(number.value() + sign);
     }
     return frame.interpreter.send(frame, this, before, operator);
   }
 
-  private UrbiObject combined(Frame frame, UrbiObject before, UrbiObject by) {
+  UrbiObject combined(Frame frame, UrbiObject before, UrbiObject by) {
     if (sign != 0
         && before instanceof UrbiFloat a
         && by instanceof UrbiFloat b
@@ -253,7 +272,8 @@ public final class CompoundAssignment extends Node implements CallSite {
     return frame.interpreter.send(frame, this, before, operator, by);
   }
 
-  private boolean isIntact() {
+  /** Whether the operator of numbers is still the library's. */
+  public boolean isIntact() {
     int epoch = operator.epoch();
     if (epoch != intactEpoch) {
       if (values.floatProto.world().profiled || values.floatProto.lookup(operator) != original) {

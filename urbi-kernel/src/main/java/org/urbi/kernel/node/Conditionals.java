@@ -25,6 +25,18 @@ public final class Conditionals {
       this.elseClause = elseClause;
     }
 
+    public Node condition() {
+      return condition;
+    }
+
+    public Node thenClause() {
+      return thenClause;
+    }
+
+    public @Nullable Node elseClause() {
+      return elseClause;
+    }
+
     @Override
     public UrbiObject execute(Frame frame) {
       boolean holds;
@@ -51,6 +63,19 @@ public final class Conditionals {
       this.and = and;
       this.left = left;
       this.right = right;
+    }
+
+    /** Whether it is {@code &&}. */
+    public boolean isAnd() {
+      return and;
+    }
+
+    public Node left() {
+      return left;
+    }
+
+    public Node right() {
+      return right;
     }
 
     @Override

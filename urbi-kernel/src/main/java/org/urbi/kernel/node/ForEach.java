@@ -22,6 +22,8 @@ public final class ForEach extends Node implements CallSite {
   private final Node body;
   private final Symbol each;
   private final CallSite entry;
+  private int turns;
+  private @Nullable CompiledCode compiled;
 
   /** The call that backtraces show for the turns of a loop. */
   private record Entry(String calledName, Span calledSpan) implements CallSite {}
@@ -48,6 +50,28 @@ public final class ForEach extends Node implements CallSite {
         };
   }
 
+  public Variables.Place variable() {
+    return variable;
+  }
+
+  public Node range() {
+    return range;
+  }
+
+  public Node body() {
+    return body;
+  }
+
+  /** Whether others may run after each turn. */
+  public boolean yields() {
+    return flavor == Flavor.SEMICOLON;
+  }
+
+  /** Whether its turns come one after the other. */
+  public boolean isSequential() {
+    return flavor == Flavor.SEMICOLON || flavor == Flavor.PIPE;
+  }
+
   @Override
   public String calledName() {
     return each.name();
@@ -60,7 +84,11 @@ public final class ForEach extends Node implements CallSite {
 
   @Override
   public UrbiObject execute(Frame frame) {
-    UrbiObject over = ArgumentEvaluation.notVoid(frame, range, span());
+    return iterate(frame, ArgumentEvaluation.notVoid(frame, range, span()));
+  }
+
+  /** Runs the loop over a range that has been evaluated. */
+  UrbiObject iterate(Frame frame, UrbiObject over) {
     LoopJobs jobs = LoopJobs.begin(frame);
     boolean broken = false;
     try {
@@ -88,7 +116,7 @@ public final class ForEach extends Node implements CallSite {
     return send(frame, range);
   }
 
-  private boolean isOfLibrary(UrbiObject over) {
+  boolean isOfLibrary(UrbiObject over) {
     return over.lookup(each) instanceof Code code && code.name() != null;
   }
 
@@ -103,7 +131,14 @@ public final class ForEach extends Node implements CallSite {
       }
       return values.voidObject;
     }
+    CodeCompiler compiler = frame.interpreter.compiler();
     for (long i = 0; i < count; i++) {
+      if (compiled != null) {
+        return compiled.run(frame, i, count);
+      }
+      if (++turns == compiler.threshold()) {
+        compiled = compiler.loop(this, frame.locals.length);
+      }
       UrbiObject value = turn(frame, values.number(i));
       if (value != null) {
         return value;

@@ -63,6 +63,9 @@ public final class Frame {
   /** The actions at the end of the innermost marked scope being executed, or null. */
   @Nullable ScopeEnd scopeEnd;
 
+  /** Whether unevaluated arguments may read and assign the variables at any time. */
+  private boolean exposed;
+
   private Frame(
       Interpreter interpreter,
       Job job,
@@ -216,6 +219,16 @@ public final class Frame {
                 locals,
                 cells,
                 activation));
+  }
+
+  /** From now on others may evaluate code of this activation. */
+  void exposeLocals() {
+    ((Frame) activation).exposed = true;
+  }
+
+  /** Whether others may evaluate code of this activation, which reads and assigns its variables. */
+  boolean isExposed() {
+    return ((Frame) activation).exposed;
   }
 
   // ------------------------------------------------------------------ for the library

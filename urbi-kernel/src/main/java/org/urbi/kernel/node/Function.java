@@ -30,7 +30,8 @@ public final class Function extends Code {
     /** Whether the parameters need no preparation: no cells, defaults or types. */
     final boolean plain;
 
-    final Node code;
+    private Node code;
+    private int calls;
 
     /**
      * @param code what is executed, when the parameters are ready
@@ -54,6 +55,18 @@ public final class Function extends Code {
       this.formals = formals;
       this.parameterCells = parameterCells;
       this.plain = parameterCells == null && (formals == null || !formals.hasDefaults());
+    }
+
+    /** What is executed, when the parameters are ready; compiled if it has been executed often. */
+    Node code(CodeCompiler compiler) {
+      if (++calls == compiler.threshold()) {
+        CompiledCode compiled =
+            compiler.function(code, formals == null ? 0 : formals.count(), layout.locals());
+        if (compiled != null) {
+          code = compiled;
+        }
+      }
+      return code;
     }
   }
 
@@ -183,7 +196,7 @@ public final class Function extends Code {
       prepare(frame);
     }
     try {
-      return body.code.execute(frame);
+      return body.code(caller.interpreter.compiler()).execute(frame);
     } catch (NonLocalExit.Return leave) {
       if (leave.activation() != frame.activation) {
         throw leave;

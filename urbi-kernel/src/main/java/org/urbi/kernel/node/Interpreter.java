@@ -54,6 +54,7 @@ public final class Interpreter {
   final CorePrototypes prototypes;
   private BiConsumer<Frame, UrbiException> describer = (frame, exception) -> {};
   private Consumer<Frame> afterStatements = frame -> {};
+  private CodeCompiler compiler = CodeCompiler.NONE;
   private boolean assertionsDisabled;
   private boolean assertionsShowValues = true;
   boolean profiling;
@@ -105,6 +106,16 @@ public final class Interpreter {
   /** The prototypes of objects that the interpreter creates, other than everyday values. */
   public CorePrototypes prototypes() {
     return prototypes;
+  }
+
+  /** Compiles code that runs often. */
+  public CodeCompiler compiler() {
+    return compiler;
+  }
+
+  /** Sets that; once, by the kernel. */
+  public void setCompiler(CodeCompiler other) {
+    compiler = other;
   }
 
   /** Limits the number of nested calls. */

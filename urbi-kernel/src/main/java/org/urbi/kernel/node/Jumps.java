@@ -29,6 +29,16 @@ public final class Jumps {
       this.seen = seen;
     }
 
+    /** The value; null for void. */
+    public @Nullable Node value() {
+      return value;
+    }
+
+    /** Whether it ends the function in which it stands, as the statements around it check. */
+    public boolean isPlain() {
+      return seen && !inClosure;
+    }
+
     @Override
     public UrbiObject execute(Frame frame) {
       UrbiObject result =
@@ -58,6 +68,16 @@ public final class Jumps {
       super(span);
       this.over = over;
       this.seen = seen;
+    }
+
+    /** Whether it is {@code break}. */
+    public boolean isBreak() {
+      return over;
+    }
+
+    /** Whether the statements around check for it. */
+    public boolean isPlain() {
+      return seen;
     }
 
     @Override

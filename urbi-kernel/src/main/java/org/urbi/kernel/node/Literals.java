@@ -21,7 +21,7 @@ public final class Literals {
       this.value = value;
     }
 
-    double value() {
+    public double value() {
       return value;
     }
 

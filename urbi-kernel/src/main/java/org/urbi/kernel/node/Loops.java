@@ -16,6 +16,8 @@ public final class Loops {
     private final @Nullable Node step;
     private final Node body;
     private final boolean yields;
+    private int turns;
+    private @Nullable CompiledCode compiled;
 
     /**
      * @param init executed once before the loop, or null
@@ -37,6 +39,28 @@ public final class Loops {
       this.yields = flavor == Flavor.SEMICOLON;
     }
 
+    public @Nullable Node init() {
+      return init;
+    }
+
+    /** Null for an endless loop. */
+    public @Nullable Node condition() {
+      return condition;
+    }
+
+    public @Nullable Node step() {
+      return step;
+    }
+
+    public Node body() {
+      return body;
+    }
+
+    /** Whether others may run after each turn. */
+    public boolean yields() {
+      return yields;
+    }
+
     @Override
     public UrbiObject execute(Frame frame) {
       LoopJobs jobs = LoopJobs.begin(frame);
@@ -45,7 +69,11 @@ public final class Loops {
         if (init != null) {
           init.execute(frame);
         }
-        while (condition == null || condition.test(frame)) {
+        CodeCompiler compiler = frame.interpreter.compiler();
+        while (compiled == null && (condition == null || condition.test(frame))) {
+          if (++turns == compiler.threshold()) {
+            compiled = compiler.loop(this, frame.locals.length);
+          }
           UrbiObject value;
           try {
             value = body.execute(frame);
@@ -74,8 +102,13 @@ public final class Loops {
             frame.job.checkInterrupted();
           }
         }
-        broken = false;
-        return frame.interpreter.values().voidObject;
+        UrbiObject value =
+            compiled == null ? frame.interpreter.values().voidObject : compiled.execute(frame);
+        broken = frame.completion == Frame.Completion.BREAK;
+        if (broken) {
+          frame.completion = null;
+        }
+        return value;
       } catch (RuntimeException e) {
         broken = false;
         throw e;

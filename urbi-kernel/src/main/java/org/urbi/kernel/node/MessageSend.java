@@ -30,6 +30,16 @@ public final class MessageSend extends Node implements CallSite {
     return lookup.name();
   }
 
+  /** The target; null for {@code this}. */
+  public @Nullable Node target() {
+    return target;
+  }
+
+  /** The value of the slot, or null; a getter is called. */
+  @Nullable UrbiObject find(Frame frame, UrbiObject receiver) {
+    return lookup.find(frame, receiver);
+  }
+
   @Override
   public String calledName() {
     return lookup.name().name();
@@ -53,17 +63,25 @@ public final class MessageSend extends Node implements CallSite {
   /** Sends the message to a target that has been evaluated. */
   UrbiObject sendTo(Frame frame, UrbiObject receiver) {
     try {
-      UrbiObject value = lookup.find(frame, receiver);
-      if (value instanceof Code code) {
-        return Calls.call(frame, this, code, receiver, arguments);
-      }
-      if (value == null) {
-        return Calls.fallback(frame, this, receiver, name(), arguments);
-      }
-      return Calls.plain(frame, this, value, receiver, arguments);
+      return answer(frame, lookup.find(frame, receiver), receiver);
     } catch (UrbiException e) {
       throw frame.located(e, span());
     }
+  }
+
+  /**
+   * Calls what was found for a target.
+   *
+   * @param found null if the target has no such slot
+   */
+  UrbiObject answer(Frame frame, @Nullable UrbiObject found, UrbiObject receiver) {
+    if (found instanceof Code code) {
+      return Calls.call(frame, this, code, receiver, arguments);
+    }
+    if (found == null) {
+      return Calls.fallback(frame, this, receiver, name(), arguments);
+    }
+    return Calls.plain(frame, this, found, receiver, arguments);
   }
 
   /** Sends the message with an argument that has been evaluated, too. */

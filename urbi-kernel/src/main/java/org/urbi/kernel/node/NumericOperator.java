@@ -87,6 +87,24 @@ public final class NumericOperator extends Node {
     };
   }
 
+  public Node left() {
+    return left;
+  }
+
+  public Node right() {
+    return right;
+  }
+
+  /** The operator's name. */
+  public Symbol name() {
+    return name;
+  }
+
+  /** The operator as a message, for operands that are no plain numbers. */
+  MessageSend message() {
+    return message;
+  }
+
   @Override
   public UrbiObject execute(Frame frame) {
     UrbiObject a = leftValue(frame);
@@ -152,7 +170,7 @@ public final class NumericOperator extends Node {
   }
 
   /** Whether the operator of numbers is still the library's. */
-  private boolean isIntact() {
+  public boolean isIntact() {
     int epoch = name.epoch();
     if (epoch != intactEpoch) {
       if (values.floatProto.world().profiled || values.floatProto.lookup(name) != original) {

@@ -36,6 +36,15 @@ public final class Sequences {
       this.yieldsAfter = yieldsAfter;
     }
 
+    public Node[] statements() {
+      return statements;
+    }
+
+    /** Whether others may run after the statement of that index; not to be asked for the last. */
+    public boolean yieldsAfter(int index) {
+      return yieldsAfter[index];
+    }
+
     @Override
     public UrbiObject execute(Frame frame) {
       int last = statements.length - 1;
@@ -126,6 +135,10 @@ public final class Sequences {
     public Located(Span span, Node code) {
       super(span);
       this.code = code;
+    }
+
+    public Node code() {
+      return code;
     }
 
     @Override

@@ -88,6 +88,14 @@ public final class Slots {
       return assign(frame, object, assigned);
     }
 
+    public Node target() {
+      return target;
+    }
+
+    public Node value() {
+      return value;
+    }
+
     /** Returns the value of the assignment. */
     UrbiObject assign(Frame frame, UrbiObject object, UrbiObject assigned) {
       if (object.shape() == knownShape

@@ -32,7 +32,8 @@ public final class Variables {
       this.index = index;
     }
 
-    int index() {
+    /** The index of the variable among the locals of the frame. */
+    public int index() {
       return index;
     }
 
@@ -83,8 +84,13 @@ public final class Variables {
      * The index among the locals of the frame if it is a plain variable that is not constant, or
      * -1.
      */
-    int local() {
+    public int local() {
       return shared || constant ? -1 : index;
+    }
+
+    /** The index among the locals of the frame if it is a plain variable, or -1. */
+    public int declaredLocal() {
+      return shared ? -1 : index;
     }
 
     /** Creates the variable. */
@@ -139,6 +145,20 @@ public final class Variables {
       this.type = type;
     }
 
+    public Place place() {
+      return place;
+    }
+
+    /** The initial value; null for void. */
+    public @Nullable Node value() {
+      return value;
+    }
+
+    /** Whether the value must be of a type. */
+    public boolean isTyped() {
+      return type != null;
+    }
+
     @Override
     public UrbiObject execute(Frame frame) {
       UrbiObject initial = initialValue(frame, value, span());
@@ -190,6 +210,14 @@ public final class Variables {
       super(span);
       this.place = place;
       this.value = value;
+    }
+
+    public Place place() {
+      return place;
+    }
+
+    public Node value() {
+      return value;
     }
 
     @Override

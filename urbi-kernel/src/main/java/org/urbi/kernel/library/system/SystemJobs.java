@@ -16,6 +16,7 @@ import org.urbi.kernel.library.concurrent.TagType;
 import org.urbi.kernel.library.lobby.LobbyType;
 import org.urbi.kernel.lobby.Lobbies;
 import org.urbi.kernel.node.CallSite;
+import org.urbi.kernel.node.CodeCompiler;
 import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Profiler;
@@ -93,6 +94,22 @@ final class SystemJobs {
     entries.put(
         DictionaryKey.of(frame, frame.interpreter().values().string(name)),
         frame.interpreter().values().number(value));
+  }
+
+  @Builtin(
+      doc =
+          "After how many calls or turns code is compiled, how many functions and loops were, how"
+              + " many were refused, and how many bytes they take in all.")
+  static UrbiObject tier(Frame frame, UrbiObject self) {
+    CodeCompiler compiler = frame.interpreter().compiler();
+    CodeCompiler.Statistics statistics = compiler.statistics();
+    Map<UrbiDictionary.Key, UrbiObject> entries = new LinkedHashMap<>();
+    put(frame, entries, "threshold", compiler.threshold());
+    put(frame, entries, "functions", statistics.functions());
+    put(frame, entries, "loops", statistics.loops());
+    put(frame, entries, "refused", statistics.refused());
+    put(frame, entries, "bytes", statistics.bytes());
+    return frame.interpreter().values().dictionary(entries);
   }
 
   @Builtin(doc = "Begins to count the cycles anew.", needs = Permission.OWNER)

@@ -1,0 +1,194 @@
+package org.urbi.tests;
+
+import static java.util.Objects.requireNonNull;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Compiled code does what the interpreter does: values, identity, errors and backtraces. */
+class CompiledCodeTest {
+  private static final Duration GENERATED =
+      Duration.ofSeconds(Integer.getInteger("urbi.tier.seconds", 10));
+
+  private static final long FIRST_SEED = Long.getLong("urbi.tier.seed", 1);
+
+  /**
+   * @param threshold after how many calls or turns code is compiled
+   * @param doubt every how many times compiled code takes the slow path in spite of itself
+   */
+  private record Mode(int threshold, int doubt) {}
+
+  private static final List<Mode> MODES =
+      List.of(new Mode(1, 0), new Mode(2, 0), new Mode(1, 3), new Mode(3, 2));
+
+  private static void compare(String name, String program) {
+    String interpreted = KernelSession.runCompiled(0, 0, program);
+    for (Mode mode : MODES) {
+      String compiled = KernelSession.runCompiled(mode.threshold, mode.doubt, program);
+      if (!interpreted.equals(compiled)) {
+        assertEquals(interpreted, compiled, name + " in " + mode + ":\n" + program);
+      }
+    }
+  }
+
+  @Test
+  void generatedProgramsDoTheSame() {
+    long end = System.nanoTime() + GENERATED.toNanos();
+    long seed = FIRST_SEED;
+    do {
+      compare("the program of seed " + seed, NumericProgramGenerator.program(seed));
+      seed++;
+    } while (System.nanoTime() < end);
+  }
+
+  /** What random programs hardly ever do. */
+  static Map<String, String> programs() {
+    return Map.ofEntries(
+        Map.entry(
+            "an operator is redefined, and removed, while a loop runs",
+            """
+            var plus = Float.getSlotValue("+")|;
+            function f(n) {
+              var i = 0; var sum = 0;
+              while| (i < n) {
+                sum = sum + 1 | i += 1 |
+                if (i == 3) Float.'+' = function(x) { 42 } |
+                if (i == 5) Float.'+' = lobby.getSlotValue("plus") |
+                if (i == 7) Float.removeLocalSlot("+")
+              };
+              sum
+            }|;
+            f(6); f(6); f(9); Float.setSlot("+", getSlotValue("plus"))|; f(2);
+            """),
+        Map.entry(
+            "a class that defines an operator does not change numbers",
+            """
+            function f(a, b) { if (a < b) a + b else a - b }|;
+            f(1, 2); f(2, 1);
+            class V { function '+'(o) { "plus" }; function '<'(o) { true } }|;
+            f(1, 2); f(V.new, 2); f(1, 2);
+            """),
+        Map.entry(
+            "numbers have an identity and slots",
+            """
+            function f(n) {
+              var a = n + 1; var b = a; var c = n + 1;
+              echo(a === b); echo(a === c); echo(b.uid == a.uid); echo(n === n);
+              a.setSlot("name", "one"); echo(b.name); b += 1; echo(a + 1); echo(b.hasSlot("name"));
+              var old = a++; echo(old.name); echo(old === b); [a, old, (a = 3) + (a = 4), a + (a = 5)]
+            }|;
+            f(1); f(2); f(0.5);
+            """),
+        Map.entry(
+            "the stack is exhausted in compiled functions",
+            """
+            function down(n) { 1 + down(n + 1) }|;
+            function even(n) { odd(n + 1) }|; function odd(n) { for| (var i : 1) { even(n) } }|;
+            try { down(0) } catch (var e) { echo(e.message) };
+            try { even(0) } catch (var e) { echo(e.message) };
+            down(0);
+            """),
+        Map.entry(
+            "compiled loops are stopped, frozen and blocked",
+            """
+            var n = 0|; var t = Tag.new|;
+            function count(most) { var i = 0; while (i < most) { i++; n = i; sleep(1ms) }; i }|;
+            t: count(100),
+            sleep(10ms)|; t.freeze; var at10 = n|; sleep(50ms)|; n == at10; t.unfreeze; sleep(5ms)|;
+            t.stop(7); n < 30;
+            var r = { t: { count(2); t.stop(8); count(3) } }|; r;
+            count(3) & count(4); count(3), count(5), sleep(20ms); n;
+            function spin(most) { var i = 0; while (i < most) { i += 1 }; n = i }|;
+            t: spin(1e9), sleep(0); t.stop; n;
+            """),
+        Map.entry(
+            "conditions see what compiled functions read",
+            """
+            var x = 0|; var o = Object.new|; var o.y = 0|;
+            function both(n) { if (x + o.y > n) true else false }|;
+            both(1); both(1); both(1);
+            at (both(1)) echo("on") onleave echo("off");
+            x = 1; o.y = 1; o.y = 0; x = 5; x = 0;
+            function set(v) { x = v | o.y = v }|; set(1); set(0); set(2); set(0);
+            """),
+        Map.entry(
+            "unevaluated arguments see and change variables",
+            """
+            var saved = nil|; function keep { saved = call | 0 }|;
+            function f(n) {
+              var i = 0; keep(i); keep(i += 10);
+              while| (i < n) { i += 1 | if (i == 3) saved.evalArgAt(0) };
+              keep(i * 2); i = 100; echo(saved.evalArgAt(0)); i
+            }|;
+            f(5); f(20); saved.evalArgAt(0);
+            function g() { var c = 0; keep(c++); sleep(2ms); c + 1 }|;
+            g, sleep(1ms)|; saved.evalArgAt(0); sleep(3ms)|; { g } & { sleep(1ms); saved.evalArgAt(0) };
+            """),
+        Map.entry(
+            "jumps leave loops from everywhere",
+            """
+            function f(n) {
+              var log = [];
+              for| (var i : n) {
+                for (var j : n) {
+                  if (j == 1) continue; if (j == 3) break;
+                  try { if (i == 2) continue; if (i == 4) break; if (i == 5) return log }
+                  finally { log << "f" };
+                  switch (j) { case 0: continue; case 2: log << 2 };
+                  log << i * 10 + j
+                };
+                for| (var e : [1, "x", 3]) { if (e == 3) break | log << e };
+                [1, 2].each(function (e) { log << e });
+                while (true) { detach({ sleep(1ms) | log << "never" }); if (i < 9) break }
+              };
+              log
+            }|;
+            f(3); f(4); f(7); var l = f(2)|; sleep(5ms)|; l;
+            """),
+        Map.entry(
+            "errors have their places",
+            """
+            function f(a, b) {
+              if (a) a + b |
+              var c = a < b |
+              a += b; b = missing
+            }|;
+            function g(a, b) { while (f(a, b)) { 1 } }|;
+            function h(n) { for (var i : n) { g(i, void) } }|;
+            f(1, 2); f("x", 1); f(nil, 1); f(void, 1); f(1, nil); g(1, "s"); h(2); h(void); h("s");
+            f(1, 2); f("x", 1); f(nil, 1); f(void, 1); f(1, nil); g(1, "s"); h(2); h(nil); h([1]);
+            """));
+  }
+
+  @ParameterizedTest
+  @MethodSource("names")
+  void handMadeProgramsDoTheSame(String name) {
+    compare(name, requireNonNull(programs().get(name)));
+  }
+
+  static Stream<String> names() {
+    return programs().keySet().stream().sorted();
+  }
+
+  @Test
+  void hotCodeIsCompiled() {
+    String output =
+        KernelSession.runCompiled(
+            2,
+            0,
+            """
+            function f(n) { var sum = 0; for| (var i : n) sum += i | sum }|;
+            f(3); f(3); f(3);
+            System.tier["functions"] > 0;
+            System.tier["bytes"] > 0;
+            """);
+    assertTrue(output.contains("] true") && !output.contains("] false"), output);
+  }
+}

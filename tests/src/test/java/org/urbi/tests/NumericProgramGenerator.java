@@ -1,0 +1,346 @@
+package org.urbi.tests;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+
+/**
+ * Makes programs of functions that compute, loop, call each other, fail and let others run; the
+ * same ones from the same seed. All of them end.
+ */
+final class NumericProgramGenerator {
+  private static final int FUNCTIONS = 6;
+
+  /** What every program begins with. */
+  private static final String PRELUDE =
+      """
+      var o = Object.new|; var o.x = 1|; var o.y = 2|; var saved = nil|; var global = 3|;
+      function o.get(n) { x + n }|;
+      function o.set(n) { x = n | this }|;
+      class P { var v = 5; function init(n) { v = n }; function '+'(other) { P.new(v + other) };
+        function '<'(other) { v < other }; function asString() { "P" + v } }|;
+      function lazy { call.evalArgAt(0) }|;
+      function twice { call.evalArgAt(0) + call.evalArgAt(0) }|;
+      function keep { saved = call | 0 }|;
+      function later { var c = call | detach({ sleep(3ms) | c.evalArgAt(0) }) | 0 }|;
+      function same(n) { n }|;
+      function down(n) { if (n < 1) 0 else 1 + down(n - 1) }|;
+      function many(n, args[]) { n + args.size }|;
+      function preset(n, m = 7) { n * m }|;
+      var plus = Float.getSlotValue("+")|; var less = Float.getSlotValue("<")|;
+      """;
+
+  private static final List<String> LITERALS =
+      List.of("0", "1", "2", "3", "0.5", "-1", "1e300", "7", "100", "inf", "nan");
+
+  private final Random random;
+  private final StringBuilder text = new StringBuilder();
+  private final List<String> variables = new ArrayList<>();
+  private int names;
+  private int nested;
+  private int loops;
+  private int callable;
+
+  /** Whether the function has only what is compiled. */
+  private boolean plain;
+
+  private NumericProgramGenerator(long seed) {
+    random = new Random(seed);
+  }
+
+  static String program(long seed) {
+    return new NumericProgramGenerator(seed).program();
+  }
+
+  private String program() {
+    text.append(PRELUDE);
+    for (callable = 0; callable < FUNCTIONS; callable++) {
+      function();
+    }
+    for (int i = 0; i < 25; i++) {
+      text.append(topLevel()).append('\n');
+    }
+    return text.toString();
+  }
+
+  private String one(String... choices) {
+    return choices[random.nextInt(choices.length)];
+  }
+
+  private boolean chance(int percent) {
+    return random.nextInt(100) < percent;
+  }
+
+  // ------------------------------------------------------------------ the top level
+
+  private String topLevel() {
+    String call = call(random.nextInt(FUNCTIONS));
+    return switch (random.nextInt(16)) {
+      case 0 ->
+          "Float.'+' = function(n) { lobby.getSlotValue(\"plus\").apply([this, n]) * 2 }|; "
+              + call
+              + ";";
+      case 1 ->
+          "Float.'<' = function(n) { n > this }|; "
+              + call
+              + "; Float.'<' = lobby.getSlotValue(\"less\")|;";
+      case 2 -> "Float.'+' = lobby.getSlotValue(\"plus\")|; " + call + ";";
+      case 3 -> "var Float.more" + names++ + " = 1|; " + call + ";";
+      case 4 -> call + ", " + call(random.nextInt(FUNCTIONS)) + ", sleep(20ms);";
+      case 5 -> call + " & " + call(random.nextInt(FUNCTIONS)) + ";";
+      case 6 ->
+          "var t = Tag.new|; t: "
+              + call
+              + ", sleep("
+              + random.nextInt(4)
+              + "ms)|; t.stop|;"
+              + " removeLocalSlot(\"t\")|;";
+      case 7 -> "for| (var i : 3) { global += i }| global;";
+      case 8 -> "{ var n = 0; while (n < 5) { n++; global = n }; n };";
+      case 9 -> "saved.evalArgAt(0);";
+      case 10 ->
+          "var t = Tag.new|; t: "
+              + call
+              + ", t.freeze|; sleep(2ms)|; t.unfreeze|; sleep(9ms)|;"
+              + " removeLocalSlot(\"t\")|;";
+      case 11 -> "try { " + call + " } catch (var e) { echo(e) };";
+      default -> call + ";";
+    };
+  }
+
+  private String call(int function) {
+    return "f" + function + "(" + argument() + ", " + argument() + ")";
+  }
+
+  private String argument() {
+    return chance(88)
+        ? one("0", "1", "2", "5", "0.5", "-3")
+        : one("\"s\"", "nil", "P.new(2)", "[1]", "o");
+  }
+
+  // ------------------------------------------------------------------ statements
+
+  private void function() {
+    names = 0;
+    plain = chance(60);
+    variables.clear();
+    variables.addAll(List.of("a", "b"));
+    text.append("function f").append(callable).append("(a, b) {\n");
+    block(3 + random.nextInt(5));
+    text.append("  ").append(expression(2)).append("\n}|;\n");
+  }
+
+  private void block(int statements) {
+    int before = variables.size();
+    for (int i = 0; i < statements; i++) {
+      text.append("  ").append(statement()).append(one(";", "|", "|")).append('\n');
+    }
+    while (variables.size() > before) {
+      variables.removeLast();
+    }
+  }
+
+  private String variable() {
+    return variables.get(random.nextInt(variables.size()));
+  }
+
+  /** A variable that counts no turns. */
+  private String target() {
+    for (int tries = 0; tries < 20; tries++) {
+      String name = variable();
+      if (!name.startsWith("i")) {
+        return name;
+      }
+    }
+    return "a";
+  }
+
+  private String inside(int statements) {
+    int begin = text.length();
+    nested++;
+    block(statements);
+    nested--;
+    String inner = text.substring(begin);
+    text.setLength(begin);
+    return "{\n" + inner + "  }";
+  }
+
+  private String statement() {
+    if (nested < 3 && chance(30)) {
+      return compound();
+    }
+    String name = target();
+    return switch (random.nextInt(plain ? 21 : 22)) {
+      case 0, 1, 2 -> {
+        String value = expression(3);
+        String fresh = "v" + names++;
+        variables.add(fresh);
+        yield "var " + fresh + " = " + value;
+      }
+      case 3, 4 -> name + " = " + expression(3);
+      case 5, 6 -> name + one(" += ", " -= ", " += ", " *= ") + expression(2);
+      case 7, 8 -> name + one("++", "--");
+      case 9 -> "echo(" + expression(2) + ")";
+      case 10 -> "echo(" + variable() + " === " + variable() + ")";
+      case 11 -> "o.x = " + expression(2);
+      case 12 -> "echo(" + variable() + " + 1)";
+      case 13 -> "keep(" + variable() + one("", " + 1", " = 9") + ")";
+      case 14 -> "later(" + name + " = " + expression(1) + ")";
+      case 15 -> "sleep(" + one("1ms", "2ms", "5ms") + ")";
+      case 16 -> loops > 0 ? one("break", "continue") : "echo(saved.evalArgAt(0))";
+      case 17 -> chance(30) ? "return " + expression(2) : "echo(this === lobby)";
+      case 18 -> name + " = " + variable() + " | echo(" + name + " === " + variable() + ")";
+      case 19 ->
+          "if (!"
+              + name
+              + ".hasLocalSlot(\"tag\")) "
+              + name
+              + ".setSlot(\"tag\", "
+              + expression(1)
+              + ")";
+      case 20 -> "global += " + expression(1);
+      default ->
+          "var c"
+              + names
+              + " = closure(n) { "
+              + name
+              + " = n + "
+              + variable()
+              + " } | c"
+              + names++
+              + "("
+              + expression(1)
+              + ")";
+    };
+  }
+
+  private String compound() {
+    return switch (random.nextInt(plain ? 6 : 9)) {
+      case 0, 1 -> "if (" + condition() + ") " + inside(2);
+      case 2 -> "if (" + condition() + ") " + inside(1) + " else " + inside(2);
+      case 3 -> loop("while" + one("", "|"), "i");
+      case 4 -> {
+        String i = "i" + names++;
+        yield "for"
+            + one("", "|")
+            + " (var "
+            + i
+            + " = 0; "
+            + i
+            + " < "
+            + (1 + random.nextInt(4))
+            + "; "
+            + i
+            + one("++", " += 1")
+            + ") "
+            + turns(i);
+      }
+      case 5 -> {
+        String i = "v" + names++;
+        yield "for"
+            + one("", "|")
+            + " (var "
+            + i
+            + " : "
+            + one("3", "2", "[1, \"x\", 2]", "2.5")
+            + ") "
+            + turns(i);
+      }
+      case 6 -> "try " + inside(2) + " catch (var e" + names + ") { echo(e" + names++ + ") }";
+      case 7 -> "try " + inside(2) + " finally " + inside(1);
+      default -> inside(2);
+    };
+  }
+
+  private String loop(String keyword, String prefix) {
+    String i = prefix + names++;
+    variables.add(i);
+    loops++;
+    String body = inside(2);
+    loops--;
+    variables.removeLast();
+    return "{ var "
+        + i
+        + " = 0| "
+        + keyword
+        + " ("
+        + i
+        + " < "
+        + (1 + random.nextInt(4))
+        + ") { "
+        + i
+        + one("++", " += 1")
+        + "| "
+        + body.substring(1)
+        + " }";
+  }
+
+  private String turns(String name) {
+    variables.add(name);
+    loops++;
+    String body = inside(2);
+    loops--;
+    variables.removeLast();
+    return body;
+  }
+
+  // ------------------------------------------------------------------ expressions
+
+  private String condition() {
+    return switch (random.nextInt(8)) {
+      case 0 ->
+          expression(1) + " < " + expression(1) + one(" && ", " || ") + expression(1) + " > 2";
+      case 1 -> "!(" + expression(1) + " == " + expression(1) + ")";
+      case 2 -> variable();
+      case 3 -> variable() + " === " + variable();
+      default -> expression(2) + one(" < ", " <= ", " > ", " >= ", " == ", " != ") + expression(2);
+    };
+  }
+
+  private String expression(int depth) {
+    if (depth == 0 || chance(25)) {
+      return chance(65) ? variable() : LITERALS.get(random.nextInt(LITERALS.size()));
+    }
+    return switch (random.nextInt(22)) {
+      case 0, 1, 2, 3, 4, 5, 6 ->
+          "("
+              + expression(depth - 1)
+              + one(" + ", " - ", " * ", " + ", " - ", chance(20) ? " / " : " * ")
+              + expression(depth - 1)
+              + ")";
+      case 7 ->
+          "("
+              + expression(depth - 1)
+              + one(" < ", " == ", " >= ", " != ")
+              + expression(depth - 1)
+              + ")";
+      case 8 -> "same(" + expression(depth - 1) + ")";
+      case 9 -> "o.get(" + expression(depth - 1) + ")";
+      case 10 -> "o." + one("x", "y", "set(" + variable() + ").x");
+      case 11 ->
+          "lazy("
+              + (chance(50) ? expression(depth - 1) : target() + " = " + expression(depth - 1))
+              + ")";
+      case 12 -> "twice(" + one(target() + "++", variable(), target() + " += 1") + ")";
+      case 13 -> "(" + target() + " = " + expression(depth - 1) + ")";
+      case 14 -> target() + one("++", "--");
+      case 15 ->
+          callable > 0 && loops == 0 && chance(40) ? call(random.nextInt(callable)) : "down(3)";
+      case 16 -> "many(" + expression(depth - 1) + one("", ", 1", ", 1, " + variable()) + ")";
+      case 17 -> "preset(" + variable() + one("", ", " + variable()) + ")";
+      case 18 -> "global";
+      case 19 ->
+          chance(75)
+              ? variable()
+              : one(
+                  "\"s\"",
+                  "nil",
+                  "P.new(" + variable() + ")",
+                  "void",
+                  "[" + variable() + "]",
+                  "missing");
+      case 20 -> "{ var w" + names + " = " + expression(depth - 1) + "| w" + names++ + " + 1 }";
+      default -> "(" + condition() + " ? " + variable() + " : " + expression(depth - 1) + ")";
+    };
+  }
+}

@@ -1,0 +1,220 @@
+package org.urbi.kernel.node;
+
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiFloat;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Values;
+
+/**
+ * What hot code is compiled to, and what such code calls. A value of it is a pair: a double, and an
+ * object or null. Null stands for a plain number of which there is no object yet.
+ */
+public abstract class CompiledCode extends Node {
+  /** What a loop does next. */
+  private static final int RETURN = 0;
+
+  private static final int BREAK = 1;
+  private static final int CONTINUE = 2;
+
+  protected CompiledCode() {}
+
+  /**
+   * Runs it.
+   *
+   * @param from the number of the next turn, of a loop over numbers
+   * @param to before which number that loop ends
+   */
+  public abstract UrbiObject run(Frame frame, double from, double to);
+
+  @Override
+  public final UrbiObject execute(Frame frame) {
+    return run(frame, 0, 0);
+  }
+
+  // ------------------------------------------------------------------ values
+
+  protected static boolean isNumber(UrbiObject value, Shape shape) {
+    return value instanceof UrbiFloat && value.shape() == shape;
+  }
+
+  /** The value of an object that is a number. */
+  protected static double number(UrbiObject value) {
+    return ((UrbiFloat) value).value();
+  }
+
+  /** The object of a pair. */
+  protected static UrbiObject object(double number, @Nullable UrbiObject object, Values values) {
+    return object == null ? values.number(number) : object;
+  }
+
+  protected static boolean truth(UrbiObject value, Frame frame) {
+    return Truth.of(frame, value);
+  }
+
+  /** The value, unless it is void. */
+  protected static UrbiObject notVoid(UrbiObject value, Frame frame) {
+    return frame.interpreter.notVoid(value);
+  }
+
+  // ------------------------------------------------------------------ frames
+
+  protected static UrbiObject[] locals(Frame frame) {
+    return frame.locals;
+  }
+
+  /** The value of a variable in the frame. */
+  protected static UrbiObject local(UrbiObject[] locals, int index, UrbiObject nothing) {
+    @Nullable UrbiObject value = locals[index];
+    return value == null ? nothing : value;
+  }
+
+  protected static Job job(Frame frame) {
+    return frame.job;
+  }
+
+  protected static UrbiObject self(Frame frame) {
+    return frame.self;
+  }
+
+  /** Whether others may read and assign the variables of the frame at any time. */
+  protected static boolean isExposed(Frame frame) {
+    return frame.isExposed();
+  }
+
+  protected static UrbiException located(UrbiException exception, Frame frame, Node at) {
+    return frame.located(exception, at.span());
+  }
+
+  // ------------------------------------------------------------------ jumps
+
+  /** How the statement that has set the completion of the frame leaves a loop around it. */
+  protected static int leaving(Frame frame) {
+    Frame.Completion completion = frame.completion;
+    if (completion == Frame.Completion.RETURN) {
+      return RETURN;
+    }
+    frame.completion = null;
+    return completion == Frame.Completion.BREAK ? BREAK : CONTINUE;
+  }
+
+  /** The loop that is running, as a unit, is left by {@code return}. */
+  protected static void returns(Frame frame) {
+    frame.completion = Frame.Completion.RETURN;
+  }
+
+  /** The loop that is running, as a unit, is left by {@code break}. */
+  protected static void breaks(Frame frame) {
+    frame.completion = Frame.Completion.BREAK;
+  }
+
+  protected static boolean isBreak(Throwable leaving) {
+    return leaving instanceof NonLocalExit.Break;
+  }
+
+  /** Whether that is {@code break} or {@code continue}. */
+  protected static boolean isOfLoop(Throwable leaving) {
+    return leaving instanceof NonLocalExit.Break || leaving instanceof NonLocalExit.Continue;
+  }
+
+  protected static LoopJobs beginLoop(Frame frame) {
+    return LoopJobs.begin(frame);
+  }
+
+  protected static void endLoop(Frame frame, LoopJobs jobs, boolean broken) {
+    jobs.end(frame, broken);
+  }
+
+  // ------------------------------------------------------------------ operators
+
+  /** An operator whose left operand is no plain number, or which somebody has redefined. */
+  protected static UrbiObject operate(UrbiObject left, Frame frame, NumericOperator operator) {
+    return operator.message().sendTo(frame, left);
+  }
+
+  /** An operator whose right operand is no plain number. */
+  protected static UrbiObject operate(
+      UrbiObject left, UrbiObject right, Frame frame, NumericOperator operator) {
+    return operator.message().sendTo(frame, left, right);
+  }
+
+  protected static UrbiObject successor(
+      UrbiObject before, Frame frame, CompoundAssignment assignment) {
+    return assignment.successor(frame, before);
+  }
+
+  protected static UrbiObject combined(
+      UrbiObject before, UrbiObject by, Frame frame, CompoundAssignment assignment) {
+    return assignment.combined(frame, before, by);
+  }
+
+  // ------------------------------------------------------------------ messages and slots
+
+  protected static @Nullable UrbiObject find(UrbiObject target, Frame frame, MessageSend message) {
+    return message.find(frame, target);
+  }
+
+  /** Whether what was found takes that many evaluated arguments, and never sees their code. */
+  protected static boolean takes(@Nullable UrbiObject found, int arguments) {
+    if (found instanceof Function function) {
+      Formals formals = function.formals();
+      return formals != null
+          && !function.usesCall()
+          && arguments >= formals.min()
+          && arguments <= formals.max();
+    }
+    return found instanceof Code code && !code.isLazy();
+  }
+
+  /** Where to put the evaluated arguments. */
+  protected static UrbiObject[] room(UrbiObject found, int arguments) {
+    return new UrbiObject
+        [found instanceof Function function && isSimple(function, arguments)
+            ? function.layout().locals()
+            : arguments];
+  }
+
+  /** Calls what was found, and {@linkplain #takes takes} the arguments. */
+  protected static UrbiObject call(
+      UrbiObject found,
+      UrbiObject target,
+      UrbiObject[] room,
+      int arguments,
+      Frame frame,
+      MessageSend message) {
+    if (found instanceof Function function && isSimple(function, arguments)) {
+      return function.run(frame, message, target, room);
+    }
+    return ((Code) found).call(frame, message, target, room);
+  }
+
+  private static boolean isSimple(Function function, int arguments) {
+    Formals formals = function.formals();
+    return formals != null && formals.isSimple(arguments);
+  }
+
+  /** What was found answers; it evaluates the arguments. */
+  protected static UrbiObject answer(
+      @Nullable UrbiObject found, UrbiObject target, Frame frame, MessageSend message) {
+    return message.answer(frame, found, target);
+  }
+
+  protected static UrbiObject assign(
+      UrbiObject target, UrbiObject value, Frame frame, Slots.Assign assignment) {
+    return assignment.assign(frame, target, value);
+  }
+
+  // ------------------------------------------------------------------ loops
+
+  /** Whether a loop counts up to that value. */
+  protected static boolean isCount(UrbiObject range, ForEach loop) {
+    return range instanceof UrbiFloat && loop.isOfLibrary(range);
+  }
+
+  /** A loop over anything but a number. */
+  protected static UrbiObject iterate(UrbiObject range, Frame frame, ForEach loop) {
+    return loop.iterate(frame, range);
+  }
+}

@@ -1,0 +1,83 @@
+package org.urbi.kernel.tier;
+
+import java.lang.classfile.ClassBuilder;
+import java.lang.classfile.ClassFile;
+import java.lang.constant.ClassDesc;
+import java.lang.constant.ConstantDescs;
+import java.lang.constant.MethodTypeDesc;
+import java.lang.invoke.MethodHandles;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** The objects to which emitted code refers: static finals of its class, which a JIT trusts. */
+final class Constants {
+  private record Constant(String name, ClassDesc type, Object value) {}
+
+  private static final ClassDesc HANDLES = MethodHandles.class.describeConstable().orElseThrow();
+
+  private final Map<Object, Map<ClassDesc, Constant>> known = new IdentityHashMap<>();
+  private final List<Constant> all = new ArrayList<>();
+
+  /** The name of the field that holds an object as a type. */
+  String name(Object value, ClassDesc type) {
+    return known
+        .computeIfAbsent(value, each -> new HashMap<>(2))
+        .computeIfAbsent(type, each -> add(value, type))
+        .name;
+  }
+
+  private Constant add(Object value, ClassDesc type) {
+    var constant = new Constant("c" + all.size(), type, value);
+    all.add(constant);
+    return constant;
+  }
+
+  /** The objects, for the definition of the class. */
+  List<Object> values() {
+    return all.stream().map(Constant::value).toList();
+  }
+
+  /** Declares the fields, and the code that fills them from the data of the class. */
+  void declare(ClassBuilder to, ClassDesc owner) {
+    for (Constant constant : all) {
+      to.withField(
+          constant.name,
+          constant.type,
+          ClassFile.ACC_PRIVATE | ClassFile.ACC_STATIC | ClassFile.ACC_FINAL);
+    }
+    to.withMethodBody(
+        ConstantDescs.CLASS_INIT_NAME,
+        ConstantDescs.MTD_void,
+        ClassFile.ACC_STATIC,
+        code -> {
+          code.invokestatic(
+              HANDLES, "lookup", MethodTypeDesc.of(ConstantDescs.CD_MethodHandles_Lookup));
+          code.loadConstant(ConstantDescs.DEFAULT_NAME);
+          code.loadConstant(ConstantDescs.CD_List);
+          code.invokestatic(
+              HANDLES,
+              "classData",
+              MethodTypeDesc.of(
+                  ConstantDescs.CD_Object,
+                  ConstantDescs.CD_MethodHandles_Lookup,
+                  ConstantDescs.CD_String,
+                  ConstantDescs.CD_Class));
+          code.checkcast(ConstantDescs.CD_List).astore(0);
+          for (int i = 0; i < all.size(); i++) {
+            Constant constant = all.get(i);
+            code.aload(0)
+                .loadConstant(i)
+                .invokeinterface(
+                    ConstantDescs.CD_List,
+                    "get",
+                    MethodTypeDesc.of(ConstantDescs.CD_Object, ConstantDescs.CD_int))
+                .checkcast(constant.type)
+                .putstatic(owner, constant.name, constant.type);
+          }
+          code.return_();
+        });
+  }
+}

@@ -1,0 +1,238 @@
+package org.urbi.kernel.tier;
+
+import static java.lang.constant.ConstantDescs.CD_int;
+
+import java.lang.classfile.Label;
+import java.lang.constant.ClassDesc;
+import java.lang.constant.ConstantDescs;
+import java.lang.constant.MethodTypeDesc;
+import org.urbi.kernel.node.CompoundAssignment;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.NumericOperator;
+import org.urbi.kernel.object.Symbol;
+
+/**
+ * Emits operators of numbers, guarded as in the nodes: both operands are plain numbers, and nobody
+ * has redefined the operator. Otherwise the node answers.
+ */
+final class EmitArithmetic {
+  private final Emitter to;
+
+  EmitArithmetic(Emitter to) {
+    this.to = to;
+  }
+
+  static boolean isComparison(NumericOperator operator) {
+    return switch (operator.name().name()) {
+      case "+", "-", "*" -> false;
+      default -> true;
+    };
+  }
+
+  // ------------------------------------------------------------------ a + b
+
+  Value value(NumericOperator operator) {
+    Value result = to.newPair();
+    boolean comparison = isComparison(operator);
+    operate(
+        operator,
+        result,
+        (left, right) -> {
+          if (comparison) {
+            Label otherwise = to.code.newLabel();
+            Label stored = to.code.newLabel();
+            jumpUnless(operator, left, right, otherwise);
+            to.loadBoolean(true);
+            to.code.goto_(stored);
+            to.code.labelBinding(otherwise);
+            to.loadBoolean(false);
+            to.code.labelBinding(stored);
+            to.code.astore(result.object());
+          } else {
+            compute(operator, left, right, result);
+          }
+        });
+    return comparison ? Value.ofObject(result.object()) : result;
+  }
+
+  /** Emits a comparison as a condition, without an object. */
+  void condition(NumericOperator operator, Label otherwise) {
+    Label over = to.code.newLabel();
+    Value result = to.newPair();
+    operate(
+        operator,
+        result,
+        (left, right) -> {
+          jumpUnless(operator, left, right, otherwise);
+          to.code.goto_(over);
+        });
+    to.truth(Value.ofObject(result.object()), otherwise);
+    to.code.labelBinding(over);
+  }
+
+  /** What is done with two plain numbers. */
+  private interface Fast {
+    void emit(int left, int right);
+  }
+
+  /** Leaves what the node answers in the object of the result, if the operands are others. */
+  private void operate(NumericOperator operator, Value result, Fast fast) {
+    Label neither = to.code.newLabel();
+    Label mixed = to.code.newLabel();
+    Label over = to.code.newLabel();
+    Value left = to.kept(to.operand(operator.left()), operator.right());
+    int a = to.number(left, neither);
+    intact(operator.name(), operator, Names.OPERATOR, operator.isIntact(), neither);
+    Value right = to.operand(operator.right());
+    int b = to.number(right, mixed);
+    fast.emit(a, b);
+    to.code.goto_(over);
+    to.code.labelBinding(neither);
+    Value answer =
+        to.beside(
+            operator,
+            () -> {
+              to.load(left);
+              to.frame();
+              to.constant(operator, Names.OPERATOR);
+              to.help("operate", Names.OBJECT, Names.OBJECT, Names.FRAME, Names.OPERATOR);
+            });
+    to.code.aload(answer.object()).astore(result.object()).goto_(over);
+    if (right.hasObject() || to.isDoubtful()) {
+      to.code.labelBinding(mixed);
+      to.load(left);
+      to.load(right);
+      to.frame();
+      to.constant(operator, Names.OPERATOR);
+      to.help("operate", Names.OBJECT, Names.OBJECT, Names.OBJECT, Names.FRAME, Names.OPERATOR);
+      to.code.astore(result.object());
+      to.afterOthers();
+    }
+    to.code.labelBinding(over);
+  }
+
+  private void compute(NumericOperator operator, int left, int right, Value result) {
+    to.code.dload(left).dload(right);
+    switch (operator.name().name()) {
+      case "+" -> to.code.dadd();
+      case "-" -> to.code.dsub();
+      default -> to.code.dmul();
+    }
+    setNumber(result);
+  }
+
+  /** The double on the stack, of which there is no object yet. */
+  private void setNumber(Value pair) {
+    to.code.dstore(pair.number()).aconst_null().astore(pair.object());
+  }
+
+  /** A comparison with what is not a number does not hold, but for "different". */
+  private void jumpUnless(NumericOperator operator, int left, int right, Label otherwise) {
+    to.code.dload(left).dload(right);
+    switch (operator.name().name()) {
+      case "<" -> to.code.dcmpg().ifge(otherwise);
+      case "<=" -> to.code.dcmpg().ifgt(otherwise);
+      case ">" -> to.code.dcmpl().ifle(otherwise);
+      case ">=" -> to.code.dcmpl().iflt(otherwise);
+      case "==" -> to.code.dcmpl().ifne(otherwise);
+      case "!=" -> to.code.dcmpl().ifeq(otherwise);
+      default -> throw new IllegalArgumentException(operator.name().name());
+    }
+  }
+
+  /**
+   * Jumps if somebody has redefined the operator. The epoch of its name tells at once; when that
+   * has changed, which any slot of the name may be the reason of, the node looks.
+   */
+  private void intact(Symbol name, Node node, ClassDesc type, boolean now, Label otherwise) {
+    Label over = to.code.newLabel();
+    if (now) {
+      to.constant(name, Names.SYMBOL);
+      to.code
+          .invokevirtual(Names.SYMBOL, "epoch", MethodTypeDesc.of(CD_int))
+          .loadConstant(name.epoch())
+          .if_icmpeq(over);
+    }
+    to.constant(node, type);
+    to.code
+        .invokevirtual(type, "isIntact", MethodTypeDesc.of(ConstantDescs.CD_boolean))
+        .ifeq(otherwise);
+    to.code.labelBinding(over);
+  }
+
+  // ------------------------------------------------------------------ a += b, a++
+
+  Value value(CompoundAssignment assignment) {
+    Value variable = to.variable(assignment.local());
+    Node operand = assignment.operand();
+    if (operand == null) {
+      Value before = to.newPair();
+      to.located(assignment, () -> count(assignment, variable, before));
+      to.afterStore(variable);
+      return before;
+    }
+    to.located(assignment, () -> combine(assignment, operand, variable));
+    to.afterStore(variable);
+    return variable;
+  }
+
+  private void count(CompoundAssignment assignment, Value variable, Value before) {
+    Label slow = to.code.newLabel();
+    Label over = to.code.newLabel();
+    if (assignment.sign() != 0) {
+      int number = to.number(variable, slow);
+      intact(assignment.operator(), assignment, Names.COUNTING, assignment.isIntact(), slow);
+      to.code.dload(number).dstore(before.number());
+      to.code.aload(variable.object()).astore(before.object());
+      to.code.dload(number).loadConstant((double) assignment.sign()).dadd();
+      setNumber(variable);
+      to.code.goto_(over);
+    }
+    to.code.labelBinding(slow);
+    to.load(variable);
+    to.code.astore(before.object());
+    to.code.aload(before.object());
+    to.frame();
+    to.constant(assignment, Names.COUNTING);
+    to.help("successor", Names.OBJECT, Names.OBJECT, Names.FRAME, Names.COUNTING);
+    changed(variable);
+    to.code.labelBinding(over);
+  }
+
+  private void combine(CompoundAssignment assignment, Node operand, Value variable) {
+    Label slow = to.code.newLabel();
+    Label over = to.code.newLabel();
+    Value before = to.kept(variable, operand);
+    Value by = to.operand(operand);
+    to.notVoid(by);
+    if (assignment.sign() != 0) {
+      int a = to.number(before, slow);
+      int b = to.number(by, slow);
+      intact(assignment.operator(), assignment, Names.COUNTING, assignment.isIntact(), slow);
+      to.code.dload(a).dload(b);
+      if (assignment.sign() > 0) {
+        to.code.dadd();
+      } else {
+        to.code.dsub();
+      }
+      setNumber(variable);
+      to.code.goto_(over);
+    }
+    to.code.labelBinding(slow);
+    to.load(before);
+    to.load(by);
+    to.frame();
+    to.constant(assignment, Names.COUNTING);
+    to.help("combined", Names.OBJECT, Names.OBJECT, Names.OBJECT, Names.FRAME, Names.COUNTING);
+    changed(variable);
+    to.code.labelBinding(over);
+  }
+
+  /** The object on the stack, which other code has computed, is the new value. */
+  private void changed(Value variable) {
+    int result = to.newObject();
+    to.code.astore(result);
+    to.afterOthers();
+    to.code.aload(result).astore(variable.object());
+  }
+}

@@ -1,0 +1,296 @@
+package org.urbi.kernel.tier;
+
+import static java.lang.constant.ConstantDescs.CD_boolean;
+import static java.lang.constant.ConstantDescs.CD_double;
+import static java.lang.constant.ConstantDescs.CD_int;
+import static java.lang.constant.ConstantDescs.CD_void;
+import static java.lang.constant.ConstantDescs.MTD_void;
+
+import java.lang.classfile.Label;
+import java.lang.classfile.TypeKind;
+import java.lang.classfile.instruction.SwitchCase;
+import java.lang.constant.MethodTypeDesc;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.node.ForEach;
+import org.urbi.kernel.node.Loops;
+import org.urbi.kernel.node.Node;
+
+/** Emits loops, and the ways to leave them and the function. */
+final class EmitLoops {
+  /** What {@code leaving} answers. */
+  private static final int RETURN = 0;
+
+  private static final int BREAK = 1;
+
+  private final Emitter to;
+  private final Deque<Loop> around = new ArrayDeque<>();
+
+  EmitLoops(Emitter to) {
+    this.to = to;
+  }
+
+  /**
+   * A loop whose body is being emitted.
+   *
+   * @param next where its next turn begins
+   * @param broken where it ends by {@code break}
+   * @param jobs the slot of the jobs that it has detached; -1 if the caller of this code has them
+   */
+  private record Loop(Label next, Label broken, int jobs) {}
+
+  /** The parts of a loop in which the kinds of loops differ. */
+  private interface Parts {
+    /** Emits the condition; jumps if the loop is over. */
+    void head(Label over);
+
+    /** Emits what follows a turn. */
+    void step();
+  }
+
+  static boolean canCount(ForEach loop) {
+    return loop.isSequential() && loop.variable().declaredLocal() >= 0;
+  }
+
+  boolean isInLoop() {
+    return !around.isEmpty();
+  }
+
+  // ------------------------------------------------------------------ loops inside other code
+
+  Value value(Loops.Sequential loop) {
+    inside(
+        () -> {
+          if (loop.init() != null) {
+            to.operand(loop.init());
+          }
+        },
+        loop.body(),
+        loop.yields(),
+        parts(loop));
+    return to.voidValue();
+  }
+
+  Value value(ForEach loop) {
+    Label other = to.code.newLabel();
+    Label over = to.code.newLabel();
+    Value given = to.operand(loop.range());
+    to.located(loop, () -> to.notVoid(given));
+    to.load(given);
+    Value range = to.storedObject();
+    to.code.aload(range.object());
+    to.constant(loop, Names.FOR_EACH);
+    to.help("isCount", CD_boolean, Names.OBJECT, Names.FOR_EACH);
+    to.code.ifeq(other);
+    int count = to.newNumber();
+    to.code.aload(range.object());
+    to.help("number", CD_double, Names.OBJECT);
+    to.code.dstore(count);
+    int turn = to.newNumber();
+    to.code.dconst_0().dstore(turn);
+    inside(() -> {}, loop.body(), loop.yields(), counting(loop, turn, count));
+    Value result = to.voidValue();
+    to.code.goto_(over);
+    to.code.labelBinding(other);
+    Value value =
+        to.beside(
+            loop,
+            () -> {
+              to.code.aload(range.object());
+              to.frame();
+              to.constant(loop, Names.FOR_EACH);
+              to.help("iterate", Names.OBJECT, Names.OBJECT, Names.FRAME, Names.FOR_EACH);
+            });
+    leaveIfAsked(value);
+    to.code.aload(value.object()).astore(result.object());
+    to.code.labelBinding(over);
+    return result;
+  }
+
+  private void inside(Runnable init, Node body, boolean yields, Parts parts) {
+    int jobs = to.newObject();
+    Loop loop = new Loop(to.code.newLabel(), to.code.newLabel(), jobs);
+    to.frame();
+    to.help("beginLoop", Names.LOOP_JOBS, Names.FRAME);
+    to.code.astore(jobs);
+    Label start = to.code.newBoundLabel();
+    init.run();
+    Label done = to.code.newLabel();
+    Label over = to.code.newLabel();
+    turns(loop, body, yields, parts, done);
+    Label end = to.code.newBoundLabel();
+    Label handler = to.code.newBoundLabel();
+    end(loop, false);
+    to.code.athrow();
+    to.code.exceptionCatchAll(start, end, handler);
+    to.code.labelBinding(done);
+    end(loop, false);
+    to.code.goto_(over);
+    to.code.labelBinding(loop.broken());
+    end(loop, true);
+    to.code.labelBinding(over);
+  }
+
+  private void end(Loop loop, boolean broken) {
+    to.frame();
+    to.code.aload(loop.jobs()).loadConstant(broken ? 1 : 0);
+    to.help("endLoop", CD_void, Names.FRAME, Names.LOOP_JOBS, CD_boolean);
+  }
+
+  // ------------------------------------------------------------------ a loop as a unit
+
+  /** Emits a loop that is running, from its condition on; the caller has begun it, and ends it. */
+  void unit(Node node) {
+    Loop loop = new Loop(to.code.newLabel(), to.code.newLabel(), -1);
+    Label done = to.code.newLabel();
+    Label start = to.code.newBoundLabel();
+    if (node instanceof ForEach forEach) {
+      Parts parts = counting(forEach, Emitter.FROM, Emitter.TO);
+      turns(loop, forEach.body(), forEach.yields(), parts, done);
+    } else if (node instanceof Loops.Sequential sequential) {
+      turns(loop, sequential.body(), sequential.yields(), parts(sequential), done);
+    }
+    Label end = to.code.newBoundLabel();
+    Label handler = to.code.newBoundLabel();
+    to.writeAll();
+    to.code.athrow();
+    to.code.exceptionCatchAll(start, end, handler);
+    to.code.labelBinding(loop.broken());
+    to.frame();
+    to.help("breaks", CD_void, Names.FRAME);
+    to.code.labelBinding(done);
+    to.writeAll();
+    to.loadVoid();
+    to.code.areturn();
+  }
+
+  // ------------------------------------------------------------------ the turns
+
+  private Parts parts(Loops.Sequential loop) {
+    return new Parts() {
+      @Override
+      public void head(Label over) {
+        if (loop.condition() != null) {
+          to.condition(loop.condition(), over);
+        }
+      }
+
+      @Override
+      public void step() {
+        if (loop.step() != null) {
+          to.operand(loop.step());
+        }
+      }
+    };
+  }
+
+  private Parts counting(ForEach loop, int turn, int count) {
+    Value variable = to.variable(loop.variable().declaredLocal());
+    return new Parts() {
+      @Override
+      public void head(Label over) {
+        to.code.dload(turn).dload(count).dcmpg().ifge(over);
+        to.code.dload(turn).dstore(variable.number());
+        to.code.aconst_null().astore(variable.object());
+        to.code.dload(turn).dconst_1().dadd().dstore(turn);
+        to.afterStore(variable);
+      }
+
+      @Override
+      public void step() {}
+    };
+  }
+
+  private void turns(Loop loop, Node body, boolean yields, Parts parts, Label done) {
+    Label head = to.code.newBoundLabel();
+    parts.head(done);
+    around.push(loop);
+    Label start = to.beginRange();
+    to.statement(body);
+    Label end = to.code.newBoundLabel();
+    around.pop();
+    to.code.goto_(loop.next());
+    Label handler = to.code.newBoundLabel();
+    catchJumps(loop);
+    to.code.exceptionCatch(start, end, handler, Names.CONTROL_FLOW);
+    to.code.labelBinding(loop.next());
+    parts.step();
+    if (yields) {
+      yieldToOthers();
+    } else {
+      to.job();
+      to.code.invokevirtual(Names.JOB, "checkInterrupted", MTD_void);
+    }
+    to.code.goto_(head);
+  }
+
+  /** {@code break} and {@code continue} that come as exceptions. */
+  private void catchJumps(Loop loop) {
+    int thrown = to.code.allocateLocal(TypeKind.REFERENCE);
+    Label other = to.code.newLabel();
+    to.code.astore(thrown).aload(thrown);
+    to.help("isOfLoop", CD_boolean, Names.THROWABLE);
+    to.code.ifeq(other).aload(thrown);
+    to.help("isBreak", CD_boolean, Names.THROWABLE);
+    to.code.ifeq(loop.next()).goto_(loop.broken());
+    to.code.labelBinding(other);
+    to.code.aload(thrown).athrow();
+  }
+
+  /** Emits {@code ;}. */
+  void yieldToOthers() {
+    to.job();
+    to.code.invokevirtual(Names.JOB, "yield", MTD_void);
+    to.afterOthers();
+  }
+
+  // ------------------------------------------------------------------ leaving
+
+  boolean canLeave() {
+    return !around.isEmpty();
+  }
+
+  /** Emits {@code break} or {@code continue}. */
+  void leave(boolean breaks) {
+    Loop loop = around.getFirst();
+    Label target = breaks ? loop.broken() : loop.next();
+    // The Java machine verifies what follows, too.
+    to.code.goto_(target);
+  }
+
+  /** Emits {@code return}. */
+  void leaveFunction(Value value) {
+    for (Loop loop : around) {
+      if (loop.jobs() >= 0) {
+        end(loop, false);
+      }
+    }
+    if (to.isLoopUnit()) {
+      to.writeAll();
+      to.frame();
+      to.help("returns", CD_void, Names.FRAME);
+    }
+    to.load(value);
+    to.code.areturn();
+  }
+
+  /** Emits the jump that the statement which has just been executed has asked for, if any. */
+  void leaveIfAsked(Value value) {
+    Label over = to.code.newLabel();
+    to.frame();
+    to.code.invokevirtual(Names.FRAME, "isLeaving", MethodTypeDesc.of(CD_boolean)).ifeq(over);
+    @Nullable Loop loop = around.peek();
+    if (loop != null) {
+      Label leaves = to.code.newLabel();
+      to.frame();
+      to.help("leaving", CD_int, Names.FRAME);
+      to.code.lookupswitch(
+          loop.next(), List.of(SwitchCase.of(RETURN, leaves), SwitchCase.of(BREAK, loop.broken())));
+      to.code.labelBinding(leaves);
+    }
+    leaveFunction(value);
+    to.code.labelBinding(over);
+  }
+}

@@ -1,0 +1,528 @@
+package org.urbi.kernel.tier;
+
+import java.lang.classfile.CodeBuilder;
+import java.lang.classfile.Label;
+import java.lang.classfile.TypeKind;
+import java.lang.constant.ClassDesc;
+import java.lang.constant.ConstantDescs;
+import java.lang.constant.MethodTypeDesc;
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.node.CompoundAssignment;
+import org.urbi.kernel.node.Conditionals;
+import org.urbi.kernel.node.ForEach;
+import org.urbi.kernel.node.Literals;
+import org.urbi.kernel.node.Loops;
+import org.urbi.kernel.node.MessageSend;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.NumericOperator;
+import org.urbi.kernel.node.Slots;
+import org.urbi.kernel.node.Variables;
+import org.urbi.kernel.object.Values;
+
+/**
+ * Emits the code of one function or loop: what all families of nodes need, and which of them emits
+ * a node.
+ *
+ * <p>The plain variables of the frame are kept in slots of the Java method. They are written to the
+ * frame, and read again, around all code that may see the frame; so every construct that is not
+ * compiled is simply executed.
+ */
+final class Emitter {
+  /** The slots of the parameters of the emitted method. */
+  private static final int FRAME = 1;
+
+  static final int FROM = 2;
+  static final int TO = 4;
+
+  final CodeBuilder code;
+  private final ClassDesc owner;
+  private final Constants constants;
+  private final Values values;
+  private final @Nullable Doubt doubt;
+  private final Survey survey;
+  private final boolean loopUnit;
+  private final int locals;
+  private final int job;
+  private final List<Value> variables = new ArrayList<>();
+  private final EmitArithmetic arithmetic;
+  private final EmitVariables assignments;
+  private final EmitStatements statements;
+  private final EmitMessages messages;
+  private final EmitLoops loops;
+
+  /**
+   * @param known how many variables have a value at the beginning
+   * @param count how many there are
+   * @param loopUnit whether it is the turns of a loop, whose variables are used afterwards
+   */
+  Emitter(
+      CodeBuilder code,
+      ClassDesc owner,
+      Constants constants,
+      Values values,
+      @Nullable Doubt doubt,
+      Survey survey,
+      int known,
+      int count,
+      boolean loopUnit) {
+    this.code = code;
+    this.owner = owner;
+    this.constants = constants;
+    this.values = values;
+    this.doubt = doubt;
+    this.survey = survey;
+    this.loopUnit = loopUnit;
+    this.arithmetic = new EmitArithmetic(this);
+    this.assignments = new EmitVariables(this);
+    this.statements = new EmitStatements(this);
+    this.messages = new EmitMessages(this);
+    this.loops = new EmitLoops(this);
+    this.locals = code.allocateLocal(TypeKind.REFERENCE);
+    this.job = code.allocateLocal(TypeKind.REFERENCE);
+    frame();
+    help("locals", Names.OBJECTS, Names.FRAME);
+    code.astore(locals);
+    frame();
+    help("job", Names.JOB, Names.FRAME);
+    code.astore(job);
+    for (int i = 0; i < count; i++) {
+      variables.add(new Value(newNumber(), newObject(), i));
+      code.dconst_0().dstore(variables.get(i).number());
+      if (i < known) {
+        read(i);
+      } else {
+        loadVoid();
+        code.astore(variables.get(i).object());
+      }
+    }
+  }
+
+  // ------------------------------------------------------------------ what is emitted
+
+  /** Emits a whole function. */
+  void function(Node body) {
+    load(lastStatement(body));
+    code.areturn();
+  }
+
+  EmitLoops loops() {
+    return loops;
+  }
+
+  Survey survey() {
+    return survey;
+  }
+
+  boolean isLoopUnit() {
+    return loopUnit;
+  }
+
+  /** Emits a statement, after which jumps of code that is not compiled are looked for. */
+  void statement(Node node) {
+    if (!statements.effect(node)) {
+      value(node, true);
+    }
+  }
+
+  /** Emits a statement whose value is used, such as the last one of a function. */
+  Value lastStatement(Node node) {
+    return value(node, true);
+  }
+
+  /** Emits an expression. */
+  Value operand(Node node) {
+    return value(node, false);
+  }
+
+  private Value value(Node node, boolean jumps) {
+    if (node instanceof Variables.Local read) {
+      return variables.get(read.index());
+    }
+    if (node instanceof Literals.Number number) {
+      code.loadConstant(number.value());
+      return storedNumber();
+    }
+    if (node instanceof Literals.This) {
+      frame();
+      help("self", Names.OBJECT, Names.FRAME);
+      return storedObject();
+    }
+    Value value = statements.value(node);
+    if (value == null) {
+      value = expression(node);
+    }
+    return value == null ? unknown(node, jumps) : value;
+  }
+
+  private @Nullable Value expression(Node node) {
+    if (node instanceof NumericOperator operator) {
+      return arithmetic.value(operator);
+    }
+    if (node instanceof CompoundAssignment assignment && assignment.local() >= 0) {
+      return arithmetic.value(assignment);
+    }
+    if (node instanceof Variables.Declare declaration && EmitVariables.isPlain(declaration)) {
+      return assignments.value(declaration);
+    }
+    if (node instanceof Variables.Assign assignment && assignment.place().local() >= 0) {
+      return assignments.value(assignment);
+    }
+    if (node instanceof Slots.Assign assignment) {
+      return messages.value(assignment);
+    }
+    return node instanceof MessageSend message ? messages.value(message) : null;
+  }
+
+  /** Emits a condition, after which the code goes on if it holds. */
+  void condition(Node node, Label otherwise) {
+    if (node instanceof NumericOperator operator && EmitArithmetic.isComparison(operator)) {
+      arithmetic.condition(operator, otherwise);
+    } else if (node instanceof Conditionals.Logical logical) {
+      statements.condition(logical, otherwise);
+    } else if (node instanceof Literals.Number number) {
+      if (number.value() == 0) {
+        code.goto_(otherwise);
+      }
+    } else {
+      truth(operand(node), otherwise);
+    }
+  }
+
+  /** Jumps unless the value is true. */
+  void truth(Value value, Label otherwise) {
+    Label over = code.newLabel();
+    if (value.hasNumber()) {
+      Label object = code.newLabel();
+      if (value.hasObject()) {
+        code.aload(value.object()).ifnonnull(object);
+      }
+      code.dload(value.number()).dconst_0().dcmpl().ifeq(otherwise);
+      code.goto_(over);
+      code.labelBinding(object);
+    }
+    if (value.hasObject()) {
+      code.aload(value.object());
+      frame();
+      help("truth", ConstantDescs.CD_boolean, Names.OBJECT, Names.FRAME);
+      code.ifeq(otherwise);
+    }
+    code.labelBinding(over);
+  }
+
+  /** Emits code that is not compiled: the node is executed. */
+  private Value unknown(Node node, boolean jumps) {
+    if (Survey.isLeaf(node)) {
+      execute(node);
+      return storedObject();
+    }
+    Value result = beside(node, () -> execute(node));
+    if (jumps) {
+      loops.leaveIfAsked(result);
+    }
+    return result;
+  }
+
+  private void execute(Node node) {
+    constant(node, Names.NODE);
+    frame();
+    code.invokevirtual(Names.NODE, "execute", MethodTypeDesc.of(Names.OBJECT, Names.FRAME));
+  }
+
+  // ------------------------------------------------------------------ code that sees the frame
+
+  /**
+   * Emits code that sees the variables in the frame, and leaves an object on the stack.
+   *
+   * @param executed what the interpreter may execute then, besides code that is not compiled
+   */
+  Value beside(Node executed, Runnable emitted) {
+    BitSet changed = changedBy(executed);
+    writeAll();
+    int result = newObject();
+    Label start = code.newBoundLabel();
+    emitted.run();
+    Label end = code.newBoundLabel();
+    code.astore(result);
+    if (isGuarded() && !changed.isEmpty()) {
+      // What handles the exception needs the variables as they are now.
+      Label over = code.newLabel();
+      code.goto_(over);
+      Label handler = code.newBoundLabel();
+      read(changed);
+      code.athrow();
+      code.exceptionCatchAll(start, end, handler);
+      code.labelBinding(over);
+    }
+    read(changed);
+    return Value.ofObject(result);
+  }
+
+  private BitSet changedBy(@Nullable Node executed) {
+    Survey inside = Survey.of(executed);
+    BitSet changed = new BitSet();
+    for (int i = 0; i < variables.size(); i++) {
+      changed.set(i, survey.isAssignedElsewhere(i) || inside.mayAssign(i));
+    }
+    return changed;
+  }
+
+  /** Whether a plain number is not always taken for one. */
+  boolean isDoubtful() {
+    return doubt != null;
+  }
+
+  private boolean isGuarded() {
+    return loopUnit || loops.isInLoop();
+  }
+
+  /** Other code may have run: if it has unevaluated arguments of this one, it may have assigned. */
+  void afterOthers() {
+    BitSet changed = changedBy(null);
+    if (!changed.isEmpty()) {
+      Label over = code.newLabel();
+      frame();
+      help("isExposed", ConstantDescs.CD_boolean, Names.FRAME);
+      code.ifeq(over);
+      read(changed);
+      code.labelBinding(over);
+    }
+  }
+
+  /** A variable has changed: whoever has unevaluated arguments of this code sees it. */
+  void afterStore(Value variable) {
+    if (survey.mayExpose(variable.variable())) {
+      Label over = code.newLabel();
+      frame();
+      help("isExposed", ConstantDescs.CD_boolean, Names.FRAME);
+      code.ifeq(over);
+      write(variable);
+      code.labelBinding(over);
+    }
+  }
+
+  /** Writes the variables that this code assigns to the frame. */
+  void writeAll() {
+    for (Value variable : variables) {
+      if (survey.assigns(variable.variable())) {
+        write(variable);
+      }
+    }
+  }
+
+  private void read(BitSet which) {
+    which.stream().forEach(this::read);
+  }
+
+  private void write(Value variable) {
+    code.aload(locals).loadConstant(variable.variable());
+    load(variable);
+    code.aastore();
+  }
+
+  private void read(int variable) {
+    code.aload(locals).loadConstant(variable);
+    loadVoid();
+    help("local", Names.OBJECT, Names.OBJECTS, ConstantDescs.CD_int, Names.OBJECT);
+    code.astore(variables.get(variable).object());
+  }
+
+  /** Begins a range of code whose exceptions are handled; such a range must not be empty. */
+  Label beginRange() {
+    Label start = code.newBoundLabel();
+    code.nop();
+    return start;
+  }
+
+  /** Emits code in which an error without a place has that of a node. */
+  void located(Node at, Runnable emitted) {
+    Label start = beginRange();
+    emitted.run();
+    Label end = code.newBoundLabel();
+    Label over = code.newLabel();
+    code.goto_(over);
+    Label handler = code.newBoundLabel();
+    frame();
+    constant(at, Names.NODE);
+    help("located", Names.ERROR, Names.ERROR, Names.FRAME, Names.NODE);
+    code.athrow();
+    code.exceptionCatch(start, end, handler, Names.ERROR);
+    code.labelBinding(over);
+  }
+
+  // ------------------------------------------------------------------ values
+
+  Value variable(int index) {
+    return variables.get(index);
+  }
+
+  /** Pushes the object of a value; a number gets one, which it keeps. */
+  void load(Value value) {
+    if (!value.hasNumber()) {
+      code.aload(value.object());
+      return;
+    }
+    code.dload(value.number());
+    if (value.hasObject()) {
+      code.aload(value.object());
+    } else {
+      code.aconst_null();
+    }
+    constant(values, Names.VALUES);
+    help("object", Names.OBJECT, ConstantDescs.CD_double, Names.OBJECT, Names.VALUES);
+    if (value.hasObject()) {
+      code.dup().astore(value.object());
+    }
+  }
+
+  /**
+   * Jumps unless the value is a plain number.
+   *
+   * @return the slot of its double
+   */
+  int number(Value value, Label otherwise) {
+    if (doubt != null) {
+      constant(doubt, Names.DOUBT);
+      code.invokevirtual(Names.DOUBT, "strikes", MethodTypeDesc.of(ConstantDescs.CD_boolean));
+      code.ifne(otherwise);
+    }
+    if (!value.hasObject()) {
+      return value.number();
+    }
+    Label over = code.newLabel();
+    int slot = value.number();
+    if (value.hasNumber()) {
+      code.aload(value.object()).ifnull(over);
+    } else {
+      slot = newNumber();
+    }
+    code.aload(value.object());
+    constant(values.floatShape, Names.SHAPE);
+    help("isNumber", ConstantDescs.CD_boolean, Names.OBJECT, Names.SHAPE);
+    code.ifeq(otherwise);
+    code.aload(value.object());
+    help("number", ConstantDescs.CD_double, Names.OBJECT);
+    code.dstore(slot);
+    code.labelBinding(over);
+    return slot;
+  }
+
+  /** Throws an error, without a place, if the value is void. */
+  void notVoid(Value value) {
+    if (!value.hasObject()) {
+      return;
+    }
+    Label over = code.newLabel();
+    if (value.hasNumber()) {
+      code.aload(value.object()).ifnull(over);
+    }
+    code.aload(value.object());
+    frame();
+    help("notVoid", Names.OBJECT, Names.OBJECT, Names.FRAME);
+    code.pop();
+    code.labelBinding(over);
+  }
+
+  /** Copies a value to the slots of a pair. */
+  void copy(Value value, Value to) {
+    if (value.isVariable()) {
+      // There are two of it from now on, which must be the same object.
+      load(value);
+      code.astore(to.object());
+      code.dload(value.number()).dstore(to.number());
+      return;
+    }
+    if (value.hasNumber()) {
+      code.dload(value.number()).dstore(to.number());
+    }
+    if (value.hasObject()) {
+      code.aload(value.object());
+    } else {
+      code.aconst_null();
+    }
+    code.astore(to.object());
+  }
+
+  /** The value as it is now, whatever happens to the variable that it may be. */
+  Value kept(Value value, Node before) {
+    if (!value.isVariable()
+        || Survey.isSimple(before)
+        || !(survey.isAssignedElsewhere(value.variable())
+            || Survey.of(before).mayAssign(value.variable()))) {
+      return value;
+    }
+    Value copy = newPair();
+    copy(value, copy);
+    return copy;
+  }
+
+  Value newPair() {
+    Value pair = Value.ofPair(newNumber(), newObject());
+    code.dconst_0().dstore(pair.number());
+    return pair;
+  }
+
+  int newNumber() {
+    return code.allocateLocal(TypeKind.DOUBLE);
+  }
+
+  int newObject() {
+    return code.allocateLocal(TypeKind.REFERENCE);
+  }
+
+  /** The double on the stack. */
+  Value storedNumber() {
+    int slot = newNumber();
+    code.dstore(slot);
+    return Value.ofNumber(slot);
+  }
+
+  /** The object on the stack. */
+  Value storedObject() {
+    int slot = newObject();
+    code.astore(slot);
+    return Value.ofObject(slot);
+  }
+
+  Value voidValue() {
+    loadVoid();
+    return storedObject();
+  }
+
+  void loadVoid() {
+    constant(values.voidObject, Names.OBJECT);
+  }
+
+  void loadBoolean(boolean value) {
+    constant(values.bool(value), Names.OBJECT);
+  }
+
+  // ------------------------------------------------------------------ the Java machine
+
+  /** Pushes the frame. */
+  void frame() {
+    code.aload(FRAME);
+  }
+
+  /** Pushes the job. */
+  void job() {
+    code.aload(job);
+  }
+
+  /** Pushes an object of the kernel. */
+  void constant(Object value, ClassDesc type) {
+    code.getstatic(owner, constants.name(value, type), type);
+  }
+
+  /** Calls a method of the superclass. */
+  void help(String name, ClassDesc result, ClassDesc... parameters) {
+    code.invokestatic(Names.COMPILED_CODE, name, MethodTypeDesc.of(result, parameters));
+  }
+
+  static boolean isLoop(Node node) {
+    return node instanceof Loops.Sequential
+        || node instanceof ForEach loop && EmitLoops.canCount(loop);
+  }
+}

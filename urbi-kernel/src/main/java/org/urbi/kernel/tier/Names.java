@@ -1,0 +1,48 @@
+package org.urbi.kernel.tier;
+
+import java.lang.constant.ClassDesc;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.ControlFlowException;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.node.CompiledCode;
+import org.urbi.kernel.node.CompoundAssignment;
+import org.urbi.kernel.node.ForEach;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.LoopJobs;
+import org.urbi.kernel.node.MessageSend;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.NumericOperator;
+import org.urbi.kernel.node.Slots;
+import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Values;
+
+/** The types that emitted code uses. */
+final class Names {
+  static final ClassDesc COMPILED_CODE = of(CompiledCode.class);
+  static final ClassDesc CONTROL_FLOW = of(ControlFlowException.class);
+  static final ClassDesc COUNTING = of(CompoundAssignment.class);
+  static final ClassDesc DOUBT = of(Doubt.class);
+  static final ClassDesc ERROR = of(UrbiException.class);
+  static final ClassDesc FOR_EACH = of(ForEach.class);
+  static final ClassDesc FRAME = of(Frame.class);
+  static final ClassDesc JOB = of(Job.class);
+  static final ClassDesc LOOP_JOBS = of(LoopJobs.class);
+  static final ClassDesc MESSAGE = of(MessageSend.class);
+  static final ClassDesc NODE = of(Node.class);
+  static final ClassDesc OBJECT = of(UrbiObject.class);
+  static final ClassDesc OBJECTS = of(UrbiObject[].class);
+  static final ClassDesc OPERATOR = of(NumericOperator.class);
+  static final ClassDesc SHAPE = of(Shape.class);
+  static final ClassDesc SLOT_ASSIGNMENT = of(Slots.Assign.class);
+  static final ClassDesc SYMBOL = of(Symbol.class);
+  static final ClassDesc THROWABLE = of(Throwable.class);
+  static final ClassDesc VALUES = of(Values.class);
+
+  private Names() {}
+
+  private static ClassDesc of(Class<?> type) {
+    return type.describeConstable().orElseThrow();
+  }
+}

@@ -1,0 +1,159 @@
+package org.urbi.kernel.tier;
+
+import java.util.BitSet;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.node.CompoundAssignment;
+import org.urbi.kernel.node.Conditionals;
+import org.urbi.kernel.node.ForEach;
+import org.urbi.kernel.node.Jumps;
+import org.urbi.kernel.node.Literals;
+import org.urbi.kernel.node.Loops;
+import org.urbi.kernel.node.MessageSend;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.NumericOperator;
+import org.urbi.kernel.node.Sequences;
+import org.urbi.kernel.node.Slots;
+import org.urbi.kernel.node.Variables;
+
+/** What a piece of code does to the variables of its frame. */
+final class Survey {
+  private final BitSet assigned = new BitSet();
+  private final BitSet inArguments = new BitSet();
+  private boolean hides;
+  private final BitSet assignedInArguments = new BitSet();
+  private int operations;
+  private int depth;
+
+  static Survey of(@Nullable Node node) {
+    Survey survey = new Survey();
+    survey.visit(node);
+    return survey;
+  }
+
+  /** Whether compiled code assigns the variable. */
+  boolean assigns(int variable) {
+    return assigned.get(variable);
+  }
+
+  /** Whether it may assign the variable, itself or by code that is not compiled. */
+  boolean mayAssign(int variable) {
+    return hides || assigned.get(variable);
+  }
+
+  /** Whether code that is not compiled, or a lazy argument, may assign the variable. */
+  boolean isAssignedElsewhere(int variable) {
+    return hides || assignedInArguments.get(variable);
+  }
+
+  /** Whether a lazy argument may read or assign the variable. */
+  boolean mayExpose(int variable) {
+    return hides || inArguments.get(variable);
+  }
+
+  /** Whether more is gained than an execution of the node takes. */
+  boolean isWorthwhile() {
+    return operations > 0;
+  }
+
+  /** Whether the code only reads variables and constants. */
+  static boolean isSimple(Node node) {
+    return node instanceof Literals.Number || node instanceof Variables.Local || isLeaf(node);
+  }
+
+  /** Whether the code does not touch the plain variables of the frame, and may be just called. */
+  static boolean isLeaf(Node node) {
+    return node instanceof Literals.Text
+        || node instanceof Literals.This
+        || node instanceof Literals.Closure
+        || node instanceof Variables.Shared
+        || node instanceof Sequences.Noop;
+  }
+
+  private void assign(int variable) {
+    assigned.set(variable);
+    if (depth > 0) {
+      assignedInArguments.set(variable);
+      inArguments.set(variable);
+    }
+  }
+
+  private void visitAll(Node... nodes) {
+    for (Node node : nodes) {
+      visit(node);
+    }
+  }
+
+  private void visit(@Nullable Node node) {
+    if (node == null || isLeaf(node) || node instanceof Literals.Number) {
+      return;
+    }
+    if (node instanceof Variables.Local read) {
+      if (depth > 0) {
+        inArguments.set(read.index());
+      }
+    } else if (visitStatement(node) || visitExpression(node)) {
+      operations++;
+    } else {
+      hides = true;
+    }
+  }
+
+  private boolean visitStatement(Node node) {
+    if (node instanceof Sequences.Chain chain) {
+      visitAll(chain.statements());
+    } else if (node instanceof Sequences.Located located) {
+      visit(located.code());
+    } else if (node instanceof Conditionals.If choice) {
+      visit(choice.condition());
+      visit(choice.thenClause());
+      visit(choice.elseClause());
+    } else if (node instanceof Loops.Sequential loop) {
+      visit(loop.init());
+      visit(loop.condition());
+      visit(loop.step());
+      visit(loop.body());
+    } else if (node instanceof ForEach loop && EmitLoops.canCount(loop)) {
+      assign(loop.variable().declaredLocal());
+      visit(loop.range());
+      visit(loop.body());
+    } else if (node instanceof Jumps.Return jump && jump.isPlain()) {
+      visit(jump.value());
+    } else {
+      return node instanceof Jumps.OfLoop jump && jump.isPlain();
+    }
+    return true;
+  }
+
+  private boolean visitExpression(Node node) {
+    if (node instanceof NumericOperator operator) {
+      visit(operator.left());
+      depth++;
+      visit(operator.right());
+      depth--;
+    } else if (node instanceof Conditionals.Logical logical) {
+      visit(logical.left());
+      visit(logical.right());
+    } else if (node instanceof Variables.Declare declaration
+        && EmitVariables.isPlain(declaration)) {
+      assign(declaration.place().declaredLocal());
+      visit(declaration.value());
+    } else if (node instanceof Variables.Assign assignment && assignment.place().local() >= 0) {
+      assign(assignment.place().local());
+      visit(assignment.value());
+    } else if (node instanceof CompoundAssignment assignment && assignment.local() >= 0) {
+      assign(assignment.local());
+      visit(assignment.operand());
+    } else if (node instanceof Slots.Assign assignment) {
+      visit(assignment.target());
+      visit(assignment.value());
+    } else if (node instanceof MessageSend message) {
+      visit(message.target());
+      depth++;
+      visitAll(message.argumentNodes());
+      depth--;
+    } else {
+      return false;
+    }
+    return true;
+  }
+}

@@ -1,0 +1,200 @@
+package org.urbi.kernel.tier;
+
+import java.lang.classfile.Attributes;
+import java.lang.classfile.ClassFile;
+import java.lang.classfile.CodeBuilder;
+import java.lang.classfile.MethodModel;
+import java.lang.classfile.attribute.CodeAttribute;
+import java.lang.constant.ClassDesc;
+import java.lang.constant.ConstantDescs;
+import java.lang.constant.MethodTypeDesc;
+import java.lang.invoke.MethodHandles;
+import java.lang.ref.ReferenceQueue;
+import java.lang.ref.WeakReference;
+import java.util.HashSet;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.log.KernelLog;
+import org.urbi.kernel.node.CodeCompiler;
+import org.urbi.kernel.node.CompiledCode;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.object.World;
+
+/** Compiles the hot code of one kernel, on the kernel thread, and counts what it does. */
+public final class Tier implements CodeCompiler {
+  /** More variables than most functions have; all of them are written around other code. */
+  private static final int MOST_LOCALS = 60;
+
+  /** The Java machine never compiles a method with more bytes than this. */
+  private static final int MOST_BYTES = 8000;
+
+  /** How many pieces of compiled code may be in use at once. */
+  private static final int MOST_UNITS = 5000;
+
+  private static final MethodTypeDesc RUN =
+      MethodTypeDesc.of(
+          Names.OBJECT, Names.FRAME, ConstantDescs.CD_double, ConstantDescs.CD_double);
+
+  private final World world;
+  private final int threshold;
+  private final @Nullable Doubt doubt;
+  private final KernelLog log;
+  private final ReferenceQueue<CompiledCode> forgotten = new ReferenceQueue<>();
+  private final Set<WeakReference<CompiledCode>> inUse = new HashSet<>();
+  private int functions;
+  private int loops;
+  private int refused;
+  private long bytes;
+
+  /**
+   * @param threshold after how many calls or turns code is compiled
+   * @param missEvery every how many times compiled code distrusts a number, which must make no
+   *     difference but for the time; 0 for never
+   * @param log is told of code that could not be compiled because of a defect here
+   */
+  public Tier(World world, int threshold, int missEvery, KernelLog log) {
+    this.world = world;
+    this.threshold = threshold;
+    this.doubt = missEvery == 0 ? null : new Doubt(missEvery);
+    this.log = log;
+  }
+
+  @Override
+  public int threshold() {
+    return threshold;
+  }
+
+  @Override
+  public Statistics statistics() {
+    return new Statistics(functions, loops, refused, bytes);
+  }
+
+  @Override
+  public @Nullable CompiledCode function(Node code, int parameters, int locals) {
+    Survey survey = Survey.of(code);
+    CompiledCode compiled =
+        survey.isWorthwhile()
+            ? compile(survey, parameters, locals, false, to -> to.function(code))
+            : null;
+    count(compiled);
+    if (compiled != null) {
+      functions++;
+    }
+    return compiled;
+  }
+
+  @Override
+  public @Nullable CompiledCode loop(Node loop, int locals) {
+    CompiledCode compiled =
+        Emitter.isLoop(loop)
+            ? compile(Survey.of(loop), locals, locals, true, to -> to.loops().unit(loop))
+            : null;
+    count(compiled);
+    if (compiled != null) {
+      loops++;
+    }
+    return compiled;
+  }
+
+  private void count(@Nullable CompiledCode compiled) {
+    if (compiled == null) {
+      refused++;
+    } else {
+      inUse.add(new WeakReference<>(compiled, forgotten));
+    }
+  }
+
+  /** What is emitted. */
+  private interface Emission {
+    void emit(Emitter to);
+  }
+
+  private @Nullable CompiledCode compile(
+      Survey survey, int known, int locals, boolean loopUnit, Emission emission) {
+    if (locals > MOST_LOCALS || !hasRoom()) {
+      return null;
+    }
+    try {
+      return emit(survey, known, locals, loopUnit, emission);
+    } catch (IllegalArgumentException | LinkageError e) {
+      // The interpreter does it as well.
+      log.write("urbi: code is not compiled: " + e);
+      return null;
+    }
+  }
+
+  private @Nullable CompiledCode emit(
+      Survey survey, int known, int locals, boolean loopUnit, Emission emission) {
+    var constants = new Constants();
+    ClassDesc owner = ClassDesc.of(Tier.class.getPackageName(), loopUnit ? "Loop" : "Code");
+    byte[] emitted =
+        ClassFile.of()
+            .build(
+                owner,
+                type -> {
+                  type.withSuperclass(Names.COMPILED_CODE).withFlags(ClassFile.ACC_FINAL);
+                  type.withMethodBody(
+                      ConstantDescs.INIT_NAME, ConstantDescs.MTD_void, 0, Tier::construct);
+                  type.withMethodBody(
+                      "run",
+                      RUN,
+                      ClassFile.ACC_PUBLIC,
+                      code ->
+                          emission.emit(
+                              new Emitter(
+                                  code,
+                                  owner,
+                                  constants,
+                                  world.values(),
+                                  doubt,
+                                  survey,
+                                  known,
+                                  locals,
+                                  loopUnit)));
+                  constants.declare(type, owner);
+                });
+    if (length(emitted) > MOST_BYTES) {
+      return null;
+    }
+    bytes += emitted.length;
+    return instance(emitted, constants);
+  }
+
+  /** The length of the code that does the work. */
+  private static int length(byte[] emitted) {
+    int longest = 0;
+    for (MethodModel method : ClassFile.of().parse(emitted).methods()) {
+      longest =
+          Math.max(
+              longest,
+              method.findAttribute(Attributes.code()).map(CodeAttribute::codeLength).orElse(0));
+    }
+    return longest;
+  }
+
+  private boolean hasRoom() {
+    for (var gone = forgotten.poll(); gone != null; gone = forgotten.poll()) {
+      inUse.remove(gone);
+    }
+    return inUse.size() < MOST_UNITS;
+  }
+
+  private static void construct(CodeBuilder code) {
+    code.aload(0)
+        .invokespecial(Names.COMPILED_CODE, ConstantDescs.INIT_NAME, ConstantDescs.MTD_void)
+        .return_();
+  }
+
+  private static CompiledCode instance(byte[] emitted, Constants constants) {
+    try {
+      return (CompiledCode)
+          MethodHandles.lookup()
+              .defineHiddenClassWithClassData(emitted, constants.values(), true)
+              .lookupClass()
+              .getDeclaredConstructor()
+              .newInstance();
+    } catch (ReflectiveOperationException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+}
