@@ -96,7 +96,7 @@ public final class Library {
     EvaluateVariable.install(interpreter);
     interpreter.setDescriber(this::describe);
     interpreter.setAfterStatements(((UrbiFinalizable) type("Finalizable")).finalization()::run);
-    interpreter.rememberNumberOperators();
+    interpreter.rememberOperators();
     keep();
   }
 

@@ -16,6 +16,7 @@ import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.Values;
@@ -44,6 +45,7 @@ public final class Interpreter {
   private static final int MAXIMUM_NESTED_SENDS = 10_000;
 
   private static final CallSite FROM_JAVA = new JavaCallSite("apply", false);
+  private static final CallSite EQUALITY_FROM_JAVA = new JavaCallSite("==", true);
 
   private final World world;
   private final Values values;
@@ -51,6 +53,8 @@ public final class Interpreter {
   private final Errors errors;
   private final CoreSymbols symbols;
   private final Map<Symbol, UrbiObject> numberOperators = new LinkedHashMap<>();
+  private @Nullable UrbiObject equalityOfNumbers;
+  private @Nullable UrbiObject equalityOfStrings;
   final CorePrototypes prototypes;
   private BiConsumer<Frame, UrbiException> describer = (frame, exception) -> {};
   private Consumer<Frame> afterStatements = frame -> {};
@@ -177,12 +181,14 @@ public final class Interpreter {
     return numberOperators.get(name);
   }
 
-  /** Remembers the operators of numbers, to know later whether somebody redefined one. */
-  public void rememberNumberOperators() {
+  /** Remembers operators of the library, to know later whether somebody redefined one. */
+  public void rememberOperators() {
     for (String operator : List.of("+", "-", "*", "<", "<=", ">", ">=", "==", "!=")) {
       Symbol name = world.symbol(operator);
       numberOperators.put(name, values.floatProto.lookup(name));
     }
+    equalityOfNumbers = values.floatProto.lookup(symbols.equals);
+    equalityOfStrings = values.stringProto.lookup(symbols.equals);
   }
 
   // ------------------------------------------------------------------ calling urbiscript
@@ -226,10 +232,7 @@ public final class Interpreter {
    * contain themselves, throws the error of an exhausted stack.
    */
   public UrbiObject send(Frame caller, UrbiObject target, String message, UrbiObject... arguments) {
-    caller.job.checkInterrupted();
-    if (!caller.job.beginSend(Math.min(MAXIMUM_NESTED_SENDS, maximumDepth))) {
-      throw errors.scheduling(Problem.STACK_EXHAUSTED);
-    }
+    beginSend(caller);
     try {
       return send(caller, javaSite(message), target, world.symbol(message), arguments);
     } finally {
@@ -237,10 +240,58 @@ public final class Interpreter {
     }
   }
 
+  private void beginSend(Frame caller) {
+    caller.job.checkInterrupted();
+    if (!caller.job.beginSend(Math.min(MAXIMUM_NESTED_SENDS, maximumDepth))) {
+      throw errors.scheduling(Problem.STACK_EXHAUSTED);
+    }
+  }
+
+  /**
+   * Whether a value is equal to an expected one, by the {@code ==} of the latter. That of numbers
+   * and that of strings are computed here, unless somebody has redefined them.
+   *
+   * @param equality where that has been found before
+   */
+  boolean isEqual(Frame caller, SlotLookup equality, UrbiObject expected, UrbiObject value) {
+    UrbiObject found = equality.find(caller, expected);
+    if (found != null && !world.profiled) {
+      if (expected instanceof UrbiFloat number && found == equalityOfNumbers) {
+        return value instanceof UrbiFloat other && number.value() == other.value();
+      }
+      if (expected instanceof UrbiString text && found == equalityOfStrings) {
+        return value instanceof UrbiString other && text.value().equals(other.value());
+      }
+    }
+    UrbiObject answer;
+    beginSend(caller);
+    try {
+      answer = answer(caller, EQUALITY_FROM_JAVA, expected, symbols.equals, found, value);
+    } finally {
+      caller.job.endSend();
+    }
+    return Truth.of(caller, answer);
+  }
+
   /** Sends a message on behalf of a library function called at that site. */
   public UrbiObject send(
       Frame caller, CallSite site, UrbiObject target, Symbol message, UrbiObject... arguments) {
     UrbiObject found = SlotLookup.find(caller, target, message);
+    return answer(caller, site, target, message, found, arguments);
+  }
+
+  /**
+   * What a message is answered with.
+   *
+   * @param found the slot of that name, or null
+   */
+  private UrbiObject answer(
+      Frame caller,
+      CallSite site,
+      UrbiObject target,
+      Symbol message,
+      @Nullable UrbiObject found,
+      UrbiObject... arguments) {
     if (found == null) {
       return fallback(
           caller, new EvaluatedCallSite(javaSite(message.name()), arguments), target, message);

@@ -2,6 +2,7 @@ package org.urbi.kernel.node;
 
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiDictionary;
@@ -53,6 +54,7 @@ public abstract class Pattern {
   /** Any other expression: matches values that are equal to its value. */
   public static final class Equal extends Pattern {
     private final Node expression;
+    private @Nullable SlotLookup equality;
 
     public Equal(Node expression) {
       this.expression = expression;
@@ -67,7 +69,10 @@ public abstract class Pattern {
       if (value == frame.interpreter.values().voidObject) {
         return false;
       }
-      return Truth.of(frame, frame.interpreter.send(frame, expected, "==", value));
+      if (equality == null) {
+        equality = new SlotLookup(frame.interpreter.world(), frame.interpreter.symbols().equals);
+      }
+      return frame.interpreter.isEqual(frame, equality, expected, value);
     }
   }
 
