@@ -12,6 +12,11 @@ import org.urbi.lang.print.FloatFormat;
 
 /** Values as formats want them (manual, "FormatInfo", "Float.format"). */
 public final class Formatting {
+  private static final double[] POWERS_OF_TEN = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
+
+  /** Below it, halves of integers are numbers, too. */
+  private static final double EXACT = 1L << 51;
+
   private Formatting() {}
 
   /** Any value. */
@@ -76,11 +81,11 @@ public final class Formatting {
   private static String decimal(double value, UrbiFormatInfo.Format format) {
     int precision = format.precisionOrDefault();
     boolean negative = value < 0 || 1 / value < 0;
-    BigDecimal size = new BigDecimal(Math.abs(value));
+    double size = Math.abs(value);
     String digits =
         switch (format.spec()) {
-          case 'f' -> size.setScale(precision, RoundingMode.HALF_EVEN).toPlainString();
-          case 'e' -> scientific(size, precision);
+          case 'f' -> fixed(size, precision);
+          case 'e' -> scientific(new BigDecimal(size), precision);
           default -> shortest(size, format);
         };
     if (format.alternate() && digits.indexOf('.') < 0) {
@@ -88,6 +93,35 @@ public final class Formatting {
       digits = digits.substring(0, end) + "." + digits.substring(end);
     }
     return (negative ? "-" : "") + groupedInteger(digits, format.group());
+  }
+
+  /** With so many decimals: of the two nearest such numbers the even one. */
+  static String fixed(double size, int precision) {
+    if (precision < POWERS_OF_TEN.length && size * POWERS_OF_TEN[precision] < EXACT) {
+      return fixedByLong(size, precision);
+    }
+    return new BigDecimal(size).setScale(precision, RoundingMode.HALF_EVEN).toPlainString();
+  }
+
+  /**
+   * The same for numbers that fit. The product is the sum of its rounded value and the error of
+   * that, both of which are known exactly; the error is smaller than what the rounded value can be
+   * away from a half without being one.
+   */
+  private static String fixedByLong(double size, int precision) {
+    double power = POWERS_OF_TEN[precision];
+    double product = size * power;
+    double error = Math.fma(size, power, -product);
+    long units = (long) product;
+    double fromHalf = product - units - 0.5;
+    boolean up = fromHalf != 0 ? fromHalf > 0 : error != 0 ? error > 0 : (units & 1) != 0;
+    String digits = Long.toString(up ? units + 1 : units);
+    if (precision == 0) {
+      return digits;
+    }
+    String padded = "0".repeat(Math.max(0, precision + 1 - digits.length())) + digits;
+    int point = padded.length() - precision;
+    return padded.substring(0, point) + "." + padded.substring(point);
   }
 
   private static String scientific(BigDecimal size, int precision) {
@@ -108,10 +142,14 @@ public final class Formatting {
   }
 
   /** As {@code %g} of C; integers keep all their digits when no precision is asked for. */
-  private static String shortest(BigDecimal size, UrbiFormatInfo.Format format) {
-    if (size.signum() == 0) {
+  private static String shortest(double exact, UrbiFormatInfo.Format format) {
+    if (format.precision() < 0 && exact < EXACT && exact == (long) exact) {
+      return Long.toString((long) exact);
+    }
+    if (exact == 0) {
       return "0";
     }
+    BigDecimal size = new BigDecimal(exact);
     if (format.precision() < 0
         && size.stripTrailingZeros().scale() <= 0
         && size.precision() - size.scale() <= 19) {

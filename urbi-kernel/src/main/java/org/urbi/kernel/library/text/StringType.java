@@ -63,7 +63,7 @@ public final class StringType {
     return number;
   }
 
-  private static @Nullable Double parseNumber(String text) {
+  static @Nullable Double parseNumber(String text) {
     String digits = text.startsWith("-") || text.startsWith("+") ? text.substring(1) : text;
     double sign = text.startsWith("-") ? -1 : 1;
     if (digits.equals("inf")) {
@@ -72,10 +72,37 @@ public final class StringType {
     if (digits.equals("nan")) {
       return Double.NaN;
     }
-    if (digits.matches("([0-9]+(\\.[0-9]*)?|\\.[0-9]+)([eE][-+]?[0-9]+)?")) {
-      return sign * Double.parseDouble(digits);
+    return isNumber(digits) ? sign * Double.parseDouble(digits) : null;
+  }
+
+  /** Whether it is all digits, with a point or not, and perhaps an exponent. */
+  private static boolean isNumber(String text) {
+    int point = afterDigits(text, 0);
+    int end = startsWithAny(text, point, '.', '.') ? afterDigits(text, point + 1) : point;
+    if (point == 0 && end <= 1) {
+      return false;
     }
-    return null;
+    if (startsWithAny(text, end, 'e', 'E')) {
+      int digits = startsWithAny(text, end + 1, '-', '+') ? end + 2 : end + 1;
+      end = afterDigits(text, digits);
+      if (end == digits) {
+        return false;
+      }
+    }
+    return end == text.length();
+  }
+
+  /** The index behind the digits that begin at an index. */
+  private static int afterDigits(String text, int from) {
+    int at = from;
+    while (at < text.length() && text.charAt(at) >= '0' && text.charAt(at) <= '9') {
+      at++;
+    }
+    return at;
+  }
+
+  private static boolean startsWithAny(String text, int at, char one, char other) {
+    return at < text.length() && (text.charAt(at) == one || text.charAt(at) == other);
   }
 
   @Builtin(doc = "The list of its characters, as strings.")
