@@ -265,9 +265,11 @@ public final class Library {
 
   /** An exception of the library that shows values has no message before it is caught. */
   private void addMessage(Frame frame, UrbiObject value) {
+    if (value.localSlot(world.symbol("message")) != null) {
+      return;
+    }
     boolean argument = value.isA(type("Exception.Argument"));
-    if ((argument || value.isA(type("Exception.Type")) || value.isA(type("Exception.BadNumber")))
-        && value.localSlot(world.symbol("message")) == null) {
+    if (argument || value.isA(type("Exception.Type")) || value.isA(type("Exception.BadNumber"))) {
       if (argument && value.localSlot(world.symbol("exception")) instanceof UrbiObject cause) {
         addMessage(frame, cause);
       }

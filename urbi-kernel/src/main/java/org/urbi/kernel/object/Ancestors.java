@@ -1,8 +1,10 @@
 package org.urbi.kernel.object;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
@@ -14,6 +16,16 @@ final class Ancestors {
   /** After this many steps the check for interruption is called; a power of two. */
   private static final int STEPS_PER_QUESTION = 1 << 12;
 
+  /** Of an object with more of them they are not remembered: there are few such objects. */
+  private static final int FEW = 64;
+
+  /**
+   * An object and its ancestors, as they are until some object gets other prototypes.
+   *
+   * @param epoch that of the world when they were found
+   */
+  record Known(UrbiObject[] objects, int epoch) {}
+
   private final Set<UrbiObject> visited = new HashSet<>();
 
   /** The objects still to be visited; the next one is last. */
@@ -21,6 +33,57 @@ final class Ancestors {
 
   Ancestors(UrbiObject from) {
     pending.push(from);
+  }
+
+  /** An object and its ancestors, to be remembered; null if they are many. */
+  static @Nullable Known find(UrbiObject from) {
+    List<UrbiObject> found = new ArrayList<>();
+    Ancestors ancestors = new Ancestors(from);
+    for (UrbiObject next = ancestors.next(); next != null; next = ancestors.next()) {
+      if (found.size() == FEW) {
+        return null;
+      }
+      found.add(next);
+    }
+    return new Known(found.toArray(new UrbiObject[0]), from.world().protosEpoch);
+  }
+
+  /** The first one that has a slot of its own of that name, or null. */
+  static @Nullable UrbiObject holder(UrbiObject from, Symbol name) {
+    UrbiObject[] known = from.knownAncestors();
+    if (known != null) {
+      for (UrbiObject at : known) {
+        if (at.shape().indexOf(name) >= 0) {
+          return at;
+        }
+      }
+      return null;
+    }
+    Ancestors ancestors = new Ancestors(from);
+    UrbiObject next = ancestors.next();
+    while (next != null && next.shape().indexOf(name) < 0) {
+      next = ancestors.next();
+    }
+    return next;
+  }
+
+  /** Whether an object is among them. */
+  static boolean contain(UrbiObject from, UrbiObject wanted) {
+    UrbiObject[] known = from.knownAncestors();
+    if (known != null) {
+      for (UrbiObject at : known) {
+        if (at == wanted) {
+          return true;
+        }
+      }
+      return false;
+    }
+    Ancestors ancestors = new Ancestors(from);
+    UrbiObject next = ancestors.next();
+    while (next != null && next != wanted) {
+      next = ancestors.next();
+    }
+    return next != null;
   }
 
   /** The next object; null at the end. */

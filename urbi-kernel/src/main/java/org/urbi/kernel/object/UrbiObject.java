@@ -31,6 +31,10 @@ public class UrbiObject {
     long uid;
     @Nullable Shape cloneShape;
     boolean inherited;
+
+    /** Itself and its ancestors, when they have been looked for as those of a prototype. */
+    Ancestors.@Nullable Known ancestors;
+
     @Nullable Map<Symbol, SlotData> slotData;
     @Nullable Dependencies structure;
     @Nullable Dependencies content;
@@ -98,6 +102,17 @@ public class UrbiObject {
     return new UrbiObject(cloneShape());
   }
 
+  /** A new object whose only prototype is this one, and which has these slots from the start. */
+  public final UrbiObject clonedWith(Symbol[] names, UrbiObject... values) {
+    Shape filled = cloneShape();
+    for (Symbol name : names) {
+      filled = filled.with(name);
+    }
+    UrbiObject made = new UrbiObject(filled);
+    made.storage().slots = values;
+    return made;
+  }
+
   /** The shape of a new clone of this object. */
   public final Shape cloneShape() {
     Extra x = extra();
@@ -163,12 +178,21 @@ public class UrbiObject {
       }
       at = protos[0];
     }
-    Ancestors ancestors = new Ancestors(at);
-    UrbiObject next;
-    while ((next = ancestors.next()) != null && next.shape.indexOf(name) < 0) {
-      // Goes on with the next one.
+    return Ancestors.holder(at, name);
+  }
+
+  /** This prototype and its ancestors; null when they are many, or it is no prototype. */
+  final UrbiObject @Nullable [] knownAncestors() {
+    Extra x = extraOrNull();
+    if (x == null || !x.inherited) {
+      return null;
     }
-    return next;
+    Ancestors.Known known = x.ancestors;
+    if (known == null || known.epoch() != shape.world.protosEpoch) {
+      known = Ancestors.find(this);
+      x.ancestors = known;
+    }
+    return known == null ? null : known.objects();
   }
 
   /** The value that the lookup of a name finds, or null; getters are not called. */
@@ -364,12 +388,7 @@ public class UrbiObject {
         return true;
       }
     }
-    Ancestors ancestors = new Ancestors(at);
-    UrbiObject next;
-    while ((next = ancestors.next()) != null && next != ancestor) {
-      // Goes on with the next one.
-    }
-    return next != null;
+    return Ancestors.contain(at, ancestor);
   }
 
   // ------------------------------------------------------------------ who may change it

@@ -3,6 +3,7 @@ package org.urbi.kernel.object;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Supplier;
 
 /**
  * The constants of a kernel, and the factory methods of its everyday values: each evaluation of a
@@ -78,6 +79,11 @@ public final class Values {
 
   /** A list that uses the given elements directly. */
   public UrbiList listOf(Elements elements) {
+    return new UrbiList(listShape, elements);
+  }
+
+  /** A list whose elements are made when somebody looks at them. */
+  public UrbiList listLater(Supplier<Elements> elements) {
     return new UrbiList(listShape, elements);
   }
 

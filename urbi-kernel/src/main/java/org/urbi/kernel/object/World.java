@@ -27,6 +27,9 @@ public final class World {
   /** Collects the slots that the condition being evaluated reads; usually null. */
   public Dependencies.@Nullable Tracker tracker;
 
+  /** Counts the changes of prototypes of objects from which others inherit. */
+  int protosEpoch;
+
   /** Whether calls are counted, so that operators must be called as they are written. */
   public boolean profiled;
 
@@ -93,6 +96,7 @@ public final class World {
 
   /** Invalidates all cached lookups, because the prototypes of an object have changed. */
   void invalidateLookups() {
+    protosEpoch++;
     if (remembers) {
       remembers = false;
       symbols.forEach(symbol -> symbol.epoch++);

@@ -226,4 +226,48 @@ class LookupTest {
     added.addSlot(x, root.cloned());
     assertNotEquals(before, x.epoch());
   }
+
+  /**
+   * Prototypes that have several themselves, in circles too, and that change in between: what is
+   * remembered of them is what a walk finds.
+   */
+  @Test
+  void ancestorsAreThoseOfTheMoment() {
+    var random = new java.util.Random(1);
+    for (int round = 0; round < 200; round++) {
+      UrbiObject[] objects = new UrbiObject[random.nextInt(2, 90)];
+      for (int i = 0; i < objects.length; i++) {
+        objects[i] = root.cloned();
+      }
+      for (int change = 0; change < 30; change++) {
+        UrbiObject[] protos = new UrbiObject[random.nextInt(4)];
+        for (int i = 0; i < protos.length; i++) {
+          protos[i] = objects[random.nextInt(objects.length)];
+        }
+        UrbiObject changed = objects[random.nextInt(objects.length)];
+        changed.setProtos(protos);
+        UrbiObject holder = objects[random.nextInt(objects.length)];
+        if (!holder.removeSlot(x)) {
+          holder.addSlot(x, root);
+        }
+        UrbiObject from = random.nextBoolean() ? changed : objects[random.nextInt(objects.length)];
+        var all = new java.util.LinkedHashSet<UrbiObject>();
+        walk(from, all);
+        assertSame(
+            all.stream().filter(at -> at.localSlot(x) != null).findFirst().orElse(null),
+            from.locate(x));
+        for (UrbiObject other : objects) {
+          assertEquals(all.contains(other), from.isA(other));
+        }
+      }
+    }
+  }
+
+  private static void walk(UrbiObject at, java.util.Set<UrbiObject> seen) {
+    if (seen.add(at)) {
+      for (UrbiObject proto : at.protos()) {
+        walk(proto, seen);
+      }
+    }
+  }
 }

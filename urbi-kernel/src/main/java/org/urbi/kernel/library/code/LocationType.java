@@ -9,6 +9,7 @@ import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 import org.urbi.lang.source.Location;
@@ -25,12 +26,12 @@ public final class LocationType {
   /** The location of a piece of source text. */
   public static UrbiObject make(World world, Span span) {
     Location place = span.location();
-    UrbiObject made = world.prototype("Location").cloned();
-    OwnSlots.put(
-        made, "begin", PositionType.make(world, place.file(), place.line(), place.column()));
-    OwnSlots.put(
-        made, "end", PositionType.make(world, place.file(), place.endLine(), place.endColumn()));
-    return made;
+    return world
+        .prototype("Location")
+        .clonedWith(
+            new Symbol[] {world.symbol("begin"), world.symbol("end")},
+            PositionType.make(world, place.file(), place.line(), place.column()),
+            PositionType.make(world, place.file(), place.endLine(), place.endColumn()));
   }
 
   private static UrbiObject copy(Frame frame, CallSite site, int place, UrbiObject position) {

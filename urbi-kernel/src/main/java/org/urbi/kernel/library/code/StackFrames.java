@@ -1,8 +1,9 @@
 package org.urbi.kernel.library.code;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.object.Elements;
+import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
@@ -16,22 +17,27 @@ public final class StackFrames {
 
   /**
    * The calls as a list, without calls made by Java code of the library, nor by its source files
-   * unless {@code Traceable} shows them.
+   * unless {@code Traceable} shows them. Its elements are made when somebody looks at them: most
+   * exceptions are caught and forgotten.
    */
   public UrbiObject list(World world, List<UrbiException.Call> calls) {
-    List<UrbiObject> frames = new ArrayList<>();
-    UrbiObject prototype = world.prototype("StackFrame");
     boolean hides = TraceableType.hidesSystemFiles(world);
+    return world.values().listLater(() -> frames(world, calls, hides));
+  }
+
+  private Elements frames(World world, List<UrbiException.Call> calls, boolean hides) {
+    Elements frames = new Elements(calls.size());
+    UrbiObject prototype = world.prototype("StackFrame");
+    Symbol[] slots = {world.symbol("name"), world.symbol("location")};
     for (UrbiException.Call call : calls) {
       if (call.name() != null
           && call.span() != null
           && !(hides && files.isSystemFile(call.span().location().file()))) {
-        UrbiObject frame = prototype.cloned();
-        StackFrameType.fill(
-            frame, world.values().string(call.name()), LocationType.make(world, call.span()));
-        frames.add(frame);
+        frames.add(
+            prototype.clonedWith(
+                slots, world.values().string(call.name()), LocationType.make(world, call.span())));
       }
     }
-    return world.values().list(frames);
+    return frames;
   }
 }

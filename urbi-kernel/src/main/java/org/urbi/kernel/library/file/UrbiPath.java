@@ -54,6 +54,9 @@ public final class UrbiPath extends UrbiObject {
 
   /** The path without what makes no difference: {@code .}, and slashes in a row. */
   static String simplified(String path) {
+    if (isSimple(path)) {
+      return path;
+    }
     List<String> names = new ArrayList<>();
     for (String name : path.split("/")) {
       if (!name.isEmpty() && !name.equals(".")) {
@@ -62,6 +65,17 @@ public final class UrbiPath extends UrbiObject {
     }
     String joined = String.join("/", names);
     return path.startsWith("/") ? "/" + joined : joined.isEmpty() ? "." : joined;
+  }
+
+  private static boolean isSimple(String path) {
+    if (path.length() <= 1) {
+      return !path.isEmpty();
+    }
+    return !path.endsWith("/")
+        && !path.contains("//")
+        && !path.startsWith("./")
+        && !path.contains("/./")
+        && !path.endsWith("/.");
   }
 
   /** A name of the file system as a string of urbiscript. */
