@@ -210,10 +210,16 @@ public final class Shell {
   // ------------------------------------------------------------------ in the job
 
   private void run(Job shell) {
+    boolean failedBefore = false;
     try {
       while (!closed) {
         Item item;
         try {
+          if (failedBefore) {
+            // It may fail again, for want of memory: whoever ends it must have a turn.
+            failedBefore = false;
+            shell.yieldNow();
+          }
           item = nextItem(shell);
         } catch (TagStop stop) {
           if (closed || !stop.isInterruption()) {
@@ -229,6 +235,7 @@ public final class Shell {
           continue;
         } catch (Throwable failure) {
           failed("the reader", failure);
+          failedBefore = true;
           continue;
         }
         if (item == null) {
