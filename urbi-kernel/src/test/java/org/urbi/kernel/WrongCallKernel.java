@@ -298,6 +298,13 @@ final class WrongCallKernel implements AutoCloseable {
     await(over);
   }
 
+  /** Lets values know of what types they are. */
+  void teach(WrongValues values) {
+    for (String expression : values.expressions()) {
+      within((run, job) -> values.learn(world(), expression, evaluate(top(job), expression)));
+    }
+  }
+
   private void await(CompletableFuture<Void> over) {
     while (true) {
       try {
@@ -440,7 +447,8 @@ final class WrongCallKernel implements AutoCloseable {
   /** A call has changed what all objects have in common. */
   static final class Spoilt extends RuntimeException {}
 
-  private static boolean showsJava(String text) {
+  /** Whether a text is of Java, and not meant for people. */
+  static boolean showsJava(String text) {
     for (Map.Entry<String, Pattern> each : JAVA.entrySet()) {
       if (text.contains(each.getKey()) && each.getValue().matcher(text).find()) {
         return true;

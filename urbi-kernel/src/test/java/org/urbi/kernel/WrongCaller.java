@@ -53,11 +53,7 @@ final class WrongCaller implements AutoCloseable {
   WrongCaller(Path directory, long seed) {
     this.directory = directory;
     this.seed = seed;
-    for (String expression : values.expressions()) {
-      kernel()
-          .within((run, job) ->
-              values.learn(run.world(), expression, run.evaluate(run.top(job), expression)));
-    }
+    kernel().teach(values);
     dismissKernel();
   }
 

@@ -192,7 +192,7 @@ final class WrongValues {
       Exception.Type.new(1, String)
       Exception.Argument.new("f", 1, Exception.new("x"))
       Exception.BadNumber.new("f", "%s", 1)
-      try { 1.wrong(2) } catch (var wrong) { wrong }
+      {try { 1.wrong(2) } catch (var wrong) { wrong }}
       {File.save("file", "a b") | Path.new("file")}
       Path.new("missing/file")
       Path.new("folder")

@@ -1,0 +1,253 @@
+package org.urbi.kernel;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.budget.Budget;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.job.Timers;
+import org.urbi.kernel.lobby.Output;
+import org.urbi.kernel.lobby.Shell;
+import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.log.LogLevel;
+import org.urbi.kernel.memory.Evictable;
+import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.trust.Role;
+
+/**
+ * A confined kernel in simulated time in which clients come one after the other, each with a
+ * program, and leave; a job of nobody's watches them.
+ */
+final class ProgramKernel implements AutoCloseable {
+  /** Simulated: then the client leaves. */
+  private static final long STAY = TimeUnit.SECONDS.toNanos(5);
+
+  /** How many turns the jobs of a client may take to end. */
+  private static final int TURNS_TO_END = 20;
+
+  /** Real: how long somebody waits before he looks. */
+  private static final long WAIT_MS = 100;
+
+  /** After so many waits a program is interrupted, as its client may do. */
+  private static final int WAITS_TO_INTERRUPT = 30;
+
+  /**
+   * After so many waits the kernel hangs. They are counted, and no clock is read: the whole process
+   * may be stopped for a while.
+   */
+  private static final int WAITS_TO_GIVE_UP = 600;
+
+  /** Runaway recursion ends before what its calls hold fills the memory. */
+  private static final int STACK = 20;
+
+  private static final String LIMITS = "jobs=500,timers=500,output=1000000";
+
+  /**
+   * What came of a program.
+   *
+   * @param output all that the client has got, and the log
+   * @param defect what is wrong; null for nothing
+   * @param interrupted whether it took too long, so that nothing can be compared from here on
+   */
+  record Outcome(String output, @Nullable String defect, boolean interrupted) {}
+
+  private final Kernel kernel;
+  private final StringBuffer heard = new StringBuffer();
+  private volatile @Nullable UrbiLobby current;
+  private volatile @Nullable Job watching;
+  private volatile boolean interrupted;
+  private volatile int waits;
+
+  ProgramKernel(Path directory) {
+    kernel =
+        Kernel.builder()
+            .virtualTime(true)
+            .stackSize(STACK)
+            .confinedTo(directory)
+            .log(heard::append)
+            .logLevel(LogLevel.of("WARN"))
+            .onHalt(status -> {})
+            .start();
+  }
+
+  /** Runs programs until there is a defect, or one that has to be interrupted. */
+  List<Outcome> run(List<String> programs, Role role) {
+    List<Outcome> outcomes = new ArrayList<>();
+    CompletableFuture<Void> over = new CompletableFuture<>();
+    kernel.onTermination(
+        () -> over.completeExceptionally(new IllegalStateException("the kernel has ended")));
+    Scheduler scheduler = kernel.scheduler();
+    KernelThread.run(
+        kernel,
+        () -> {
+          // The lobby of the kernel itself is made when somebody asks for it, and stays.
+          kernel.uobjects().lobby();
+          Job watcher =
+              scheduler.startDetached(
+                  kernel.interpreter().world().prototype("Lobby"),
+                  scheduler.rootScope(),
+                  "watcher",
+                  job -> {
+                    for (String program : programs) {
+                      Outcome outcome = run(job, program, role);
+                      outcomes.add(outcome);
+                      if (outcome.defect != null || outcome.interrupted) {
+                        break;
+                      }
+                    }
+                    over.complete(null);
+                  });
+          watching = watcher;
+          watcher.onEnd(
+              () -> over.completeExceptionally(new IllegalStateException("the watcher was ended")));
+        });
+    try {
+      await(over);
+    } catch (IllegalStateException e) {
+      outcomes.add(new Outcome(heard.toString(), e.getMessage(), true));
+    }
+    return outcomes;
+  }
+
+  private void await(CompletableFuture<Void> over) {
+    waits = 0;
+    while (true) {
+      try {
+        over.get(WAIT_MS, TimeUnit.MILLISECONDS);
+        return;
+      } catch (TimeoutException e) {
+        waits++;
+        if (waits > WAITS_TO_GIVE_UP) {
+          throw new IllegalStateException("no end\n" + kernel.holder());
+        }
+        UrbiLobby lobby = current;
+        Job watcher = watching;
+        if (lobby != null && watcher != null && waits > WAITS_TO_INTERRUPT) {
+          interrupt(lobby, watcher);
+        }
+      } catch (ExecutionException e) {
+        throw new IllegalStateException(e.getCause().getMessage(), e.getCause());
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+        throw new IllegalStateException("interrupted", e);
+      }
+    }
+  }
+
+  /** Ends what holds the kernel; the watcher does not wait for the client's jobs any longer. */
+  private void interrupt(UrbiLobby lobby, Job waiting) {
+    interrupted = true;
+    kernel.scheduler().interruptions().request(lobby);
+    KernelThread.run(kernel, waiting::wake);
+  }
+
+  /** One client; in the job of the watcher. */
+  private Outcome run(Job watcher, String program, Role role) {
+    heard.setLength(0);
+    interrupted = false;
+    waits = 0;
+    Interpreter interpreter = kernel.interpreter();
+    Budget budget = new Budget();
+    budget.setLimits(LIMITS);
+    UrbiLobby lobby =
+        UrbiLobby.start(
+            interpreter,
+            new Output(kernel.scheduler(), heard::append),
+            new Shell.Listener() {
+              @Override
+              public void consumed() {}
+
+              @Override
+              public void finished() {}
+            },
+            role,
+            budget);
+    List<Job> before = kernel.scheduler().jobs();
+    current = lobby;
+    Evictable client = evictable(lobby, watcher);
+    kernel.memory().add(client);
+    lobby.shell().start();
+    lobby.shell().receive(program);
+    long end = kernel.scheduler().now() + STAY;
+    Timers.Timer timer = kernel.scheduler().timers().add(end, watcher::wake);
+    while (kernel.scheduler().now() < end && !interrupted) {
+      watcher.waitForWake();
+    }
+    timer.cancel();
+    lobby.shell().close();
+    lobby.output().close();
+    lobby.disconnected(interpreter);
+    int turns = 0;
+    while (!jobsBesides(before).isEmpty() && turns < TURNS_TO_END) {
+      watcher.yieldNow();
+      turns++;
+    }
+    // What a finally clause does may take its time.
+    end = kernel.scheduler().now() + STAY;
+    timer = kernel.scheduler().timers().add(end, watcher::wake);
+    while (kernel.scheduler().now() < end && !jobsBesides(before).isEmpty() && !interrupted) {
+      watcher.waitForWake();
+    }
+    timer.cancel();
+    kernel.memory().remove(client);
+    current = null;
+    kernel.scheduler().interruptions().clear(lobby);
+    String output = heard.toString();
+    String defect = null;
+    if (WrongCallKernel.showsJava(output)) {
+      defect = "Java shows";
+    } else if (!jobsBesides(before).isEmpty()) {
+      defect = "jobs are left: " + jobsBesides(before);
+    }
+    return new Outcome(output, defect, interrupted);
+  }
+
+  /** Whoever fills the memory is ended, as with any client. */
+  private Evictable evictable(UrbiLobby lobby, Job watcher) {
+    return new Evictable() {
+      @Override
+      public Budget budget() {
+        return lobby.budget();
+      }
+
+      @Override
+      public String description() {
+        return "the program";
+      }
+
+      @Override
+      public void evict(String why) {
+        interrupt(lobby, watcher);
+      }
+
+      @Override
+      public boolean stays() {
+        return true;
+      }
+
+      @Override
+      public void close() {
+        throw new UnsupportedOperationException("it stays");
+      }
+    };
+  }
+
+  private List<String> jobsBesides(List<Job> others) {
+    return kernel.scheduler().jobs().stream()
+        .filter(job -> !others.contains(job))
+        .map(job -> HoldLimit.described(job, null) + ", " + job.state())
+        .toList();
+  }
+
+  @Override
+  public void close() {
+    kernel.requestShutdown(0);
+    kernel.scheduler().interruptions().requestAll();
+  }
+}
