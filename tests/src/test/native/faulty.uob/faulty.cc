@@ -1,4 +1,5 @@
 // A module with every fault that a module can have.
+#include <urbi/uclient.hh>
 #include <urbi/uobject.hh>
 
 #include <cstdio>
@@ -54,7 +55,7 @@ public:
     UBindVars(Faulty, v, twice);
     UBindEvent(Faulty, hit);
     UBindFunctions(Faulty, init, add, segfault, aborts, exits, spins, rests, writes, chatters,
-                   crashLater, tick, doom);
+                   crashLater, tick, doom, hasClient);
     UNotifyChange(v, &Faulty::changed);
     v = 0;
   }
@@ -67,6 +68,12 @@ public:
   double add(double a, double b)
   {
     return a + b;
+  }
+
+  /// Whether there is a server for clients of its own.
+  bool hasClient()
+  {
+    return urbi::getDefaultClient();
   }
 
   void segfault()

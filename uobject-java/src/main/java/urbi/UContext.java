@@ -28,7 +28,10 @@ public interface UContext {
   /** Whether the kernel is in this process. */
   UObjectMode getRunningMode();
 
-  /** The server to which this process is connected; null in the process of the kernel. */
+  /**
+   * The server to which this process is connected; null in the process of the kernel, and in those
+   * that it has made for modules.
+   */
   default @Nullable InetSocketAddress server() {
     return null;
   }

@@ -90,7 +90,7 @@ public final class IsolatedProgram {
     System.setProperty(TokenLine.PROPERTY, token);
     System.setProperty(ServerConnection.TLS_PROPERTY, "no");
     try {
-      return new RemoteContext("127.0.0.1", port);
+      return RemoteContext.ofModule(port);
     } finally {
       System.clearProperty(TokenLine.PROPERTY);
       System.clearProperty(ServerConnection.TLS_PROPERTY);

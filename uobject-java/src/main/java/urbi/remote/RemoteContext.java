@@ -57,7 +57,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   /** Why the connection has ended, where that is what {@link #endWithLastObject} asks for. */
   static final String NO_OBJECT = "urbiscript has destroyed the last object";
 
-  private final InetSocketAddress server;
+  private final @Nullable InetSocketAddress server;
   private final Connection link;
   private final Dispatcher dispatcher = new Dispatcher(this::readOne, this::execute, this::ping);
   private final PendingRequests requests = new PendingRequests();
@@ -94,7 +94,12 @@ public final class RemoteContext implements UContext, AutoCloseable {
    * @param silence measures that of the server
    */
   RemoteContext(String host, int port, Stopwatch silence) {
-    server = InetSocketAddress.createUnresolved(host, port);
+    this(host, port, silence, InetSocketAddress.createUnresolved(host, port));
+  }
+
+  private RemoteContext(
+      String host, int port, Stopwatch silence, @Nullable InetSocketAddress server) {
+    this.server = server;
     link = new Connection(host, port, CONNECT_MILLISECONDS);
     watch =
         new ConnectionMonitor(
@@ -102,6 +107,14 @@ public final class RemoteContext implements UContext, AutoCloseable {
     datagrams = new RemoteDatagrams(this, link.address());
     dispatcher.start();
     watch.start();
+  }
+
+  /**
+   * Of a module that the kernel runs in a process of its own. The port is for this connection
+   * alone, so the module has no server for clients, as in the kernel's process.
+   */
+  static RemoteContext ofModule(int port) {
+    return new RemoteContext("127.0.0.1", port, new Stopwatch(), null);
   }
 
   /** Has what the server shows to this connection passed on, in pieces as they come. */
@@ -308,7 +321,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   }
 
   @Override
-  public InetSocketAddress server() {
+  public @Nullable InetSocketAddress server() {
     return server;
   }
 

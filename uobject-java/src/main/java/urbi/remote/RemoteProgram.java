@@ -48,13 +48,24 @@ public final class RemoteProgram implements RemoteRunner {
   private static final List<String> LEVELS = List.of("NONE", "LOG", "TRACE", "DEBUG", "DUMP");
   private static final int LOG = 1;
 
+  private final Runnable onRunning;
+
   /** Made by the service loader. */
-  public RemoteProgram() {}
+  public RemoteProgram() {
+    this(() -> {});
+  }
+
+  /**
+   * @param onRunning called when the UObjects run, each time that they are connected
+   */
+  public RemoteProgram(Runnable onRunning) {
+    this.onRunning = onRunning;
+  }
 
   @Override
   public int run(String[] arguments, @Nullable UModule program, PrintStream out, PrintStream err) {
     try {
-      Run run = new Run(program, out, err);
+      Run run = new Run(program, onRunning, out, err);
       return run.parse(arguments) ? run.run() : 0;
     } catch (UModuleException | UClientException | IllegalArgumentException e) {
       err.println("urbi.UMain: " + e.getMessage());
@@ -65,6 +76,7 @@ public final class RemoteProgram implements RemoteRunner {
   /** One run of it. */
   private static final class Run {
     private final @Nullable UModule program;
+    private final Runnable onRunning;
     private final PrintStream out;
     private final PrintStream err;
     private final List<String> jars = new ArrayList<>();
@@ -74,8 +86,9 @@ public final class RemoteProgram implements RemoteRunner {
     private boolean reconnect;
     private boolean rtp;
 
-    Run(@Nullable UModule program, PrintStream out, PrintStream err) {
+    Run(@Nullable UModule program, Runnable onRunning, PrintStream out, PrintStream err) {
       this.program = program;
+      this.onRunning = onRunning;
       this.out = out;
       this.err = err;
     }
@@ -222,6 +235,7 @@ public final class RemoteProgram implements RemoteRunner {
         }
         context.endWithLastObject();
         say("running on " + ServerConnection.name(host, port));
+        onRunning.run();
         String why = context.onClosed().join();
         loaded.forEach(module -> module.leave(context));
         return why;

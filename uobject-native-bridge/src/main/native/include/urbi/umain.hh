@@ -62,12 +62,12 @@ namespace urbi
     return main(argc, argv, root, block, errors);
   }
 
-  /// Has the UObjects of this program run, connected to a server, and returns at once.
+  /// Has the UObjects of this program run, and returns when they are connected to the server.
   ///
   /// \param ends   whether the program ends with the connection
   /// \param server to wait for the server to connect, which is not possible here
   /// \param files  urbiscript to be sent to the server first
-  /// \return 0 unless something is not possible
+  /// \return 0 unless something is not possible, or there is no such server
   inline int initialize(const std::string& host, int port, size_t, bool ends, bool server = false,
                         const std::vector<std::string>& files = std::vector<std::string>(), bool = true)
   {

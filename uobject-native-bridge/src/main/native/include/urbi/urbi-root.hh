@@ -43,7 +43,7 @@ public:
     return urbi_launch(argc, const_cast<char**>(argv));
   }
 
-  /// Has the UObjects of this program run in this process, and returns at once.
+  /// Has the UObjects of this program run in this process, and returns when they are connected.
   /// \param options those of `urbi-launch --remote`
   /// \param ends    whether the program ends with the connection
   int start(std::vector<std::string> options, bool ends)
@@ -56,7 +56,7 @@ public:
   /// Runs the UObjects of this program in this process, connected to a server: the options are those of
   /// `urbi-launch --remote`.
   /// \param args   the name of the program, and options
-  /// \param block  return when the connection has ended, and not at once
+  /// \param block  return when the connection has ended, and not as soon as the UObjects run
   /// \param errors throw what goes wrong, and do not print it
   /// \return the exit status
   int urbi_main(const std::vector<std::string>& args, bool block, bool errors)

@@ -1,6 +1,7 @@
 package org.urbi.bridge;
 
 import java.util.Arrays;
+import java.util.concurrent.CompletableFuture;
 import org.jspecify.annotations.Nullable;
 import urbi.UModuleException;
 import urbi.remote.RemoteProgram;
@@ -16,7 +17,7 @@ public final class NativeProgram {
    * Runs the UObjects of the program in whose process this is.
    *
    * @param words the name of the program, and options as those of {@link urbi.UMain}
-   * @param block whether to return when the connection has ended; at once otherwise
+   * @param block whether to return when the connection has ended; otherwise, when the UObjects run
    * @return the exit status
    */
   public static int run(String[] words, boolean block) {
@@ -24,30 +25,37 @@ public final class NativeProgram {
       return start(words, false);
     }
     NativeModule program = open(words);
-    return program == null ? 1 : run(words, program);
+    return program == null ? 1 : run(words, program, () -> {});
   }
 
   /**
-   * Has the UObjects of the program in whose process this is run, and returns at once.
+   * Has the UObjects of the program in whose process this is run, and returns when they do,
+   * connected to the server.
    *
    * @param words the name of the program, and options as those of {@link urbi.UMain}
    * @param ends whether the program ends when the connection has ended
-   * @return 0, or an exit status if there are no UObjects to run
+   * @return 0, or an exit status if they do not run
    */
   public static int start(String[] words, boolean ends) {
     NativeModule program = open(words);
     if (program == null) {
       return 1;
     }
+    CompletableFuture<Integer> begun = new CompletableFuture<>();
     Runnable task =
         () -> {
-          int status = run(words, program);
+          int status = 1;
+          try {
+            status = run(words, program, () -> begun.complete(0));
+          } finally {
+            begun.complete(status);
+          }
           if (ends) {
             System.exit(status);
           }
         };
     Thread.ofPlatform().name("urbi-main").daemon().start(task);
-    return 0;
+    return begun.join();
   }
 
   private static @Nullable NativeModule open(String[] words) {
@@ -59,8 +67,8 @@ public final class NativeProgram {
     }
   }
 
-  private static int run(String[] words, NativeModule program) {
+  private static int run(String[] words, NativeModule program, Runnable onRunning) {
     String[] options = Arrays.copyOfRange(words, 1, words.length);
-    return new RemoteProgram().run(options, program.module(), System.out, System.err);
+    return new RemoteProgram(onRunning).run(options, program.module(), System.out, System.err);
   }
 }

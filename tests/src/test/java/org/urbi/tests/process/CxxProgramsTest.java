@@ -117,7 +117,8 @@ class CxxProgramsTest {
             {
               std::puts(urbi::isPluginMode() ? "plugged" : "remote");
               if (argc != 3
-                  || urbi::initialize("localhost", std::atoi(argv[2]), urbi::UClient::URBI_BUFLEN, false))
+                  || urbi::initialize("localhost", std::atoi(argv[2]), urbi::UClient::URBI_BUFLEN, false)
+                  || !urbi::getDefaultClient())
                 return 1;
               while (!asked)
                 usleep(1000);

@@ -107,6 +107,8 @@ class IsolatedModulesTest {
   void programDoesNotNoticeTheProcess() throws Exception {
     assertEquals("", answer(LOAD));
     assertEquals("[] 5", answer("Faulty.add(2, 3);"));
+    // As where it is plugged.
+    assertEquals("[] 0", answer("Faulty.hasClient;"));
     assertEquals("[] 7", answer("var f = Faulty.new| f.add(3, 4);"));
     assertEquals("[] true", answer("f.isA(Faulty);"));
     client.send("h: at (f.hit?(var x)) echo(\"hit \" + x);\nf.v = 21|;\n");
