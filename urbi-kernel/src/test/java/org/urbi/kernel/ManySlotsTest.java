@@ -16,9 +16,10 @@ import org.junit.jupiter.api.Test;
 import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.World;
 
-/** Objects with very many slots, names that come and go, and lists that are used as queues. */
+/** Objects with very many slots, names that come and go, lists as queues, strings that change. */
 class ManySlotsTest {
   private final World world = new World();
 
@@ -151,5 +152,15 @@ class ManySlotsTest {
       elements.removeFirst();
     }
     assertTrue(elements.isEmpty());
+  }
+
+  /** Where each change copies the whole string, this copies 10^12 characters. */
+  @Test
+  void aStringIsChangedInPlace() {
+    UrbiString text = world.values().string("x".repeat(1_000_000));
+    for (int i = 0; i < 1_000_000; i++) {
+      text.replace(i, i + 1, "y");
+    }
+    assertEquals("y".repeat(1_000_000), text.value());
   }
 }

@@ -9,6 +9,8 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import urbi.UObject;
 import urbi.UVar;
 
@@ -205,6 +207,23 @@ class RunEndTest {
       assertFalse(isOverWithin(300));
       connection.close();
       program.closed.get();
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "var s = Server.new()|; s.listen(\"127.0.0.1\", \"0\")|; at (s.connection?) echo(1);",
+        "var p = Process.new(\"sleep\", [\"9\"])|; p.run()| at (p.status.exited) echo(1);",
+        "var d = Directory.new(\".\")|; at (d.fileCreated?(var name)) echo(name);",
+      })
+  void whatComesFromOutsideKeepsIt(String source) throws Exception {
+    try (Kernel kernel = kernel(false)) {
+      run(kernel, source + " echo(\"ready\");");
+      while (!program.text().contains("ready")) {
+        assertFalse(isOverWithin(10), program::text);
+      }
+      assertFalse(isOverWithin(100), program::text);
     }
   }
 }

@@ -177,6 +177,13 @@ class ConsoleServerTest {
   }
 
   @Test
+  void aLobbyKnowsTheAddressOfItsClient() throws IOException {
+    try (TestClient client = client()) {
+      assertEquals("[] \"127.0.0.1\"", client.ask("lobby.remoteIP;"));
+    }
+  }
+
+  @Test
   void jobsOfAClientThatEndsItsInputEnd() throws Exception {
     List<String> programs =
         List.of(
