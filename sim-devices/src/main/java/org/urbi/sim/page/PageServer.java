@@ -163,10 +163,14 @@ public final class PageServer implements AutoCloseable {
   /** Leaves all browsers alone and frees the port. */
   @Override
   public void close() {
+    if (thread.isShuttingDown()) {
+      return;
+    }
     if (listening != null) {
       listening.close().awaitUninterruptibly();
     }
-    viewers.close();
+    // A thread that is to end closes the connections first, and does nothing more for them.
+    viewers.close().awaitUninterruptibly(CLOSE_SECONDS, TimeUnit.SECONDS);
     // The port is free when the thread has let go of the channel: somebody may want it at once.
     thread
         .shutdownGracefully(0, 1, TimeUnit.SECONDS)

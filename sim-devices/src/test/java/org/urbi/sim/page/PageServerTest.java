@@ -24,7 +24,6 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -53,6 +52,17 @@ class PageServerTest {
       camera eye { at 0 0 3; size 80 60; xfov 60 deg }
       """;
 
+  private static final String UPGRADE =
+      String.join(
+          "\r\n",
+          "GET /stream HTTP/1.1",
+          "Host: localhost",
+          "Upgrade: websocket",
+          "Connection: Upgrade",
+          "Sec-WebSocket-Version: 13",
+          "Sec-WebSocket-Key: MDEyMzQ1Njc4OWFiY2RlZg==",
+          "\r\n");
+
   private final SimulatedWorld world = WorldReader.read("test.world", WORLD, "ode4j");
   private final HttpClient client = HttpClient.newHttpClient();
   private PageServer server;
@@ -79,7 +89,6 @@ class PageServerTest {
   /** What a browser has been sent: texts, and the bytes of images. */
   private static final class Stream implements WebSocket.Listener {
     final BlockingQueue<Object> received = new LinkedBlockingQueue<>();
-    final CompletableFuture<Void> closed = new CompletableFuture<>();
     private final StringBuilder text = new StringBuilder();
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
 
@@ -105,17 +114,6 @@ class PageServerTest {
       }
       socket.request(1);
       return null;
-    }
-
-    @Override
-    public CompletionStage<?> onClose(WebSocket socket, int code, String reason) {
-      closed.complete(null);
-      return null;
-    }
-
-    @Override
-    public void onError(WebSocket socket, Throwable error) {
-      closed.complete(null);
     }
 
     Object next() throws InterruptedException {
@@ -223,9 +221,20 @@ class PageServerTest {
     assertArrayEquals(JPEG, (byte[]) second.next());
     server.describe("{\"type\":\"setting\"}");
     assertEquals("{\"type\":\"setting\"}", first.next());
-    server.close();
-    first.closed.get();
-    second.closed.get();
+  }
+
+  @Test
+  void whoLooksIsToldThatThePageIsClosed() throws Exception {
+    try (Socket viewer = new Socket(InetAddress.getByName(LOCAL), server.port())) {
+      viewer.getOutputStream().write(UPGRADE.getBytes(StandardCharsets.US_ASCII));
+      while (server.viewers() < 1) {
+        Thread.sleep(5);
+      }
+      server.close();
+      byte[] all = viewer.getInputStream().readAllBytes();
+      String end = new String(all, StandardCharsets.ISO_8859_1);
+      assertTrue(end.endsWith("\u0088\u0016\u0003\u00e9Endpoint unavailable"), end);
+    }
   }
 
   @Test
@@ -245,17 +254,7 @@ class PageServerTest {
   void slowViewerGetsFewerSnapshotsAndDelaysNothing() throws Exception {
     byte[] large = new byte[200_000];
     try (Socket asleep = new Socket(InetAddress.getByName(LOCAL), server.port())) {
-      String request =
-          String.join(
-              "\r\n",
-              "GET /stream HTTP/1.1",
-              "Host: localhost",
-              "Upgrade: websocket",
-              "Connection: Upgrade",
-              "Sec-WebSocket-Version: 13",
-              "Sec-WebSocket-Key: MDEyMzQ1Njc4OWFiY2RlZg==",
-              "\r\n");
-      asleep.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
+      asleep.getOutputStream().write(UPGRADE.getBytes(StandardCharsets.US_ASCII));
       Stream awake = watch();
       awake.next();
       while (server.viewers() < 2) {
