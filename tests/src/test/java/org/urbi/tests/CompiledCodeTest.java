@@ -87,6 +87,17 @@ class CompiledCodeTest {
             f(1); f(2); f(0.5);
             """),
         Map.entry(
+            "divisions have their errors and signs",
+            """
+            function f(a, b) { echo(a % b); echo(a ** b); a / b }|;
+            function zero(a) { a / 0 }|; function rest(a) { a % 0 }|;
+            function half(a) { a / 2 + a % 2 }|;
+            f(7, 2); f(-7, 2); f(7, -2); f(1, 0); f(0, 0); f(1, 0.5); f(inf, 3); f(nan, nan);
+            zero(1); zero("s"); rest(1); rest("%s"); half(3); half("s"); half(nil); half(-5);
+            var over = Float.getSlotValue("/")|; Float.'/' = function(x) { "over" }|; half(3); zero(1);
+            Float.'/' = lobby.getSlotValue("over")|; half(3); zero(1); f(1, "s"); f(void, 1); f(1, void);
+            """),
+        Map.entry(
             "the stack is exhausted in compiled functions",
             """
             function down(n) { 1 + down(n + 1) }|;

@@ -305,7 +305,8 @@ final class NumericProgramGenerator {
       case 0, 1, 2, 3, 4, 5, 6 ->
           "("
               + expression(depth - 1)
-              + one(" + ", " - ", " * ", " + ", " - ", chance(20) ? " / " : " * ")
+              + one(
+                  " + ", " - ", " * ", " + ", " - ", chance(40) ? one(" / ", " % ", " ** ") : " * ")
               + expression(depth - 1)
               + ")";
       case 7 ->

@@ -183,7 +183,8 @@ public final class Interpreter {
 
   /** Remembers operators of the library, to know later whether somebody redefined one. */
   public void rememberOperators() {
-    for (String operator : List.of("+", "-", "*", "<", "<=", ">", ">=", "==", "!=")) {
+    for (String operator :
+        List.of("+", "-", "*", "/", "%", "**", "<", "<=", ">", ">=", "==", "!=")) {
       Symbol name = world.symbol(operator);
       numberOperators.put(name, values.floatProto.lookup(name));
     }

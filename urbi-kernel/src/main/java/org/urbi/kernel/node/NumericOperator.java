@@ -18,12 +18,15 @@ public final class NumericOperator extends Node {
   private static final int ADD = 0;
   private static final int SUBTRACT = 1;
   private static final int MULTIPLY = 2;
-  private static final int LESS = 3;
-  private static final int LESS_OR_EQUAL = 4;
-  private static final int GREATER = 5;
-  private static final int GREATER_OR_EQUAL = 6;
-  private static final int EQUAL = 7;
-  private static final int DIFFERENT = 8;
+  private static final int DIVIDE = 3;
+  private static final int MODULO = 4;
+  private static final int POWER = 5;
+  private static final int LESS = 6;
+  private static final int LESS_OR_EQUAL = 7;
+  private static final int GREATER = 8;
+  private static final int GREATER_OR_EQUAL = 9;
+  private static final int EQUAL = 10;
+  private static final int DIFFERENT = 11;
 
   private final int kind;
   private final Node left;
@@ -59,7 +62,10 @@ public final class NumericOperator extends Node {
     this.values = values;
     this.original = original;
     this.local = left instanceof Variables.Local variable ? variable.index() : -1;
-    this.literal = right instanceof Literals.Number number ? number.value() : Double.NaN;
+    this.literal =
+        right instanceof Literals.Number number && computes(number.value())
+            ? number.value()
+            : Double.NaN;
   }
 
   /** Creates the node for an operator that can be computed in place; null for other operators. */
@@ -77,6 +83,9 @@ public final class NumericOperator extends Node {
       case "+" -> ADD;
       case "-" -> SUBTRACT;
       case "*" -> MULTIPLY;
+      case "/" -> DIVIDE;
+      case "%" -> MODULO;
+      case "**" -> POWER;
       case "<" -> LESS;
       case "<=" -> LESS_OR_EQUAL;
       case ">" -> GREATER;
@@ -113,7 +122,7 @@ public final class NumericOperator extends Node {
         return compute(x.value(), literal);
       }
       UrbiObject b = right.execute(frame);
-      if (b instanceof UrbiFloat y && b.shape() == values.floatShape) {
+      if (b instanceof UrbiFloat y && b.shape() == values.floatShape && computes(y.value())) {
         return compute(x.value(), y.value());
       }
       return message.sendTo(frame, a, b);
@@ -124,7 +133,7 @@ public final class NumericOperator extends Node {
   /** As a condition, a comparison creates no Boolean object. */
   @Override
   public boolean test(Frame frame) {
-    if (kind < LESS) {
+    if (!isComparison()) {
       return super.test(frame);
     }
     UrbiObject a = leftValue(frame);
@@ -149,11 +158,28 @@ public final class NumericOperator extends Node {
     return left.execute(frame);
   }
 
+  /** Whether a division by 0 may follow, which is an error. */
+  public boolean divides() {
+    return kind == DIVIDE || kind == MODULO;
+  }
+
+  private boolean computes(double divisor) {
+    return divisor != 0 || !divides();
+  }
+
+  /** Whether its result is a Boolean. */
+  public boolean isComparison() {
+    return kind >= LESS;
+  }
+
   private UrbiObject compute(double a, double b) {
     return switch (kind) {
       case ADD -> values.number(a + b);
       case SUBTRACT -> values.number(a - b);
       case MULTIPLY -> values.number(a * b);
+      case DIVIDE -> values.number(a / b);
+      case MODULO -> values.number(a % b);
+      case POWER -> values.number(Math.pow(a, b));
       default -> values.bool(holds(a, b));
     };
   }

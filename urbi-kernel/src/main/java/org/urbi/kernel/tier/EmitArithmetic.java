@@ -1,5 +1,6 @@
 package org.urbi.kernel.tier;
 
+import static java.lang.constant.ConstantDescs.CD_double;
 import static java.lang.constant.ConstantDescs.CD_int;
 
 import java.lang.classfile.Label;
@@ -16,24 +17,20 @@ import org.urbi.kernel.object.Symbol;
  * has redefined the operator. Otherwise the node answers.
  */
 final class EmitArithmetic {
+  private static final ClassDesc MATH = Math.class.describeConstable().orElseThrow();
+  private static final MethodTypeDesc POWER = MethodTypeDesc.of(CD_double, CD_double, CD_double);
+
   private final Emitter to;
 
   EmitArithmetic(Emitter to) {
     this.to = to;
   }
 
-  static boolean isComparison(NumericOperator operator) {
-    return switch (operator.name().name()) {
-      case "+", "-", "*" -> false;
-      default -> true;
-    };
-  }
-
   // ------------------------------------------------------------------ a + b
 
   Value value(NumericOperator operator) {
     Value result = to.newPair();
-    boolean comparison = isComparison(operator);
+    boolean comparison = operator.isComparison();
     operate(
         operator,
         result,
@@ -85,6 +82,9 @@ final class EmitArithmetic {
     intact(operator.name(), operator, Names.OPERATOR, operator.isIntact(), neither);
     Value right = to.operand(operator.right());
     int b = to.number(right, mixed);
+    if (operator.divides()) {
+      to.code.dload(b).dconst_0().dcmpl().ifeq(mixed);
+    }
     fast.emit(a, b);
     to.code.goto_(over);
     to.code.labelBinding(neither);
@@ -98,7 +98,7 @@ final class EmitArithmetic {
               to.help("operate", Names.OBJECT, Names.OBJECT, Names.FRAME, Names.OPERATOR);
             });
     to.code.aload(answer.object()).astore(result.object()).goto_(over);
-    if (right.hasObject() || to.isDoubtful()) {
+    if (right.hasObject() || operator.divides() || to.isDoubtful()) {
       to.code.labelBinding(mixed);
       to.load(left);
       to.load(right);
@@ -116,7 +116,11 @@ final class EmitArithmetic {
     switch (operator.name().name()) {
       case "+" -> to.code.dadd();
       case "-" -> to.code.dsub();
-      default -> to.code.dmul();
+      case "*" -> to.code.dmul();
+      case "/" -> to.code.ddiv();
+      case "%" -> to.code.drem();
+      case "**" -> to.code.invokestatic(MATH, "pow", POWER);
+      default -> throw new IllegalArgumentException(operator.name().name());
     }
     setNumber(result);
   }

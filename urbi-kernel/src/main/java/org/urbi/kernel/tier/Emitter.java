@@ -178,7 +178,7 @@ final class Emitter {
 
   /** Emits a condition, after which the code goes on if it holds. */
   void condition(Node node, Label otherwise) {
-    if (node instanceof NumericOperator operator && EmitArithmetic.isComparison(operator)) {
+    if (node instanceof NumericOperator operator && operator.isComparison()) {
       arithmetic.condition(operator, otherwise);
     } else if (node instanceof Conditionals.Logical logical) {
       statements.condition(logical, otherwise);
