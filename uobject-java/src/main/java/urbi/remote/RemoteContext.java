@@ -74,6 +74,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   private final List<Consumer<byte[]>> listeners = new CopyOnWriteArrayList<>();
   private final KernelTime time = new KernelTime();
   private volatile boolean endsWithLastObject;
+  private int yields;
   private volatile @Nullable Consumer<String> trace;
   private final FailureLog failureLog = new FailureLog(Log::error);
   private final SlowCallMonitor turn = new SlowCallMonitor(this::complain);
@@ -568,6 +569,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
     boolean own = dispatcher.isExecuting();
     if (own) {
       turn.pause();
+      yields++;
     }
     try {
       dispatcher.letOthersRun(time.toNanos());
@@ -575,9 +577,15 @@ public final class RemoteContext implements UContext, AutoCloseable {
       Thread.currentThread().interrupt();
     } finally {
       if (own) {
+        yields--;
         turn.resume();
       }
     }
+  }
+
+  /** How many functions let others run at the moment, one inside the other; asked in turn. */
+  int yields() {
+    return yields;
   }
 
   @Override

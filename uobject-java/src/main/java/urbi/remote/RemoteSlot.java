@@ -38,7 +38,11 @@ final class RemoteSlot implements USlot {
   private volatile boolean owned;
   private volatile RtpMode rtp = RtpMode.RTP_DEFAULT;
   private int watched = CHANGES_OF_OTHERS;
-  private boolean telling;
+
+  /**
+   * At which {@linkplain RemoteContext#yields depth} this process is being notified; -1 for none.
+   */
+  private int telling = -1;
 
   RemoteSlot(RemoteContext context, int id, String name) {
     this.context = context;
@@ -78,7 +82,7 @@ final class RemoteSlot implements USlot {
     for (UCallback callback : onChange) {
       if (callback.isThreaded() || !context.isInTurn()) {
         tell(callback, other);
-      } else if (!telling) {
+      } else if (telling != context.yields()) {
         tellInTurn(() -> context.notifyNow(callback, other));
       }
     }
@@ -94,8 +98,8 @@ final class RemoteSlot implements USlot {
 
   /** What is notified may set the variable, too, and is not notified of that. */
   private void tellInTurn(Runnable notification) {
-    boolean outer = telling;
-    telling = true;
+    int outer = telling;
+    telling = context.yields();
     try {
       notification.run();
     } finally {

@@ -12,6 +12,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.urbi.server.TestTimeout;
 import urbi.LockMode;
@@ -84,6 +85,42 @@ class RemoteUObjectTest extends RemoteSession {
     public UValue echo(UValue value) {
       return value;
     }
+  }
+
+  /** Its notification lets others run until it has heard of two values. */
+  static class Patient extends UObject {
+    private final UVar v = new UVar();
+    private int heard;
+
+    Patient(String name) {
+      super(name);
+      UBindVar(v, "v");
+      UNotifyChange(v, "hear");
+      UBindFunctions("write", "count");
+    }
+
+    public int hear(UVar changed) {
+      heard++;
+      long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(10);
+      while (heard < 2 && System.nanoTime() - end < 0) {
+        yield_for(1000);
+      }
+      return 0;
+    }
+
+    public void write(int value) {
+      v.setValue(value);
+    }
+
+    public int count() {
+      return heard;
+    }
+  }
+
+  @Test
+  void whoYieldsHearsOfWhatOthersWrite() {
+    remote.start(type("Patient", Patient::new));
+    assertEquals("2", eval("{ Patient.v = 1 | Patient.write(2) | Patient.count }"));
   }
 
   @Test
