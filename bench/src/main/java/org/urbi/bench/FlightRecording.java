@@ -16,6 +16,14 @@ final class FlightRecording {
   private static final int SHOWN = 15;
   private static final Duration SETTLED = Duration.ofSeconds(4);
 
+  /** By which a process that records itself is known. */
+  static final String OPTION = "-XX:StartFlightRecording=";
+
+  private static final String NAME = "bench";
+
+  /** Names the recording when it is written. */
+  static final String DUMPED = "name=" + NAME;
+
   private final Path file;
   private final Path settings;
 
@@ -45,11 +53,14 @@ final class FlightRecording {
 
   /** What makes a Java virtual machine record itself. */
   String options() {
-    return "-XX:StartFlightRecording=filename="
+    return OPTION
+        + "name="
+        + NAME
+        + ",filename="
         + file
         + ",settings="
         + settings
-        + ",dumponexit=true -XX:FlightRecorderOptions=stackdepth=64";
+        + " -XX:FlightRecorderOptions=stackdepth=64";
   }
 
   /**

@@ -29,6 +29,9 @@ final class LanguageProcess implements AutoCloseable {
   private final BlockingQueue<String> lines = new LinkedBlockingQueue<>();
   private String result = "";
 
+  /** Whether it records where its time goes. */
+  private boolean recording;
+
   /** The program could not execute its task. */
   static final class Failure extends Exception {
     private static final long serialVersionUID = 1L;
@@ -78,7 +81,9 @@ final class LanguageProcess implements AutoCloseable {
       if (!options.isEmpty()) {
         builder.environment().put("URBI_JAVA_OPTS", options);
       }
-      return Optional.of(new LanguageProcess(language, builder));
+      LanguageProcess started = new LanguageProcess(language, builder);
+      started.recording = options.contains(FlightRecording.OPTION);
+      return Optional.of(started);
     }
     Optional<String> interpreter = machine.interpreter(language);
     if (interpreter.isEmpty()) {
@@ -184,6 +189,10 @@ final class LanguageProcess implements AutoCloseable {
   @Override
   public void close() {
     try {
+      if (recording) {
+        // It ends without waiting for anything, a recording that is being written included.
+        new JavaProcess(pid()).jcmd("JFR.dump", FlightRecording.DUMPED);
+      }
       if (language == Language.URBISCRIPT) {
         send("shutdown;\n");
       }
