@@ -1,5 +1,6 @@
 package org.urbi.kernel.object;
 
+import java.lang.ref.WeakReference;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -20,11 +21,12 @@ final class Ancestors {
   private static final int FEW = 64;
 
   /**
-   * An object and its ancestors, as they are until some object gets other prototypes.
+   * An object and its ancestors, as they are until some object gets other prototypes. What is no
+   * ancestor any more is not kept alive.
    *
    * @param epoch that of the world when they were found
    */
-  record Known(UrbiObject[] objects, int epoch) {}
+  record Known(List<WeakReference<UrbiObject>> objects, int epoch) {}
 
   private final Set<UrbiObject> visited = new HashSet<>();
 
@@ -37,23 +39,24 @@ final class Ancestors {
 
   /** An object and its ancestors, to be remembered; null if they are many. */
   static @Nullable Known find(UrbiObject from) {
-    List<UrbiObject> found = new ArrayList<>();
+    List<WeakReference<UrbiObject>> found = new ArrayList<>();
     Ancestors ancestors = new Ancestors(from);
     for (UrbiObject next = ancestors.next(); next != null; next = ancestors.next()) {
       if (found.size() == FEW) {
         return null;
       }
-      found.add(next);
+      found.add(new WeakReference<>(next));
     }
-    return new Known(found.toArray(new UrbiObject[0]), from.world().protosEpoch);
+    return new Known(List.copyOf(found), from.world().protosEpoch);
   }
 
   /** The first one that has a slot of its own of that name, or null. */
   static @Nullable UrbiObject holder(UrbiObject from, Symbol name) {
-    UrbiObject[] known = from.knownAncestors();
+    List<WeakReference<UrbiObject>> known = from.knownAncestors();
     if (known != null) {
-      for (UrbiObject at : known) {
-        if (at.shape().indexOf(name) >= 0) {
+      for (int i = 0; i < known.size(); i++) {
+        UrbiObject at = known.get(i).get();
+        if (at != null && at.shape().indexOf(name) >= 0) {
           return at;
         }
       }
@@ -69,10 +72,10 @@ final class Ancestors {
 
   /** Whether an object is among them. */
   static boolean contain(UrbiObject from, UrbiObject wanted) {
-    UrbiObject[] known = from.knownAncestors();
+    List<WeakReference<UrbiObject>> known = from.knownAncestors();
     if (known != null) {
-      for (UrbiObject at : known) {
-        if (at == wanted) {
+      for (int i = 0; i < known.size(); i++) {
+        if (known.get(i).refersTo(wanted)) {
           return true;
         }
       }

@@ -1,7 +1,9 @@
 package org.urbi.kernel.object;
 
+import java.lang.ref.WeakReference;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
@@ -182,7 +184,7 @@ public class UrbiObject {
   }
 
   /** This prototype and its ancestors; null when they are many, or it is no prototype. */
-  final UrbiObject @Nullable [] knownAncestors() {
+  final @Nullable List<WeakReference<UrbiObject>> knownAncestors() {
     Extra x = extraOrNull();
     if (x == null || !x.inherited) {
       return null;

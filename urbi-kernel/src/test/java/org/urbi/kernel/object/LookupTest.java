@@ -234,7 +234,7 @@ class LookupTest {
   @Test
   void ancestorsAreThoseOfTheMoment() {
     var random = new java.util.Random(1);
-    for (int round = 0; round < 200; round++) {
+    for (int round = 0; round < 50; round++) {
       UrbiObject[] objects = new UrbiObject[random.nextInt(2, 90)];
       for (int i = 0; i < objects.length; i++) {
         objects[i] = root.cloned();
@@ -261,6 +261,21 @@ class LookupTest {
         }
       }
     }
+  }
+
+  /** What was an ancestor once is not kept alive by those who have found a slot in it. */
+  @Test
+  void formerAncestorsAreForgotten() throws InterruptedException {
+    UrbiObject heir = root.cloned();
+    var former = new java.lang.ref.WeakReference<>(with(x));
+    heir.setProtos(java.util.Objects.requireNonNull(former.get()), with(y));
+    assertTrue(heir.cloned().isA(java.util.Objects.requireNonNull(former.get())));
+    heir.setProtos(root);
+    for (int i = 0; i < 50 && former.get() != null; i++) {
+      System.gc();
+      Thread.sleep(10);
+    }
+    assertNull(former.get());
   }
 
   private static void walk(UrbiObject at, java.util.Set<UrbiObject> seen) {
