@@ -56,6 +56,20 @@ class SlotsTest {
     assertSame(other, object.localSlot(name("b")));
   }
 
+  /** Places in the code remember what they have to call. */
+  @Test
+  void whoRemembersCodeLooksAgainWhenItIsReplaced() {
+    UrbiObject object = root.cloned();
+    object.addSlot(name("a"), new UrbiCode(root.cloneShape()) {});
+    object.addSlot(name("b"), value());
+    long code = name("a").epoch;
+    long plain = name("b").epoch;
+    object.setSlotAt(0, value());
+    object.setSlotAt(1, value());
+    assertTrue(name("a").epoch > code);
+    assertEquals(plain, name("b").epoch);
+  }
+
   /** Few slots and many are kept differently. */
   @ParameterizedTest
   @ValueSource(ints = {1, 4, 5, 8, 9, 10, 100})
