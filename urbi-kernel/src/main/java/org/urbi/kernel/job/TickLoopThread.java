@@ -164,6 +164,7 @@ final class TickLoopThread implements JobThread, Executor {
     private volatile @Nullable Thread loop;
     private volatile boolean ended;
     private @Nullable Executor late;
+    private final Runnable runningLate = this::runLate;
 
     Factory(Inbox inbox) {
       if (NEW_BUILDER == null) {
@@ -171,6 +172,19 @@ final class TickLoopThread implements JobThread, Executor {
             "java.lang is closed: run java with --add-opens java.base/java.lang=ALL-UNNAMED");
       }
       this.inbox = inbox;
+      loadWhatWakes();
+    }
+
+    /**
+     * Loads what {@link #wake} uses. The JDK calls it on its only thread for those that have waited
+     * for a lock. Loading a class waits for locks, too: behind a job that is to be woken, for ever.
+     */
+    private static void loadWhatWakes() {
+      try {
+        MethodHandles.lookup().ensureInitialized(Message.Resumed.class);
+      } catch (IllegalAccessException e) {
+        throw new IllegalStateException(e);
+      }
     }
 
     @Override
@@ -186,11 +200,11 @@ final class TickLoopThread implements JobThread, Executor {
       return thread;
     }
 
-    /** To be called from any thread. */
+    /** To be called from any thread; must neither wait for a lock nor load a class. */
     private void wake(TickLoopThread waiting) {
       awakened.put(waiting.job.number(), waiting);
       if (ended) {
-        lateThread().execute(this::runLate);
+        lateThread().execute(runningLate);
       } else {
         inbox.post(new Message.Resumed(waiting.job.number()));
       }
@@ -225,7 +239,7 @@ final class TickLoopThread implements JobThread, Executor {
       late = executor;
       ended = true;
       if (!awakened.isEmpty()) {
-        executor.execute(this::runLate);
+        executor.execute(runningLate);
       }
     }
 
