@@ -248,10 +248,6 @@ final class EmitLoops {
 
   // ------------------------------------------------------------------ leaving
 
-  boolean canLeave() {
-    return !around.isEmpty();
-  }
-
   /** Emits {@code break} or {@code continue}. */
   void leave(boolean breaks) {
     Loop loop = around.getFirst();

@@ -42,7 +42,7 @@ final class EmitStatements {
       to.loops().leaveFunction(value);
       return unreachable();
     }
-    if (node instanceof Jumps.OfLoop jump && jump.isPlain() && to.loops().canLeave()) {
+    if (node instanceof Jumps.OfLoop jump && jump.isPlain() && to.loops().isInLoop()) {
       to.loops().leave(jump.isBreak());
       return unreachable();
     }
