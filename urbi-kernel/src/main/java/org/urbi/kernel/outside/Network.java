@@ -69,7 +69,7 @@ public final class Network {
     channel.socket().setTcpNoDelay(true);
     return new SocketConnection(
         outside,
-        channel.socket().getInputStream(),
+        new GatheringStream(channel.socket()),
         channel.socket().getOutputStream(),
         channel,
         true);
