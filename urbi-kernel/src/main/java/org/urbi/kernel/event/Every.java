@@ -68,7 +68,7 @@ public final class Every extends Node {
         }
         if (due > now(job)) {
           job.sleepUntil(due + job.timeShift());
-        } else {
+        } else if (!overlapping) {
           job.yieldNow();
         }
       }

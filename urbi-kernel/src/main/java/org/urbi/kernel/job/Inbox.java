@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Receiver;
+import org.urbi.kernel.time.Clock;
 
 /**
  * The only way into the kernel: everything from outside is a {@link Message} that waits here, in
@@ -24,6 +25,12 @@ import org.urbi.kernel.message.Receiver;
 public final class Inbox {
   /** How many messages one tick takes at most: a flood must not keep the jobs from running. */
   private static final int MOST_PER_TICK = 1 << 16;
+
+  /**
+   * For how long a tick takes messages at most, in nanoseconds: a crowd that connects must not keep
+   * the timers from firing.
+   */
+  private static final long SLICE = 2_000_000;
 
   /** How many ticks in a row wait for the memory to take what a client has sent. */
   private static final int LONGEST_WANT = 50;
@@ -106,12 +113,19 @@ public final class Inbox {
     failures = told;
   }
 
-  /** Delivers the waiting messages to their receivers. */
-  void take() {
+  /**
+   * Delivers the waiting messages to their receivers; the rest in the next tick, if that takes
+   * long.
+   *
+   * @param now the time of that clock
+   */
+  void take(Clock clock, long now) {
     takeUnfinished();
     if (!filled && !journal.isReplay()) {
       return;
     }
+    // In a replay the recording says how many.
+    boolean limited = clock.isReal() && !journal.isReplay();
     for (int left = MOST_PER_TICK; left > 0; left--) {
       Message message = journal.next(this::next);
       if (message == null) {
@@ -119,6 +133,9 @@ public final class Inbox {
       }
       if (isBehindUnfinished(message, unfinished.size()) || !deliver(message)) {
         unfinished.add((Message.Lasting) message);
+      }
+      if (limited && clock.now() - now >= SLICE) {
+        return;
       }
     }
   }

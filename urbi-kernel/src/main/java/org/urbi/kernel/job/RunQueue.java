@@ -52,6 +52,12 @@ final class RunQueue {
    */
   private static final int JOBS_PER_LOOK = 8;
 
+  /** Who takes less time in a round, in nanoseconds, delays nobody… */
+  private static final long LITTLE = SLICE / 10;
+
+  /** …so it is hardly ever to blame: its time counts for one of so many parts. */
+  private static final long LITTLE_COUNTS = 100;
+
   private static final Comparator<Share> AGE = Comparator.comparingLong(share -> share.number);
 
   private final Clock clock;
@@ -103,6 +109,12 @@ final class RunQueue {
   private boolean cuttable;
   private long roundBegan;
   private long looked;
+
+  /** When the turn of the current lobby began. */
+  private long turnBegan;
+
+  /** The lots of all that have had a turn in this round. */
+  private long drawn;
 
   /** Whether the jobs before the last reading of the clock took long. */
   private boolean slow;
@@ -235,17 +247,20 @@ final class RunQueue {
   /**
    * Begins a round: of the jobs that are runnable now, and those which they start.
    *
-   * @param now the time of the clock
    * @param whole whether the round must not be cut short
    */
-  void beginRound(long now, boolean whole) {
+  void beginRound(boolean whole) {
     cuttable = !whole && clock.isReal();
     jobs = 0;
-    roundBegan = now;
-    looked = now;
+    if (cuttable) {
+      // Not the time of the tick: nobody is to blame for the messages that were taken since.
+      roundBegan = clock.now();
+      looked = roundBegan;
+    }
     last = null;
     fresh = 0;
     culprit = 0;
+    drawn = 0;
     if (!rushing) {
       left = together.size();
       return;
@@ -316,6 +331,7 @@ final class RunQueue {
     }
     if (next != current) {
       turn = served.size();
+      turnBegan = looked;
       served.add(next);
       current = round.remove();
       left = current.jobs.size();
@@ -361,13 +377,24 @@ final class RunQueue {
   private boolean isLate(long now) {
     long taken = now - looked;
     long all = now - roundBegan;
-    // Each moment of the round is as likely to be the one whose queue is kept in mind.
-    if (rushing && lots.below(all) < taken) {
-      culprit = turn;
+    if (rushing) {
+      draw(lotsFor(now - turnBegan) - lotsFor(looked - turnBegan));
     }
     slow = taken >= SHORT_SLICE;
     looked = now;
     return all >= (timers.next() <= now ? SHORT_SLICE : SLICE);
+  }
+
+  /** The current lobby has so many more lots; each of the round is as likely to be drawn. */
+  private void draw(long more) {
+    drawn += more;
+    if (drawn == 0 || lots.below(drawn) < more) {
+      culprit = turn;
+    }
+  }
+
+  private static long lotsFor(long time) {
+    return time < LITTLE ? time / LITTLE_COUNTS : time;
   }
 
   private void blame(Share share) {

@@ -502,7 +502,7 @@ public final class Scheduler {
       return;
     }
     yields.beginTick(now);
-    inbox.take();
+    inbox.take(clock, now);
     fireTimers();
     for (Job job = ahead.poll(); job != null; job = ahead.poll()) {
       runnable.addFirst(job);
@@ -572,7 +572,7 @@ public final class Scheduler {
   private void runOnce(boolean last) {
     births = 0;
     descendants = 0;
-    runnable.beginRound(now, last);
+    runnable.beginRound(last);
     Job job;
     while ((last || !stopped) && (job = runnable.next()) != null) {
       running = job;

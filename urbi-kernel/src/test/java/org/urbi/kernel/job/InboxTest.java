@@ -19,6 +19,7 @@ import org.urbi.kernel.message.Message;
 /** The one way in. */
 class InboxTest {
   private final Inbox inbox = new Inbox(Journal.NONE);
+  private final ManualClock clock = ManualClock.real();
   private final List<Message> taken = new ArrayList<>();
 
   @Test
@@ -32,7 +33,7 @@ class InboxTest {
             new Message.InputEnded(one));
     posted.forEach(inbox::post);
     assertTrue(inbox.isFilled());
-    inbox.take();
+    inbox.take(clock, clock.now);
     assertEquals(posted, taken);
     assertFalse(inbox.isFilled());
   }
@@ -42,7 +43,7 @@ class InboxTest {
     int number = inbox.register(taken::add);
     inbox.post(new Message.InputEnded(number));
     inbox.forget(number);
-    inbox.take();
+    inbox.take(clock, clock.now);
     assertEquals(List.of(), taken);
   }
 
@@ -67,7 +68,7 @@ class InboxTest {
     int good = inbox.register(taken::add);
     inbox.post(new Message.InputEnded(bad));
     inbox.post(new Message.InputEnded(good));
-    inbox.take();
+    inbox.take(clock, clock.now);
     assertEquals(List.of(error), told);
     assertEquals(List.of(new Message.InputEnded(good)), taken);
   }
@@ -94,12 +95,12 @@ class InboxTest {
     toWanting.forEach(inbox::post);
     Message toOther = new Message.ConsoleBytes(other, "c");
     inbox.post(toOther);
-    inbox.take();
+    inbox.take(clock, clock.now);
     assertEquals(List.of(toOther), taken);
     assertTrue(inbox.isFilled(), "it waits for no other message");
     taken.clear();
-    inbox.take();
-    inbox.take();
+    inbox.take(clock, clock.now);
+    inbox.take(clock, clock.now);
     assertEquals(toWanting, taken);
     assertEquals(List.of(), told);
     assertFalse(inbox.isFilled());
@@ -116,7 +117,7 @@ class InboxTest {
     Message input = new Message.ConsoleBytes(full, "a");
     inbox.post(input);
     for (int tick = 0; tick < 100; tick++) {
-      inbox.take();
+      inbox.take(clock, clock.now);
     }
     assertEquals(List.of(input), told);
     assertFalse(inbox.isFilled());
@@ -136,11 +137,11 @@ class InboxTest {
           taken.add(message);
         });
     inbox.post(new Message.ConnectionClosed(full));
-    inbox.take();
+    inbox.take(clock, clock.now);
     assertTrue(inbox.isFilled(), "it waits for no other message");
-    inbox.take();
+    inbox.take(clock, clock.now);
     assertEquals(List.of(), taken);
-    inbox.take();
+    inbox.take(clock, clock.now);
     assertEquals(List.of(new Message.ConnectionClosed(full)), taken);
     assertEquals(List.of(), told);
     assertFalse(inbox.isFilled());
@@ -156,11 +157,56 @@ class InboxTest {
           inbox.post(message);
         });
     inbox.post(new Message.InputEnded(number));
-    inbox.take();
+    inbox.take(clock, clock.now);
     assertEquals(1 << 16, taken.size());
     assertTrue(inbox.isFilled());
-    inbox.take();
+    inbox.take(clock, clock.now);
     assertEquals(2 << 16, taken.size());
+  }
+
+  /** Each message takes a millisecond: a crowd that connects must not make timers late. */
+  @Test
+  void aTickTakesMessagesForSomeTimeOnly() {
+    int slow =
+        inbox.register(message -> {
+          taken.add(message);
+          clock.now += 1_000_000;
+        });
+    for (int i = 0; i < 5; i++) {
+      inbox.post(new Message.InputEnded(slow));
+    }
+    inbox.take(clock, clock.now);
+    assertEquals(2, taken.size());
+    assertTrue(inbox.isFilled(), "the rest is not forgotten");
+    inbox.take(clock, clock.now);
+    inbox.take(clock, clock.now);
+    assertEquals(5, taken.size());
+  }
+
+  /** The tick itself has begun long ago, as when timers were late. */
+  @Test
+  void everyTickTakesAMessage() {
+    int number = inbox.register(taken::add);
+    inbox.post(new Message.InputEnded(number));
+    clock.now += 100_000_000;
+    inbox.take(clock, 0);
+    assertEquals(1, taken.size());
+  }
+
+  /** What a run does must not depend on how fast the machine takes what is there. */
+  @Test
+  void inSimulatedTimeATickTakesAllMessages() {
+    ManualClock simulated = ManualClock.simulated();
+    int slow =
+        inbox.register(message -> {
+          taken.add(message);
+          simulated.now += 1_000_000_000;
+        });
+    for (int i = 0; i < 5; i++) {
+      inbox.post(new Message.InputEnded(slow));
+    }
+    inbox.take(simulated, 0);
+    assertEquals(5, taken.size());
   }
 
   @Test
@@ -183,7 +229,7 @@ class InboxTest {
     replayed.register(taken::add);
     replayed.post(new Message.ConsoleBytes(Message.FIRST_FREE, "now"));
     assertFalse(replayed.isFilled());
-    replayed.take();
+    replayed.take(clock, clock.now);
     assertEquals(List.of(recorded), taken);
   }
 

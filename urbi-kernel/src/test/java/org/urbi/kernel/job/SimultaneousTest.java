@@ -38,6 +38,20 @@ class SimultaneousTest {
         """);
   }
 
+  /** On a busy machine it would not catch up. */
+  @Test
+  void aTurnOfEveryThatIsDueTakesOneCycle() {
+    ConsoleTranscript.check(
+        """
+        var n = 0|;
+        var m = 0|;
+        every (0s) n += 1, loop m += 1,
+        sleep(10ms);
+        0.9 * m < n && n < 1.1 * m;
+        [00000010] true
+        """);
+  }
+
   @Test
   void turnsOfSeveralLoopsKeepTheirOrder() {
     ConsoleTranscript.check(
