@@ -54,7 +54,7 @@ public final class IsolatedModules implements ModuleIsolation {
   }
 
   /** One of them. */
-  private final class Isolated implements IsolatedModule, RemotePeer.Supervisor {
+  private final class Isolated implements IsolatedModule, Supervisor {
     private final Budget budget;
     private final UrbiObject loader;
     private final RemotePeer peer;

@@ -18,21 +18,16 @@ import org.urbi.kernel.lobby.RemoteObjects;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.outside.SocketSelector;
-import org.urbi.kernel.uobject.ArgumentFailure;
 import org.urbi.kernel.uobject.ObjectAccess;
 import org.urbi.kernel.uobject.PluggedContext;
 import org.urbi.kernel.variable.UrbiUVar;
 import urbi.UClass;
 import urbi.UContext;
-import urbi.UDataType;
 import urbi.UEmitter;
 import urbi.UModule;
 import urbi.UObject;
 import urbi.UValue;
 import urbi.rtp.RtpMode;
-import urbi.rtp.RtpOptions;
-import urbi.rtp.RtpParameters;
-import urbi.rtp.RtpSession;
 import urbi.wire.Frame;
 import urbi.wire.WireInput;
 import urbi.wire.WireOutput;
@@ -57,6 +52,8 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
   private boolean wanting;
   private final UModule module;
   private final RemoteTasks tasks;
+  private final PendingCalls calls;
+  private final RemoteDatagrams datagrams = new RemoteDatagrams(this);
   private final RemoteRequests requests;
   private final Function<RuntimeException, String> describe;
   private final Map<String, UClass> classes = new LinkedHashMap<>();
@@ -71,10 +68,8 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
   private final Map<String, Double> unnotified = new HashMap<>();
 
   private final Map<String, UEmitter> events = new HashMap<>();
-  private final Map<Integer, CompletableFuture<UValue>> calls = new HashMap<>();
   private final WireOutput out = new WireOutput(1 << 12);
   private boolean flushing;
-  private int lastCall;
   private boolean making;
   private boolean behind;
   private boolean greeted;
@@ -83,25 +78,6 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
   private @Nullable UrbiLobby lobby;
   private @Nullable Runnable rtpEnd;
   private volatile @Nullable Supervisor supervisor;
-
-  /** Who has started the process, for a module that is isolated. */
-  interface Supervisor {
-    /** The connection is lost; called on any thread. */
-    void disconnected(String why);
-
-    /**
-     * The process tells of its module; on the kernel thread.
-     *
-     * @param problem empty when its classes can be used; otherwise why they cannot
-     */
-    void told(String problem);
-
-    /** Whether nobody wants the process to end; on the kernel thread. */
-    boolean isMissed();
-
-    /** The process has ended, and its objects with it; on the kernel thread. */
-    void ended(String why);
-  }
 
   /**
    * @param number of the receiver of its messages
@@ -127,6 +103,7 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
     this.module = new UModule(name);
     this.requests = new RemoteRequests(this, describe);
     this.tasks = new RemoteTasks(scheduler, context::lobby, this::consumed, this::failed);
+    this.calls = new PendingCalls(tasks);
   }
 
   // ------------------------------------------------------------------ from any thread
@@ -188,6 +165,15 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
     return context;
   }
 
+  RemoteTransport wire() {
+    return wire;
+  }
+
+  /** The values that go in datagrams. */
+  RemoteDatagrams datagrams() {
+    return datagrams;
+  }
+
   SocketSelector.@Nullable Socket socket() {
     return socket;
   }
@@ -202,7 +188,7 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
   /** Registers the process with the kernel. */
   public void open() {
     scheduler.inbox().register(number, this::take);
-    rtpEnd = context.rtp().onTurn(this::rtpTurned);
+    rtpEnd = context.rtp().onTurn(datagrams::turned);
   }
 
   /** The lobby executes what the process sends; once, before its first request. */
@@ -244,7 +230,7 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
       int type = in.octet();
       switch (type) {
         case Frame.RESULT, Frame.ERROR, Frame.ARGUMENT_ERROR, Frame.ACCESSED -> {
-          answer(type, in);
+          calls.answer(type, in);
           wire.consumed(frame.length);
         }
         default -> tasks.add(requests.of(type, in), frame.length);
@@ -254,37 +240,6 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
       broken = true;
       wire.close("the remote process does not keep to the protocol: " + e.getMessage());
     }
-  }
-
-  private void answer(int type, WireInput in) {
-    int call = in.size();
-    switch (type) {
-      case Frame.RESULT -> complete(call, in.value(), null);
-      case Frame.ERROR -> complete(call, null, thrownThere(in.text()));
-      case Frame.ARGUMENT_ERROR -> complete(call, null, new ArgumentFailure(in.size(), in.text()));
-      default -> complete(call, new UValue(), null);
-    }
-  }
-
-  /** An exception for one thrown in the process; its stack trace is in the log of that process. */
-  private static RuntimeException thrownThere(String text) {
-    return withoutTrace(new RuntimeException(text));
-  }
-
-  private static RuntimeException withoutTrace(RuntimeException thrown) {
-    thrown.setStackTrace(new StackTraceElement[0]);
-    return thrown;
-  }
-
-  private void complete(int number, @Nullable UValue value, @Nullable RuntimeException error) {
-    CompletableFuture<UValue> call = calls.remove(number);
-    if (call == null) {
-      return;
-    }
-    // Requests that came before the result are finished first: the caller may rely on them, for
-    // instance on functions bound by the call.
-    tasks.whenFinished(
-        error == null ? () -> call.complete(value) : () -> call.completeExceptionally(error));
   }
 
   // ------------------------------------------------------------------ in the job
@@ -366,13 +321,11 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
    * object.
    */
   private void constructThere(String className, String name) {
-    var done = new CompletableFuture<UValue>();
-    int number = ++lastCall;
-    calls.put(number, done);
-    write(o -> o.begin(Frame.NEW).text(className).text(name).size(number).end());
+    PendingCalls.Call made = calls.begin();
+    write(o -> o.begin(Frame.NEW).text(className).text(name).size(made.number()).end());
     if (!tasks.areRunning()) {
       reading.asked(this);
-      context.await(done);
+      context.await(made.result());
     }
   }
 
@@ -430,7 +383,7 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
         new RemoteVariable(this, id, port ? context.inputPort(name) : context.variable(name));
     variables.put(id, variable);
     if (variable.rtp() != RtpMode.RTP_DEFAULT) {
-      tellRtp(variable);
+      datagrams.tellMode(variable);
     }
     variable.watch(1);
     return port ? new UValue() : variable.slot().get();
@@ -440,10 +393,7 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
   void close(int id) {
     variable(id).close();
     variables.remove(id);
-    RtpSession datagrams = wire.datagrams();
-    if (datagrams != null) {
-      datagrams.close(id);
-    }
+    datagrams.close(id);
   }
 
   @Override
@@ -514,22 +464,24 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
 
   @Override
   public CompletionStage<UValue> call(String object, String function, UValue... arguments) {
-    var result = new CompletableFuture<UValue>();
-    int number = ++lastCall;
-    calls.put(number, result);
     if (lost != null) {
-      result.completeExceptionally(gone());
-      return result;
+      return CompletableFuture.failedFuture(PendingCalls.lost(lost));
     }
+    PendingCalls.Call call = calls.begin();
     try {
       write(o ->
-          o.begin(Frame.CALL).size(number).text(object).text(function).values(arguments).end());
+          o.begin(Frame.CALL)
+              .size(call.number())
+              .text(object)
+              .text(function)
+              .values(arguments)
+              .end());
       reading.asked(this);
     } catch (RuntimeException e) {
-      calls.remove(number);
+      calls.forget(call);
       throw e;
     }
-    return result;
+    return call.result();
   }
 
   /** Sends the process a new value; false if it is too far behind to get it now. */
@@ -541,62 +493,13 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
       return false;
     }
     long time = scheduler.now() / 1000;
-    int id = variable.id();
-    RtpSession datagrams = wire.datagrams();
-    if (datagrams != null && datagrams.isActive() && variable.rtp().includes(value)) {
-      byte[] frame =
-          new WireOutput(1 << 6)
-              .begin(Frame.CHANGED)
-              .size(id)
-              .number(time)
-              .value(value)
-              .end()
-              .inside();
-      if (datagrams.send(id, value.getType() == UDataType.DATA_BINARY, frame)) {
-        return true;
-      }
+    if (!datagrams.send(variable, value, time)) {
+      write(o -> {
+        datagrams.leave(variable, o);
+        o.begin(Frame.CHANGED).size(variable.id()).number(time).value(value).end();
+      });
     }
-    write(o -> {
-      if (datagrams != null) {
-        datagrams.leave(id, o, Frame.LEFT);
-      }
-      o.begin(Frame.CHANGED).size(id).number(time).value(value).end();
-    });
     return true;
-  }
-
-  /** Tells the process whether a variable is sent in datagrams. */
-  void tellRtp(RemoteVariable variable) {
-    if (lost == null) {
-      int mode = variable.rtp().ordinal();
-      write(o -> o.begin(Frame.RTP_MODE).size(variable.id()).octet(mode).end());
-    }
-  }
-
-  /** The process offers to exchange values in datagrams. */
-  void openDatagrams(RtpParameters terms) {
-    if (context.rtp().isOn()) {
-      wire.openDatagrams(terms);
-    } else {
-      refuseDatagrams("not loaded");
-    }
-  }
-
-  private void refuseDatagrams(String why) {
-    write(o -> o.begin(Frame.RTP_REFUSED).text(RtpOptions.MODULE + " is " + why).end());
-  }
-
-  /** The module that enables datagrams was loaded or unloaded. */
-  private void rtpTurned(boolean on) {
-    if (lost != null) {
-      return;
-    }
-    if (on) {
-      write(o -> o.begin(Frame.RTP_LOADED).end());
-    } else {
-      wire.closeDatagrams();
-      refuseDatagrams("not loaded any more");
-    }
   }
 
   private void refresh() {
@@ -620,14 +523,12 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
     if (lost != null || tasks.areRunning()) {
       return;
     }
-    var done = new CompletableFuture<UValue>();
-    int number = ++lastCall;
-    calls.put(number, done);
-    write(o -> o.begin(Frame.ACCESS).size(variable.id()).size(number).end());
+    PendingCalls.Call asked = calls.begin();
+    write(o -> o.begin(Frame.ACCESS).size(variable.id()).size(asked.number()).end());
     reading.asked(this);
-    context.await(done, ACCESS_TIMEOUT);
-    calls.remove(number);
-    if (done.isCancelled()) {
+    context.await(asked.result(), ACCESS_TIMEOUT);
+    calls.forget(asked);
+    if (asked.result().isCancelled()) {
       context.report(
           module.name()
               + ": "
@@ -673,18 +574,11 @@ public final class RemotePeer implements RemoteProcess, RemoteObjects {
     }
   }
 
-  /** For who needs the process. Where that happens says nothing, so it has no stack trace. */
-  private RuntimeException gone() {
-    return withoutTrace(new IllegalStateException(lost));
-  }
-
   private void clear(String why) {
     Supervisor told = supervisor;
     Runnable show =
         told == null || !told.isMissed() ? () -> {} : context.keepVisible(classes.keySet());
-    List<CompletableFuture<UValue>> waiting = new ArrayList<>(calls.values());
-    calls.clear();
-    waiting.forEach(call -> call.completeExceptionally(gone()));
+    calls.lose(why.lines().findFirst().orElse(why));
     variables.values().forEach(RemoteVariable::close);
     variables.clear();
     List<RemoteObject> all = new ArrayList<>(objects.values());

@@ -42,7 +42,7 @@ final class RemoteRequests {
       }
       case Frame.RTP_OFFER -> {
         RtpParameters terms = RtpParameters.read(in);
-        yield () -> peer.openDatagrams(terms);
+        yield () -> peer.datagrams().open(terms);
       }
       case Frame.FENCE -> answering(in.size(), peer::showClasses);
       case Frame.ATTACH -> {

@@ -41,7 +41,7 @@ final class RemoteVariable {
     this.id = id;
     this.slot = slot;
     this.variable = PluggedContext.behind(slot);
-    this.rtpEnd = variable.onRtp(() -> peer.tellRtp(this));
+    this.rtpEnd = variable.onRtp(() -> peer.datagrams().tellMode(this));
   }
 
   private static MethodHandle find(String name, Class<?>... parameters) {
