@@ -80,14 +80,14 @@ final class BoundFunction extends Code {
 
   private UrbiObject direct(
       MethodHandle whole, Frame caller, CallSite site, UrbiObject[] arguments) {
-    Frame outer = context.leave(caller, callback.name());
+    Frame outer = context.crossing().leave(caller, callback.name());
     UrbiObject result;
     try {
       result = (UrbiObject) whole.invokeExact(arguments);
     } catch (Throwable e) {
       throw JavaFailures.inFunction(context, caller, site, callback.name(), arguments, e);
     } finally {
-      context.back(caller, outer);
+      context.crossing().back(caller, outer);
     }
     return result;
   }
@@ -106,11 +106,11 @@ final class BoundFunction extends Code {
   }
 
   private Object[] converted(Frame caller, UrbiObject[] arguments) throws Throwable {
-    Frame outer = context.leave(caller, callback.name());
+    Frame outer = context.crossing().leave(caller, callback.name());
     try {
       return context.converters().arguments(callback, arguments);
     } finally {
-      context.back(caller, outer);
+      context.crossing().back(caller, outer);
     }
   }
 }

@@ -255,7 +255,7 @@ final class Converters {
   private UrbiObject waited(@Nullable Object result) {
     return result(
         result instanceof CompletionStage<?> stage
-            ? context.inKernel(frame -> context.await(frame, stage))
+            ? context.crossing().inKernel(frame -> context.await(frame, stage))
             : result);
   }
 
@@ -268,7 +268,9 @@ final class Converters {
       case String text -> ofText(text);
       case UrbiObject object -> object;
       case UVar variable ->
-          context.fromKernel(frame -> context.variables().find(frame, variable.getName()));
+          context
+              .crossing()
+              .fromKernel(frame -> context.variables().find(frame, variable.getName()));
       default -> conversion.toUrbi(UCast.toUValue(result));
     };
   }

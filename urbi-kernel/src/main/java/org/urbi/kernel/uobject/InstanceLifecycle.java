@@ -146,7 +146,7 @@ public final class InstanceLifecycle {
 
   /** Runs a constructor. */
   <T> T construct(Frame frame, String name, Callable<T> constructor) {
-    Frame outer = context.leave(frame, "the constructor of " + name);
+    Frame outer = context.crossing().leave(frame, "the constructor of " + name);
     try {
       return constructor.call();
     } catch (Throwable e) {
@@ -163,7 +163,7 @@ public final class InstanceLifecycle {
                     Utf8Text.toUrbi(caught("constructing " + name, e)));
       };
     } finally {
-      context.back(frame, outer);
+      context.crossing().back(frame, outer);
     }
   }
 
@@ -225,11 +225,11 @@ public final class InstanceLifecycle {
       forget(instance);
       return;
     }
-    Frame outer = context.leave(frame, "clean of " + instance.name());
+    Frame outer = context.crossing().leave(frame, "clean of " + instance.name());
     try {
       java.clean();
     } finally {
-      context.back(frame, outer);
+      context.crossing().back(frame, outer);
     }
   }
 

@@ -123,11 +123,11 @@ final class InstanceReplacement {
   }
 
   private void clean(Frame frame, UObject java) {
-    Frame outer = context.leave(frame, "clean of " + java.get__name());
+    Frame outer = context.crossing().leave(frame, "clean of " + java.get__name());
     try {
       java.clean();
     } finally {
-      context.back(frame, outer);
+      context.crossing().back(frame, outer);
     }
   }
 }

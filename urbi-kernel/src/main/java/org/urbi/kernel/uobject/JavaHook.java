@@ -46,7 +46,7 @@ final class JavaHook implements Hook {
 
   @Override
   public void run(Frame frame, UrbiUVar variable, Datum value) {
-    Frame outer = context.leave(frame, callback.name());
+    Frame outer = context.crossing().leave(frame, callback.name());
     long started = statistics.begin();
     try {
       if (callback.isThreaded()) {
@@ -64,7 +64,7 @@ final class JavaHook implements Hook {
       throw failure(frame, e);
     } finally {
       statistics.end(started);
-      context.back(frame, outer);
+      context.crossing().back(frame, outer);
     }
   }
 

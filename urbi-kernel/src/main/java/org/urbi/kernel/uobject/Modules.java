@@ -188,11 +188,11 @@ public final class Modules {
   }
 
   private UModule read(Frame frame, Path file, boolean library) {
-    Frame outer = context.leave(frame, file.toString());
+    Frame outer = context.crossing().leave(frame, file.toString());
     try {
       return library ? ModuleFiles.loadLibrary(file, libraries) : ModuleFiles.load(file, libraries);
     } finally {
-      context.back(frame, outer);
+      context.crossing().back(frame, outer);
     }
   }
 

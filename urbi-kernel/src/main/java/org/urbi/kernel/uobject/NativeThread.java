@@ -138,7 +138,8 @@ final class NativeThread {
     if (calls.peek() == call) {
       return;
     }
-    context.inKernel(frame -> {
+    KernelCrossing crossing = context.crossing();
+    crossing.inKernel(frame -> {
       call.waiting = frame.job();
       try {
         while (calls.peek() != call) {

@@ -1,7 +1,5 @@
 package org.urbi.kernel.uobject;
 
-import static java.util.Objects.requireNonNull;
-
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Collection;
@@ -13,15 +11,12 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.concurrent.locks.LockSupport;
-import java.util.function.Function;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
-import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
-import org.urbi.kernel.job.KernelThreadPin;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.Timers;
 import org.urbi.kernel.lobby.UrbiLobby;
@@ -76,8 +71,8 @@ public final class PluggedContext implements UContext {
   private final SystemLobby systemLobby;
   private final NativeThread nativeThread = new NativeThread(this);
   private final ThreadPool threads = new ThreadPool("urbi-uobject-");
+  private final KernelCrossing crossing;
   private final Map<String, UObjectHub> hubs = new LinkedHashMap<>();
-  private volatile boolean over;
 
   /**
    * @param moduleSearchPath the folders in which modules are searched, in order
@@ -88,6 +83,7 @@ public final class PluggedContext implements UContext {
     this.scheduler = interpreter.scheduler();
     this.log = log;
     this.requests = new KernelRequests(interpreter);
+    this.crossing = new KernelCrossing(this, interpreter, requests, nativeThread);
     this.objects = new Instances(interpreter.world(), scheduler.inbox(), this::gone);
     this.variables = new VariableLookup(interpreter.world(), objects);
     this.conversion = new ValueConversion(this);
@@ -117,6 +113,11 @@ public final class PluggedContext implements UContext {
 
   Instances objects() {
     return objects;
+  }
+
+  /** The way between the kernel and the code of components. */
+  KernelCrossing crossing() {
+    return crossing;
   }
 
   VariableLookup variables() {
@@ -185,112 +186,7 @@ public final class PluggedContext implements UContext {
     return variables.nameOf(frame, object);
   }
 
-  // ------------------------------------------------------------------ to and fro
-
-  /**
-   * Called before urbiscript calls Java code; the result must be passed to {@link #back}.
-   *
-   * @param function the name of the function, for messages
-   */
-  @Nullable Frame leave(Frame caller, String function) {
-    JavaCallState callState = JavaCallState.of(caller.job());
-    Frame outer = callState.caller;
-    callState.caller = caller;
-    if (outer == null) {
-      UContext.enter(this);
-      KernelThreadPin.pin();
-      caller.job().componentCode().enter(function);
-    }
-    return outer;
-  }
-
-  /** The Java code has returned, or thrown something. */
-  void back(Frame caller, @Nullable Frame outer) {
-    JavaCallState callState = JavaCallState.of(caller.job());
-    callState.caller = outer;
-    if (outer == null) {
-      KernelThreadPin.unpin();
-    }
-    ControlFlowException unwinding = callState.unwinding;
-    callState.unwinding = null;
-    try {
-      if (outer == null) {
-        caller.job().componentCode().leave(null);
-      }
-    } catch (UrbiException overdue) {
-      throw unwinding == null ? overdue : unwinding;
-    }
-    if (unwinding != null) {
-      throw unwinding;
-    }
-  }
-
-  /**
-   * Runs a task on urbiscript objects: at once if called on the kernel thread, where it may let
-   * others run; otherwise in a job, for which the calling thread waits.
-   *
-   * @return the result of the task, which may be null; null if the kernel has ended, because
-   *     components are still being closed then
-   */
-  <T> @Nullable T inKernel(Function<Frame, T> task) {
-    if (!scheduler.isKernelThread()) {
-      return nativeThread.isCurrent()
-          ? nativeThread.ask(() -> inKernel(task))
-          : requests.ask(frame -> translated(frame, task));
-    }
-    if (over) {
-      return null;
-    }
-    Job job = requireNonNull(scheduler.running(), "components are called by jobs");
-    JavaCallState callState = JavaCallState.of(job);
-    @Nullable Frame caller = callState.caller;
-    if (caller == null) {
-      return task.apply(Frame.top(interpreter, job, job.lobby(), new FrameLayout()));
-    }
-    callState.caller = null;
-    KernelThreadPin.unpin();
-    String function = job.componentCode().enter(null);
-    try {
-      return translated(caller, task);
-    } catch (ControlFlowException e) {
-      callState.unwinding = e;
-      throw e;
-    } finally {
-      job.componentCode().enter(function);
-      KernelThreadPin.pin();
-      callState.caller = caller;
-    }
-  }
-
-  /**
-   * Like {@link #inKernel}, for a task that always has a result.
-   *
-   * @throws IllegalStateException when the kernel has ended
-   */
-  <T> T fromKernel(Function<Frame, T> task) {
-    T result = inKernel(task);
-    if (result == null) {
-      throw KernelRequests.ended();
-    }
-    return result;
-  }
-
-  private <T> T translated(Frame frame, Function<Frame, T> task) {
-    try {
-      return task.apply(frame);
-    } catch (UrbiException e) {
-      throw new PropagatedUrbiException(text(frame, e), e);
-    }
-  }
-
-  /** The message of an exception of urbiscript. */
-  String text(Frame frame, UrbiException e) {
-    try {
-      return Utf8Text.toJava(frame.interpreter().asString(frame, e.value()));
-    } catch (UrbiException shown) {
-      return Problem.UNPRINTABLE.text();
-    }
-  }
+  // ------------------------------------------------------------------ calls of components
 
   /** Waits for a result while other jobs run; on the kernel thread. */
   @Nullable Object await(Frame frame, CompletionStage<?> stage) {
@@ -317,7 +213,7 @@ public final class PluggedContext implements UContext {
 
   /** Reports a failure on another thread, unless the kernel is ending. */
   void reportUnlessOver(String message) {
-    if (!over) {
+    if (!crossing.isClosed()) {
       report(message);
     }
   }
@@ -334,7 +230,7 @@ public final class PluggedContext implements UContext {
     Frame frame = Frame.top(interpreter, job, lobby, new FrameLayout());
     CallStatistics.Entry entry = statistics.entry(callback.name());
     long started = entry.begin();
-    Frame outer = leave(frame, callback.name());
+    Frame outer = crossing.leave(frame, callback.name());
     try {
       callback.call();
     } catch (ControlFlowException e) {
@@ -343,7 +239,7 @@ public final class PluggedContext implements UContext {
       report(job, callback.name(), e);
     } finally {
       entry.end(started);
-      back(frame, outer);
+      crossing.back(frame, outer);
     }
   }
 
@@ -388,7 +284,7 @@ public final class PluggedContext implements UContext {
 
   @Override
   public void start(UClass type) {
-    inKernel(frame -> {
+    crossing.inKernel(frame -> {
       // Publish at once: code sent by a constructor may refer to the object.
       creation.start(frame, type).run();
       return null;
@@ -401,12 +297,12 @@ public final class PluggedContext implements UContext {
    * @return the action that makes its object a slot of {@code uobjects}
    */
   public Runnable startUnseen(UClass type) {
-    return fromKernel(frame -> creation.start(frame, type));
+    return crossing.fromKernel(frame -> creation.start(frame, type));
   }
 
   /** Ends a class with all its objects, which stay in urbiscript without their functions. */
   public void stop(UClass type) {
-    inKernel(frame -> {
+    crossing.inKernel(frame -> {
       creation.endClass(frame, type);
       return null;
     });
@@ -429,7 +325,7 @@ public final class PluggedContext implements UContext {
 
   @Override
   public void startHub(UHubClass type) {
-    inKernel(frame -> {
+    crossing.inKernel(frame -> {
       UObjectHub before = hubs.remove(type.name());
       if (before != null) {
         periods.end(before);
@@ -450,12 +346,12 @@ public final class PluggedContext implements UContext {
 
   @Override
   public String attach(UObject object, @Nullable String name) {
-    return fromKernel(frame -> creation.attach(frame, object, name));
+    return crossing.fromKernel(frame -> creation.attach(frame, object, name));
   }
 
   @Override
   public void detach(UObject object) {
-    inKernel(frame -> {
+    crossing.inKernel(frame -> {
       creation.detach(object);
       return null;
     });
@@ -463,7 +359,7 @@ public final class PluggedContext implements UContext {
 
   @Override
   public @Nullable UObject getUObject(String name) {
-    return inKernel(frame -> {
+    return crossing.inKernel(frame -> {
       Instance instance = objects.named(name);
       return instance == null ? null : instance.java();
     });
@@ -471,12 +367,12 @@ public final class PluggedContext implements UContext {
 
   @Override
   public @Nullable UObjectHub getUObjectHub(String name) {
-    return inKernel(frame -> hubs.get(name));
+    return crossing.inKernel(frame -> hubs.get(name));
   }
 
   @Override
   public void bindFunction(UObject object, String name, UCallback function) {
-    inKernel(frame -> {
+    crossing.inKernel(frame -> {
       creation.bind(object, name, function);
       return null;
     });
@@ -493,7 +389,7 @@ public final class PluggedContext implements UContext {
   }
 
   private USlot slot(String name, boolean input) {
-    return fromKernel(frame -> {
+    return crossing.fromKernel(frame -> {
       UrbiUVar variable = variables.find(frame, name);
       if (input) {
         variable.makeInput();
@@ -504,7 +400,7 @@ public final class PluggedContext implements UContext {
 
   @Override
   public UEmitter event(String name) {
-    return fromKernel(frame -> {
+    return crossing.fromKernel(frame -> {
       VariableLookup.Place place = variables.place(frame, name);
       if (place.owner().localSlot(place.slot()) == null) {
         place.owner().addSlot(place.slot(), interpreter.prototypes().event.cloned());
@@ -515,7 +411,7 @@ public final class PluggedContext implements UContext {
 
   private void emit(String name, UValue... payload) {
     if (isInTurn()) {
-      inKernel(frame -> {
+      crossing.inKernel(frame -> {
         emit(frame, name, payload);
         return null;
       });
@@ -555,10 +451,10 @@ public final class PluggedContext implements UContext {
 
   @Override
   public Runnable every(Object owner, double milliseconds, UCallback function, boolean afterPass) {
-    return fromKernel(frame -> {
+    return crossing.fromKernel(frame -> {
       PeriodicCall call = periods.begin(frame, owner, milliseconds, function, afterPass);
       return () ->
-          inKernel(later -> {
+          crossing.inKernel(later -> {
             periods.end(owner, call);
             return null;
           });
@@ -599,7 +495,7 @@ public final class PluggedContext implements UContext {
    * stage is cancelled.
    */
   public void await(CompletableFuture<?> stage, Duration most) {
-    inKernel(frame -> {
+    crossing.inKernel(frame -> {
       Timers.Timer limit =
           scheduler.timers().add(scheduler.deadline(most.toNanos()), () -> stage.cancel(false));
       try {
@@ -613,7 +509,7 @@ public final class PluggedContext implements UContext {
 
   /** Makes the running job wait until a stage is complete, normally or not. */
   public void await(CompletableFuture<?> stage) {
-    inKernel(frame -> {
+    crossing.inKernel(frame -> {
       awaitEnd(frame, stage);
       return null;
     });
@@ -633,7 +529,7 @@ public final class PluggedContext implements UContext {
       LockSupport.parkNanos(time.toNanos());
       return;
     }
-    inKernel(frame -> {
+    crossing.inKernel(frame -> {
       if (time.isPositive()) {
         frame.job().sleepUntil(scheduler.deadline(time.toNanos()));
       } else {
@@ -690,7 +586,7 @@ public final class PluggedContext implements UContext {
 
   /** The kernel has ended; on its thread. */
   public void close() {
-    over = true;
+    crossing.close();
     requests.close();
     modules.close();
     creation.close();

@@ -23,6 +23,7 @@ final class PluggedSlot implements USlot {
   private static final double NANOSECONDS_PER_MICROSECOND = 1000;
 
   private final PluggedContext context;
+  private final KernelCrossing crossing;
   private final UrbiUVar variable;
   private final String name;
   private final List<Runnable> notifications = new ArrayList<>(1);
@@ -32,6 +33,7 @@ final class PluggedSlot implements USlot {
 
   PluggedSlot(PluggedContext context, UrbiUVar variable, String name) {
     this.context = context;
+    this.crossing = context.crossing();
     this.variable = variable;
     this.name = name;
   }
@@ -49,7 +51,7 @@ final class PluggedSlot implements USlot {
 
   @Override
   public UValue get() {
-    return context.fromKernel(frame -> {
+    return crossing.fromKernel(frame -> {
       Datum told = context.notifications().find(frame.job(), variable);
       if (told != null && told.foreign() instanceof BypassValue foreign) {
         return foreign.value();
@@ -68,7 +70,7 @@ final class PluggedSlot implements USlot {
 
   @Override
   public void set(UValue value) {
-    context.inKernel(frame -> {
+    crossing.inKernel(frame -> {
       Datum datum =
           bypass && value.getType() == UDataType.DATA_BINARY
               ? new Datum(new BypassValue(context.conversion(), value))
@@ -90,17 +92,17 @@ final class PluggedSlot implements USlot {
 
   @Override
   public long timestamp() {
-    return context.fromKernel(frame -> (long) (variable.written() / NANOSECONDS_PER_MICROSECOND));
+    return crossing.fromKernel(frame -> (long) (variable.written() / NANOSECONDS_PER_MICROSECOND));
   }
 
   @Override
   public double in() {
-    return context.fromKernel(frame -> number(seen().value()));
+    return crossing.fromKernel(frame -> number(seen().value()));
   }
 
   @Override
   public double out() {
-    return context.fromKernel(frame -> owner ? number(variable.visible().value()) : lastWritten);
+    return crossing.fromKernel(frame -> owner ? number(variable.visible().value()) : lastWritten);
   }
 
   private static double number(UrbiObject value) {
@@ -111,7 +113,7 @@ final class PluggedSlot implements USlot {
 
   @Override
   public UValue property(UProperty property) {
-    return context.fromKernel(frame -> {
+    return crossing.fromKernel(frame -> {
       UrbiObject value = Properties.find(frame, object(), symbol(frame), property.text());
       return value == null ? new UValue() : context.conversion().toJava(value);
     });
@@ -119,7 +121,7 @@ final class PluggedSlot implements USlot {
 
   @Override
   public void setProperty(UProperty property, UValue value) {
-    context.inKernel(frame -> {
+    crossing.inKernel(frame -> {
       UrbiObject given = context.conversion().toUrbi(value);
       UrbiObject set =
           property == UProperty.PROP_CONSTANT
@@ -147,7 +149,7 @@ final class PluggedSlot implements USlot {
 
   @Override
   public void own() {
-    context.inKernel(frame -> {
+    crossing.inKernel(frame -> {
       variable.own(context::warn);
       owner = true;
       return null;
@@ -161,7 +163,7 @@ final class PluggedSlot implements USlot {
 
   @Override
   public boolean setBypass(boolean on) {
-    context.inKernel(frame -> {
+    crossing.inKernel(frame -> {
       bypass = on;
       variable.setBypass(on);
       return null;
@@ -172,7 +174,7 @@ final class PluggedSlot implements USlot {
   @Override
   public void useRtp(boolean on) {
     // Within one process nothing is sent, but the setting also applies to remote subscribers.
-    context.inKernel(frame -> {
+    crossing.inKernel(frame -> {
       variable.setRtp(on);
       return null;
     });
@@ -187,7 +189,7 @@ final class PluggedSlot implements USlot {
 
   @Override
   public Runnable onChange(@Nullable UObject object, UCallback function) {
-    return context.fromKernel(frame -> {
+    return crossing.fromKernel(frame -> {
       JavaHook hook = new JavaHook(context, function);
       if (owner) {
         long id = variable.notifyChangeOwned(hook);
@@ -200,7 +202,7 @@ final class PluggedSlot implements USlot {
 
   @Override
   public Runnable onAccess(@Nullable UObject object, UCallback function) {
-    return context.fromKernel(frame -> {
+    return crossing.fromKernel(frame -> {
       long id = variable.notifyAccess(frame, new JavaHook(context, function));
       return ending(() -> variable.removeAccess(id));
     });
@@ -209,7 +211,7 @@ final class PluggedSlot implements USlot {
   private Runnable ending(Runnable removal) {
     Runnable end =
         () ->
-            context.inKernel(frame -> {
+            crossing.inKernel(frame -> {
               removal.run();
               return null;
             });
@@ -219,7 +221,7 @@ final class PluggedSlot implements USlot {
 
   @Override
   public void unnotify() {
-    context.inKernel(frame -> {
+    crossing.inKernel(frame -> {
       List<Runnable> all = List.copyOf(notifications);
       notifications.clear();
       all.forEach(Runnable::run);

@@ -20,10 +20,12 @@ final class Structures {
   static final String NAME = "$sn";
 
   private final PluggedContext context;
+  private final KernelCrossing crossing;
   private final ValueConversion values;
 
   Structures(PluggedContext context, ValueConversion values) {
     this.context = context;
+    this.crossing = context.crossing();
     this.values = values;
   }
 
@@ -38,7 +40,7 @@ final class Structures {
   /** The fields are the slots of the class. */
   UDictionary toJava(UrbiObject object, int depth) {
     UrbiObject type = type(object);
-    return context.fromKernel(frame -> {
+    return crossing.fromKernel(frame -> {
       UDictionary fields = new UDictionary();
       fields.with(
           NAME, Utf8Text.toJava(frame.interpreter().asString(frame, typeName(frame, type))));
@@ -70,7 +72,7 @@ final class Structures {
 
   /** A new object of the class of that name, with these fields. */
   UrbiObject toUrbi(String name, UDictionary fields) {
-    return context.fromKernel(frame -> {
+    return crossing.fromKernel(frame -> {
       UrbiObject registered =
           prototype("Serializables").localSlot(frame.interpreter().world().symbol(name));
       if (registered == null) {

@@ -37,6 +37,7 @@ final class ValueConversion {
   private static final int DEEPEST = 200;
 
   private final PluggedContext context;
+  private final KernelCrossing crossing;
   private final World world;
   private final Values values;
   private final Structures structures;
@@ -44,6 +45,7 @@ final class ValueConversion {
 
   ValueConversion(PluggedContext context) {
     this.context = context;
+    this.crossing = context.crossing();
     this.world = context.interpreter().world();
     this.values = world.values();
     this.structures = new Structures(context, this);
@@ -105,7 +107,7 @@ final class ValueConversion {
   }
 
   private KernelRefusal badKey(UrbiObject key) {
-    return context.fromKernel(frame -> {
+    return crossing.fromKernel(frame -> {
       Interpreter interpreter = frame.interpreter();
       UrbiObject type = key.lookup(interpreter.world().symbol("type"));
       String shown = Utf8Text.toJava(interpreter.asString(frame, key));
@@ -134,7 +136,7 @@ final class ValueConversion {
     if (structures.isStructure(object)) {
       return new UValue(structures.toJava(object, depth));
     }
-    return context.fromKernel(frame -> {
+    return crossing.fromKernel(frame -> {
       try {
         return new UValue(Utf8Text.toComponent(frame.interpreter().asString(frame, object)));
       } catch (UrbiException e) {
@@ -149,7 +151,7 @@ final class ValueConversion {
     if (holder == null || holder == world.prototype("Object")) {
       return object;
     }
-    return context.fromKernel(frame -> frame.interpreter().send(frame, object, serializer.name()));
+    return crossing.fromKernel(frame -> frame.interpreter().send(frame, object, serializer.name()));
   }
 
   // ------------------------------------------------------------------ to urbiscript
@@ -179,7 +181,7 @@ final class ValueConversion {
     if (object != null) {
       return object;
     }
-    return context.fromKernel(frame -> context.variables().find(frame, name));
+    return crossing.fromKernel(frame -> context.variables().find(frame, name));
   }
 
   private UrbiObject list(UList list) {
@@ -195,7 +197,7 @@ final class ValueConversion {
     if (structure != null && structure.getType() == UDataType.DATA_STRING) {
       return structures.toUrbi(structure.stringValue(), dictionary);
     }
-    return context.fromKernel(frame -> values.dictionary(entries(frame, dictionary)));
+    return crossing.fromKernel(frame -> values.dictionary(entries(frame, dictionary)));
   }
 
   private Map<UrbiDictionary.Key, UrbiObject> entries(Frame frame, UDictionary dictionary) {
