@@ -22,5 +22,6 @@ else
 fi
 # shellcheck disable=SC2086
 timeout 120 "$java" $jvm_flags -XX:+UnlockDiagnosticVMOptions -XX:-AOTRecordTraining \
-  -XX:AOTCacheOutput="$cache" -Durbi.root="$root" -cp "$cp" "$@" </dev/null >"$log" 2>&1
-[ -s "$cache" ]
+  -XX:AOTCacheOutput="$cache.new" -Durbi.root="$root" -cp "$cp" "$@" </dev/null >"$log" 2>&1
+# Whoever starts meanwhile has the one before, whole.
+[ -s "$cache.new" ] && mv -f "$cache.new" "$cache"
