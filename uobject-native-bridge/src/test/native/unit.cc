@@ -9,6 +9,9 @@
 #include <urbi/uobject.hh>
 #include <urbi/usyncclient.hh>
 
+// What a module is called by; where its code was compiled separately, it is seen by nobody else.
+#include <urbi/detail/entry.hh>
+
 static int failures = 0;
 
 #define CHECK(Condition)                                                                          \

@@ -1,6 +1,6 @@
 // A module with every fault that a module can have.
-#include <urbi/uclient.hh>
 #include <urbi/uobject.hh>
+#include <urbi/uclient.hh>
 
 #include <cstdio>
 #include <cstdlib>

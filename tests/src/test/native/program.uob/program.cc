@@ -1,6 +1,6 @@
 // What programs of 2.7 do with their context, with null and with bytes.
-#include <urbi/uclient.hh>
 #include <urbi/uobject.hh>
+#include <urbi/uclient.hh>
 
 #include <pthread.h>
 #include <stdexcept>
