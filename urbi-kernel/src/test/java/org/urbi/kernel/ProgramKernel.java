@@ -35,7 +35,7 @@ final class ProgramKernel implements AutoCloseable {
   private static final long WAIT_MS = 100;
 
   /** After so many waits a program is interrupted, as its client may do. */
-  private static final int WAITS_TO_INTERRUPT = 30;
+  private static final int WAITS_TO_INTERRUPT = 10;
 
   /**
    * After so many waits the kernel hangs. They are counted, and no clock is read: the whole process

@@ -47,7 +47,7 @@ final class WrongCallKernel implements AutoCloseable {
   private static final long VIRTUAL_TIMEOUT = TimeUnit.HOURS.toNanos(30);
 
   /** Real: how long somebody waits before he looks. */
-  private static final long WAIT_MS = 100;
+  private static final long WAIT_MS = 40;
 
   /** After so many waits a call is ended as the user may end what never lets others run. */
   private static final int WAITS_TO_INTERRUPT = 2;
@@ -56,12 +56,12 @@ final class WrongCallKernel implements AutoCloseable {
    * After so many waits the kernel hangs. They are counted, and no clock is read: the whole process
    * may be stopped for a while.
    */
-  private static final int WAITS_TO_GIVE_UP = 600;
+  private static final int WAITS_TO_GIVE_UP = 1_500;
 
   private static final int TURNS_TO_END = 50;
 
   /** After so many waits besides, a call cannot be stopped. */
-  private static final int WAITS_TO_END = 300;
+  private static final int WAITS_TO_END = 750;
 
   /**
    * What only Java says, each with a word that is in it: looking for the word takes a tenth of the
