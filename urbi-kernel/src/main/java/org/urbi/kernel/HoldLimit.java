@@ -2,17 +2,20 @@ package org.urbi.kernel;
 
 import java.time.Duration;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.HoldWatchdog;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.journal.StopReason;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.log.LogLevel;
+import org.urbi.kernel.outside.HeapUsage;
 
-/** Ends jobs that hold the kernel for too long without letting others run. */
+/** Ends jobs that hold the kernel for too long, or fill its memory, without letting others run. */
 final class HoldLimit {
   private final Errors errors;
   private final KernelLog log;
@@ -32,24 +35,31 @@ final class HoldLimit {
       Scheduler scheduler, Errors errors, KernelLog log, Duration limit) {
     HoldLimit holding = new HoldLimit(errors, log);
     // A replay may have no limit where the recorded run had one and reached it.
-    scheduler.interruptions().setOverdueFailure(holding::failure);
+    scheduler.interruptions().setLimitFailure(holding::failure);
     if (scheduler.journal().isReplay()) {
       return null;
     }
     long most = limit.isZero() ? Long.MAX_VALUE : limit.toNanos();
-    return scheduler.limitHolding(most, holding::tell);
+    return scheduler.limitHolding(most, HeapUsage::free, holding::tell);
   }
 
-  private UrbiException failure(Job job) {
+  private UrbiException failure(Job job, StopReason why) {
+    if (why == StopReason.GREEDY) {
+      return errors.limit(
+          Problem.BUDGET_EXHAUSTED, job.budget().limit(Resource.MEMORY), Resource.MEMORY.unit());
+    }
     return errors.limit(Problem.HELD_TOO_LONG, described(job, job.componentCode().function()));
   }
 
   /** Called on the watchdog's thread, so it reads nothing but names. */
-  private void tell(Job job, @Nullable String component, long limit) {
+  private void tell(Job job, @Nullable String component, StopReason why, long limit) {
     if (log.shows(LogLevel.LOG)) {
+      String who = described(job, component);
       log.write(
           "urbi: "
-              + Problem.HOLDS_KERNEL.text(described(job, component), limit / 1_000_000 / 1000.0));
+              + (why == StopReason.GREEDY
+                  ? Problem.FILLS_MEMORY.text(who, limit)
+                  : Problem.HOLDS_KERNEL.text(who, limit / 1_000_000 / 1000.0)));
     }
   }
 

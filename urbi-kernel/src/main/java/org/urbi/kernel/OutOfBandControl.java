@@ -85,6 +85,8 @@ final class OutOfBandControl {
     HoldWatchdog who = watch;
     if (what == Resource.HOLD && who != null) {
       who.watchBudget(TimeUnit.MILLISECONDS.toNanos(limit));
+    } else if (what == Resource.MEMORY && who != null) {
+      who.watchMemory();
     } else if (what == Resource.TIME && shares == null) {
       shares = new TimeBudgetMonitor(scheduler.meter(), connections.values());
       shares.start();

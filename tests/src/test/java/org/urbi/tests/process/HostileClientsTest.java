@@ -110,6 +110,39 @@ class HostileClientsTest {
     }
   }
 
+  private static final String TOO_MUCH =
+      "the budget of this lobby is exhausted:"
+          + " 1048576 bytes allocated without letting others run";
+
+  private static List<String> shown(List<String> lines) {
+    return lines.stream().map(line -> line.substring(line.indexOf(']') + 2)).toList();
+  }
+
+  /** The server's own program has no budget. Each of them is told by its own exception. */
+  @Test
+  void clientThatAllocatesTooMuchAtOneGoIsToldAndEnded() throws Exception {
+    try (ServerProcess server =
+            ServerProcess.in(
+                JavaProcess.Setting.in(folder).with("JAVA_TOOL_OPTIONS", "-Xmx300m"),
+                "--budget",
+                "memory=1M");
+        ConsoleClient client = server.connect()) {
+      for (String program :
+          List.of(
+              "var l = []| while|(true) l << \"x\" * 1000;",
+              "var s = \"x\"| loop| s = s + s;",
+              "var t = \"x\"| loop| { try { loop| t = t + t } catch { } };")) {
+        assertEquals(
+            "!!! " + TOO_MUCH, client.answers(program).getFirst().replaceFirst(".*(?=!!!)", ""));
+      }
+      assertEquals(List.of("2"), shown(client.answers("1 + 1;")));
+      assertEquals(
+          List.of('"' + TOO_MUCH + '"'),
+          shown(client.answers("try { \"x\" * 100000000 } catch (var e) { e.message };")));
+      assertEquals(0, server.shutDown());
+    }
+  }
+
   private void anotherClientIsAnsweredWhileAndAfter(List<String> programs, String memory)
       throws Exception {
     try (ServerProcess server =

@@ -19,6 +19,8 @@ public enum Resource {
   TIME("% of the kernel's time"),
   /** Milliseconds for which a job may hold the kernel without letting others run. */
   HOLD("ms without letting others run"),
+  /** Bytes of memory that a job may allocate without letting others run. */
+  MEMORY("bytes allocated without letting others run"),
   /** Nested calls of functions. */
   DEPTH("nested calls");
 

@@ -306,6 +306,8 @@ public enum Problem {
   HOLDS_KERNEL(
       LINE,
       "{job} has held the kernel for more than {limit} s without letting others run, ending it"),
+  FILLS_MEMORY(
+      LINE, "{job} has allocated more than {limit} bytes without letting others run, ending it"),
   EVICTED(LINE, "{reason}: the jobs of this lobby are ended"),
   NOBODY_HOLDS(LINE, "nobody holds the kernel"),
   INTERRUPTED_HOLDER(LINE, "interrupted: {job} held the kernel for {time} s"),

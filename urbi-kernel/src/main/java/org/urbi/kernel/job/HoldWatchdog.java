@@ -3,12 +3,15 @@ package org.urbi.kernel.job;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.budget.Budget;
+import org.urbi.kernel.budget.Resource;
+import org.urbi.kernel.journal.StopReason;
 import org.urbi.kernel.time.Clock;
 
 /**
  * Watches from another thread whether a job holds the kernel for too long without letting others
- * run, and ends that job. If the job waits inside the Java code of a component, that thread is
- * interrupted, too.
+ * run, or allocates more memory meanwhile than its budget allows, and ends that job. If the job
+ * waits inside the Java code of a component, that thread is interrupted, too.
  *
  * <p>Code that gets no processor holds nothing: once half of the limit has passed, only the
  * processor time of the kernel thread counts. A component may wait instead of work, so for it the
@@ -29,19 +32,26 @@ public final class HoldWatchdog {
 
   private static final long SHORTEST_PAUSE = 250_000;
 
+  /** The same where memory is limited: it can be filled by megabytes in a millisecond. */
+  private static final long MEMORY_PAUSE = 500_000;
+
   /** The part of the limit that is left while memory is nearly exhausted. */
   private static final int HURRY = 20;
+
+  /** So many turns fit in the memory that is free. */
+  private static final int TURNS_IN_FREE_MEMORY = 64;
 
   /** What neither works nor lets others run is ended as well, after so many times the limit. */
   private static final int LONGEST_WAIT = 20;
 
   private final Scheduler scheduler;
   private final Clock machine;
-  private final LongSupplier processorTime;
+  private final Gauges gauges;
   private final long limit;
   private volatile long pause;
   private final Listener listener;
   private volatile boolean hurried;
+  private volatile boolean memoryLimited;
   private volatile long heldTurn = -1;
   private volatile long heldSince;
   private boolean started;
@@ -62,6 +72,18 @@ public final class HoldWatchdog {
   /** What of the limit was over then. */
   private long heldAtHalf;
 
+  /** What the kernel thread had allocated when this turn was first seen. */
+  private long allocatedBefore;
+
+  /**
+   * What is measured of the kernel.
+   *
+   * @param processorTime how much its thread has had, in nanoseconds, or {@link #UNKNOWN}
+   * @param allocated how many bytes its thread has allocated
+   * @param free how many bytes of memory are free
+   */
+  public record Gauges(LongSupplier processorTime, LongSupplier allocated, LongSupplier free) {}
+
   /** Who is told when a job is ended. */
   @FunctionalInterface
   public interface Listener {
@@ -69,25 +91,19 @@ public final class HoldWatchdog {
      * Called on the watchdog's thread.
      *
      * @param component the component function that it executes, or null
-     * @param limit how long it was allowed to hold the kernel, in nanoseconds
+     * @param limit how long it was allowed to hold the kernel, in nanoseconds; for {@link
+     *     StopReason#GREEDY} how much it was allowed to allocate, in bytes
      */
-    void ended(Job job, @Nullable String component, long limit);
+    void ended(Job job, @Nullable String component, StopReason why, long limit);
   }
 
   /**
-   * @param processorTime tells how much the kernel thread has had, in nanoseconds, or {@link
-   *     #UNKNOWN}
    * @param limit in nanoseconds; {@link Long#MAX_VALUE} for none but those of budgets
    */
-  HoldWatchdog(
-      Scheduler scheduler,
-      Clock machine,
-      LongSupplier processorTime,
-      long limit,
-      Listener listener) {
+  HoldWatchdog(Scheduler scheduler, Clock machine, Gauges gauges, long limit, Listener listener) {
     this.scheduler = scheduler;
     this.machine = machine;
-    this.processorTime = processorTime;
+    this.gauges = gauges;
     this.limit = limit;
     this.pause = pauseFor(limit);
     this.listener = listener;
@@ -107,6 +123,13 @@ public final class HoldWatchdog {
   /** The budget of a lobby has a limit, in nanoseconds, which must be watched from now on. */
   public synchronized void watchBudget(long budgeted) {
     pause = Math.min(pause, pauseFor(budgeted));
+    watchFromNowOn();
+  }
+
+  /** The budget of a lobby limits what a job may allocate at one go. */
+  public synchronized void watchMemory() {
+    memoryLimited = true;
+    pause = Math.min(pause, MEMORY_PAUSE);
     watchFromNowOn();
   }
 
@@ -133,7 +156,7 @@ public final class HoldWatchdog {
 
   /** Interrupts what holds the kernel, as its client could; from any thread. */
   public void interrupt() {
-    end(scheduler.turn(), heldFor());
+    end(scheduler.turn(), StopReason.OVERDUE, heldFor());
   }
 
   private void watch() {
@@ -157,16 +180,34 @@ public final class HoldWatchdog {
       told = false;
       interrupted = false;
       processorTimeAtHalf = UNKNOWN;
+      if (memoryLimited) {
+        allocatedBefore = gauges.allocated.getAsLong();
+      }
     } else if (!told) {
-      long most = limitOf(scheduler.running());
+      Job job = scheduler.running();
+      long memory = memoryLimited ? memoryFor(job) : Budget.UNLIMITED;
+      if (memory != Budget.UNLIMITED && gauges.allocated.getAsLong() - allocatedBefore > memory) {
+        told = true;
+        end(seen, StopReason.GREEDY, memory);
+        return;
+      }
+      long most = limitOf(job);
       long allowed = hurried ? Math.min(most, limit / HURRY) : most;
       if (isOverdue(now - heldSince, allowed, most)) {
         told = true;
-        end(seen, allowed);
+        end(seen, StopReason.OVERDUE, allowed);
       }
     } else if (!interrupted) {
       interruptComponent(seen);
     }
+  }
+
+  /** What the turn of a job may allocate: in a crowd there must be something left for others. */
+  private long memoryFor(@Nullable Job job) {
+    long most = job == null ? Budget.UNLIMITED : job.budget().limit(Resource.MEMORY);
+    return most == Budget.UNLIMITED
+        ? most
+        : Math.min(most, gauges.free.getAsLong() / TURNS_IN_FREE_MEMORY);
   }
 
   private long limitOf(@Nullable Job job) {
@@ -176,7 +217,7 @@ public final class HoldWatchdog {
   private boolean isOverdue(long held, long allowed, long most) {
     if (held >= allowed / 2 && processorTimeAtHalf == UNKNOWN) {
       // Asking for it earlier would cost the start of every kernel some milliseconds.
-      processorTimeAtHalf = processorTime.getAsLong();
+      processorTimeAtHalf = gauges.processorTime.getAsLong();
       // This thread may be late, too, as when garbage is collected.
       heldAtHalf = Math.min(held, allowed / 4 * 3);
     }
@@ -187,16 +228,16 @@ public final class HoldWatchdog {
     if (job == null || job.componentCode().function() != null || processorTimeAtHalf == UNKNOWN) {
       return held >= most;
     }
-    return heldAtHalf + processorTime.getAsLong() - processorTimeAtHalf >= allowed
+    return heldAtHalf + gauges.processorTime.getAsLong() - processorTimeAtHalf >= allowed
         || held / LONGEST_WAIT >= most;
   }
 
-  private void end(long turn, long allowed) {
+  private void end(long turn, StopReason why, long allowed) {
     Job job = scheduler.running();
     if (job != null) {
       String component = job.componentCode().function();
-      scheduler.interruptions().requestOverdue(turn);
-      listener.ended(job, component, allowed);
+      scheduler.interruptions().requestOverdue(turn, why);
+      listener.ended(job, component, why, allowed);
       interruptComponent(turn);
     }
   }

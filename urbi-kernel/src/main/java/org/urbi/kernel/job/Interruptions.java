@@ -4,7 +4,7 @@ import java.util.HashSet;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budgeted;
@@ -36,10 +36,12 @@ public final class Interruptions {
   private final Journal journal;
   private final Clock machine;
   private final boolean counted;
-  private Function<Job, RuntimeException> overdueFailure = job -> TagStop.WHOLE_JOB;
+  private BiFunction<Job, StopReason, RuntimeException> limitFailure =
+      (job, reason) -> TagStop.WHOLE_JOB;
   private volatile boolean wanted;
   private volatile boolean all;
   private final AtomicLong overdueTurn = new AtomicLong(NONE);
+  private volatile StopReason overdueReason = StopReason.OVERDUE;
   private volatile Runnable changed = () -> {};
 
   // The following fields belong to the kernel thread: the code that is being ended at present.
@@ -82,8 +84,9 @@ public final class Interruptions {
     announce();
   }
 
-  /** Ends the job whose turn has that number, if that turn still lasts. */
-  void requestOverdue(long turn) {
+  /** Ends the job whose turn has that number, if that turn still lasts: it has reached a limit. */
+  void requestOverdue(long turn, StopReason reason) {
+    overdueReason = reason;
     overdueTurn.set(turn);
     announce();
   }
@@ -109,9 +112,9 @@ public final class Interruptions {
 
   // ------------------------------------------------------------------ on the kernel thread
 
-  /** Sets the exception that ends a job which has held the kernel for too long. */
-  public void setOverdueFailure(Function<Job, RuntimeException> failure) {
-    overdueFailure = failure;
+  /** Sets the exception that ends a job which has reached a limit, {@code OVERDUE} or another. */
+  public void setLimitFailure(BiFunction<Job, StopReason, RuntimeException> failure) {
+    limitFailure = failure;
   }
 
   /** Throws if the running job must end. */
@@ -119,9 +122,9 @@ public final class Interruptions {
     StopReason decided = decide(job.lobby());
     if (decided == StopReason.REQUESTED) {
       throw TagStop.interruption();
-    } else if (decided == StopReason.OVERDUE) {
+    } else if (decided != StopReason.NONE) {
       if (failure == null) {
-        failure = overdueFailure.apply(job);
+        failure = limitFailure.apply(job, decided);
       }
       throw failure;
     }
@@ -169,7 +172,7 @@ public final class Interruptions {
       return StopReason.REQUESTED;
     }
     if (overdueTurn.get() == turn) {
-      return StopReason.OVERDUE;
+      return overdueReason;
     }
     if (lobbies.isEmpty() && !counted) {
       // What was requested has been withdrawn.

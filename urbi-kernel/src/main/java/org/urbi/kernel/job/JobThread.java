@@ -45,6 +45,9 @@ interface JobThread {
      */
     long processorTime();
 
+    /** How many bytes the loop and its jobs have allocated so far; from any thread. */
+    long allocatedBytes();
+
     /** How many nested calls certainly fit on the stack of a job. */
     int maximumDepth();
   }

@@ -12,6 +12,7 @@ import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Budgeted;
@@ -423,10 +424,18 @@ public final class Scheduler {
    * been started.
    *
    * @param limit in nanoseconds; {@link Long#MAX_VALUE} for none
+   * @param freeMemory how many bytes of memory are free
    * @param told called on another thread when that has happened
    */
-  public HoldWatchdog limitHolding(long limit, HoldWatchdog.Listener told) {
-    HoldWatchdog watch = new HoldWatchdog(this, machine, threads::processorTime, limit, told);
+  public HoldWatchdog limitHolding(
+      long limit, LongSupplier freeMemory, HoldWatchdog.Listener told) {
+    HoldWatchdog watch =
+        new HoldWatchdog(
+            this,
+            machine,
+            new HoldWatchdog.Gauges(threads::processorTime, threads::allocatedBytes, freeMemory),
+            limit,
+            told);
     watch.start();
     return watch;
   }

@@ -273,6 +273,15 @@ final class TickLoopThread implements JobThread, Executor {
     }
 
     @Override
+    public long allocatedBytes() {
+      Thread thread = loop;
+      return thread == null
+          ? 0
+          : ((com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean())
+              .getThreadAllocatedBytes(thread.threadId());
+    }
+
+    @Override
     public int maximumDepth() {
       return MAXIMUM_DEPTH;
     }

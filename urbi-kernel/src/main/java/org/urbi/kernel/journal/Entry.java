@@ -55,6 +55,9 @@ public sealed interface Entry {
   /** A job that has held the kernel for too long is ended, at that safepoint of the tick. */
   record JobOverdue(long safepoint) implements Entry {}
 
+  /** A job that has allocated too much at one go is ended, at that safepoint of the tick. */
+  record JobGreedy(long safepoint) implements Entry {}
+
   /** A round of jobs was cut short before that job of the tick; by which of those it had served. */
   record RoundCut(int jobs, int by) implements Entry {}
 

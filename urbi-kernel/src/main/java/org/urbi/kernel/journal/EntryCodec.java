@@ -27,6 +27,7 @@ public final class EntryCodec {
     add(9, Entry.JobOverdue.class);
     add(10, Entry.RoundCut.class);
     add(11, Entry.RunStarted.class);
+    add(12, Entry.JobGreedy.class);
     add(20, Message.Shutdown.class);
     add(21, Message.Resumed.class);
     add(23, Message.ConsoleBytes.class);

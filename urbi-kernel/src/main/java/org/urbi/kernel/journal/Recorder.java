@@ -65,6 +65,8 @@ public final class Recorder implements Journal {
       file.write(new Entry.JobInterrupted(safepoints));
     } else if (wanted == StopReason.OVERDUE) {
       file.write(new Entry.JobOverdue(safepoints));
+    } else if (wanted == StopReason.GREEDY) {
+      file.write(new Entry.JobGreedy(safepoints));
     }
     return wanted;
   }

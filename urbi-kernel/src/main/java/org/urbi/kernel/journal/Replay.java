@@ -180,6 +180,10 @@ public final class Replay implements Journal {
       advance();
       return StopReason.OVERDUE;
     }
+    if (next instanceof Entry.JobGreedy greedy && greedy.safepoint() == safepoints) {
+      advance();
+      return StopReason.GREEDY;
+    }
     return over ? StopReason.REQUESTED : StopReason.NONE;
   }
 

@@ -7,5 +7,7 @@ public enum StopReason {
   /** Somebody has interrupted it, or has left. */
   REQUESTED,
   /** It has held the kernel for too long. */
-  OVERDUE
+  OVERDUE,
+  /** It has allocated too much without letting others run. */
+  GREEDY
 }

@@ -47,6 +47,12 @@ public final class HeapUsage implements Heap {
     return used >= SCARCE * runtime.maxMemory();
   }
 
+  /** How many bytes are free, with all that the heap may still grow by; from any thread. */
+  public static long free() {
+    Runtime runtime = Runtime.getRuntime();
+    return runtime.maxMemory() - runtime.totalMemory() + runtime.freeMemory();
+  }
+
   /**
    * Finds what it measures with, and what others measure with: when memory is exhausted, the JVM
    * may fail to make that, and then never tries again.

@@ -11,6 +11,7 @@ import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
+import org.urbi.kernel.journal.StopReason;
 
 /** A job that holds the kernel for too long ends. Here the job itself moves the machine's clock. */
 class HoldWatchdogTest {
@@ -21,14 +22,25 @@ class HoldWatchdogTest {
   /** Of the kernel thread; by default nobody knows it. */
   private long processorTime = HoldWatchdog.UNKNOWN;
 
+  /** By the kernel thread, in bytes. */
+  private long allocated = 1_000_000;
+
+  /** Of the process, in bytes. */
+  private long free = Long.MAX_VALUE;
+
   private final List<String> told = new ArrayList<>();
   private final HoldWatchdog watch =
       new HoldWatchdog(
           loop.scheduler,
           loop.machine,
-          () -> processorTime,
+          new HoldWatchdog.Gauges(() -> processorTime, () -> allocated, () -> free),
           LIMIT,
-          (job, component, limit) -> told.add(job.name() + " " + component));
+          (job, component, why, limit) ->
+              told.add(
+                  job.name()
+                      + " "
+                      + component
+                      + (why == StopReason.GREEDY ? " of " + limit + " bytes" : "")));
 
   private void lookAt(long time) {
     loop.machine.now = time;
@@ -70,6 +82,77 @@ class HoldWatchdogTest {
     });
     loop.run();
     assertEquals(1, told.size());
+  }
+
+  private void lookWith(long bytes) {
+    allocated = bytes;
+    watch.check();
+  }
+
+  @Test
+  void whoAllocatesMoreAtOneGoThanItsBudgetAllowsEnds() {
+    loop.start(job -> {
+      job.budget().setLimit(Resource.MEMORY, 100);
+      watch.watchMemory();
+      lookWith(1_000_000);
+      lookWith(1_000_100);
+      job.checkInterrupted();
+      assertEquals(List.of(), told);
+      lookWith(1_000_101);
+      assertEquals(List.of(job.name() + " null of 100 bytes"), told);
+      lookWith(2_000_000);
+      assertEquals(1, told.size());
+      assertThrows(TagStop.class, job::checkInterrupted);
+      job.budget().setLimit(Resource.MEMORY, Budget.UNLIMITED);
+    });
+    loop.run();
+  }
+
+  @Test
+  void whatAJobAllocatesInSeveralTurnsCountsForEachAlone() {
+    loop.start(job -> {
+      job.budget().setLimit(Resource.MEMORY, 100);
+      watch.watchMemory();
+      for (int turn = 1; turn <= 3; turn++) {
+        loop.scheduler.beginTurn();
+        lookWith(turn * 1_000_000);
+        lookWith(turn * 1_000_000 + 90);
+        job.checkInterrupted();
+      }
+      job.budget().setLimit(Resource.MEMORY, Budget.UNLIMITED);
+    });
+    loop.run();
+    assertEquals(List.of(), told);
+  }
+
+  /** However many there are, they cannot fill it. */
+  @Test
+  void aTurnTakesOnlyAPartOfTheMemoryThatIsFree() {
+    free = 6400;
+    loop.start(job -> {
+      job.budget().setLimit(Resource.MEMORY, 1000);
+      watch.watchMemory();
+      lookWith(0);
+      lookWith(100);
+      assertEquals(List.of(), told);
+      lookWith(101);
+      assertEquals(List.of(job.name() + " null of 100 bytes"), told);
+      assertThrows(TagStop.class, job::checkInterrupted);
+      job.budget().setLimit(Resource.MEMORY, Budget.UNLIMITED);
+    });
+    loop.run();
+  }
+
+  @Test
+  void whoHasNoLimitOfMemoryMayAllocate() {
+    watch.watchMemory();
+    loop.start(job -> {
+      lookWith(0);
+      lookWith(Long.MAX_VALUE);
+      job.checkInterrupted();
+    });
+    loop.run();
+    assertEquals(List.of(), told);
   }
 
   @Test
@@ -283,7 +366,8 @@ class HoldWatchdogTest {
     loop.start(job -> {
       loop.scheduler.limitHolding(
           1,
-          (held, component, limit) -> {
+          () -> Long.MAX_VALUE,
+          (held, component, why, limit) -> {
             told.add(held.name());
             ended.countDown();
           });

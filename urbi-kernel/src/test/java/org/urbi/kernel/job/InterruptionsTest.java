@@ -53,7 +53,7 @@ class InterruptionsTest {
 
   @Test
   void whatEndsHasAMomentToCleanUpAndNoMore() {
-    interruptions.requestOverdue(turn);
+    interruptions.requestOverdue(turn, StopReason.OVERDUE);
     assertTrue(interruptions.arePending());
     assertEquals(StopReason.OVERDUE, interruptions.decide(lobby));
     machine.now = FAREWELL - 1;
@@ -76,12 +76,12 @@ class InterruptionsTest {
 
   @Test
   void theTurnThatIsOverdueIsNotTheNext() {
-    interruptions.requestOverdue(turn - 1);
+    interruptions.requestOverdue(turn - 1, StopReason.OVERDUE);
     assertEquals(StopReason.NONE, interruptions.decide(lobby));
-    interruptions.requestOverdue(turn);
+    interruptions.requestOverdue(turn, StopReason.OVERDUE);
     assertEquals(StopReason.OVERDUE, interruptions.decide(lobby));
     turn++;
-    interruptions.requestOverdue(turn);
+    interruptions.requestOverdue(turn, StopReason.OVERDUE);
     assertEquals(StopReason.OVERDUE, interruptions.decide(lobby));
   }
 
@@ -105,7 +105,7 @@ class InterruptionsTest {
     assertEquals(1, changes);
     interruptions.request(lobby);
     assertEquals(2, changes);
-    interruptions.requestOverdue(turn);
+    interruptions.requestOverdue(turn, StopReason.OVERDUE);
     assertEquals(3, changes);
     interruptions.requestAll();
     assertEquals(4, changes);
@@ -146,7 +146,7 @@ class InterruptionsTest {
     assertTrue(stop.isInterruption());
     assertNull(stop.scope());
     turn++;
-    interruptions.requestOverdue(turn);
+    interruptions.requestOverdue(turn, StopReason.OVERDUE);
     stop = assertThrows(TagStop.class, () -> interruptions.check(job));
     assertFalse(stop.isInterruption());
   }
@@ -154,15 +154,15 @@ class InterruptionsTest {
   @Test
   void whatIsOverdueIsLeftByTheSameFailureUntilItHasEnded() {
     Job job = loop.idle(lobby);
-    interruptions.setOverdueFailure(overdue -> new IllegalStateException(overdue.name()));
-    interruptions.requestOverdue(turn);
+    interruptions.setLimitFailure((overdue, why) -> new IllegalStateException(overdue.name()));
+    interruptions.requestOverdue(turn, StopReason.OVERDUE);
     var first = assertThrows(IllegalStateException.class, () -> interruptions.check(job));
     assertEquals(job.name(), first.getMessage());
     interruptions.check(job);
     machine.now = FAREWELL;
     assertSame(first, assertThrows(IllegalStateException.class, () -> interruptions.check(job)));
     turn++;
-    interruptions.requestOverdue(turn);
+    interruptions.requestOverdue(turn, StopReason.OVERDUE);
     var second = assertThrows(IllegalStateException.class, () -> interruptions.check(job));
     assertFalse(first == second);
   }

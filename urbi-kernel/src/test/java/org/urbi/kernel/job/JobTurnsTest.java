@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.journal.StopReason;
 import org.urbi.kernel.object.UrbiObject;
 
 /** How a job lets others run, or does not, and how it is frozen (manual, "Job", "Tag"). */
@@ -72,7 +73,7 @@ class JobTurnsTest {
       assertThrows(TagStop.class, self::yieldNow);
       self.terminate();
       assertThrows(TagStop.class, self::yield);
-      scheduler.interruptions().requestOverdue(scheduler.turn());
+      scheduler.interruptions().requestOverdue(scheduler.turn(), StopReason.OVERDUE);
       assertThrows(TagStop.class, self::yield);
       loop.say("alone");
       self.endNonInterruptible(0);

@@ -99,6 +99,10 @@ final class Server {
       startFiles.loadGlobal(started, err);
       network = settings.keepsServing() ? listen() : null;
       listening = network;
+      if (network != null) {
+        // Beside the start, which it would delay.
+        Thread.ofPlatform().daemon().name("urbi-heap").start(ServerHeap::keepRoom);
+      }
       var local = new LocalConsole(settings, started, this::connect, this::end, out, err);
       console = local;
       local.start();

@@ -20,8 +20,13 @@ class JvmFlagsTest {
 
   /** What is left of the flags of the launchers when a user has set URBI_JAVA_OPTS. */
   private static List<String> ofLauncher(String options) throws IOException, InterruptedException {
+    return said(options, ". ./flags.sh; printf '%s\\n' $jvm_flags");
+  }
+
+  private static List<String> said(String options, String script)
+      throws IOException, InterruptedException {
     ProcessBuilder shell =
-        new ProcessBuilder("/bin/sh", "-euc", ". ./flags.sh; printf '%s\\n' $jvm_flags")
+        new ProcessBuilder("/bin/sh", "-euc", script)
             .directory(Path.of("..", "scripts").toFile())
             .redirectErrorStream(true);
     shell.environment().put("URBI_JAVA_OPTS", options);
@@ -50,6 +55,18 @@ class JvmFlagsTest {
     assertTrue(ofLauncher("").contains(SERIAL));
     assertTrue(ofLauncher("-XX:+UseGCOverheadLimit -XX:ZCollectionInterval=5").contains(SERIAL));
     assertFalse(ofLauncher("-Xmx1g -XX:+UseShenandoahGC").contains(SERIAL));
+  }
+
+  /** Of that of a server, whose start-up cache is another one. */
+  @Test
+  void theCollectorOfALauncherIsThereUnlessTheUserHasOne()
+      throws IOException, InterruptedException {
+    String server = "collector=-XX:+UseZGC; . ./flags.sh; echo $aot $collector";
+    assertEquals(List.of("urbi-z.aot -XX:+UseZGC"), said("-Xmx1g", server));
+    assertEquals(List.of("urbi.aot"), said("-XX:+UseG1GC", server));
+    assertEquals(List.of("urbi-z.aot"), said("-XX:+UseZGC", ". ./flags.sh; echo $aot $collector"));
+    assertEquals("urbi-z.aot", JvmFlags.cache(List.of("-Xmx1g", "-XX:+UseZGC")));
+    assertEquals("urbi.aot", JvmFlags.cache(List.of("-XX:+UseG1GC")));
   }
 
   @Test

@@ -1,5 +1,6 @@
 package org.urbi.kernel.library.value;
 
+import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.node.CallSite;
@@ -13,6 +14,9 @@ public final class Counting {
 
   /** As many characters as one call can make: a quarter of a gigabyte. */
   private static final int LONGEST_STRING = 1 << 28;
+
+  /** The least that an element of a list takes. */
+  private static final int BYTES_OF_ELEMENT = 4;
 
   private Counting() {}
 
@@ -29,24 +33,40 @@ public final class Counting {
     return Arguments.integer(caller, site, place, given);
   }
 
-  /** A number of times something is repeated, to make something of at most that size. */
+  /**
+   * A number of times something is repeated, to make something of at most that size, which the
+   * budget must allow: afterwards it would be too late.
+   */
   private static int repetitions(
-      Frame caller, CallSite site, int place, UrbiFloat given, int size, int most, Problem excess) {
+      Frame caller,
+      CallSite site,
+      int place,
+      UrbiFloat given,
+      int size,
+      int most,
+      int bytes,
+      Problem excess) {
     int count = nonNegative(caller, site, place, given);
-    if ((long) count * size > most) {
+    long length = (long) count * size;
+    if (length > most) {
       throw caller.error(site, excess);
+    }
+    if (!caller.job().budget().allows(Resource.MEMORY, length * bytes)) {
+      throw caller.job().refusal(Resource.MEMORY);
     }
     return count;
   }
 
   /** A number of times to repeat a list; what does not fit in any memory is an error. */
   public static int ofLists(Frame caller, CallSite site, int place, UrbiFloat given, int size) {
-    return repetitions(caller, site, place, given, size, LONGEST_LIST, Problem.LIST_TOO_LONG);
+    return repetitions(
+        caller, site, place, given, size, LONGEST_LIST, BYTES_OF_ELEMENT, Problem.LIST_TOO_LONG);
   }
 
   /** A number of times to repeat a string; what does not fit in any memory is an error. */
   public static int ofStrings(Frame caller, CallSite site, int place, UrbiFloat given, int size) {
-    return repetitions(caller, site, place, given, size, LONGEST_STRING, Problem.STRING_TOO_LONG);
+    return repetitions(
+        caller, site, place, given, size, LONGEST_STRING, 1, Problem.STRING_TOO_LONG);
   }
 
   /** An index from 0 to the size, excluded; negative ones count from the end. */
