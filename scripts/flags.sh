@@ -1,17 +1,14 @@
 # The JVM's flags and class path; sourced by scripts/launch.sh and scripts/warm-up.sh, which must agree
 # or the start-up cache does not fit.
 # Whoever sources this sets `collector`, or has the serial one. A garbage collector in URBI_JAVA_OPTS takes its place:
-# the JVM refuses to have two. Sets `aot`, too: the name of the start-up cache that fits, for ZGC has one of its own.
+# the JVM refuses to have two.
 : "${collector:=-XX:+UseSerialGC}"
-used=$collector
 for word in ${URBI_JAVA_OPTS:-}; do
   case $word in
     -XX:+UseSerialGC | -XX:+UseParallelGC | -XX:+UseG1GC | -XX:+UseZGC | -XX:+UseShenandoahGC | -XX:+UseEpsilonGC)
-      used=$word collector= ;;
+      collector= ;;
   esac
 done
-aot=urbi.aot
-[ "$used" != -XX:+UseZGC ] || aot=urbi-z.aot
 jvm_flags="--add-opens java.base/java.lang=ALL-UNNAMED --enable-native-access=ALL-UNNAMED $collector -XX:+UseCompactObjectHeaders -XX:-UsePerfData -Djdk.trackAllThreads=false -Xlog:disable"
 
 class_path() { # DISTRIBUTION: sets cp, always in the same order

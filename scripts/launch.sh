@@ -26,20 +26,20 @@ if [ ! -x "$java" ] || [ ! -d "$root/$dist/lib" ] || [ "$commit" != "$built_from
   . "$root/.build/current"
 fi
 
-# A server has periods to keep beside clients who fill its memory, so it collects garbage while it runs.
+# A server has periods to keep beside clients who fill its memory, so it collects garbage in small pieces.
 collector=
 if [ "$main" = org.urbi.server.cli.UrbiCommand ]; then
   for word; do
     case $word in
       --) break ;;
-      -P* | --port | --port=* | --socket | --socket=*) collector=-XX:+UseZGC ;;
+      -P* | --port | --port=* | --socket | --socket=*) collector="-XX:+UseG1GC -XX:MaxGCPauseMillis=10" ;;
     esac
   done
 fi
 . "$root/scripts/flags.sh"
 class_path "$root/$dist"
 cache=
-[ -f "$root/$dist/$aot" ] && cache=-XX:AOTCache=$root/$dist/$aot
+[ -f "$root/$dist/urbi.aot" ] && cache=-XX:AOTCache=$root/$dist/urbi.aot
 # A closed descriptor would be that of the next file that Java opens.
 [ -e /dev/fd/0 ] || exec </dev/null
 [ -e /dev/fd/1 ] || exec >/dev/null

@@ -1,19 +1,17 @@
 #!/bin/sh
 # Makes a start-up cache of a distribution: a rehearsal whose loaded classes the JDK writes beside the
 # jars (their profiles would only make the compilers busy at start-up).
-#   warm-up.sh ROOT DIST JAVA COLLECTOR   for all with that garbage collector: urbi.aot, or urbi-z.aot for ZGC, which
-#                                         needs one of its own; called by ./build
+#   warm-up.sh ROOT DIST JAVA             urbi.aot, for short programs; called by ./build
 #   warm-up.sh ROOT DIST JAVA JAR FOLDER  server.aot, for servers: with the network, and a module; for ./check
 set -eu
 root=$1 dist=$2 java=$3
 unset URBI_JAVA_OPTS # the cache is for those who start without
 collector=
-[ $# != 4 ] || collector=$4
 . "$root/scripts/flags.sh"
 class_path "$root/$dist"
-if [ $# = 4 ]; then
-  cache=$root/$dist/$aot
-  log=$root/.build/warm-up-$aot.log
+if [ $# = 3 ]; then
+  cache=$root/$dist/urbi.aot
+  log=$root/.build/warm-up.log
   set -- org.urbi.server.cli.TrainingRun "$root/scripts/warm-up.u"
 else
   cache=$root/$dist/server.aot

@@ -128,9 +128,7 @@ final class IsolatedProcess implements ModuleProcess {
             "-XX:ErrorLogTimeout=5",
             "-XX:ErrorFile=/dev/null"));
     Path cache =
-        Path.of(classes.split(File.pathSeparator)[0])
-            .resolveSibling("../" + JvmFlags.cache(command))
-            .normalize();
+        Path.of(classes.split(File.pathSeparator)[0]).resolveSibling("../urbi.aot").normalize();
     if (Files.isRegularFile(cache)) {
       command.add("-XX:AOTCache=" + cache);
     }

@@ -23,11 +23,6 @@ final class JvmFlags {
     return common(ManagementFactory.getRuntimeMXBean().getInputArguments());
   }
 
-  /** The start-up cache that fits a JVM with those flags (scripts/flags.sh). */
-  static String cache(List<String> flags) {
-    return flags.contains("-XX:+UseZGC") ? "urbi-z.aot" : "urbi.aot";
-  }
-
   /** Those that are for children, of all that a JVM was started with. */
   static List<String> common(List<String> flags) {
     return flags.stream().filter(flag -> COMMON.matcher(flag).matches()).toList();

@@ -57,16 +57,13 @@ class JvmFlagsTest {
     assertFalse(ofLauncher("-Xmx1g -XX:+UseShenandoahGC").contains(SERIAL));
   }
 
-  /** Of that of a server, whose start-up cache is another one. */
+  /** That of a server. */
   @Test
   void theCollectorOfALauncherIsThereUnlessTheUserHasOne()
       throws IOException, InterruptedException {
-    String server = "collector=-XX:+UseZGC; . ./flags.sh; echo $aot $collector";
-    assertEquals(List.of("urbi-z.aot -XX:+UseZGC"), said("-Xmx1g", server));
-    assertEquals(List.of("urbi.aot"), said("-XX:+UseG1GC", server));
-    assertEquals(List.of("urbi-z.aot"), said("-XX:+UseZGC", ". ./flags.sh; echo $aot $collector"));
-    assertEquals("urbi-z.aot", JvmFlags.cache(List.of("-Xmx1g", "-XX:+UseZGC")));
-    assertEquals("urbi.aot", JvmFlags.cache(List.of("-XX:+UseG1GC")));
+    String server = "collector=-XX:+UseG1GC; . ./flags.sh; echo $collector";
+    assertEquals(List.of("-XX:+UseG1GC"), said("-Xmx1g", server));
+    assertEquals(List.of(""), said("-XX:+UseZGC", server));
   }
 
   @Test
