@@ -22,8 +22,7 @@ public final class ForEach extends Node implements CallSite {
   private final Node body;
   private final Symbol each;
   private final CallSite entry;
-  private int turns;
-  private @Nullable CompiledCode compiled;
+  private final TurnCount turns = new TurnCount();
 
   /** The call that backtraces show for the turns of a loop. */
   private record Entry(String calledName, Span calledSpan) implements CallSite {}
@@ -131,25 +130,37 @@ public final class ForEach extends Node implements CallSite {
       }
       return values.voidObject;
     }
-    CodeCompiler compiler = frame.interpreter.compiler();
-    for (long i = 0; i < count; i++) {
-      if (compiled != null) {
-        return compiled.run(frame, i, count);
+    CompiledCode compiled = turns.compiled();
+    return compiled == null ? interpret(frame, count) : compiled.run(frame, 0, count);
+  }
+
+  /** Executes the turns, until the loop is over or compiled. */
+  private UrbiObject interpret(Frame frame, double count) {
+    var values = frame.interpreter.values();
+    long most = turns.left(frame.interpreter.compiler());
+    long left = most;
+    try {
+      for (long i = 0; i < count; i++) {
+        UrbiObject value = turn(frame, values.number(i));
+        if (value != null) {
+          return value;
+        }
+        if (flavor == Flavor.SEMICOLON) {
+          frame.job.yield();
+        } else {
+          frame.job.checkInterrupted();
+        }
+        if (--left == 0) {
+          CompiledCode compiled = turns.compile(this, frame);
+          if (compiled != null) {
+            return compiled.run(frame, i + 1, count);
+          }
+        }
       }
-      if (++turns == compiler.threshold()) {
-        compiled = compiler.loop(this, frame.locals.length);
-      }
-      UrbiObject value = turn(frame, values.number(i));
-      if (value != null) {
-        return value;
-      }
-      if (flavor == Flavor.SEMICOLON) {
-        frame.job.yield();
-      } else {
-        frame.job.checkInterrupted();
-      }
+      return values.voidObject;
+    } finally {
+      turns.add(most - left);
     }
-    return values.voidObject;
   }
 
   private UrbiObject overList(Frame frame, UrbiList list) {

@@ -16,8 +16,7 @@ public final class Loops {
     private final @Nullable Node step;
     private final Node body;
     private final boolean yields;
-    private int turns;
-    private @Nullable CompiledCode compiled;
+    private final TurnCount turns = new TurnCount();
 
     /**
      * @param init executed once before the loop, or null
@@ -64,34 +63,38 @@ public final class Loops {
     @Override
     public UrbiObject execute(Frame frame) {
       LoopJobs jobs = LoopJobs.begin(frame);
-      boolean broken = true;
+      boolean broken = false;
       try {
         if (init != null) {
           init.execute(frame);
         }
-        CodeCompiler compiler = frame.interpreter.compiler();
-        while (compiled == null && (condition == null || condition.test(frame))) {
-          if (++turns == compiler.threshold()) {
-            compiled = compiler.loop(this, frame.locals.length);
-          }
-          UrbiObject value;
-          try {
-            value = body.execute(frame);
-          } catch (NonLocalExit.Break leave) {
-            return frame.interpreter.values().voidObject;
-          } catch (NonLocalExit.Continue leave) {
-            value = frame.interpreter.values().voidObject;
-          }
+        CompiledCode compiled = turns.compiled();
+        UrbiObject value = compiled == null ? interpret(frame) : compiled.execute(frame);
+        broken = frame.completion == Frame.Completion.BREAK;
+        if (broken) {
+          frame.completion = null;
+        }
+        return value;
+      } finally {
+        jobs.end(frame, broken);
+      }
+    }
+
+    /** Executes the turns, until the loop is over or compiled. */
+    private UrbiObject interpret(Frame frame) {
+      long most = turns.left(frame.interpreter.compiler());
+      long left = most;
+      try {
+        while (condition == null || condition.test(frame)) {
+          UrbiObject value = turn(frame);
           if (frame.completion != null) {
             if (frame.completion == Frame.Completion.RETURN) {
-              broken = false;
               return value;
             }
-            boolean over = frame.completion == Frame.Completion.BREAK;
-            frame.completion = null;
-            if (over) {
+            if (frame.completion == Frame.Completion.BREAK) {
               return frame.interpreter.values().voidObject;
             }
+            frame.completion = null;
           }
           if (step != null) {
             step.execute(frame);
@@ -101,20 +104,28 @@ public final class Loops {
           } else {
             frame.job.checkInterrupted();
           }
+          if (--left == 0) {
+            CompiledCode compiled = turns.compile(this, frame);
+            if (compiled != null) {
+              return compiled.execute(frame);
+            }
+          }
         }
-        UrbiObject value =
-            compiled == null ? frame.interpreter.values().voidObject : compiled.execute(frame);
-        broken = frame.completion == Frame.Completion.BREAK;
-        if (broken) {
-          frame.completion = null;
-        }
-        return value;
-      } catch (RuntimeException e) {
-        broken = false;
-        throw e;
+        return frame.interpreter.values().voidObject;
       } finally {
-        jobs.end(frame, broken);
+        turns.add(most - left);
       }
+    }
+
+    private UrbiObject turn(Frame frame) {
+      try {
+        return body.execute(frame);
+      } catch (NonLocalExit.Break leave) {
+        frame.completion = Frame.Completion.BREAK;
+      } catch (NonLocalExit.Continue leave) {
+        frame.completion = Frame.Completion.CONTINUE;
+      }
+      return frame.interpreter.values().voidObject;
     }
   }
 
