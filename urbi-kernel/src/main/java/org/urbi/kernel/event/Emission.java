@@ -13,7 +13,10 @@ public final class Emission {
   private final UrbiEvent event;
   private final UrbiObject[] payload;
   private final boolean sync;
-  private final List<Subscription> told = new ArrayList<>();
+
+  /** For which subscriptions it has begun and must end. */
+  private List<Subscription> told = List.of();
+
   private @Nullable Map<Subscription, Object> notes;
   private boolean over;
 
@@ -47,6 +50,9 @@ public final class Emission {
   /** Begins for one subscription; if the emission has ended already, it ends at once. */
   void begin(Subscription subscription, Job emitter) {
     boolean late = over;
+    if (told.isEmpty()) {
+      told = new ArrayList<>();
+    }
     told.add(subscription);
     subscription.begin(this, emitter);
     if (late) {

@@ -1,7 +1,5 @@
 package org.urbi.kernel.event;
 
-import java.util.LinkedHashSet;
-import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
@@ -31,7 +29,7 @@ final class ExpressionWatcher implements Dependencies.Watcher {
   private final Node expression;
   private final UrbiObject lobby;
   private final Listener listener;
-  private Set<Dependencies> sources = new LinkedHashSet<>();
+  private final WatchedSources sources = new WatchedSources(this);
   private @Nullable Job evaluator;
   private boolean again;
   private boolean closed;
@@ -56,36 +54,20 @@ final class ExpressionWatcher implements Dependencies.Watcher {
 
   private UrbiObject evaluate(Job job) {
     World world = home.interpreter().world();
-    Set<Dependencies> old = sources;
-    Set<Dependencies> read = new LinkedHashSet<>();
     Dependencies.Tracker outer = world.tracker;
-    // Watched at once, since other jobs may change it before the evaluation has ended.
-    world.tracker =
-        source -> {
-          if (read.add(source) && !old.contains(source)) {
-            source.add(this);
-          }
-        };
+    sources.begin();
+    world.tracker = sources;
     evaluator = job;
     try {
       return job.doFor(lobby, () -> expression.execute(home.in(job)));
     } finally {
       evaluator = null;
       world.tracker = outer;
-      sources = read;
       if (closed) {
-        forget(old);
-        forget(read);
+        sources.close();
       } else {
-        old.removeAll(read);
-        forget(old);
+        sources.end();
       }
-    }
-  }
-
-  private void forget(Set<Dependencies> abandoned) {
-    for (Dependencies source : abandoned) {
-      source.remove(this);
     }
   }
 
@@ -136,7 +118,8 @@ final class ExpressionWatcher implements Dependencies.Watcher {
   /** Watches no more. */
   void close() {
     closed = true;
-    forget(sources);
-    sources.clear();
+    if (evaluator == null) {
+      sources.close();
+    }
   }
 }

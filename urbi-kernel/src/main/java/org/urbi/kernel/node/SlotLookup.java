@@ -96,20 +96,20 @@ final class SlotLookup {
       target.noteAbsence();
       return null;
     }
-    if (tracker != null) {
-      UrbiObject value = holder.localSlot(name);
-      // Functions and constants do not change, so they are not tracked.
-      if (!(value instanceof Code) || holder.slotData(name) != null) {
-        if (holder != target) {
-          target.noteStructureRead();
-        }
-        SlotData data = holder.slotData(name);
-        if (data == null || !data.constant) {
-          holder.noteSlotRead(name);
-        }
+    SlotData data = holder.slotData(name);
+    UrbiObject value = holder.localSlot(name);
+    // Functions and constants do not change, so they are not tracked.
+    if (tracker != null && (data != null || !(value instanceof Code))) {
+      if (holder != target) {
+        target.noteStructureRead();
+      }
+      if (data == null || !data.constant) {
+        holder.noteSlotRead(name);
       }
     }
-    return read(frame, target, holder, name);
+    return data != null && data.getter != null
+        ? frame.interpreter.call(frame, data.getter, target)
+        : value;
   }
 
   /** The stored value of a slot, or null: no getter is called. */

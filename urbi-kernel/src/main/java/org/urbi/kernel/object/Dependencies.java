@@ -1,9 +1,6 @@
 package org.urbi.kernel.object;
 
-import java.util.ArrayList;
-import java.util.LinkedHashSet;
-import java.util.List;
-import java.util.Set;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The watchers of one thing that can change (a slot, the set of slots of an object, the content of
@@ -22,34 +19,111 @@ public final class Dependencies {
     void read(Dependencies source);
   }
 
-  private final Set<Watcher> watchers = new LinkedHashSet<>();
+  /** That a watcher is called at each change of one thing, until it {@linkplain #end ends}. */
+  public static final class Watch {
+    private final Dependencies source;
+    private final Watcher watcher;
+    private @Nullable Watch before;
+    private @Nullable Watch after;
+    private boolean over;
 
-  /** Adds a watcher, which is called at each change until it is removed. */
-  public void add(Watcher watcher) {
-    watchers.add(watcher);
+    /** The number that its owner has given to the last evaluation that read the source. */
+    private long evaluation;
+
+    private Watch(Dependencies source, Watcher watcher) {
+      this.source = source;
+      this.watcher = watcher;
+    }
+
+    /** What is watched. */
+    public Dependencies source() {
+      return source;
+    }
+
+    /**
+     * The evaluation of that number has read the source.
+     *
+     * @param number not 0
+     * @return false if it had read it before
+     */
+    public boolean readBy(long number) {
+      boolean first = evaluation != number;
+      evaluation = number;
+      return first;
+    }
+
+    /** Whether the evaluation of that number has read the source. */
+    public boolean wasReadBy(long number) {
+      return evaluation == number;
+    }
+
+    /** Ends it; the watcher is not called any more. */
+    public void end() {
+      if (!over) {
+        over = true;
+        source.remove(this);
+      }
+    }
   }
 
-  public void remove(Watcher watcher) {
-    watchers.remove(watcher);
+  private @Nullable Watch first;
+  private @Nullable Watch last;
+  private int size;
+
+  /** Adds a watcher, which is called at each change until its watch ends. */
+  public Watch add(Watcher watcher) {
+    Watch added = new Watch(this, watcher);
+    added.before = last;
+    if (last == null) {
+      first = added;
+    } else {
+      last.after = added;
+    }
+    last = added;
+    size++;
+    return added;
+  }
+
+  private void remove(Watch ended) {
+    Watch before = ended.before;
+    Watch after = ended.after;
+    if (before == null) {
+      first = after;
+    } else {
+      before.after = after;
+    }
+    if (after == null) {
+      last = before;
+    } else {
+      after.before = before;
+    }
+    ended.before = null;
+    ended.after = null;
+    size--;
   }
 
   public boolean isEmpty() {
-    return watchers.isEmpty();
+    return first == null;
   }
 
   /** Calls every watcher, in the order in which they were added. */
   public void changed() {
-    switch (watchers.size()) {
-      case 0 -> {}
-      case 1 -> watchers.iterator().next().invalidated();
-      default -> {
-        // Iterate over a copy: watchers are added and removed while they are called.
-        List<Watcher> told = new ArrayList<>(watchers);
-        for (Watcher watcher : told) {
-          if (watchers.contains(watcher)) {
-            watcher.invalidated();
-          }
-        }
+    if (first == null) {
+      return;
+    }
+    if (size == 1) {
+      first.watcher.invalidated();
+      return;
+    }
+    // Watchers are added and removed while they are called.
+    Watch[] told = new Watch[size];
+    int known = 0;
+    for (Watch watch = first; watch != null; watch = watch.after) {
+      told[known++] = watch;
+    }
+    for (Watch watch : told) {
+      if (!watch.over) {
+        watch.watcher.invalidated();
       }
     }
   }

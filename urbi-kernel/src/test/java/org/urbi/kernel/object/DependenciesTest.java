@@ -38,31 +38,38 @@ class DependenciesTest {
     assertTrue(source.isEmpty());
     source.changed();
     Dependencies.Watcher first = () -> told.add("first");
-    source.add(first);
+    Dependencies.Watch watch = source.add(first);
     assertFalse(source.isEmpty());
     source.changed();
     assertEquals(List.of("first"), told);
     source.add(() -> told.add("second"));
-    source.add(first);
     source.changed();
     assertEquals(List.of("first", "first", "second"), told);
-    source.remove(first);
+    watch.end();
+    watch.end();
     source.changed();
     assertEquals(List.of("first", "first", "second", "second"), told);
+    source.add(first);
+    source.changed();
+    assertEquals(List.of("first", "first", "second", "second", "second", "first"), told);
   }
 
   @Test
   void whoGoesWhileTheOthersAreToldIsNotTold() {
     Dependencies source = new Dependencies();
-    Dependencies.Watcher second = () -> told.add("second");
+    List<Dependencies.Watch> ended = new ArrayList<>();
     source.add(() -> {
       told.add("first");
-      source.remove(second);
-      source.add(() -> told.add("third"));
+      ended.forEach(Dependencies.Watch::end);
+      source.add(() -> told.add("fourth"));
     });
-    source.add(second);
+    ended.add(source.add(() -> told.add("second")));
+    source.add(() -> told.add("third"));
+    ended.add(source.add(() -> told.add("last")));
     source.changed();
-    assertEquals(List.of("first"), told);
+    assertEquals(List.of("first", "third"), told);
+    source.changed();
+    assertEquals(List.of("first", "third", "first", "third", "fourth"), told);
   }
 
   // ------------------------------------------------------------------ what objects tell
