@@ -60,7 +60,6 @@ public final class Job implements Runnable {
   private boolean daemon;
   private TagScope scope;
   private State state = State.RUNNABLE;
-  private boolean begun;
   private @Nullable ControlFlowException injected;
   private Timers.@Nullable Timer timer;
   private int frozenDepth;
@@ -674,12 +673,6 @@ public final class Job implements Runnable {
       heldByFreeze = true;
       return;
     }
-    if (!begun && injected instanceof TagStop) {
-      // Nothing has to be unwound. Of a client who has left there may be very many.
-      end(null);
-      return;
-    }
-    begun = true;
     thread.resume();
   }
 }
