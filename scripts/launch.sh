@@ -26,9 +26,17 @@ if [ ! -x "$java" ] || [ ! -d "$root/$dist/lib" ] || [ "$commit" != "$built_from
   . "$root/.build/current"
 fi
 
-# A server has periods to keep beside clients who fill its memory, so it collects garbage in small pieces.
+# A server has periods to keep beside clients who fill its memory, so it collects garbage in small pieces. For that
+# it needs room: with less than 200 MB it would do nothing else.
 collector=
-if [ "$main" = org.urbi.server.cli.UrbiCommand ]; then
+little=
+for word in ${URBI_JAVA_OPTS:-} ${JAVA_TOOL_OPTIONS:-}; do
+  case $word in
+    -Xmx[0-9]m | -Xmx[0-9][0-9]m | -Xmx1[0-9][0-9]m) little=yes ;;
+    -Xmx*) little= ;;
+  esac
+done
+if [ "$main" = org.urbi.server.cli.UrbiCommand ] && [ -z "$little" ]; then
   for word; do
     case $word in
       --) break ;;

@@ -21,8 +21,14 @@ import org.urbi.tests.TestTimeout;
  * -Durbi.distribution.jars}); otherwise it is run from the classes of this build.
  */
 final class JavaProcess implements AutoCloseable {
+  private static final String SERIAL = "-XX:+UseSerialGC";
+
+  /** What {@code scripts/launch.sh} gives a server instead. */
+  private static final List<String> COLLECTOR_OF_SERVERS =
+      List.of("-XX:+UseG1GC", "-XX:MaxGCPauseMillis=10");
+
   private static final List<String> FLAGS =
-      List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-Durbi.stdin.terminal=false");
+      List.of(SERIAL, "-XX:TieredStopAtLevel=1", "-Durbi.stdin.terminal=false");
 
   private static final String[] DISTRIBUTION_FLAGS =
       System.getProperty(
@@ -62,6 +68,13 @@ final class JavaProcess implements AutoCloseable {
       return new Setting(folder, more, classPath, before);
     }
 
+    /** Whether its memory is too little for the collector of servers. */
+    boolean hasLittleMemory() {
+      return environment
+          .getOrDefault("JAVA_TOOL_OPTIONS", "")
+          .matches(".*-Xmx(\\d|\\d\\d|1\\d\\d)m.*");
+    }
+
     /** With other classes. */
     Setting withClassPath(String other) {
       return new Setting(folder, environment, other, before);
@@ -83,6 +96,11 @@ final class JavaProcess implements AutoCloseable {
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of(DISTRIBUTION_FLAGS));
     command.addAll(FLAGS);
+    if (arguments.contains("--port")
+        && !setting.hasLittleMemory()
+        && command.removeIf(SERIAL::equals)) {
+      command.addAll(COLLECTOR_OF_SERVERS);
+    }
     command.addAll(List.of("-Durbi.root=" + setting.folder, "-cp", setting.classPath, mainClass));
     command.addAll(arguments);
     ProcessBuilder builder = new ProcessBuilder(command).directory(setting.folder.toFile());
