@@ -3,7 +3,6 @@ package org.urbi.kernel.outside;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.Socket;
-import java.net.SocketTimeoutException;
 
 /**
  * What comes over a socket, read together if it comes together. In Urbi 2.7, sockets were looked at
@@ -39,8 +38,8 @@ final class GatheringStream extends InputStream {
     socket.setSoTimeout(0);
     int all = in.read(bytes, from, length);
     if (all > 0 && all < length) {
-      socket.setSoTimeout(WAIT);
       try {
+        socket.setSoTimeout(WAIT);
         for (int i = 0; i < WAITS && all < length; i++) {
           int more = in.read(bytes, from + all, length - all);
           if (more < 0) {
@@ -48,7 +47,8 @@ final class GatheringStream extends InputStream {
           }
           all += more;
         }
-      } catch (SocketTimeoutException e) {
+      } catch (IOException e) {
+        // Nothing came in time; or the connection is broken, which the next reading tells.
         return all;
       }
     }

@@ -2,10 +2,12 @@ package org.urbi.kernel.outside;
 
 import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.Socket;
+import java.net.SocketException;
 import java.net.SocketTimeoutException;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -16,6 +18,7 @@ import org.junit.jupiter.api.Test;
 /** What comes over a socket is read together if it comes together. */
 class GatheringStreamTest {
   private static final String END = "end";
+  private static final String RESET = "reset";
   private static final String NOTHING = "nothing for a while";
 
   /** A socket to which comes what was said, in which order; it never really waits. */
@@ -48,6 +51,10 @@ class GatheringStreamTest {
               throw new SocketTimeoutException();
             }
             return read(bytes, from, length);
+          }
+          if (next.equals(RESET)) {
+            coming.push(RESET);
+            throw new SocketException("Connection reset");
           }
           if (next.equals(END)) {
             coming.push(END);
@@ -85,6 +92,14 @@ class GatheringStreamTest {
       assertEquals(3, stream.read(new byte[8]));
       assertEquals(List.of(END), List.copyOf(socket.coming));
       assertEquals(-1, stream.read(new byte[8]));
+    }
+  }
+
+  @Test
+  void whatCameBeforeTheConnectionBrokeIsNotLost() throws IOException {
+    try (GatheringStream stream = new GatheringStream(new ScriptedSocket("off", RESET))) {
+      assertEquals(3, stream.read(new byte[8]));
+      assertThrows(SocketException.class, () -> stream.read(new byte[8]));
     }
   }
 
