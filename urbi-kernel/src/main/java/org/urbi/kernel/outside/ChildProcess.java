@@ -6,12 +6,17 @@ import java.io.Closeable;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Message;
 
 /** A running program: its pipes, and its end. Used on the kernel thread. */
@@ -21,6 +26,12 @@ public final class ChildProcess {
 
   private static final int LAST_SIGNAL = 64;
 
+  private static final int KILLED = SIGNALED + 9;
+
+  /** For how long the pipes of a program that has ended may be open before its end is told. */
+  private static final Duration LINGERING = Duration.ofSeconds(2);
+
+  private final Outside outside;
   private final WaitingJobs waiters = new WaitingJobs();
 
   /** Null in a replay. */
@@ -34,28 +45,55 @@ public final class ChildProcess {
   private final PipeSource err;
   private @Nullable Integer status;
 
-  private ChildProcess(Outside outside, @Nullable Process process, Budget budget) {
+  /**
+   * @param process null in a replay
+   * @param budget from which its place was taken
+   */
+  ChildProcess(Outside outside, @Nullable Process process, Budget budget) {
+    this.outside = outside;
     this.process = process;
     this.budget = budget;
     in = new PipeSink(outside, process == null ? null : process.getOutputStream(), false);
     out = new PipeSource(outside, process == null ? null : process.getInputStream());
     err = new PipeSource(outside, process == null ? null : process.getErrorStream());
-    outside.scheduler().pace().begin();
-    int number = outside.inbox().register(message -> ended(outside, message));
+    int number = outside.inbox().register(this::ended);
     if (process != null) {
       // While the process runs, it keeps alive the object that kills it.
       Closeable end = process::destroyForcibly;
       outside.opened(end);
-      process
-          .onExit()
-          .thenRun(() -> {
-            outside.closed(end);
-            outside.inbox().post(new Message.ProcessEnded(number, process.exitValue()));
-          });
+      outside.start(() -> {
+        int last = awaitEnd(process);
+        outside.closed(end);
+        outside.inbox().post(new Message.ProcessEnded(number, last));
+      });
     }
+    outside.scheduler().pace().begin();
   }
 
-  private void ended(Outside outside, Message message) {
+  /**
+   * Waits until the program has ended, and our ends of its pipes are closed: all that it wrote is
+   * told before its end, and whoever counts open files then does not find those of its pipes.
+   *
+   * @return the status
+   */
+  private int awaitEnd(Process running) {
+    int last = KILLED;
+    try {
+      last = running.waitFor();
+      CompletableFuture.allOf(in.end(), out.end(), err.end())
+          .get(LINGERING.toMillis(), TimeUnit.MILLISECONDS);
+    } catch (TimeoutException e) {
+      // Another program has inherited a pipe, and holds it open, maybe for ever.
+    } catch (Throwable e) {
+      FailureLog.internal("waiting for a program", e);
+      running.destroyForcibly();
+    }
+    out.abandon();
+    err.abandon();
+    return last;
+  }
+
+  private void ended(Message message) {
     Message.ProcessEnded end = (Message.ProcessEnded) message;
     outside.inbox().forget(end.to());
     outside.scheduler().pace().end();
@@ -75,13 +113,19 @@ public final class ChildProcess {
       throws IOException {
     outside.confinement().checkProcesses();
     job.take(Resource.PROCESSES);
+    Process process = null;
     boolean started = false;
     try {
-      Process process = outside.awaitOpen(job, () -> builder(command, directory, env).start());
+      process = outside.awaitOpen(job, () -> builder(command, directory, env).start());
+      ChildProcess child = new ChildProcess(outside, process, job.budget());
       started = true;
-      return new ChildProcess(outside, process, job.budget());
+      return child;
     } finally {
       if (!started) {
+        if (process != null) {
+          // Nobody watches it, because the machine has no more threads.
+          process.destroyForcibly();
+        }
         job.budget().giveBack(Resource.PROCESSES);
       }
     }

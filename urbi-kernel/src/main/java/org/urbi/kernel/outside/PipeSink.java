@@ -4,7 +4,9 @@ import static java.util.Objects.requireNonNullElseGet;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.Job;
@@ -27,7 +29,8 @@ public final class PipeSink implements ByteSink {
   private final WaitingJobs waiters = new WaitingJobs();
   private final LinkedBlockingQueue<byte[]> queue = new LinkedBlockingQueue<>();
   private final boolean network;
-  private boolean started;
+  private final AtomicBoolean started = new AtomicBoolean();
+  private final CompletableFuture<@Nullable Void> ended = new CompletableFuture<>();
   private int underWay;
   private boolean closed;
   private @Nullable String failure;
@@ -45,8 +48,7 @@ public final class PipeSink implements ByteSink {
 
   private void enqueue(byte[] bytes) {
     queue.add(bytes);
-    if (!started) {
-      started = true;
+    if (started.compareAndSet(false, true)) {
       if (network) {
         outside.startVirtual(this::writeAll);
       } else {
@@ -72,6 +74,8 @@ public final class PipeSink implements ByteSink {
     } catch (Throwable e) {
       FailureLog.internal("writing a connection", e);
       outside.inbox().post(new Message.WritingFailed(number, FailureLog.text(e)));
+    } finally {
+      ended.complete(null);
     }
   }
 
@@ -109,11 +113,21 @@ public final class PipeSink implements ByteSink {
     }
   }
 
-  /** The reader has gone: the thread ends, and writing fails from now on. */
+  /**
+   * Closes it from any thread, as soon as what is queued is written or has failed.
+   *
+   * @return done when it is closed
+   */
+  CompletableFuture<?> end() {
+    enqueue(END);
+    return ended;
+  }
+
+  /** The reader has gone: writing fails from now on. */
   void readerGone() {
+    outside.inbox().forget(number);
     if (!closed && failure == null) {
       failure = Problem.BROKEN_PIPE.text();
-      enqueue(END);
       waiters.wake();
     }
   }

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.util.ArrayDeque;
 import java.util.Arrays;
+import java.util.concurrent.CompletableFuture;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.log.FailureLog;
@@ -33,7 +34,9 @@ public final class PipeSource implements ByteSource {
   /** How many bytes were read ahead; guarded by this object, on which the thread waits. */
   private int ahead;
 
+  private boolean writerGone;
   private boolean closed;
+  private final CompletableFuture<@Nullable Void> told = new CompletableFuture<>();
 
   /**
    * Starts to read.
@@ -48,6 +51,7 @@ public final class PipeSource implements ByteSource {
   }
 
   private void readAhead() {
+    String error = null;
     try (in) {
       byte[] buffer = new byte[CHUNK];
       int read;
@@ -58,12 +62,37 @@ public final class PipeSource implements ByteSource {
         }
         outside.inbox().post(new Message.BytesArrived(number, chunk));
       }
-      outside.inbox().post(new Message.BytesEnded(number, null));
     } catch (IOException e) {
-      outside.inbox().post(new Message.BytesEnded(number, Outside.reason(e)));
+      error = Outside.reason(e);
     } catch (Throwable e) {
       FailureLog.internal("reading a pipe", e);
-      outside.inbox().post(new Message.BytesEnded(number, FailureLog.text(e)));
+      error = FailureLog.text(e);
+    }
+    tellEnd(error);
+  }
+
+  /** Tells the end: what is read later is dropped. */
+  private void tellEnd(@Nullable String error) {
+    outside.inbox().post(new Message.BytesEnded(number, error));
+    told.complete(null);
+  }
+
+  /**
+   * Nobody writes any more: reads the rest, however much is read ahead. Called by any thread.
+   *
+   * @return done when the pipe is closed and its end told
+   */
+  synchronized CompletableFuture<?> end() {
+    writerGone = true;
+    notifyAll();
+    return told;
+  }
+
+  /** Gives up waiting for the end, because somebody else holds the pipe open; from any thread. */
+  void abandon() {
+    if (!told.isDone()) {
+      close();
+      tellEnd(null);
     }
   }
 
@@ -82,7 +111,7 @@ public final class PipeSource implements ByteSource {
 
   private synchronized boolean hasRoom() {
     try {
-      while (ahead >= AHEAD && !closed) {
+      while (ahead >= AHEAD && !writerGone && !closed) {
         wait();
       }
     } catch (InterruptedException e) {
