@@ -16,6 +16,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.urbi.kernel.Client;
+import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.embed.UrbiError;
 
@@ -230,13 +232,50 @@ class ModuleTest {
   void unreferencedObjectsAreClosed() throws Exception {
     counter(1);
     kernel.eval("loadModule(\"counter\"); for (200) { Counter.new(1)|; };");
-    for (int i = 0; i < 100 && heard().size() < 200; i++) {
+    for (int i = 0; i < 100 && closed() < 200; i++) {
       System.gc();
       LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(20));
     }
-    long closed = heard().stream().filter(text -> text.equals("closed1")).count();
-    assertTrue(closed >= 190, closed + " of 200 closed");
+    assertTrue(closed() >= 190, closed() + " of 200 closed");
     assertTrue((double) kernel.eval("uobjects.localSlotNames.size;") < 40);
+  }
+
+  @Test
+  void objectsOfConnectionsThatHaveGoneAreClosed() throws Exception {
+    UObjectJars.make(
+        "Counter",
+        COUNTER
+            .replace("STEP", "1")
+            .replace("init(int start)", "init(urbi.UValue start)")
+            .replace("setValue(start)", "setValue(0)"),
+        folder.resolve("counter.jar"));
+    kernel.eval("loadModule(\"counter\"); var Global.made = 0|;");
+    for (int i = 0; i < 50; i++) {
+      Connection connection = kernel.connect(new DeafClient());
+      // It is a slot of its lobby, has got the lobby as argument, and is watched.
+      connection.send(
+          "var c = Counter.new([this])|; at (c.count > 5) {}; c.add(1)|; Global.made += c.count;");
+      kernel.eval("waituntil (made > %d);".formatted(i));
+      connection.close();
+    }
+    for (int i = 0; i < 100 && closed() < 50; i++) {
+      System.gc();
+      kernel.eval("sleep(10ms);");
+    }
+    assertTrue(closed() >= 45, closed() + " of 50 closed");
+  }
+
+  private long closed() {
+    return heard().stream().filter("closed1"::equals).count();
+  }
+
+  /** A client that does not listen. */
+  private static final class DeafClient implements Client {
+    @Override
+    public void output(String bytes) {}
+
+    @Override
+    public void closed() {}
   }
 
   @Test

@@ -41,7 +41,14 @@ public class UrbiObject {
     @Nullable Dependencies structure;
     @Nullable Dependencies content;
     @Nullable UrbiObject ownerLobby;
+    @Nullable Companion companion;
   }
+
+  /**
+   * What somebody knows about an object and what may itself refer to the object: only the object
+   * keeps it, so that both can be garbage together.
+   */
+  public interface Companion {}
 
   /** An object of that shape, whose slots are all unset: use a shape without slots. */
   public UrbiObject(Shape shape) {
@@ -407,6 +414,19 @@ public class UrbiObject {
   /** Sets the owner: a lobby, or the prototype of all objects for the system. */
   public final void setOwnerLobby(UrbiObject whose) {
     extra().ownerLobby = whose;
+  }
+
+  // ------------------------------------------------------------------ what it keeps for others
+
+  /** What was set for it to keep; null if nothing was. */
+  public final @Nullable Companion companion() {
+    Extra x = extraOrNull();
+    return x == null ? null : x.companion;
+  }
+
+  /** Sets what it keeps from now on. Clones do not inherit it. */
+  public final void setCompanion(Companion kept) {
+    extra().companion = kept;
   }
 
   // ------------------------------------------------------------------ dependency tracking

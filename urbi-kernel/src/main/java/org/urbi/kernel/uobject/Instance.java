@@ -13,16 +13,21 @@ import urbi.UObject;
 
 /**
  * An urbiscript object and the Java object behind it. It keeps the urbiscript object alive only
- * while one of its functions is called periodically.
+ * while one of its functions is called periodically. What can lead back to that object (the lobby,
+ * of which it may be a slot, and the arguments it was made with) is kept by the object alone.
  */
 final class Instance {
+  /**
+   * How the object was made: for which lobby; with which arguments, once {@code init} has ended.
+   */
+  private record Origin(UrbiObject lobby, UrbiObject @Nullable [] initArguments)
+      implements UrbiObject.Companion {}
+
   private final String name;
   private final WeakReference<UrbiObject> object;
-  private final UrbiObject lobby;
   private final Map<String, BoundFunction> functions = new LinkedHashMap<>();
   private UClass type;
   private @Nullable UObject java;
-  private UrbiObject @Nullable [] initArguments;
   private @Nullable UrbiObject keptAlive;
   private boolean published;
 
@@ -33,7 +38,7 @@ final class Instance {
     this.name = name;
     this.type = type;
     this.object = new WeakReference<>(object);
-    this.lobby = lobby;
+    object.setCompanion(new Origin(lobby, null));
   }
 
   String name() {
@@ -45,8 +50,15 @@ final class Instance {
     return object.get();
   }
 
-  UrbiObject lobby() {
-    return lobby;
+  /** The lobby it was created for; null once the urbiscript object was garbage collected. */
+  @Nullable UrbiObject lobby() {
+    Origin origin = origin();
+    return origin == null ? null : origin.lobby;
+  }
+
+  private @Nullable Origin origin() {
+    UrbiObject made = object();
+    return made == null ? null : (Origin) made.companion();
   }
 
   UClass type() {
@@ -83,11 +95,16 @@ final class Instance {
 
   /** The arguments of its {@code init}; null if it was not called. */
   UrbiObject @Nullable [] initArguments() {
-    return initArguments;
+    Origin origin = origin();
+    return origin == null ? null : origin.initArguments;
   }
 
   void setInitArguments(UrbiObject[] arguments) {
-    initArguments = arguments;
+    UrbiObject made = object();
+    Origin origin = origin();
+    if (made != null && origin != null) {
+      made.setCompanion(new Origin(origin.lobby, arguments));
+    }
   }
 
   /** Whether urbiscript code listens to its variables or events. */

@@ -29,7 +29,8 @@ final class PeriodicCalls {
   PeriodicCall begin(
       Frame frame, Object owner, double milliseconds, UCallback function, boolean afterPass) {
     Instance instance = instance(owner);
-    UrbiObject lobby = instance == null ? context.lobby() : instance.lobby();
+    UrbiObject maker = instance == null ? null : instance.lobby();
+    UrbiObject lobby = maker == null ? context.lobby() : maker;
     PeriodicCall call = new PeriodicCall(context, lobby, function, milliseconds, afterPass);
     calls.computeIfAbsent(owner, key -> new ArrayList<>()).add(call);
     keep(instance, true);
