@@ -48,9 +48,10 @@ public final class Job implements Runnable {
   }
 
   private final Scheduler scheduler;
+  private final Interruptions interruptions;
   private final Body body;
   private final long number;
-  private final String name;
+  private final String prefix;
   private UrbiObject lobby;
   private Role role;
   private final Budget budget;
@@ -91,10 +92,17 @@ public final class Job implements Runnable {
   private double priority;
   private final ComponentCode componentCode;
 
-  // Where it is among the jobs that can run. These belong to JobQueue.
-  @Nullable JobQueue queue;
-  @Nullable Job queueBefore;
-  @Nullable Job queueAfter;
+  /** Its place among the jobs that can run. */
+  final JobList.Link turn = new JobList.Link(this);
+
+  /** Its place among all jobs. */
+  final JobList.Link listed = new JobList.Link(this);
+
+  /** Its place among the jobs of its scope. */
+  final JobList.Link scoped = new JobList.Link(this);
+
+  /** Its place among the jobs of its group. */
+  final JobList.Link grouped = new JobList.Link(this);
 
   Job(
       Scheduler scheduler,
@@ -105,9 +113,10 @@ public final class Job implements Runnable {
       @Nullable JobGroup group,
       long timeShift) {
     this.scheduler = scheduler;
+    this.interruptions = scheduler.interruptions();
     this.body = body;
     this.number = scheduler.nextNumber();
-    this.name = prefix + "_" + number;
+    this.prefix = prefix;
     this.lobby = lobby;
     this.role = RoleHolder.roleOf(lobby);
     this.budget = scheduler.budgetOf(lobby);
@@ -154,7 +163,7 @@ public final class Job implements Runnable {
   }
 
   public String name() {
-    return name;
+    return prefix + "_" + number;
   }
 
   /** The lobby for which the job runs, and to which its output goes. */
@@ -499,8 +508,8 @@ public final class Job implements Runnable {
    * others run.
    */
   public void checkInterrupted() {
-    if (scheduler.interruptions().arePending()) {
-      scheduler.interruptions().check(this);
+    if (interruptions.arePending()) {
+      interruptions.check(this);
     }
   }
 
@@ -542,8 +551,8 @@ public final class Job implements Runnable {
   }
 
   private void moveTo(TagScope other) {
-    other.add(this);
     scope.remove(this);
+    other.add(this);
     scope = other;
     int depth = other.frozenDepth();
     if (depth > 0 && frozenDepth == 0) {

@@ -1,7 +1,5 @@
 package org.urbi.kernel.job;
 
-import java.util.LinkedHashSet;
-import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 
@@ -12,7 +10,7 @@ import org.urbi.kernel.error.Problem;
  */
 public final class JobGroup {
   private final Job parent;
-  private final Set<Job> live = new LinkedHashSet<>();
+  private final JobList live = new JobList();
   private boolean left;
   private @Nullable Throwable failure;
 
@@ -23,12 +21,12 @@ public final class JobGroup {
   /** Starts a job under the tags of the parent; it runs when its turn comes. */
   public Job start(Job.Body body) {
     Job job = parent.scheduler().start(parent, this, body);
-    live.add(job);
+    live.add(job.grouped);
     return job;
   }
 
   void childEnded(Job child, @Nullable Throwable thrown) {
-    live.remove(child);
+    child.grouped.leave();
     if (left) {
       return;
     }

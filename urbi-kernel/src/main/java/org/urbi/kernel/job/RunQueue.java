@@ -65,7 +65,7 @@ final class RunQueue {
   private final Inbox inbox;
   private final Journal journal;
   private final boolean counted;
-  private final JobQueue together = new JobQueue();
+  private final JobList together = new JobList();
 
   /**
    * Whether each budget has a queue of its own; {@link #together} then only has jobs for whose
@@ -134,7 +134,7 @@ final class RunQueue {
 
   /** The jobs of one budget. */
   private static final class Share {
-    final JobQueue jobs = new JobQueue();
+    final JobList jobs = new JobList();
     final long number;
 
     /** Whether it takes part in this rush. */
@@ -172,16 +172,16 @@ final class RunQueue {
 
   /** Adds a job behind all runnable ones. */
   void add(Job job) {
-    JobQueue queue = queueFor(job);
-    if (queue.add(job)) {
+    JobList queue = queueFor(job);
+    if (queue.add(job.turn)) {
       count(queue);
     }
   }
 
   /** Adds a job before all runnable ones. */
   void addFirst(Job job) {
-    JobQueue queue = queueFor(job);
-    if (queue.addFirst(job)) {
+    JobList queue = queueFor(job);
+    if (queue.addFirst(job.turn)) {
       count(queue);
     }
   }
@@ -191,8 +191,8 @@ final class RunQueue {
    * what it does first: even if the round is cut short before.
    */
   void addToRound(Job job) {
-    JobQueue queue = queueFor(job);
-    if (queue.addFirst(job)) {
+    JobList queue = queueFor(job);
+    if (queue.addFirst(job.turn)) {
       count(queue);
       if (!rushing || queue == current.jobs) {
         left++;
@@ -203,20 +203,20 @@ final class RunQueue {
 
   /** A job goes on running instead of waiting for its turn. */
   void remove(Job job) {
-    JobQueue queue = JobQueue.leave(job);
+    JobList queue = job.turn.leave();
     if (queue != null && queue != together) {
       waiting--;
     }
   }
 
-  private void count(JobQueue joined) {
+  private void count(JobList joined) {
     if (joined != together) {
       waiting++;
     }
   }
 
   /** The queue that a job is to join. */
-  private JobQueue queueFor(Job job) {
+  private JobList queueFor(Job job) {
     if (!rushing) {
       return together;
     }
@@ -345,7 +345,7 @@ final class RunQueue {
     return job;
   }
 
-  private @Nullable Job poll(JobQueue queue) {
+  private @Nullable Job poll(JobList queue) {
     freshRuns = fresh > 0;
     if (freshRuns) {
       fresh--;
@@ -412,13 +412,18 @@ final class RunQueue {
 
   /** Gives each budget a queue of its own, as far as there is memory for that. */
   private void separate() {
+    Budget before = null;
+    JobList queue = together;
     for (Job job = together.first(); job != null; job = together.first()) {
-      JobQueue queue = queueFor(job);
-      if (queue == together) {
-        return;
+      if (job.budget() != before) {
+        before = job.budget();
+        queue = queueFor(job);
+        if (queue == together) {
+          return;
+        }
       }
       together.poll();
-      queue.add(job);
+      queue.add(job.turn);
       waiting++;
     }
   }
@@ -428,7 +433,7 @@ final class RunQueue {
     served.sort(AGE);
     for (Share share : served) {
       for (Job job = share.jobs.poll(); job != null; job = share.jobs.poll()) {
-        together.add(job);
+        together.add(job.turn);
       }
       share.active = false;
     }

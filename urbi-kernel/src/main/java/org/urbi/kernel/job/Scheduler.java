@@ -4,9 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
@@ -68,10 +66,10 @@ public final class Scheduler {
   private final Interruptions interruptions;
   private final JobThread.Factory threads;
   private final RunQueue runnable;
-  private final JobQueue ahead = new JobQueue();
-  private final JobQueue behind = new JobQueue();
-  private final JobQueue born = new JobQueue();
-  private final Set<Job> jobs = new LinkedHashSet<>();
+  private final JobList ahead = new JobList();
+  private final JobList behind = new JobList();
+  private final JobList born = new JobList();
+  private final JobList jobs = new JobList();
   private final TagScope rootScope = new TagScope();
   private final EndOfTick endOfTick = new EndOfTick();
   private final BiConsumer<Job, Throwable> uncaught;
@@ -268,7 +266,9 @@ public final class Scheduler {
 
   /** All the jobs that have not ended, oldest first. */
   public List<Job> jobs() {
-    return new ArrayList<>(jobs);
+    List<Job> all = new ArrayList<>(jobs.size());
+    jobs.addTo(all);
+    return all;
   }
 
   /** How many nested calls a job can hold. */
@@ -298,22 +298,22 @@ public final class Scheduler {
   public Job startAhead(UrbiObject lobby, TagScope scope, String prefix, Job.Body body) {
     long shift = running == null ? 0 : running.timeShift();
     Job job = new Job(this, body, prefix, lobby, scope, null, shift);
-    jobs.add(job);
-    ahead.add(job);
+    jobs.add(job.listed);
+    ahead.add(job.turn);
     return job;
   }
 
   /** Like {@link #startDetached}, but the job runs after all others have had their turn. */
   public Job startBehind(UrbiObject lobby, TagScope scope, String prefix, Job.Body body) {
     Job job = new Job(this, body, prefix, lobby, scope, null, 0);
-    jobs.add(job);
-    behind.add(job);
+    jobs.add(job.listed);
+    behind.add(job.turn);
     return job;
   }
 
   /** A job started by another one runs in the same tick, right behind it. */
   private Job start(Job job) {
-    jobs.add(job);
+    jobs.add(job.listed);
     if (running == null || births >= BIRTHS_PER_TICK || descendants >= DESCENDANTS_PER_TICK) {
       runnable.add(job);
     } else {
@@ -321,7 +321,7 @@ public final class Scheduler {
       if (runnable.isFresh()) {
         descendants++;
       }
-      born.add(job);
+      born.add(job.turn);
     }
     return job;
   }
@@ -340,7 +340,7 @@ public final class Scheduler {
   }
 
   void ended(Job job) {
-    jobs.remove(job);
+    job.listed.leave();
   }
 
   /** Reports an exception that nobody will catch. */

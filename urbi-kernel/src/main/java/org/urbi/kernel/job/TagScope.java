@@ -36,7 +36,7 @@ public final class TagScope {
   private final @Nullable Job owner;
   private final int depth;
   private final Set<TagScope> inner = new LinkedHashSet<>();
-  private final Set<Job> jobs = new LinkedHashSet<>();
+  private final JobList jobs = new JobList();
   private final Set<Attachment> attachments = new LinkedHashSet<>();
   private int sweptAt = SWEPT_FROM;
   private boolean closed;
@@ -79,11 +79,11 @@ public final class TagScope {
   }
 
   void add(Job job) {
-    jobs.add(job);
+    jobs.add(job.scoped);
   }
 
   void remove(Job job) {
-    jobs.remove(job);
+    job.scoped.leave();
     detachIfOver();
   }
 
@@ -183,7 +183,7 @@ public final class TagScope {
 
   /** Adds every job under this scope. */
   void collect(List<Job> all) {
-    all.addAll(jobs);
+    jobs.addTo(all);
     for (TagScope scope : inner) {
       scope.collect(all);
     }
