@@ -79,7 +79,6 @@ public final class Scheduler {
   private int births;
   private int descendants;
   private final YieldCount yields = new YieldCount();
-  private long passed;
   private long busyUntil = 1 + BUSY_CYCLES;
   private long now;
   private long cycle;
@@ -179,7 +178,7 @@ public final class Scheduler {
    * The number of ticks so far, including those that were skipped because only one job could run.
    */
   public long cycle() {
-    return cycle + passed;
+    return cycle + yields.passed();
   }
 
   public Inbox inbox() {
@@ -256,7 +255,7 @@ public final class Scheduler {
    * have. May be asked on any thread.
    */
   public long turn() {
-    return turns.getOpaque() + passed;
+    return turns.getOpaque() + yields.passed();
   }
 
   /** The running job continues with other work, as if its turn had just begun. */
@@ -298,6 +297,7 @@ public final class Scheduler {
   public Job startAhead(UrbiObject lobby, TagScope scope, String prefix, Job.Body body) {
     long shift = running == null ? 0 : running.timeShift();
     Job job = new Job(this, body, prefix, lobby, scope, null, shift);
+    yields.endGrant();
     jobs.add(job.listed);
     ahead.add(job.turn);
     return job;
@@ -306,6 +306,7 @@ public final class Scheduler {
   /** Like {@link #startDetached}, but the job runs after all others have had their turn. */
   public Job startBehind(UrbiObject lobby, TagScope scope, String prefix, Job.Body body) {
     Job job = new Job(this, body, prefix, lobby, scope, null, 0);
+    yields.endGrant();
     jobs.add(job.listed);
     behind.add(job.turn);
     return job;
@@ -313,6 +314,7 @@ public final class Scheduler {
 
   /** A job started by another one runs in the same tick, right behind it. */
   private Job start(Job job) {
+    yields.endGrant();
     jobs.add(job.listed);
     if (running == null || births >= BIRTHS_PER_TICK || descendants >= DESCENDANTS_PER_TICK) {
       runnable.add(job);
@@ -332,6 +334,7 @@ public final class Scheduler {
   }
 
   void enqueue(Job job) {
+    yields.endGrant();
     runnable.add(job);
   }
 
@@ -355,6 +358,11 @@ public final class Scheduler {
 
   /** Whether a job that could continue should let others run first. */
   boolean hasOthers() {
+    return (inbox.isFilled() || !yields.passes()) && looksForOthers();
+  }
+
+  private boolean looksForOthers() {
+    yields.endGrant();
     if (!runnable.isEmpty()
         || !born.isEmpty()
         || !ahead.isEmpty()
@@ -366,7 +374,7 @@ public final class Scheduler {
       yields.reset();
       return true;
     }
-    passed++;
+    yields.grant(counted ? 0 : clock.isReal() ? Long.MAX_VALUE : busyUntil - cycle() - 1);
     return false;
   }
 

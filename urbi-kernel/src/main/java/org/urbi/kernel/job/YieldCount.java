@@ -17,12 +17,51 @@ final class YieldCount {
 
   private int count;
   private int most = MOST;
+
+  /** How many may pass before anything but news must be looked at; set when nobody else can run. */
+  private int granted;
+
+  /** How many of them are left. */
+  private int left;
+
+  /** How many have passed, without those of the present grant. */
+  private long passed;
+
   private long looked;
   private long ticked;
 
   /** How many there have been since the last look. */
   int count() {
     return count;
+  }
+
+  /** How many have let nobody else run, in all. */
+  long passed() {
+    return passed + granted - left;
+  }
+
+  /** Whether this one passes because of a grant. */
+  boolean passes() {
+    if (left > 0) {
+      left--;
+      return true;
+    }
+    return false;
+  }
+
+  /** This one passes, and so may those before the next look, but for that many at most. */
+  void grant(long most) {
+    passed++;
+    granted = (int) Math.max(0, Math.min(this.most - 1 - count, most));
+    left = granted;
+  }
+
+  /** Somebody else may be able to run from now on: the next one has to look. */
+  void endGrant() {
+    passed += granted - left;
+    count += granted - left;
+    granted = 0;
+    left = 0;
   }
 
   /** Counts one; returns whether it is time for a look. */
@@ -37,6 +76,7 @@ final class YieldCount {
 
   /** A tick begins at this time. */
   void beginTick(long now) {
+    endGrant();
     looked = now;
     ticked = now;
   }

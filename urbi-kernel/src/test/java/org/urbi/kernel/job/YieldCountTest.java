@@ -1,0 +1,67 @@
+package org.urbi.kernel.job;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+
+class YieldCountTest {
+  private final YieldCount yields = new YieldCount();
+
+  /** How many pass before the next one has to look. */
+  private int passing() {
+    int passing = 0;
+    while (yields.passes()) {
+      passing++;
+    }
+    return passing;
+  }
+
+  @Test
+  void ninetyEightPassAfterOneThatHasLooked() {
+    assertFalse(yields.passes());
+    assertFalse(yields.isOver());
+    yields.grant(Long.MAX_VALUE);
+    assertEquals(98, passing());
+    yields.endGrant();
+    assertEquals(99, yields.count());
+    assertEquals(99, yields.passed());
+    assertTrue(yields.isOver());
+  }
+
+  @Test
+  void whatHasPassedIsKnownAtAnyTime() {
+    yields.isOver();
+    yields.grant(10);
+    assertEquals(1, yields.passed());
+    yields.passes();
+    yields.passes();
+    assertEquals(3, yields.passed());
+    yields.endGrant();
+    assertEquals(3, yields.passed());
+    assertEquals(3, yields.count());
+  }
+
+  @Test
+  void whenSomebodyElseMayRunTheNextOneLooks() {
+    yields.isOver();
+    yields.grant(Long.MAX_VALUE);
+    yields.passes();
+    yields.endGrant();
+    assertFalse(yields.passes());
+  }
+
+  @Test
+  void noMorePassThanAreGranted() {
+    yields.isOver();
+    yields.grant(3);
+    assertEquals(3, passing());
+    yields.endGrant();
+    yields.grant(0);
+    assertEquals(0, passing());
+    yields.endGrant();
+    yields.grant(-5);
+    assertEquals(0, passing());
+  }
+}
