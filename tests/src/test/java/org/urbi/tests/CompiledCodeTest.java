@@ -164,6 +164,66 @@ class CompiledCodeTest {
             f(3); f(4); f(7); var l = f(2)|; sleep(5ms)|; l;
             """),
         Map.entry(
+            "slots are where they were, until they are elsewhere",
+            """
+            class P {
+              var v = 1;
+              function get() { v }; function set(n) { v = n }; function inc() { v += 1 };
+              function plus(a, b) { a + b + v }; function none() {};
+            }|;
+            var p = P.new|; var q = P.new|;
+            function f(o, n) {
+              o.set(n) | o.inc() | var old = o.v++ | o.v += 2 | o.none() |
+              [o.get(), o.plus(n, 1), o.v, old, o.v === o.v, o.plus(old, o.v -= 1)]
+            }|;
+            f(p, 1); f(p, 2); f(q, 3); f(P, 4); f(1, 1); f(nil, 1); f(void, 1); f(p, void);
+            var q.extra = 1|; f(q, 1); f(P.new, 7);
+            P.plus = function (a, b) { a - b }|; f(p, 1);
+            p.setSlot("plus", function (a, b) { "own" })|; f(p, 1); p.removeLocalSlot("plus")|; f(p, 1);
+            P.plus = function (a) { "one" }|; f(p, 1); P.plus = 3|; f(p, 2);
+            P.plus = function { call.args.size }|; f(p, 1); P.plus = function (a, b) { b }|; f(p, 1);
+            at (p.v > 10) echo("high") onleave echo("low"); f(p, 20); f(p, 1); f(q, 20);
+            q.v = function () { "code" }|; f(q, 1); f(q, "s");
+            p.setProperty("v", "constant", true)|; f(p, 1); p.setProperty("v", "constant", false)|; f(p, 1);
+            q.addProto(class { function get() { "other" } })|; f(q, 1);
+            P.removeLocalSlot("get")|; f(p, 1); p.removeLocalSlot("v")|; f(p, 1);
+            """),
+        Map.entry(
+            "variables of the lobby come, are watched, and go",
+            """
+            var g = 1|; var k = 2|;
+            function h(n) { for| (var i : n) { g += k | k = k + 1 } | g }|;
+            h(3); h(3); var more = 1|; h(2); at (g > 100) echo("on") onleave echo("off"); h(9); g = 1|;
+            h(1); removeLocalSlot("k")|; h(1); var k = "s"|; h(1); k = 1|; g = "text"|; h(2); g = 0|;
+            function k() { 5 }|; removeLocalSlot("k")|; function k() { 5 }|; h(1); h(1);
+            getSlot("g").uid == g.uid; do (Object.new) { var g = 5; lobby.h(1) };
+            function lobby.twice(f) { f() + f() }|; function r() { g = 3; return g + 1; 7 }|;
+            twice(getSlotValue("r")); twice(closure () { g }); r() + r(); setProtos([Object])|; h(1); r();
+            """),
+        Map.entry(
+            "functions that call each other pass everything on",
+            """
+            function same(a) { a }|; function void1(a) {}|; function first(a, b) { a }|;
+            function keep(a) { a.setSlot("kept", true)|; a }|;
+            function f(x) {
+              var y = same(x); var z = keep(y); echo(x === y); echo(x.hasLocalSlot("kept")); echo(z === x);
+              first(x = x + 1, x = x + 1) + first(x, x++)
+            }|;
+            f(1); f(2.5); f(3); same(void); same(); same(1, 2); void1(1); same(void1(2)); first(1, void1(3));
+            function fact(n) { if (n <= 1) 1 else n * fact(n - 1) }|; fact(10); fact(20);
+            function find(l, e) { for (var x : l) { if (x == e) return x }; "none" }|;
+            function use(n) { find([1, 2, 3], n) }|; use(2); use(5); use(3);
+            function deep(n) { if (n == 0) throw "deep" | deep(n - 1) + 1 }|;
+            function guard(n) { try { deep(n) } catch (var e) { e + n } }|; guard(1); guard(3); deep(2);
+            function scoped(n) { var t = Tag.new; t: { if (n > 1) { t.stop(n) }; n + 10 } }|;
+            function outer(n) { scoped(n) + scoped(1) }|; outer(1); outer(2); outer(3);
+            function sees(n) { var i = n; first(lazy(i += 1), i) }|; function lazy { call.evalArgAt(0) }|;
+            sees(1); sees(2); function args(a, b = a + 1, c[]) { [a, b, c] }|;
+            function some(n) { [args(n), args(n, 1), args(n, 1, 2, 3)] }|; some(1); some(2);
+            function counter(n) { function () { n += 1 } }|; var c = counter(1)|; var d = counter(5)|;
+            function both() { [c(), d(), c()] }|; both(); both(); both();
+            """),
+        Map.entry(
             "errors have their places",
             """
             function f(a, b) {

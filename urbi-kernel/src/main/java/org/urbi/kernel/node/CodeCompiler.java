@@ -13,12 +13,13 @@ public interface CodeCompiler {
         }
 
         @Override
-        public @Nullable CompiledCode function(Node code, int parameters, int locals) {
+        public @Nullable CompiledCode function(
+            Function.Body function, Node code, Frame frame, boolean last) {
           return null;
         }
 
         @Override
-        public @Nullable CompiledCode loop(Node loop, int locals) {
+        public @Nullable CompiledCode loop(Node loop, Frame frame, boolean last) {
           return null;
         }
 
@@ -47,19 +48,21 @@ public interface CodeCompiler {
   /**
    * Compiles the body of a function.
    *
-   * @param parameters how many of the variables have a value at its beginning
-   * @param locals the number of plain variables in its frame
+   * @param code its body
+   * @param frame the activation that needs it
+   * @param last whether it will not be compiled again, even if what it guesses turns out wrong
    * @return null if it is not worth it
    */
-  @Nullable CompiledCode function(Node code, int parameters, int locals);
+  @Nullable CompiledCode function(Function.Body function, Node code, Frame frame, boolean last);
 
   /**
    * Compiles the turns of a loop that is running.
    *
-   * @param locals the number of plain variables in its frame
+   * @param frame the activation in which it runs
+   * @param last whether it will not be compiled again
    * @return null if it is not worth it
    */
-  @Nullable CompiledCode loop(Node loop, int locals);
+  @Nullable CompiledCode loop(Node loop, Frame frame, boolean last);
 
   Statistics statistics();
 }

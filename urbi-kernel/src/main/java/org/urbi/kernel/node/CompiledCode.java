@@ -3,6 +3,7 @@ package org.urbi.kernel.node;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.TagStop;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
@@ -18,20 +19,126 @@ public abstract class CompiledCode extends Node {
 
   private static final int BREAK = 1;
   private static final int CONTINUE = 2;
+  private static final String NOT_SO = "this is no function with so many parameters";
 
-  protected CompiledCode() {}
+  /** How often it meets what it has not expected. */
+  private final Misses misses;
+
+  protected CompiledCode(Misses misses) {
+    this.misses = misses;
+  }
 
   /**
    * Runs it.
    *
-   * @param from the number of the next turn, of a loop over numbers
+   * @param from the number of the next turn, of a loop over numbers or elements
    * @param to before which number that loop ends
+   * @param elements the elements of such a loop, or null
    */
-  public abstract UrbiObject run(Frame frame, double from, double to);
+  public abstract UrbiObject run(
+      Frame frame, double from, double to, UrbiObject @Nullable [] elements);
+
+  final UrbiObject run(Frame frame, double from, double to) {
+    return run(frame, from, to, null);
+  }
 
   @Override
   public final UrbiObject execute(Frame frame) {
-    return run(frame, 0, 0);
+    return run(frame, 0, 0, null);
+  }
+
+  /** Whether it has met so much that other code would be faster. */
+  public final boolean isOutdated() {
+    return misses.isOver();
+  }
+
+  public final Misses misses() {
+    return misses;
+  }
+
+  // ------------------------------------------------------------------ calls
+
+  /**
+   * Calls a function without parameters whose code this is. The answer is null for a number, which
+   * is then in the frame of the caller.
+   */
+  public @Nullable UrbiObject call(Function called, Frame caller, MessageSend at, UrbiObject self) {
+    throw new IllegalStateException(NOT_SO);
+  }
+
+  /** The same with one parameter. */
+  public @Nullable UrbiObject call(
+      Function called,
+      Frame caller,
+      MessageSend at,
+      UrbiObject self,
+      double a,
+      @Nullable UrbiObject first) {
+    throw new IllegalStateException(NOT_SO);
+  }
+
+  /** The same with two parameters. */
+  public @Nullable UrbiObject call(
+      Function called,
+      Frame caller,
+      MessageSend at,
+      UrbiObject self,
+      double a,
+      @Nullable UrbiObject first,
+      double b,
+      @Nullable UrbiObject second) {
+    throw new IllegalStateException(NOT_SO);
+  }
+
+  /** The same with three parameters. */
+  public @Nullable UrbiObject call(
+      Function called,
+      Frame caller,
+      MessageSend at,
+      UrbiObject self,
+      double a,
+      @Nullable UrbiObject first,
+      double b,
+      @Nullable UrbiObject second,
+      double c,
+      @Nullable UrbiObject third) {
+    throw new IllegalStateException(NOT_SO);
+  }
+
+  /** The frame of such a call. */
+  protected static Frame enter(Function called, Frame caller, MessageSend at, UrbiObject self) {
+    return called.enter(caller, at, self);
+  }
+
+  /** An exception leaves such a call: it answers with the value of a return, or throws again. */
+  protected static UrbiObject left(Throwable leaving, Frame frame) throws Throwable {
+    try {
+      if (leaving instanceof NonLocalExit.Return
+          || leaving instanceof UrbiException
+          || leaving instanceof TagStop) {
+        return Function.left(frame, (RuntimeException) leaving);
+      }
+      throw leaving;
+    } catch (Throwable t) {
+      end(frame);
+      throw t;
+    }
+  }
+
+  /** Such a call is over. */
+  protected static void end(Frame frame) {
+    if (frame.scopeEnd != null) {
+      frame.scopeEnd.run();
+    }
+  }
+
+  /** Answers such a call with a number. */
+  protected static void setAnswer(double number, Frame frame) {
+    frame.answer = number;
+  }
+
+  protected static double answer(Frame frame) {
+    return frame.answer;
   }
 
   // ------------------------------------------------------------------ values
@@ -61,7 +168,21 @@ public abstract class CompiledCode extends Node {
 
   // ------------------------------------------------------------------ frames
 
+  /** How many plain variables there are in a frame. */
+  public static int variables(Frame frame) {
+    return locals(frame).length;
+  }
+
+  /** The variables in the frame; there is room for them from now on. */
   protected static UrbiObject[] locals(Frame frame) {
+    UrbiObject[] locals = frame.locals;
+    return locals == Frame.NO_ARGUMENTS ? room(frame) : locals;
+  }
+
+  private static UrbiObject[] room(Frame frame) {
+    if (frame.function != null) {
+      frame.locals = frame.function.layout().newLocals();
+    }
     return frame.locals;
   }
 
@@ -157,7 +278,7 @@ public abstract class CompiledCode extends Node {
   }
 
   /** Whether what was found takes that many evaluated arguments, and never sees their code. */
-  protected static boolean takes(@Nullable UrbiObject found, int arguments) {
+  public static boolean takes(@Nullable UrbiObject found, int arguments) {
     if (found instanceof Function function) {
       Formals formals = function.formals();
       return formals != null
@@ -199,6 +320,17 @@ public abstract class CompiledCode extends Node {
   protected static UrbiObject answer(
       @Nullable UrbiObject found, UrbiObject target, Frame frame, MessageSend message) {
     return message.answer(frame, found, target);
+  }
+
+  /** The value of a slot that is going to be modified. */
+  protected static UrbiObject before(
+      UrbiObject target, Frame frame, CompoundAssignment assignment) {
+    return assignment.access().read(frame, new UrbiObject[] {target});
+  }
+
+  /** Whether the job may change everything. */
+  protected static boolean isOwner(Frame frame) {
+    return frame.job.isOwner();
   }
 
   protected static UrbiObject assign(

@@ -179,6 +179,11 @@ public final class CompoundAssignment extends Node implements CallSite {
     return operand instanceof Literals.Number number ? number.value() : Double.NaN;
   }
 
+  /** What is modified. */
+  public Access access() {
+    return access;
+  }
+
   /** The index of the plain local variable that is modified, or -1 for anything else. */
   public int local() {
     return local;

@@ -42,8 +42,13 @@ public final class Frame {
   /** The function that runs; null at the top level. */
   final @Nullable Function function;
 
-  final UrbiObject[] locals;
+  /** The plain variables; compiled code makes room for them when somebody needs to see them. */
+  UrbiObject[] locals;
+
   final Cell[] cells;
+
+  /** What compiled code answers with, if that is a number of which there is no object. */
+  double answer;
 
   /** Identifies the activation: the same object in all of its frames. */
   final Object activation;

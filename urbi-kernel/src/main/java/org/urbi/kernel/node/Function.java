@@ -13,6 +13,9 @@ public final class Function extends Code {
   /** After how many calls unwound by an exception others may run; a power of two. */
   private static final int CALLS_PER_BREATH = 1 << 10;
 
+  /** How often code is compiled again, because much of what was guessed has turned out wrong. */
+  private static final int MOST_VERSIONS = 5;
+
   /** The part that all closures of one function text share. */
   public static final class Body {
     final Ast.Function source;
@@ -30,8 +33,11 @@ public final class Function extends Code {
     /** Whether the parameters need no preparation: no cells, defaults or types. */
     final boolean plain;
 
-    private Node code;
+    private final Node code;
+    private @Nullable CompiledCode compiled;
     private int calls;
+    private int versions;
+    private boolean compiling;
 
     /**
      * @param code what is executed, when the parameters are ready
@@ -58,15 +64,43 @@ public final class Function extends Code {
     }
 
     /** What is executed, when the parameters are ready; compiled if it has been executed often. */
-    Node code(CodeCompiler compiler) {
-      if (++calls == compiler.threshold()) {
-        CompiledCode compiled =
-            compiler.function(code, formals == null ? 0 : formals.count(), layout.locals());
-        if (compiled != null) {
-          code = compiled;
+    Node code(Frame frame) {
+      CompiledCode known = compiled;
+      if (known == null
+          ? ++calls == frame.interpreter.compiler().threshold()
+          : known.isOutdated()) {
+        known = compile(frame);
+      }
+      return known == null ? code : known;
+    }
+
+    private @Nullable CompiledCode compile(Frame frame) {
+      if (!compiling) {
+        compiling = true;
+        try {
+          compiled =
+              frame.interpreter.compiler().function(this, code, frame, versions == MOST_VERSIONS);
+          versions++;
+        } finally {
+          compiling = false;
         }
       }
-      return code;
+      return compiled;
+    }
+
+    /** How many parameters there are. */
+    public int parameters() {
+      return formals == null ? 0 : formals.count();
+    }
+
+    /** How many plain variables there are. */
+    public int locals() {
+      return layout.locals();
+    }
+
+    /** Whether it is being compiled. */
+    public boolean isCompiling() {
+      return compiling;
     }
   }
 
@@ -113,6 +147,36 @@ public final class Function extends Code {
 
   FrameLayout layout() {
     return body.layout;
+  }
+
+  /** The part that all closures of the function text share. */
+  public Body body() {
+    return body;
+  }
+
+  /**
+   * The compiled code that may be called at once with that many arguments; null if there is none.
+   * It is compiled now if it is not yet.
+   */
+  public @Nullable CompiledCode direct(Frame frame, int arguments) {
+    if (!takesPlainly(arguments) || body.compiling) {
+      return null;
+    }
+    if (body.compiled == null
+        && body.versions == 0
+        && 2 * body.calls >= frame.interpreter.compiler().threshold()) {
+      body.compile(frame);
+    }
+    return body.compiled;
+  }
+
+  /** Whether a call with that many arguments just runs the code with them. */
+  public boolean takesPlainly(int arguments) {
+    return boundLobby == null
+        && body.plain
+        && !body.usesCall
+        && body.formals != null
+        && body.formals.isSimple(arguments);
   }
 
   boolean usesCall() {
@@ -196,22 +260,33 @@ public final class Function extends Code {
       prepare(frame);
     }
     try {
-      return body.code(caller.interpreter.compiler()).execute(frame);
-    } catch (NonLocalExit.Return leave) {
-      if (leave.activation() != frame.activation) {
-        throw leave;
-      }
-      return leave.value();
-    } catch (UrbiException | TagStop e) {
-      if ((frame.depth & CALLS_PER_BREATH - 1) == 0) {
-        frame.job.yieldWhileUnwinding();
-      }
-      throw e;
+      return body.code(frame).execute(frame);
+    } catch (NonLocalExit.Return | UrbiException | TagStop e) {
+      return left(frame, e);
     } finally {
       if (frame.scopeEnd != null) {
         frame.scopeEnd.run();
       }
     }
+  }
+
+  /** The frame of a call whose parameters compiled code has. */
+  Frame enter(Frame caller, CallSite site, UrbiObject self) {
+    Frame frame = caller.call(site, boundSelf == null ? self : boundSelf, this, Frame.NO_ARGUMENTS);
+    caller.interpreter.enter(frame);
+    return frame;
+  }
+
+  /** An exception leaves a call: it answers with the value of a return, or throws again. */
+  static UrbiObject left(Frame frame, RuntimeException leaving) {
+    if (leaving instanceof NonLocalExit.Return exit) {
+      if (exit.activation() == frame.activation) {
+        return exit.value();
+      }
+    } else if ((frame.depth & CALLS_PER_BREATH - 1) == 0) {
+      frame.job.yieldWhileUnwinding();
+    }
+    throw leaving;
   }
 
   /** Moves the parameters that are shared to their cells, and gives the others their defaults. */

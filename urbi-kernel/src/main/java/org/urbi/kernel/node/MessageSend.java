@@ -30,6 +30,11 @@ public final class MessageSend extends Node implements CallSite {
     return lookup.name();
   }
 
+  /** How the slot is found. */
+  public SlotLookup lookup() {
+    return lookup;
+  }
+
   /** The target; null for {@code this}. */
   public @Nullable Node target() {
     return target;

@@ -1,5 +1,7 @@
 package org.urbi.kernel.node;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.Dependencies;
 import org.urbi.kernel.object.Shape;
@@ -13,7 +15,7 @@ import org.urbi.kernel.object.World;
  * that it has seen where the slot was. An entry is valid as long as the epoch of the name stays the
  * same.
  */
-final class SlotLookup {
+public final class SlotLookup {
   private static final int LIMIT = 6;
 
   /** Where the slot of one shape of targets is. */
@@ -45,8 +47,28 @@ final class SlotLookup {
     this.name = name;
   }
 
-  Symbol name() {
+  /** The name of the slots. */
+  public Symbol name() {
     return name;
+  }
+
+  /**
+   * Where the slots of one shape of targets are, as long as the epoch of the name stays the same.
+   *
+   * @param holder whose slot it is; null if the target itself has it
+   * @param index the index among the slots of its holder
+   */
+  public record Known(Shape shape, @Nullable UrbiObject holder, int index) {}
+
+  /** What has been found here until now and is still valid, last things first. */
+  public List<Known> known() {
+    List<Known> known = new ArrayList<>();
+    for (Entry entry = entries; entry != null; entry = entry.next) {
+      if (entry.epoch == name.epoch()) {
+        known.add(new Known(entry.shape, entry.holder, entry.index));
+      }
+    }
+    return known;
   }
 
   /** The value of the slot, or null; a getter is called. */

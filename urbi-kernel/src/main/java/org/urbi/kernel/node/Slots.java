@@ -96,6 +96,20 @@ public final class Slots {
       return value;
     }
 
+    public Symbol name() {
+      return name;
+    }
+
+    /** The shape of objects whose slot is just set, at an index; null if there was none. */
+    public @Nullable Shape knownShape() {
+      return knownShape;
+    }
+
+    /** The index of the slot in objects of that shape. */
+    public int knownIndex() {
+      return knownIndex;
+    }
+
     /** Returns the value of the assignment. */
     UrbiObject assign(Frame frame, UrbiObject object, UrbiObject assigned) {
       if (object.shape() == knownShape

@@ -8,17 +8,29 @@ import org.jspecify.annotations.Nullable;
  * them in the end.
  */
 final class TurnCount {
+  /** How often a loop is compiled again, because what was guessed has turned out wrong. */
+  private static final int MOST_VERSIONS = 5;
+
   private long counted;
   private boolean asked;
+  private int versions;
   private @Nullable CompiledCode compiled;
 
   /** The compiled loop; null if there is none. */
   @Nullable CompiledCode compiled() {
+    if (compiled != null && compiled.isOutdated()) {
+      // A turn from now it is compiled again.
+      compiled = null;
+      asked = false;
+    }
     return compiled;
   }
 
   /** In which turn of an execution that begins now the loop is to be compiled. */
   long left(CodeCompiler compiler) {
+    if (versions > 0 && !asked) {
+      return 1;
+    }
     long left = compiler.threshold() - counted;
     return left > 0 ? left : Long.MAX_VALUE;
   }
@@ -27,7 +39,8 @@ final class TurnCount {
   @Nullable CompiledCode compile(Node loop, Frame frame) {
     if (!asked) {
       asked = true;
-      compiled = frame.interpreter.compiler().loop(loop, frame.locals.length);
+      compiled = frame.interpreter.compiler().loop(loop, frame, versions == MOST_VERSIONS);
+      versions++;
     }
     return compiled;
   }

@@ -291,6 +291,14 @@ public class UrbiObject {
     }
   }
 
+  /**
+   * From now on the epochs of names tell of changes of slots here, as if others inherited from this
+   * object.
+   */
+  public final void announceChanges() {
+    extra().inherited = true;
+  }
+
   /** Whether others have looked up slots here, or may have. */
   private boolean isInherited() {
     Extra x = extraOrNull();

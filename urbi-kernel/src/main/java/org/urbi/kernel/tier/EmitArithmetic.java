@@ -180,6 +180,50 @@ final class EmitArithmetic {
     return variable;
   }
 
+  /** The new value of anything but a plain variable. */
+  Value combined(CompoundAssignment assignment, Value before) {
+    Label slow = to.code.newLabel();
+    Label over = to.code.newLabel();
+    Value result = to.newPair();
+    Node operand = assignment.operand();
+    Value by = operand == null ? null : to.operand(operand);
+    if (by != null) {
+      to.notVoid(by);
+    }
+    if (assignment.sign() != 0) {
+      int a = to.number(before, slow);
+      intact(assignment.operator(), assignment, Names.COUNTING, assignment.isIntact(), slow);
+      if (by == null) {
+        to.code.dload(a).loadConstant((double) assignment.sign()).dadd();
+      } else {
+        int b = to.number(by, slow);
+        to.code.dload(a).dload(b);
+        if (assignment.sign() > 0) {
+          to.code.dadd();
+        } else {
+          to.code.dsub();
+        }
+      }
+      setNumber(result);
+      to.code.goto_(over);
+    }
+    to.code.labelBinding(slow);
+    to.load(before);
+    if (by == null) {
+      to.frame();
+      to.constant(assignment, Names.COUNTING);
+      to.help("successor", Names.OBJECT, Names.OBJECT, Names.FRAME, Names.COUNTING);
+    } else {
+      to.load(by);
+      to.frame();
+      to.constant(assignment, Names.COUNTING);
+      to.help("combined", Names.OBJECT, Names.OBJECT, Names.OBJECT, Names.FRAME, Names.COUNTING);
+    }
+    changed(result);
+    to.code.labelBinding(over);
+    return result;
+  }
+
   private void count(CompoundAssignment assignment, Value variable, Value before) {
     Label slow = to.code.newLabel();
     Label over = to.code.newLabel();

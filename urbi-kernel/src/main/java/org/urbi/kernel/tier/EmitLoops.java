@@ -268,8 +268,12 @@ final class EmitLoops {
       to.frame();
       to.help("returns", CD_void, Names.FRAME);
     }
-    to.load(value);
-    to.code.areturn();
+    if (to.isLoopUnit()) {
+      to.load(value);
+      to.code.areturn();
+    } else {
+      to.answer(value);
+    }
   }
 
   /** Emits the jump that the statement which has just been executed has asked for, if any. */

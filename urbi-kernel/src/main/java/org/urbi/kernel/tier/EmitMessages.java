@@ -1,20 +1,38 @@
 package org.urbi.kernel.tier;
 
 import static java.lang.constant.ConstantDescs.CD_boolean;
+import static java.lang.constant.ConstantDescs.CD_double;
 import static java.lang.constant.ConstantDescs.CD_int;
 
 import java.lang.classfile.Label;
+import java.lang.constant.MethodTypeDesc;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.node.CompiledCode;
+import org.urbi.kernel.node.Function;
 import org.urbi.kernel.node.MessageSend;
 import org.urbi.kernel.node.Node;
-import org.urbi.kernel.node.Slots;
+import org.urbi.kernel.object.UrbiCode;
 
-/** Emits messages, and assignments to slots. */
+/** Emits messages. A function that was found until now is called at once, if it is compiled. */
 final class EmitMessages {
   private final Emitter to;
+  private final EmitSlots slots;
+  private final Unit unit;
 
-  EmitMessages(Emitter to) {
+  EmitMessages(Emitter to, EmitSlots slots, Unit unit) {
     this.to = to;
+    this.slots = slots;
+    this.unit = unit;
   }
+
+  /**
+   * A function that is called at once.
+   *
+   * @param compiled its code; null if that is what is being compiled
+   */
+  private record Callee(Function function, @Nullable CompiledCode compiled) {}
 
   Value value(MessageSend message) {
     int receiver = to.newObject();
@@ -26,42 +44,171 @@ final class EmitMessages {
       to.load(to.operand(target));
     }
     to.code.astore(receiver);
-    int result = to.newObject();
-    to.located(message, () -> send(message, receiver, result));
-    to.afterOthers();
-    return Value.ofObject(result);
+    Value result = to.newPair();
+    to.located(
+        message,
+        () -> {
+          if (message.argumentNodes().length == 0) {
+            ask(message, receiver, result);
+          } else {
+            send(message, receiver, result);
+          }
+        });
+    return result;
   }
 
-  private void send(MessageSend message, int receiver, int result) {
-    Node[] arguments = message.argumentNodes();
-    int found = to.newObject();
+  private @Nullable Callee callee(@Nullable UrbiCode code, int arguments) {
+    if (!(code instanceof Function function)
+        || arguments > EmitFunction.MOST_PARAMETERS
+        || unit.frame().interpreter().isProfiling()) {
+      return null;
+    }
+    if (function.body() == unit.function()) {
+      return function.takesPlainly(arguments) ? new Callee(function, null) : null;
+    }
+    CompiledCode compiled = function.direct(unit.frame(), arguments);
+    return compiled == null ? null : new Callee(function, compiled);
+  }
+
+  // ------------------------------------------------------------------ without arguments
+
+  private void ask(MessageSend message, int receiver, Value result) {
+    Label general = to.code.newLabel();
+    Label answers = to.code.newLabel();
+    Label over = to.code.newLabel();
+    int found = result.object();
+    List<EmitSlots.Place> places = slots.places(message.lookup(), message.target());
+    if (!places.isEmpty()) {
+      slots.guard(message.lookup().name(), general);
+    }
+    for (EmitSlots.Place place : places) {
+      Label next = to.code.newLabel();
+      slots.check(place, receiver, next);
+      Callee callee = callee(place.code(), 0);
+      if (callee != null) {
+        call(callee, message, receiver, List.of(), result, next);
+        to.code.goto_(over);
+      } else {
+        slots.read(place, receiver);
+        to.code.dup().astore(found);
+        if (place.code() != null) {
+          to.code.pop().goto_(answers);
+        } else {
+          to.code.instanceOf(Names.CODE).ifeq(over).goto_(answers);
+        }
+      }
+      to.code.labelBinding(next);
+    }
+    to.code.labelBinding(general);
+    find(message, receiver, found, !places.isEmpty());
+    to.code.labelBinding(answers);
+    answer(message, receiver, found);
+    to.code.astore(found);
+    to.afterOthers();
+    to.code.labelBinding(over);
+  }
+
+  private void find(MessageSend message, int receiver, int found, boolean missed) {
+    if (missed) {
+      slots.missed();
+    }
     to.code.aload(receiver);
     to.frame();
     to.constant(message, Names.MESSAGE);
     to.help("find", Names.OBJECT, Names.OBJECT, Names.FRAME, Names.MESSAGE);
     to.code.astore(found);
-    if (arguments.length == 0) {
-      answer(message, receiver, found);
-      to.code.astore(result);
-      return;
-    }
+  }
+
+  private void answer(MessageSend message, int receiver, int found) {
+    to.code.aload(found).aload(receiver);
+    to.frame();
+    to.constant(message, Names.MESSAGE);
+    to.help("answer", Names.OBJECT, Names.OBJECT, Names.OBJECT, Names.FRAME, Names.MESSAGE);
+  }
+
+  // ------------------------------------------------------------------ with arguments
+
+  private void send(MessageSend message, int receiver, Value result) {
+    int count = message.argumentNodes().length;
+    int found = to.newObject();
+    Label general = to.code.newLabel();
+    Label asked = to.code.newLabel();
+    Label ready = to.code.newLabel();
     Label lazy = to.code.newLabel();
     Label over = to.code.newLabel();
-    to.code.aload(found).loadConstant(arguments.length);
+    List<Callee> callees = new ArrayList<>();
+    List<EmitSlots.Place> places = slots.places(message.lookup(), message.target());
+    if (!places.isEmpty()) {
+      slots.guard(message.lookup().name(), general);
+    }
+    for (EmitSlots.Place place : places) {
+      Label next = to.code.newLabel();
+      slots.check(place, receiver, next);
+      slots.read(place, receiver);
+      to.code.astore(found);
+      UrbiCode code = place.code();
+      Callee callee = callee(code, count);
+      if (callee != null && callees.stream().noneMatch(c -> c.function == callee.function)) {
+        callees.add(callee);
+      }
+      to.code.goto_(code != null && CompiledCode.takes(code, count) ? ready : asked);
+      to.code.labelBinding(next);
+    }
+    to.code.labelBinding(general);
+    find(message, receiver, found, !places.isEmpty());
+    to.code.labelBinding(asked);
+    to.code.aload(found).loadConstant(count);
     to.help("takes", CD_boolean, Names.OBJECT, CD_int);
     to.code.ifeq(lazy);
+    to.code.labelBinding(ready);
+    List<Value> arguments = arguments(message);
+    for (Callee callee : callees) {
+      Label next = to.code.newLabel();
+      to.code.aload(found);
+      to.constant(callee.function, Names.OBJECT);
+      to.code.if_acmpne(next);
+      call(callee, message, receiver, arguments, result, next);
+      to.code.goto_(over);
+      to.code.labelBinding(next);
+    }
+    call(message, receiver, found, arguments);
+    to.code.astore(result.object());
+    to.afterOthers();
+    to.code.goto_(over);
+    to.code.labelBinding(lazy);
+    Value answer = to.beside(message, () -> answer(message, receiver, found));
+    to.code.aload(answer.object()).astore(result.object());
+    to.afterOthers();
+    to.code.labelBinding(over);
+  }
+
+  /** The arguments, which are kept as they are when they are evaluated. */
+  private List<Value> arguments(MessageSend message) {
+    Node[] nodes = message.argumentNodes();
+    List<Value> arguments = new ArrayList<>();
+    for (int i = 0; i < nodes.length; i++) {
+      Value argument = to.operand(nodes[i]);
+      to.notVoid(argument);
+      for (int j = i + 1; j < nodes.length; j++) {
+        argument = to.kept(argument, nodes[j]);
+      }
+      arguments.add(argument);
+    }
+    return arguments;
+  }
+
+  /** Calls code that is known only now. */
+  private void call(MessageSend message, int receiver, int found, List<Value> arguments) {
     int room = to.newObject();
-    to.code.aload(found).loadConstant(arguments.length);
+    to.code.aload(found).loadConstant(arguments.size());
     to.help("room", Names.OBJECTS, Names.OBJECT, CD_int);
     to.code.astore(room);
-    for (int i = 0; i < arguments.length; i++) {
-      Value argument = to.operand(arguments[i]);
-      to.notVoid(argument);
+    for (int i = 0; i < arguments.size(); i++) {
       to.code.aload(room).loadConstant(i);
-      to.load(argument);
+      to.load(arguments.get(i));
       to.code.aastore();
     }
-    to.code.aload(found).aload(receiver).aload(room).loadConstant(arguments.length);
+    to.code.aload(found).aload(receiver).aload(room).loadConstant(arguments.size());
     to.frame();
     to.constant(message, Names.MESSAGE);
     to.help(
@@ -73,35 +220,54 @@ final class EmitMessages {
         CD_int,
         Names.FRAME,
         Names.MESSAGE);
-    to.code.astore(result).goto_(over);
-    to.code.labelBinding(lazy);
-    Value answer = to.beside(message, () -> answer(message, receiver, found));
-    to.code.aload(answer.object()).astore(result);
-    to.code.labelBinding(over);
   }
 
-  private void answer(MessageSend message, int receiver, int found) {
-    to.code.aload(found).aload(receiver);
+  /** Calls a function that is known; jumps if its code has become outdated. */
+  private void call(
+      Callee callee,
+      MessageSend message,
+      int receiver,
+      List<Value> arguments,
+      Value result,
+      Label otherwise) {
+    MethodTypeDesc type = EmitFunction.callType(arguments.size());
+    if (callee.compiled != null) {
+      to.constant(callee.compiled.misses(), Names.MISSES);
+      to.code.invokevirtual(Names.MISSES, "isOver", MethodTypeDesc.of(CD_boolean)).ifne(otherwise);
+      to.constant(callee.compiled, Names.COMPILED_CODE);
+    }
+    to.constant(callee.function, Names.FUNCTION);
     to.frame();
     to.constant(message, Names.MESSAGE);
-    to.help("answer", Names.OBJECT, Names.OBJECT, Names.OBJECT, Names.FRAME, Names.MESSAGE);
+    to.code.aload(receiver);
+    arguments.forEach(this::pass);
+    if (callee.compiled == null) {
+      to.code.invokestatic(unit.owner(), EmitFunction.DIRECT, type);
+    } else {
+      to.code.invokevirtual(Names.COMPILED_CODE, EmitFunction.CALL, type);
+    }
+    Label object = to.code.newLabel();
+    to.code.dup().astore(result.object()).ifnonnull(object);
+    to.frame();
+    to.help("answer", CD_double, Names.FRAME);
+    to.code.dstore(result.number());
+    to.code.labelBinding(object);
+    to.afterOthers();
   }
 
-  Value value(Slots.Assign assignment) {
-    int target = to.newObject();
-    to.load(to.operand(assignment.target()));
-    to.code.astore(target);
-    Value value = to.operand(assignment.value());
-    if (value.hasObject()) {
-      to.located(assignment, () -> to.notVoid(value));
+  /** Pushes a pair. Of a variable there are two from now on, which must be the same object. */
+  private void pass(Value argument) {
+    if (argument.hasNumber()) {
+      to.code.dload(argument.number());
+    } else {
+      to.code.dconst_0();
     }
-    to.code.aload(target);
-    to.load(value);
-    to.frame();
-    to.constant(assignment, Names.SLOT_ASSIGNMENT);
-    to.help("assign", Names.OBJECT, Names.OBJECT, Names.OBJECT, Names.FRAME, Names.SLOT_ASSIGNMENT);
-    Value result = to.storedObject();
-    to.afterOthers();
-    return result;
+    if (argument.isVariable() || !argument.hasNumber()) {
+      to.load(argument);
+    } else if (argument.hasObject()) {
+      to.code.aload(argument.object());
+    } else {
+      to.code.aconst_null();
+    }
   }
 }

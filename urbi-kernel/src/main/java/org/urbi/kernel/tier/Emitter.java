@@ -31,72 +31,73 @@ import org.urbi.kernel.object.Values;
  * compiled is simply executed.
  */
 final class Emitter {
-  /** The slots of the parameters of the emitted method. */
-  private static final int FRAME = 1;
-
+  /** The slots of the parameters of the method that is emitted for a loop. */
   static final int FROM = 2;
+
   static final int TO = 4;
+  static final int ELEMENTS = 6;
 
   final CodeBuilder code;
-  private final ClassDesc owner;
-  private final Constants constants;
+  private final Unit unit;
   private final Values values;
   private final @Nullable Doubt doubt;
   private final Survey survey;
-  private final boolean loopUnit;
-  private final int locals;
+  private final int frame;
   private final int job;
   private final List<Value> variables = new ArrayList<>();
   private final EmitArithmetic arithmetic;
   private final EmitVariables assignments;
   private final EmitStatements statements;
+  private final EmitSlots slots;
   private final EmitMessages messages;
   private final EmitLoops loops;
 
-  /**
-   * @param known how many variables have a value at the beginning
-   * @param count how many there are
-   * @param loopUnit whether it is the turns of a loop, whose variables are used afterwards
-   */
-  Emitter(
-      CodeBuilder code,
-      ClassDesc owner,
-      Constants constants,
-      Values values,
-      @Nullable Doubt doubt,
-      Survey survey,
-      int known,
-      int count,
-      boolean loopUnit) {
+  private Emitter(CodeBuilder code, Unit unit) {
     this.code = code;
-    this.owner = owner;
-    this.constants = constants;
-    this.values = values;
-    this.doubt = doubt;
-    this.survey = survey;
-    this.loopUnit = loopUnit;
+    this.unit = unit;
+    this.values = unit.values();
+    this.doubt = unit.doubt();
+    this.survey = unit.survey();
     this.arithmetic = new EmitArithmetic(this);
     this.assignments = new EmitVariables(this);
     this.statements = new EmitStatements(this);
-    this.messages = new EmitMessages(this);
+    this.slots = new EmitSlots(this, unit);
+    this.messages = new EmitMessages(this, slots, unit);
     this.loops = new EmitLoops(this);
-    this.locals = code.allocateLocal(TypeKind.REFERENCE);
+    this.frame = code.parameterSlot(0);
     this.job = code.allocateLocal(TypeKind.REFERENCE);
-    frame();
-    help("locals", Names.OBJECTS, Names.FRAME);
-    code.astore(locals);
     frame();
     help("job", Names.JOB, Names.FRAME);
     code.astore(job);
-    for (int i = 0; i < count; i++) {
+  }
+
+  /** For a loop, whose variables are in the frame. */
+  static Emitter ofLoop(CodeBuilder code, Unit unit) {
+    Emitter to = new Emitter(code, unit);
+    to.addVariables(0);
+    for (int i = 0; i < unit.locals(); i++) {
+      to.read(i);
+    }
+    return to;
+  }
+
+  /** For a function, whose parameters are those of the method, as pairs. */
+  static Emitter ofFunction(CodeBuilder code, Unit unit) {
+    Emitter to = new Emitter(code, unit);
+    for (int i = 0; i < unit.known(); i++) {
+      to.variables.add(new Value(code.parameterSlot(1 + 2 * i), code.parameterSlot(2 + 2 * i), i));
+    }
+    to.addVariables(unit.known());
+    return to;
+  }
+
+  /** Variables that have no value yet. */
+  private void addVariables(int first) {
+    for (int i = first; i < unit.locals(); i++) {
       variables.add(new Value(newNumber(), newObject(), i));
       code.dconst_0().dstore(variables.get(i).number());
-      if (i < known) {
-        read(i);
-      } else {
-        loadVoid();
-        code.astore(variables.get(i).object());
-      }
+      loadVoid();
+      code.astore(variables.get(i).object());
     }
   }
 
@@ -104,8 +105,11 @@ final class Emitter {
 
   /** Emits a whole function. */
   void function(Node body) {
-    load(lastStatement(body));
-    code.areturn();
+    answer(lastStatement(body));
+  }
+
+  EmitArithmetic arithmetic() {
+    return arithmetic;
   }
 
   EmitLoops loops() {
@@ -117,7 +121,26 @@ final class Emitter {
   }
 
   boolean isLoopUnit() {
-    return loopUnit;
+    return unit.isLoop();
+  }
+
+  /** Leaves a function: a number without an object is left in the frame. */
+  void answer(Value value) {
+    if (!value.hasNumber() || value.isVariable() && survey.mayExpose(value.variable())) {
+      load(value);
+      code.areturn();
+      return;
+    }
+    if (value.hasObject()) {
+      Label number = code.newLabel();
+      code.aload(value.object()).ifnull(number);
+      code.aload(value.object()).areturn();
+      code.labelBinding(number);
+    }
+    code.dload(value.number());
+    frame();
+    help("setAnswer", ConstantDescs.CD_void, ConstantDescs.CD_double, Names.FRAME);
+    code.aconst_null().areturn();
   }
 
   /** Emits a statement, after which jumps of code that is not compiled are looked for. */
@@ -170,8 +193,12 @@ final class Emitter {
     if (node instanceof Variables.Assign assignment && assignment.place().local() >= 0) {
       return assignments.value(assignment);
     }
+    if (node instanceof CompoundAssignment assignment
+        && assignment.access() instanceof CompoundAssignment.Slot slot) {
+      return slots.value(assignment, slot);
+    }
     if (node instanceof Slots.Assign assignment) {
-      return messages.value(assignment);
+      return slots.value(assignment);
     }
     return node instanceof MessageSend message ? messages.value(message) : null;
   }
@@ -275,7 +302,7 @@ final class Emitter {
   }
 
   private boolean isGuarded() {
-    return loopUnit || loops.isInLoop();
+    return unit.isLoop() || loops.isInLoop();
   }
 
   /** Other code may have run: if it has unevaluated arguments of this one, it may have assigned. */
@@ -303,10 +330,11 @@ final class Emitter {
     }
   }
 
-  /** Writes the variables that this code assigns to the frame. */
+  /** Writes the variables to the frame that it may not have, or not as they are now. */
   void writeAll() {
     for (Value variable : variables) {
-      if (survey.assigns(variable.variable())) {
+      if (survey.assigns(variable.variable())
+          || !unit.isLoop() && variable.variable() < unit.known()) {
         write(variable);
       }
     }
@@ -316,14 +344,21 @@ final class Emitter {
     which.stream().forEach(this::read);
   }
 
+  private void locals() {
+    frame();
+    help("locals", Names.OBJECTS, Names.FRAME);
+  }
+
   private void write(Value variable) {
-    code.aload(locals).loadConstant(variable.variable());
+    locals();
+    code.loadConstant(variable.variable());
     load(variable);
     code.aastore();
   }
 
   private void read(int variable) {
-    code.aload(locals).loadConstant(variable);
+    locals();
+    code.loadConstant(variable);
     loadVoid();
     help("local", Names.OBJECT, Names.OBJECTS, ConstantDescs.CD_int, Names.OBJECT);
     code.astore(variables.get(variable).object());
@@ -383,11 +418,7 @@ final class Emitter {
    * @return the slot of its double
    */
   int number(Value value, Label otherwise) {
-    if (doubt != null) {
-      constant(doubt, Names.DOUBT);
-      code.invokevirtual(Names.DOUBT, "strikes", MethodTypeDesc.of(ConstantDescs.CD_boolean));
-      code.ifne(otherwise);
-    }
+    doubt(otherwise);
     if (!value.hasObject()) {
       return value.number();
     }
@@ -407,6 +438,15 @@ final class Emitter {
     code.dstore(slot);
     code.labelBinding(over);
     return slot;
+  }
+
+  /** Jumps every so often, in tests. */
+  void doubt(Label otherwise) {
+    if (doubt != null) {
+      constant(doubt, Names.DOUBT);
+      code.invokevirtual(Names.DOUBT, "strikes", MethodTypeDesc.of(ConstantDescs.CD_boolean));
+      code.ifne(otherwise);
+    }
   }
 
   /** Throws an error, without a place, if the value is void. */
@@ -503,7 +543,7 @@ final class Emitter {
 
   /** Pushes the frame. */
   void frame() {
-    code.aload(FRAME);
+    code.aload(frame);
   }
 
   /** Pushes the job. */
@@ -513,11 +553,16 @@ final class Emitter {
 
   /** Pushes an object of the kernel. */
   void constant(Object value, ClassDesc type) {
-    code.getstatic(owner, constants.name(value, type), type);
+    unit.constant(code, value, type);
   }
 
   /** Calls a method of the superclass. */
   void help(String name, ClassDesc result, ClassDesc... parameters) {
+    help(code, name, result, parameters);
+  }
+
+  /** Calls a method of the superclass. */
+  static void help(CodeBuilder code, String name, ClassDesc result, ClassDesc... parameters) {
     code.invokestatic(Names.COMPILED_CODE, name, MethodTypeDesc.of(result, parameters));
   }
 

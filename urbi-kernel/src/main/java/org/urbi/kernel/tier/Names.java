@@ -8,15 +8,20 @@ import org.urbi.kernel.node.CompiledCode;
 import org.urbi.kernel.node.CompoundAssignment;
 import org.urbi.kernel.node.ForEach;
 import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Function;
 import org.urbi.kernel.node.LoopJobs;
 import org.urbi.kernel.node.MessageSend;
+import org.urbi.kernel.node.Misses;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.NumericOperator;
 import org.urbi.kernel.node.Slots;
+import org.urbi.kernel.object.Dependencies;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiCode;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Values;
+import org.urbi.kernel.object.World;
 
 /** The types that emitted code uses. */
 final class Names {
@@ -27,9 +32,11 @@ final class Names {
   static final ClassDesc ERROR = of(UrbiException.class);
   static final ClassDesc FOR_EACH = of(ForEach.class);
   static final ClassDesc FRAME = of(Frame.class);
+  static final ClassDesc FUNCTION = of(Function.class);
   static final ClassDesc JOB = of(Job.class);
   static final ClassDesc LOOP_JOBS = of(LoopJobs.class);
   static final ClassDesc MESSAGE = of(MessageSend.class);
+  static final ClassDesc MISSES = of(Misses.class);
   static final ClassDesc NODE = of(Node.class);
   static final ClassDesc OBJECT = of(UrbiObject.class);
   static final ClassDesc OBJECTS = of(UrbiObject[].class);
@@ -38,6 +45,9 @@ final class Names {
   static final ClassDesc SLOT_ASSIGNMENT = of(Slots.Assign.class);
   static final ClassDesc SYMBOL = of(Symbol.class);
   static final ClassDesc THROWABLE = of(Throwable.class);
+  static final ClassDesc TRACKER = of(Dependencies.Tracker.class);
+  static final ClassDesc CODE = of(UrbiCode.class);
+  static final ClassDesc WORLD = of(World.class);
   static final ClassDesc VALUES = of(Values.class);
 
   private Names() {}

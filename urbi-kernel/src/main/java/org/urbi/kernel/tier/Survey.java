@@ -143,6 +143,10 @@ final class Survey {
     } else if (node instanceof CompoundAssignment assignment && assignment.local() >= 0) {
       assign(assignment.local());
       visit(assignment.operand());
+    } else if (node instanceof CompoundAssignment assignment
+        && assignment.access() instanceof CompoundAssignment.Slot slot) {
+      visit(slot.target());
+      visit(assignment.operand());
     } else if (node instanceof Slots.Assign assignment) {
       visit(assignment.target());
       visit(assignment.value());

@@ -1,6 +1,7 @@
 package org.urbi.kernel.tier;
 
 import java.lang.classfile.Attributes;
+import java.lang.classfile.ClassBuilder;
 import java.lang.classfile.ClassFile;
 import java.lang.classfile.CodeBuilder;
 import java.lang.classfile.MethodModel;
@@ -17,11 +18,17 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.node.CodeCompiler;
 import org.urbi.kernel.node.CompiledCode;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Function;
+import org.urbi.kernel.node.Misses;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.object.World;
 
 /** Compiles the hot code of one kernel, on the kernel thread, and counts what it does. */
 public final class Tier implements CodeCompiler {
+  private static final String FUNCTION = "Code";
+  private static final String LOOP = "Loop";
+
   /** More variables than most functions have; all of them are written around other code. */
   private static final int MOST_LOCALS = 60;
 
@@ -31,9 +38,16 @@ public final class Tier implements CodeCompiler {
   /** How many pieces of compiled code may be in use at once. */
   private static final int MOST_UNITS = 5000;
 
-  private static final MethodTypeDesc RUN =
+  static final MethodTypeDesc RUN =
       MethodTypeDesc.of(
-          Names.OBJECT, Names.FRAME, ConstantDescs.CD_double, ConstantDescs.CD_double);
+          Names.OBJECT,
+          Names.FRAME,
+          ConstantDescs.CD_double,
+          ConstantDescs.CD_double,
+          Names.OBJECTS);
+
+  private static final MethodTypeDesc CONSTRUCTOR =
+      MethodTypeDesc.of(ConstantDescs.CD_void, Names.MISSES);
 
   private final World world;
   private final int threshold;
@@ -70,11 +84,23 @@ public final class Tier implements CodeCompiler {
   }
 
   @Override
-  public @Nullable CompiledCode function(Node code, int parameters, int locals) {
+  public @Nullable CompiledCode function(
+      Function.Body function, Node code, Frame frame, boolean last) {
     Survey survey = Survey.of(code);
     CompiledCode compiled =
         survey.isWorthwhile()
-            ? compile(survey, parameters, locals, false, to -> to.function(code))
+            ? compile(
+                new Unit(
+                    name(FUNCTION),
+                    new Constants(),
+                    world.values(),
+                    doubt,
+                    new Misses(!last),
+                    survey,
+                    frame,
+                    function,
+                    function.locals()),
+                new EmitFunction(code))
             : null;
     count(compiled);
     if (compiled != null) {
@@ -84,10 +110,26 @@ public final class Tier implements CodeCompiler {
   }
 
   @Override
-  public @Nullable CompiledCode loop(Node loop, int locals) {
+  public @Nullable CompiledCode loop(Node loop, Frame frame, boolean last) {
     CompiledCode compiled =
         Emitter.isLoop(loop)
-            ? compile(Survey.of(loop), locals, locals, true, to -> to.loops().unit(loop))
+            ? compile(
+                new Unit(
+                    name(LOOP),
+                    new Constants(),
+                    world.values(),
+                    doubt,
+                    new Misses(!last),
+                    Survey.of(loop),
+                    frame,
+                    null,
+                    CompiledCode.variables(frame)),
+                (type, unit) ->
+                    type.withMethodBody(
+                        "run",
+                        RUN,
+                        ClassFile.ACC_PUBLIC,
+                        code -> Emitter.ofLoop(code, unit).loops().unit(loop)))
             : null;
     count(compiled);
     if (compiled != null) {
@@ -105,17 +147,20 @@ public final class Tier implements CodeCompiler {
   }
 
   /** What is emitted. */
-  private interface Emission {
-    void emit(Emitter to);
+  interface Emission {
+    void emit(ClassBuilder type, Unit unit);
   }
 
-  private @Nullable CompiledCode compile(
-      Survey survey, int known, int locals, boolean loopUnit, Emission emission) {
-    if (locals > MOST_LOCALS || !hasRoom()) {
+  private static ClassDesc name(String simple) {
+    return ClassDesc.of(Tier.class.getPackageName(), simple);
+  }
+
+  private @Nullable CompiledCode compile(Unit unit, Emission emission) {
+    if (unit.locals() > MOST_LOCALS || !hasRoom()) {
       return null;
     }
     try {
-      return emit(survey, known, locals, loopUnit, emission);
+      return emit(unit, emission);
     } catch (IllegalArgumentException | LinkageError e) {
       // The interpreter does it as well.
       log.write("urbi: code is not compiled: " + e);
@@ -123,41 +168,22 @@ public final class Tier implements CodeCompiler {
     }
   }
 
-  private @Nullable CompiledCode emit(
-      Survey survey, int known, int locals, boolean loopUnit, Emission emission) {
-    var constants = new Constants();
-    ClassDesc owner = ClassDesc.of(Tier.class.getPackageName(), loopUnit ? "Loop" : "Code");
+  private @Nullable CompiledCode emit(Unit unit, Emission emission) {
     byte[] emitted =
         ClassFile.of()
             .build(
-                owner,
+                unit.owner(),
                 type -> {
                   type.withSuperclass(Names.COMPILED_CODE).withFlags(ClassFile.ACC_FINAL);
-                  type.withMethodBody(
-                      ConstantDescs.INIT_NAME, ConstantDescs.MTD_void, 0, Tier::construct);
-                  type.withMethodBody(
-                      "run",
-                      RUN,
-                      ClassFile.ACC_PUBLIC,
-                      code ->
-                          emission.emit(
-                              new Emitter(
-                                  code,
-                                  owner,
-                                  constants,
-                                  world.values(),
-                                  doubt,
-                                  survey,
-                                  known,
-                                  locals,
-                                  loopUnit)));
-                  constants.declare(type, owner);
+                  type.withMethodBody(ConstantDescs.INIT_NAME, CONSTRUCTOR, 0, Tier::construct);
+                  emission.emit(type, unit);
+                  unit.constants().declare(type, unit.owner());
                 });
     if (length(emitted) > MOST_BYTES) {
       return null;
     }
     bytes += emitted.length;
-    return instance(emitted, constants);
+    return instance(emitted, unit);
   }
 
   /** The length of the code that does the work. */
@@ -181,18 +207,19 @@ public final class Tier implements CodeCompiler {
 
   private static void construct(CodeBuilder code) {
     code.aload(0)
-        .invokespecial(Names.COMPILED_CODE, ConstantDescs.INIT_NAME, ConstantDescs.MTD_void)
+        .aload(1)
+        .invokespecial(Names.COMPILED_CODE, ConstantDescs.INIT_NAME, CONSTRUCTOR)
         .return_();
   }
 
-  private static CompiledCode instance(byte[] emitted, Constants constants) {
+  private static CompiledCode instance(byte[] emitted, Unit unit) {
     try {
       return (CompiledCode)
           MethodHandles.lookup()
-              .defineHiddenClassWithClassData(emitted, constants.values(), true)
+              .defineHiddenClassWithClassData(emitted, unit.constants().values(), true)
               .lookupClass()
-              .getDeclaredConstructor()
-              .newInstance();
+              .getDeclaredConstructor(Misses.class)
+              .newInstance(unit.misses());
     } catch (ReflectiveOperationException e) {
       throw new IllegalStateException(e);
     }

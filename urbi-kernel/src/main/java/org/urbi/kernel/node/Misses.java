@@ -1,0 +1,27 @@
+package org.urbi.kernel.node;
+
+/** Counts how often compiled code meets what it has not expected. */
+public final class Misses {
+  private static final int MOST = 200;
+
+  private int left;
+
+  /**
+   * @param counted whether there may be too many
+   */
+  public Misses(boolean counted) {
+    left = counted ? MOST : Integer.MAX_VALUE;
+  }
+
+  /** Counts one. */
+  public void add() {
+    if (left > 0) {
+      left--;
+    }
+  }
+
+  /** Whether there were so many that other code would be faster. */
+  public boolean isOver() {
+    return left == 0;
+  }
+}

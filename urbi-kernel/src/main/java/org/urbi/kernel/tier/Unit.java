@@ -1,0 +1,44 @@
+package org.urbi.kernel.tier;
+
+import java.lang.classfile.CodeBuilder;
+import java.lang.constant.ClassDesc;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.node.Frame;
+import org.urbi.kernel.node.Function;
+import org.urbi.kernel.node.Misses;
+import org.urbi.kernel.object.Values;
+
+/**
+ * What is compiled at once: a function, or the turns of a loop.
+ *
+ * @param owner the class that is emitted
+ * @param doubt makes it distrust what it knows, for tests; or null
+ * @param misses counts how often it meets what it has not expected
+ * @param frame the activation that needs it
+ * @param function null for a loop, whose variables are used afterwards
+ * @param locals the number of plain variables
+ */
+record Unit(
+    ClassDesc owner,
+    Constants constants,
+    Values values,
+    @Nullable Doubt doubt,
+    Misses misses,
+    Survey survey,
+    Frame frame,
+    Function.@Nullable Body function,
+    int locals) {
+  /** Pushes an object of the kernel. */
+  void constant(CodeBuilder code, Object value, ClassDesc type) {
+    code.getstatic(owner, constants.name(value, type), type);
+  }
+
+  boolean isLoop() {
+    return function == null;
+  }
+
+  /** How many variables have a value at the beginning. */
+  int known() {
+    return function == null ? locals : function.parameters();
+  }
+}
