@@ -1,12 +1,16 @@
 package org.urbi.kernel.node;
 
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagStop;
+import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiFloat;
+import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.Values;
 
 /**
@@ -40,6 +44,11 @@ public abstract class CompiledCode extends Node {
 
   final UrbiObject run(Frame frame, double from, double to) {
     return run(frame, from, to, null);
+  }
+
+  /** Runs a loop over these elements, from that one on. */
+  final UrbiObject over(Frame frame, int from, List<UrbiObject> elements) {
+    return run(frame, from, elements.size(), elements.toArray(Frame.NO_ARGUMENTS));
   }
 
   @Override
@@ -261,6 +270,24 @@ public abstract class CompiledCode extends Node {
     return operator.message().sendTo(frame, left, right);
   }
 
+  /** Whether an equality compares the objects, or strings, themselves. */
+  protected static boolean equates(UrbiObject left, Frame frame, NumericOperator operator) {
+    return operator.equates(frame, left);
+  }
+
+  /** The answer of such an equality. */
+  protected static UrbiObject isSame(
+      UrbiObject left, UrbiObject right, Frame frame, NumericOperator operator) {
+    try {
+      return frame
+          .interpreter
+          .values()
+          .bool(operator.isSame(left, frame.interpreter.notVoid(right)));
+    } catch (UrbiException e) {
+      throw frame.located(e, operator.message().span());
+    }
+  }
+
   protected static UrbiObject successor(
       UrbiObject before, Frame frame, CompoundAssignment assignment) {
     return assignment.successor(frame, before);
@@ -304,7 +331,7 @@ public abstract class CompiledCode extends Node {
       UrbiObject[] room,
       int arguments,
       Frame frame,
-      MessageSend message) {
+      CallSite message) {
     if (found instanceof Function function && isSimple(function, arguments)) {
       return function.run(frame, message, target, room);
     }
@@ -320,6 +347,24 @@ public abstract class CompiledCode extends Node {
   protected static UrbiObject answer(
       @Nullable UrbiObject found, UrbiObject target, Frame frame, MessageSend message) {
     return message.answer(frame, found, target);
+  }
+
+  /** The value of a variable answers, called as a function; it evaluates the arguments. */
+  protected static UrbiObject answer(UrbiObject value, Frame frame, MessageSend.OfLocal call) {
+    return call.answer(frame, value);
+  }
+
+  protected static void declare(Frame frame, UrbiObject value, Variables.Place place) {
+    place.declare(frame, value);
+  }
+
+  protected static void assign(Frame frame, UrbiObject value, Variables.Place place) {
+    place.assign(frame, value);
+  }
+
+  protected static void declare(
+      UrbiObject target, UrbiObject value, Frame frame, Slots.Declare declaration) {
+    declaration.create(frame, target, value);
   }
 
   /** The value of a slot that is going to be modified. */
@@ -338,7 +383,86 @@ public abstract class CompiledCode extends Node {
     return assignment.assign(frame, target, value);
   }
 
+  // ------------------------------------------------------------------ lists
+
+  /** The element at an index; null if the list, or the index, is another than is expected. */
+  protected static @Nullable UrbiObject element(UrbiObject target, double index) {
+    if (target instanceof UrbiList list) {
+      List<UrbiObject> elements = list.elements();
+      int place = place(index, elements.size());
+      if (place >= 0) {
+        return elements.get(place);
+      }
+    }
+    return null;
+  }
+
+  private static int place(double index, int size) {
+    int place = (int) index;
+    if (place != index || place >= size) {
+      return -1;
+    }
+    return place < 0 ? place + size : place;
+  }
+
+  /** Replaces the element at an index; false if something is not as expected. */
+  protected static boolean setElement(
+      UrbiObject target, double index, UrbiObject value, Frame frame) {
+    if (target instanceof UrbiList list && frame.job.isOwner()) {
+      Elements elements = list.modify();
+      int place = place(index, elements.size());
+      if (place >= 0) {
+        elements.set(place, value);
+        list.noteContentChange();
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Adds an element at the end; false if something is not as expected. */
+  protected static boolean append(UrbiObject target, UrbiObject value, Frame frame) {
+    if (target instanceof UrbiList list && frame.job.isOwner()) {
+      list.modify().add(value);
+      list.noteContentChange();
+      return true;
+    }
+    return false;
+  }
+
+  /** The number of elements, or of characters; -1 if the target is something else. */
+  protected static double size(UrbiObject target) {
+    return switch (target) {
+      case UrbiList list -> list.elements().size();
+      case UrbiString text -> text.value().length();
+      default -> -1;
+    };
+  }
+
+  /** The element that is going to be modified. */
+  protected static UrbiObject before(
+      UrbiObject target, UrbiObject index, Frame frame, CompoundAssignment assignment) {
+    return assignment.access().read(frame, new UrbiObject[] {target, index});
+  }
+
+  /** Writes it. */
+  protected static void write(
+      UrbiObject target,
+      UrbiObject index,
+      UrbiObject value,
+      Frame frame,
+      CompoundAssignment assignment) {
+    assignment.access().write(frame, new UrbiObject[] {target, index}, value);
+  }
+
   // ------------------------------------------------------------------ loops
+
+  /** The elements over which a loop goes; null if the range is no plain list. */
+  protected static UrbiObject @Nullable [] elements(UrbiObject range, ForEach loop) {
+    return range instanceof UrbiList list && loop.isOfLibrary(range)
+        ? list.elements().toArray(Frame.NO_ARGUMENTS)
+        : null;
+  }
 
   /** Whether a loop counts up to that value. */
   protected static boolean isCount(UrbiObject range, ForEach loop) {

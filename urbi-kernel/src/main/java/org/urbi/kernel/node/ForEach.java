@@ -21,6 +21,7 @@ public final class ForEach extends Node implements CallSite {
   private final Node range;
   private final Node body;
   private final Symbol each;
+  private final SlotLookup lookup;
   private final CallSite entry;
   private final TurnCount turns = new TurnCount();
 
@@ -47,6 +48,7 @@ public final class ForEach extends Node implements CallSite {
           case PIPE -> symbols.eachTight;
           case AND, COMMA -> symbols.eachConcurrent;
         };
+    this.lookup = new SlotLookup(interpreter.world(), each);
   }
 
   public Variables.Place variable() {
@@ -116,7 +118,8 @@ public final class ForEach extends Node implements CallSite {
   }
 
   boolean isOfLibrary(UrbiObject over) {
-    return over.lookup(each) instanceof Code code && code.name() != null;
+    UrbiObject found = lookup.findPlain(over);
+    return found instanceof Code code && code.name() != null;
   }
 
   private UrbiObject overNumber(Frame frame, double count) {
@@ -175,19 +178,35 @@ public final class ForEach extends Node implements CallSite {
       }
       return values.voidObject;
     }
-    int last = elements.size() - 1;
-    for (int i = 0; i <= last; i++) {
-      UrbiObject value = turn(frame, elements.get(i));
-      if (value != null) {
-        return value;
-      }
-      if (flavor != Flavor.SEMICOLON) {
-        frame.job.checkInterrupted();
-      } else if (i < last) {
-        frame.job.yield();
-      }
+    CompiledCode compiled = turns.compiled();
+    if (compiled != null) {
+      return compiled.over(frame, 0, elements);
     }
-    return values.voidObject;
+    int last = elements.size() - 1;
+    long most = turns.left(frame.interpreter.compiler());
+    long left = most;
+    try {
+      for (int i = 0; i <= last; i++) {
+        UrbiObject value = turn(frame, elements.get(i));
+        if (value != null) {
+          return value;
+        }
+        if (flavor != Flavor.SEMICOLON) {
+          frame.job.checkInterrupted();
+        } else if (i < last) {
+          frame.job.yield();
+        }
+        if (--left == 0) {
+          compiled = turns.compile(this, frame);
+          if (compiled != null) {
+            return compiled.over(frame, i + 1, elements);
+          }
+        }
+      }
+      return values.voidObject;
+    } finally {
+      turns.add(most - left);
+    }
   }
 
   /** Executes one turn; returns the result of the loop if that was the last one, otherwise null. */

@@ -1,6 +1,7 @@
 package org.urbi.kernel.node;
 
 import java.util.Arrays;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -55,6 +56,10 @@ public final class Interpreter {
   private final Map<Symbol, UrbiObject> numberOperators = new LinkedHashMap<>();
   private @Nullable UrbiObject equalityOfNumbers;
   private @Nullable UrbiObject equalityOfStrings;
+  private @Nullable UrbiObject differenceOfStrings;
+  private @Nullable UrbiObject identity;
+  private @Nullable UrbiObject difference;
+  private final Map<UrbiObject, Shortcut> shortcuts = new IdentityHashMap<>();
   final CorePrototypes prototypes;
   private BiConsumer<Frame, UrbiException> describer = (frame, exception) -> {};
   private Consumer<Frame> afterStatements = frame -> {};
@@ -188,8 +193,38 @@ public final class Interpreter {
       Symbol name = world.symbol(operator);
       numberOperators.put(name, values.floatProto.lookup(name));
     }
+    shorten(values.listProto, "[]", Shortcut.ELEMENT);
+    shorten(values.listProto, "[]=", Shortcut.SET_ELEMENT);
+    shorten(values.listProto, "<<", Shortcut.APPEND);
+    shorten(values.listProto, "size", Shortcut.SIZE_OF_LIST);
+    shorten(values.stringProto, "size", Shortcut.SIZE_OF_TEXT);
+    identity = values.object.lookup(symbols.equals);
+    difference = values.nil.lookup(world.symbol("!="));
+    differenceOfStrings = values.stringProto.lookup(world.symbol("!="));
     equalityOfNumbers = values.floatProto.lookup(symbols.equals);
     equalityOfStrings = values.stringProto.lookup(symbols.equals);
+  }
+
+  private void shorten(UrbiObject proto, String name, Shortcut how) {
+    UrbiObject code = proto.lookup(world.symbol(name));
+    if (code != null) {
+      shortcuts.put(code, how);
+    }
+  }
+
+  /** The shortcut for a function of the library; null if there is none. */
+  public @Nullable Shortcut shortcut(UrbiObject code) {
+    return shortcuts.get(code);
+  }
+
+  /** Whether {@code ==} or {@code !=} of an object only asks whether it is the same object. */
+  boolean comparesIdentity(Frame frame, UrbiObject found, SlotLookup equality, UrbiObject left) {
+    return found == identity || found == difference && equality.find(frame, left) == identity;
+  }
+
+  /** Whether that is {@code ==} or {@code !=} of strings. */
+  boolean comparesText(UrbiObject found) {
+    return found == equalityOfStrings || found == differenceOfStrings;
   }
 
   // ------------------------------------------------------------------ calling urbiscript

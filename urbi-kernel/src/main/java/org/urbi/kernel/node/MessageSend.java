@@ -127,13 +127,22 @@ public final class MessageSend extends Node implements CallSite {
       return arguments;
     }
 
+    /** The variable. */
+    public Node variable() {
+      return variable;
+    }
+
+    /** Calls the value of the variable. */
+    UrbiObject answer(Frame frame, UrbiObject value) {
+      return value instanceof Code code
+          ? Calls.call(frame, this, code, frame.self, arguments)
+          : Calls.plain(frame, this, value, frame.self, arguments);
+    }
+
     @Override
     public UrbiObject execute(Frame frame) {
       try {
-        UrbiObject value = variable.execute(frame);
-        return value instanceof Code code
-            ? Calls.call(frame, this, code, frame.self, arguments)
-            : Calls.plain(frame, this, value, frame.self, arguments);
+        return answer(frame, variable.execute(frame));
       } catch (UrbiException e) {
         throw frame.located(e, span());
       }

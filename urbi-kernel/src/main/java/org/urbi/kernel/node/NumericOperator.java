@@ -1,9 +1,11 @@
 package org.urbi.kernel.node;
 
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.Values;
 import org.urbi.lang.source.Span;
 
@@ -35,6 +37,7 @@ public final class NumericOperator extends Node {
   private final Values values;
   private final Symbol name;
   private final @Nullable UrbiObject original;
+  private final SlotLookup equality;
   private int intactEpoch = -1;
 
   /** The index of the left operand if it is a plain local variable, or -1. */
@@ -60,6 +63,8 @@ public final class NumericOperator extends Node {
     this.message = message;
     this.name = message.name();
     this.values = values;
+    this.equality =
+        new SlotLookup(values.floatProto.world(), values.floatProto.world().symbol("=="));
     this.original = original;
     this.local = left instanceof Variables.Local variable ? variable.index() : -1;
     this.literal =
@@ -127,7 +132,38 @@ public final class NumericOperator extends Node {
       }
       return message.sendTo(frame, a, b);
     }
-    return message.sendTo(frame, a);
+    return equates(frame, a) ? values.bool(isSame(frame, a)) : message.sendTo(frame, a);
+  }
+
+  /** Whether the operator is one of the library by which any objects, or strings, are compared. */
+  boolean equates(Frame frame, UrbiObject left) {
+    if (kind < EQUAL || frame.interpreter.world().tracker != null) {
+      return false;
+    }
+    UrbiObject found = message.find(frame, left);
+    return found != null
+        && !frame.interpreter.world().profiled
+        && (left instanceof UrbiString
+            ? frame.interpreter.comparesText(found)
+            : frame.interpreter.comparesIdentity(frame, found, equality, left));
+  }
+
+  private boolean isSame(Frame frame, UrbiObject left) {
+    try {
+      UrbiObject other = frame.interpreter.notVoid(right.execute(frame));
+      return isSame(left, other);
+    } catch (UrbiException e) {
+      throw frame.located(e, message.span());
+    }
+  }
+
+  /** The answer of an operator that {@linkplain #equates equates} the left operand. */
+  boolean isSame(UrbiObject left, UrbiObject right) {
+    boolean same =
+        left instanceof UrbiString text
+            ? right instanceof UrbiString other && text.value().equals(other.value())
+            : left == right;
+    return same == (kind == EQUAL);
   }
 
   /** As a condition, a comparison creates no Boolean object. */
@@ -147,7 +183,7 @@ public final class NumericOperator extends Node {
       }
       return Truth.of(frame, message.sendTo(frame, a, b));
     }
-    return Truth.of(frame, message.sendTo(frame, a));
+    return equates(frame, a) ? isSame(frame, a) : Truth.of(frame, message.sendTo(frame, a));
   }
 
   /** The left operand; a local variable is read here, which saves a call. */
@@ -165,6 +201,11 @@ public final class NumericOperator extends Node {
 
   private boolean computes(double divisor) {
     return divisor != 0 || !divides();
+  }
+
+  /** Whether it is {@code ==} or {@code !=}. */
+  public boolean isEquality() {
+    return kind >= EQUAL;
   }
 
   /** Whether its result is a Boolean. */

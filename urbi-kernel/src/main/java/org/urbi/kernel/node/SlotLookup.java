@@ -86,6 +86,24 @@ public final class SlotLookup {
     return find(frame, target, name);
   }
 
+  /** The stored value of the slot, or null: no getter is called, and nobody is told. */
+  @Nullable UrbiObject findPlain(UrbiObject target) {
+    for (Entry entry = entries; entry != null; entry = entry.next) {
+      if (entry.shape == target.shape() && entry.epoch == name.epoch()) {
+        return (entry.holder == null ? target : entry.holder).slotAt(entry.index);
+      }
+    }
+    UrbiObject holder = target.locate(name);
+    if (holder == null) {
+      return null;
+    }
+    int index = holder.shape().indexOf(name);
+    if (!holder.shape().readSpecial(index)) {
+      remember(target, holder, index);
+    }
+    return holder.slotAt(index);
+  }
+
   private @Nullable UrbiObject remember(Frame frame, UrbiObject target) {
     UrbiObject holder = target.locate(name);
     if (holder == null) {
@@ -95,6 +113,11 @@ public final class SlotLookup {
     if (holder.shape().readSpecial(index)) {
       return read(frame, target, holder, name);
     }
+    remember(target, holder, index);
+    return holder.slotAt(index);
+  }
+
+  private void remember(UrbiObject target, UrbiObject holder, int index) {
     // Drops invalid entries, and the oldest one if there are too many.
     Entry kept = null;
     int count = 0;
@@ -107,7 +130,6 @@ public final class SlotLookup {
     entries =
         new Entry(
             target.shape(), world.remember(name), holder == target ? null : holder, index, kept);
-    return holder.slotAt(index);
   }
 
   /** The value of a slot, or null, without a cache; a getter is called. */

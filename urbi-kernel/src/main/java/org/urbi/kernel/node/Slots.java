@@ -42,6 +42,34 @@ public final class Slots {
       this.type = type;
     }
 
+    public Node target() {
+      return target;
+    }
+
+    /** Null for void. */
+    public @Nullable Node value() {
+      return value;
+    }
+
+    /** Whether the slot is just created: neither constant, nor of a type. */
+    public boolean isPlain() {
+      return !constant && type == null;
+    }
+
+    /** Where errors are reported. */
+    public Node named() {
+      return new Sequences.Noop(nameSpan);
+    }
+
+    /** Creates the slot. */
+    void create(Frame frame, UrbiObject object, UrbiObject initial) {
+      try {
+        SlotUpdate.create(frame, object, name, initial);
+      } catch (UrbiException e) {
+        throw frame.located(e, nameSpan);
+      }
+    }
+
     @Override
     public UrbiObject execute(Frame frame) {
       UrbiObject object = target.execute(frame);

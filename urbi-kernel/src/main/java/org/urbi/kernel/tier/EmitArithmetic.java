@@ -1,9 +1,11 @@
 package org.urbi.kernel.tier;
 
+import static java.lang.constant.ConstantDescs.CD_boolean;
 import static java.lang.constant.ConstantDescs.CD_double;
 import static java.lang.constant.ConstantDescs.CD_int;
 
 import java.lang.classfile.Label;
+import java.lang.classfile.TypeKind;
 import java.lang.constant.ClassDesc;
 import java.lang.constant.ConstantDescs;
 import java.lang.constant.MethodTypeDesc;
@@ -76,11 +78,31 @@ final class EmitArithmetic {
   private void operate(NumericOperator operator, Value result, Fast fast) {
     Label neither = to.code.newLabel();
     Label mixed = to.code.newLabel();
+    Label ready = to.code.newLabel();
     Label over = to.code.newLabel();
+    int equates = operator.isEquality() ? to.code.allocateLocal(TypeKind.INT) : -1;
     Value left = to.kept(to.operand(operator.left()), operator.right());
+    if (equates >= 0) {
+      to.code.iconst_0().istore(equates);
+    }
     int a = to.number(left, neither);
     intact(operator.name(), operator, Names.OPERATOR, operator.isIntact(), neither);
+    if (equates >= 0) {
+      to.code.goto_(ready);
+      to.code.labelBinding(neither);
+      to.load(left);
+      to.frame();
+      to.constant(operator, Names.OPERATOR);
+      to.help("equates", CD_boolean, Names.OBJECT, Names.FRAME, Names.OPERATOR);
+      to.code.dup().istore(equates);
+      neither = to.code.newLabel();
+      to.code.ifeq(neither);
+      to.code.labelBinding(ready);
+    }
     Value right = to.operand(operator.right());
+    if (equates >= 0) {
+      equal(operator, equates, left, right, result, over);
+    }
     int b = to.number(right, mixed);
     if (operator.divides()) {
       to.code.dload(b).dconst_0().dcmpl().ifeq(mixed);
@@ -90,7 +112,7 @@ final class EmitArithmetic {
     to.code.labelBinding(neither);
     Value answer =
         to.beside(
-            operator,
+            operator.right(),
             () -> {
               to.load(left);
               to.frame();
@@ -109,6 +131,20 @@ final class EmitArithmetic {
       to.afterOthers();
     }
     to.code.labelBinding(over);
+  }
+
+  /** Compares objects by an operator of the library, which has been found. */
+  private void equal(
+      NumericOperator operator, int equates, Value left, Value right, Value result, Label over) {
+    Label numbers = to.code.newLabel();
+    to.code.iload(equates).ifeq(numbers);
+    to.load(left);
+    to.load(right);
+    to.frame();
+    to.constant(operator, Names.OPERATOR);
+    to.help("isSame", Names.OBJECT, Names.OBJECT, Names.OBJECT, Names.FRAME, Names.OPERATOR);
+    to.code.astore(result.object()).goto_(over);
+    to.code.labelBinding(numbers);
   }
 
   private void compute(NumericOperator operator, int left, int right, Value result) {

@@ -68,7 +68,6 @@ final class EmitLoops {
           }
         },
         loop.body(),
-        loop.yields(),
         parts(loop));
     return to.voidValue();
   }
@@ -80,17 +79,28 @@ final class EmitLoops {
     to.located(loop, () -> to.notVoid(given));
     to.load(given);
     Value range = to.storedObject();
+    Label counted = to.code.newLabel();
+    int count = to.newNumber();
+    int elements = to.newObject();
+    to.code.aload(range.object());
+    to.constant(loop, Names.FOR_EACH);
+    to.help("elements", Names.OBJECTS, Names.OBJECT, Names.FOR_EACH);
+    to.code.dup().astore(elements);
+    Label noList = to.code.newLabel();
+    to.code.ifnull(noList);
+    to.code.aload(elements).arraylength().i2d().dstore(count).goto_(counted);
+    to.code.labelBinding(noList);
     to.code.aload(range.object());
     to.constant(loop, Names.FOR_EACH);
     to.help("isCount", CD_boolean, Names.OBJECT, Names.FOR_EACH);
     to.code.ifeq(other);
-    int count = to.newNumber();
     to.code.aload(range.object());
     to.help("number", CD_double, Names.OBJECT);
     to.code.dstore(count);
+    to.code.labelBinding(counted);
     int turn = to.newNumber();
     to.code.dconst_0().dstore(turn);
-    inside(() -> {}, loop.body(), loop.yields(), counting(loop, turn, count));
+    inside(() -> {}, loop.body(), counting(loop, turn, count, elements));
     Value result = to.voidValue();
     to.code.goto_(over);
     to.code.labelBinding(other);
@@ -109,7 +119,7 @@ final class EmitLoops {
     return result;
   }
 
-  private void inside(Runnable init, Node body, boolean yields, Parts parts) {
+  private void inside(Runnable init, Node body, Parts parts) {
     int jobs = to.newObject();
     Loop loop = new Loop(to.code.newLabel(), to.code.newLabel(), jobs);
     to.frame();
@@ -119,7 +129,7 @@ final class EmitLoops {
     init.run();
     Label done = to.code.newLabel();
     Label over = to.code.newLabel();
-    turns(loop, body, yields, parts, done);
+    turns(loop, body, parts, done);
     Label end = to.code.newBoundLabel();
     Label handler = to.code.newBoundLabel();
     end(loop, false);
@@ -147,10 +157,10 @@ final class EmitLoops {
     Label done = to.code.newLabel();
     Label start = to.code.newBoundLabel();
     if (node instanceof ForEach forEach) {
-      Parts parts = counting(forEach, Emitter.FROM, Emitter.TO);
-      turns(loop, forEach.body(), forEach.yields(), parts, done);
+      Parts parts = counting(forEach, Emitter.FROM, Emitter.TO, Emitter.ELEMENTS);
+      turns(loop, forEach.body(), parts, done);
     } else if (node instanceof Loops.Sequential sequential) {
-      turns(loop, sequential.body(), sequential.yields(), parts(sequential), done);
+      turns(loop, sequential.body(), parts(sequential), done);
     }
     Label end = to.code.newBoundLabel();
     Label handler = to.code.newBoundLabel();
@@ -182,28 +192,58 @@ final class EmitLoops {
         if (loop.step() != null) {
           to.operand(loop.step());
         }
+        pause(loop.yields());
       }
     };
   }
 
-  private Parts counting(ForEach loop, int turn, int count) {
+  /** Lets others run, or only asks whether somebody wants to end this. */
+  private void pause(boolean yields) {
+    if (yields) {
+      yieldToOthers();
+    } else {
+      to.job();
+      to.code.invokevirtual(Names.JOB, "checkInterrupted", MTD_void);
+    }
+  }
+
+  /** A loop over numbers; or over elements, if there are any. */
+  private Parts counting(ForEach loop, int turn, int count, int elements) {
     Value variable = to.variable(loop.variable().declaredLocal());
     return new Parts() {
       @Override
       public void head(Label over) {
+        Label number = to.code.newLabel();
+        Label set = to.code.newLabel();
         to.code.dload(turn).dload(count).dcmpg().ifge(over);
+        to.code.aload(elements).ifnull(number);
+        to.code.aload(elements).dload(turn).d2i().aaload().astore(variable.object());
+        to.code.goto_(set);
+        to.code.labelBinding(number);
         to.code.dload(turn).dstore(variable.number());
         to.code.aconst_null().astore(variable.object());
+        to.code.labelBinding(set);
         to.code.dload(turn).dconst_1().dadd().dstore(turn);
         to.afterStore(variable);
       }
 
       @Override
-      public void step() {}
+      public void step() {
+        Label over = to.code.newLabel();
+        if (loop.yields()) {
+          // After the last element nobody else runs.
+          Label pauses = to.code.newLabel();
+          to.code.aload(elements).ifnull(pauses);
+          to.code.dload(turn).dload(count).dcmpg().ifge(over);
+          to.code.labelBinding(pauses);
+        }
+        pause(loop.yields());
+        to.code.labelBinding(over);
+      }
     };
   }
 
-  private void turns(Loop loop, Node body, boolean yields, Parts parts, Label done) {
+  private void turns(Loop loop, Node body, Parts parts, Label done) {
     Label head = to.code.newBoundLabel();
     parts.head(done);
     around.push(loop);
@@ -217,12 +257,6 @@ final class EmitLoops {
     to.code.exceptionCatch(start, end, handler, Names.CONTROL_FLOW);
     to.code.labelBinding(loop.next());
     parts.step();
-    if (yields) {
-      yieldToOthers();
-    } else {
-      to.job();
-      to.code.invokevirtual(Names.JOB, "checkInterrupted", MTD_void);
-    }
     to.code.goto_(head);
   }
 

@@ -7,23 +7,30 @@ import static java.lang.constant.ConstantDescs.CD_int;
 import java.lang.classfile.Label;
 import java.lang.constant.MethodTypeDesc;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.CompiledCode;
 import org.urbi.kernel.node.Function;
 import org.urbi.kernel.node.MessageSend;
 import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.Shortcut;
 import org.urbi.kernel.object.UrbiCode;
 
 /** Emits messages. A function that was found until now is called at once, if it is compiled. */
 final class EmitMessages {
   private final Emitter to;
   private final EmitSlots slots;
+  private final EmitContainers containers;
   private final Unit unit;
 
-  EmitMessages(Emitter to, EmitSlots slots, Unit unit) {
+  EmitMessages(Emitter to, EmitSlots slots, EmitContainers containers, Unit unit) {
     this.to = to;
     this.slots = slots;
+    this.containers = containers;
     this.unit = unit;
   }
 
@@ -85,7 +92,11 @@ final class EmitMessages {
       Label next = to.code.newLabel();
       slots.check(place, receiver, next);
       Callee callee = callee(place.code(), 0);
-      if (callee != null) {
+      Shortcut shortcut = containers.shortcut(place.code(), 0);
+      if (shortcut != null) {
+        containers.take(shortcut, receiver, List.of(), result, next);
+        to.code.goto_(over);
+      } else if (callee != null) {
         call(callee, message, receiver, List.of(), result, next);
         to.code.goto_(over);
       } else {
@@ -131,12 +142,15 @@ final class EmitMessages {
   private void send(MessageSend message, int receiver, Value result) {
     int count = message.argumentNodes().length;
     int found = to.newObject();
+    int known = to.newObject();
     Label general = to.code.newLabel();
     Label asked = to.code.newLabel();
     Label ready = to.code.newLabel();
     Label lazy = to.code.newLabel();
     Label over = to.code.newLabel();
-    List<Callee> callees = new ArrayList<>();
+    Map<UrbiCode, Callee> callees = new LinkedHashMap<>();
+    Map<UrbiCode, Shortcut> shortcuts = new LinkedHashMap<>();
+    to.code.aconst_null().astore(known);
     List<EmitSlots.Place> places = slots.places(message.lookup(), message.target());
     if (!places.isEmpty()) {
       slots.guard(message.lookup().name(), general);
@@ -148,8 +162,15 @@ final class EmitMessages {
       to.code.astore(found);
       UrbiCode code = place.code();
       Callee callee = callee(code, count);
-      if (callee != null && callees.stream().noneMatch(c -> c.function == callee.function)) {
-        callees.add(callee);
+      Shortcut shortcut = containers.shortcut(code, count);
+      if (code != null && callee != null) {
+        callees.put(code, callee);
+      }
+      if (code != null && shortcut != null) {
+        shortcuts.put(code, shortcut);
+      }
+      if (callee != null || shortcut != null) {
+        to.code.aload(found).astore(known);
       }
       to.code.goto_(code != null && CompiledCode.takes(code, count) ? ready : asked);
       to.code.labelBinding(next);
@@ -162,15 +183,14 @@ final class EmitMessages {
     to.code.ifeq(lazy);
     to.code.labelBinding(ready);
     List<Value> arguments = arguments(message);
-    for (Callee callee : callees) {
-      Label next = to.code.newLabel();
-      to.code.aload(found);
-      to.constant(callee.function, Names.OBJECT);
-      to.code.if_acmpne(next);
-      call(callee, message, receiver, arguments, result, next);
-      to.code.goto_(over);
-      to.code.labelBinding(next);
-    }
+    shortcuts.forEach((code, shortcut) ->
+        when(
+            known,
+            code,
+            next -> containers.take(shortcut, receiver, arguments, result, next),
+            over));
+    callees.forEach((code, callee) ->
+        when(known, code, next -> call(callee, message, receiver, arguments, result, next), over));
     call(message, receiver, found, arguments);
     to.code.astore(result.object());
     to.afterOthers();
@@ -182,8 +202,62 @@ final class EmitMessages {
     to.code.labelBinding(over);
   }
 
+  /** Emits what is done when that code has been found; it may jump to do something else. */
+  private void when(int known, UrbiCode code, Consumer<Label> done, Label over) {
+    Label next = to.code.newLabel();
+    to.code.aload(known);
+    to.constant(code, Names.OBJECT);
+    to.code.if_acmpne(next);
+    done.accept(next);
+    to.code.goto_(over);
+    to.code.labelBinding(next);
+  }
+
+  /** A variable of the surrounding code, called as a function. */
+  Value value(MessageSend.OfLocal message) {
+    int result = to.newObject();
+    to.located(
+        message,
+        () -> {
+          int found = to.newObject();
+          int count = message.argumentNodes().length;
+          to.load(to.operand(message.variable()));
+          to.code.astore(found);
+          Label lazy = to.code.newLabel();
+          Label over = to.code.newLabel();
+          if (count > 0) {
+            int receiver = to.newObject();
+            to.frame();
+            to.help("self", Names.OBJECT, Names.FRAME);
+            to.code.astore(receiver).aload(found).loadConstant(count);
+            to.help("takes", CD_boolean, Names.OBJECT, CD_int);
+            to.code.ifeq(lazy);
+            call(message, receiver, found, arguments(message));
+            to.code.astore(result);
+            to.afterOthers();
+            to.code.goto_(over);
+            to.code.labelBinding(lazy);
+            Value answer = to.beside(message, () -> answer(message, found));
+            to.code.aload(answer.object()).astore(result);
+          } else {
+            answer(message, found);
+            to.code.astore(result);
+          }
+          to.afterOthers();
+          to.code.labelBinding(over);
+        });
+    return Value.ofObject(result);
+  }
+
+  private void answer(MessageSend.OfLocal message, int found) {
+    to.code.aload(found);
+    to.frame();
+    to.constant(message, Names.LOCAL_CALL);
+    to.help("answer", Names.OBJECT, Names.OBJECT, Names.FRAME, Names.LOCAL_CALL);
+  }
+
   /** The arguments, which are kept as they are when they are evaluated. */
-  private List<Value> arguments(MessageSend message) {
+  private List<Value> arguments(CallSite message) {
     Node[] nodes = message.argumentNodes();
     List<Value> arguments = new ArrayList<>();
     for (int i = 0; i < nodes.length; i++) {
@@ -198,7 +272,7 @@ final class EmitMessages {
   }
 
   /** Calls code that is known only now. */
-  private void call(MessageSend message, int receiver, int found, List<Value> arguments) {
+  private void call(Node message, int receiver, int found, List<Value> arguments) {
     int room = to.newObject();
     to.code.aload(found).loadConstant(arguments.size());
     to.help("room", Names.OBJECTS, Names.OBJECT, CD_int);
@@ -210,7 +284,7 @@ final class EmitMessages {
     }
     to.code.aload(found).aload(receiver).aload(room).loadConstant(arguments.size());
     to.frame();
-    to.constant(message, Names.MESSAGE);
+    to.constant(message, Names.SITE);
     to.help(
         "call",
         Names.OBJECT,
@@ -219,7 +293,7 @@ final class EmitMessages {
         Names.OBJECTS,
         CD_int,
         Names.FRAME,
-        Names.MESSAGE);
+        Names.SITE);
   }
 
   /** Calls a function that is known; jumps if its code has become outdated. */

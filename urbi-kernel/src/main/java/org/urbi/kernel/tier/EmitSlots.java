@@ -159,6 +159,24 @@ final class EmitSlots {
     return assign(assignment, target, value);
   }
 
+  Value value(Slots.Declare declaration) {
+    to.load(to.operand(declaration.target()));
+    Value target = to.storedObject();
+    Node initial = declaration.value();
+    Value value = initial == null ? to.voidValue() : to.operand(initial);
+    if (initial != null && value.hasObject()) {
+      to.located(declaration.named(), () -> to.notVoid(value));
+    }
+    to.load(value);
+    Value result = to.storedObject();
+    to.code.aload(target.object()).aload(result.object());
+    to.frame();
+    to.constant(declaration, Names.SLOT_DECLARATION);
+    to.help("declare", CD_void, Names.OBJECT, Names.OBJECT, Names.FRAME, Names.SLOT_DECLARATION);
+    to.afterOthers();
+    return result;
+  }
+
   private Value assign(Slots.Assign assignment, int target, Value value) {
     Label slow = to.code.newLabel();
     Label over = to.code.newLabel();

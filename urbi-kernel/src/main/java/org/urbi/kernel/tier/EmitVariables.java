@@ -1,6 +1,9 @@
 package org.urbi.kernel.tier;
 
+import static java.lang.constant.ConstantDescs.CD_void;
+
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.node.CompoundAssignment;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Variables;
 
@@ -16,12 +19,66 @@ final class EmitVariables {
     return declaration.place().declaredLocal() >= 0 && !declaration.isTyped();
   }
 
+  /** Whether it declares a variable that closures or other jobs can reach. */
+  static boolean isPlainlyShared(Variables.Declare declaration) {
+    return declaration.place().declaredLocal() < 0 && !declaration.isTyped();
+  }
+
   Value value(Variables.Declare declaration) {
+    if (declaration.place().declaredLocal() < 0) {
+      Value value = stored(declaration.value(), declaration);
+      to.frame();
+      to.code.aload(value.object());
+      to.constant(declaration.place(), Names.PLACE);
+      to.help("declare", CD_void, Names.FRAME, Names.OBJECT, Names.PLACE);
+      return value;
+    }
     return assigned(declaration.place().declaredLocal(), declaration.value(), declaration);
   }
 
   Value value(Variables.Assign assignment) {
+    if (assignment.place().local() < 0) {
+      Value value = stored(assignment.value(), assignment);
+      to.located(assignment, () -> assign(assignment.place(), value));
+      return value;
+    }
     return assigned(assignment.place().local(), assignment.value(), assignment);
+  }
+
+  /** {@code a += b} and {@code a++} of a variable that closures or other jobs can reach. */
+  Value value(CompoundAssignment assignment, CompoundAssignment.OfVariable variable) {
+    Value[] results = new Value[1];
+    to.located(
+        assignment,
+        () -> {
+          Value before = to.operand(variable.variable());
+          to.load(to.arithmetic().combined(assignment, before));
+          Value after = to.storedObject();
+          assign(variable.place(), after);
+          results[0] = assignment.operand() == null ? before : after;
+        });
+    return results[0];
+  }
+
+  private void assign(Variables.Place place, Value value) {
+    to.frame();
+    to.code.aload(value.object());
+    to.constant(place, Names.PLACE);
+    to.help("assign", CD_void, Names.FRAME, Names.OBJECT, Names.PLACE);
+    to.afterOthers();
+  }
+
+  /** The object of a value that is assigned. */
+  private Value stored(@Nullable Node node, Node at) {
+    if (node == null) {
+      return to.voidValue();
+    }
+    Value value = to.operand(node);
+    if (value.hasObject()) {
+      to.located(at, () -> to.notVoid(value));
+    }
+    to.load(value);
+    return to.storedObject();
   }
 
   private Value assigned(int index, @Nullable Node node, Node at) {

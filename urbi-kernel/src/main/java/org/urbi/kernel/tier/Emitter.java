@@ -49,6 +49,7 @@ final class Emitter {
   private final EmitVariables assignments;
   private final EmitStatements statements;
   private final EmitSlots slots;
+  private final EmitContainers containers;
   private final EmitMessages messages;
   private final EmitLoops loops;
 
@@ -62,7 +63,8 @@ final class Emitter {
     this.assignments = new EmitVariables(this);
     this.statements = new EmitStatements(this);
     this.slots = new EmitSlots(this, unit);
-    this.messages = new EmitMessages(this, slots, unit);
+    this.containers = new EmitContainers(this, unit);
+    this.messages = new EmitMessages(this, slots, containers, unit);
     this.loops = new EmitLoops(this);
     this.frame = code.parameterSlot(0);
     this.job = code.allocateLocal(TypeKind.REFERENCE);
@@ -184,23 +186,39 @@ final class Emitter {
     if (node instanceof NumericOperator operator) {
       return arithmetic.value(operator);
     }
-    if (node instanceof CompoundAssignment assignment && assignment.local() >= 0) {
-      return arithmetic.value(assignment);
+    if (node instanceof CompoundAssignment assignment) {
+      return compound(assignment);
     }
-    if (node instanceof Variables.Declare declaration && EmitVariables.isPlain(declaration)) {
+    if (node instanceof Variables.Declare declaration
+        && (EmitVariables.isPlain(declaration) || EmitVariables.isPlainlyShared(declaration))) {
       return assignments.value(declaration);
     }
-    if (node instanceof Variables.Assign assignment && assignment.place().local() >= 0) {
+    if (node instanceof Variables.Assign assignment) {
       return assignments.value(assignment);
-    }
-    if (node instanceof CompoundAssignment assignment
-        && assignment.access() instanceof CompoundAssignment.Slot slot) {
-      return slots.value(assignment, slot);
     }
     if (node instanceof Slots.Assign assignment) {
       return slots.value(assignment);
     }
+    if (node instanceof Slots.Declare declaration && declaration.isPlain()) {
+      return slots.value(declaration);
+    }
+    if (node instanceof MessageSend.OfLocal call) {
+      return messages.value(call);
+    }
     return node instanceof MessageSend message ? messages.value(message) : null;
+  }
+
+  private @Nullable Value compound(CompoundAssignment assignment) {
+    return switch (assignment.access()) {
+      case CompoundAssignment.OfVariable variable ->
+          assignment.local() >= 0
+              ? arithmetic.value(assignment)
+              : assignments.value(assignment, variable);
+      case CompoundAssignment.Slot slot -> slots.value(assignment, slot);
+      case CompoundAssignment.Element element when element.indices().length == 1 ->
+          containers.value(assignment, element);
+      default -> null;
+    };
   }
 
   /** Emits a condition, after which the code goes on if it holds. */
@@ -267,7 +285,14 @@ final class Emitter {
    */
   Value beside(Node executed, Runnable emitted) {
     BitSet changed = changedBy(executed);
-    writeAll();
+    Survey inside = Survey.of(executed);
+    for (Value variable : variables) {
+      // What it does not mention it does not need, not even later on.
+      int index = variable.variable();
+      if ((inside.mayMention(index) || survey.isAssignedElsewhere(index)) && mayDiffer(variable)) {
+        write(variable);
+      }
+    }
     int result = newObject();
     Label start = code.newBoundLabel();
     emitted.run();
@@ -333,11 +358,16 @@ final class Emitter {
   /** Writes the variables to the frame that it may not have, or not as they are now. */
   void writeAll() {
     for (Value variable : variables) {
-      if (survey.assigns(variable.variable())
-          || !unit.isLoop() && variable.variable() < unit.known()) {
+      if (mayDiffer(variable)) {
         write(variable);
       }
     }
+  }
+
+  /** Whether the frame may not have the variable, or not as it is now. */
+  private boolean mayDiffer(Value variable) {
+    return survey.assigns(variable.variable())
+        || !unit.isLoop() && variable.variable() < unit.known();
   }
 
   private void read(BitSet which) {

@@ -19,6 +19,7 @@ import org.urbi.kernel.node.Variables;
 final class Survey {
   private final BitSet assigned = new BitSet();
   private final BitSet inArguments = new BitSet();
+  private final BitSet mentioned = new BitSet();
   private boolean hides;
   private final BitSet assignedInArguments = new BitSet();
   private int operations;
@@ -33,6 +34,11 @@ final class Survey {
   /** Whether compiled code assigns the variable. */
   boolean assigns(int variable) {
     return assigned.get(variable);
+  }
+
+  /** Whether it may read or assign the variable, itself or by code that is not compiled. */
+  boolean mayMention(int variable) {
+    return hides || mentioned.get(variable);
   }
 
   /** Whether it may assign the variable, itself or by code that is not compiled. */
@@ -70,6 +76,7 @@ final class Survey {
   }
 
   private void assign(int variable) {
+    mentioned.set(variable);
     assigned.set(variable);
     if (depth > 0) {
       assignedInArguments.set(variable);
@@ -88,6 +95,7 @@ final class Survey {
       return;
     }
     if (node instanceof Variables.Local read) {
+      mentioned.set(read.index());
       if (depth > 0) {
         inArguments.set(read.index());
       }
@@ -137,12 +145,34 @@ final class Survey {
         && EmitVariables.isPlain(declaration)) {
       assign(declaration.place().declaredLocal());
       visit(declaration.value());
-    } else if (node instanceof Variables.Assign assignment && assignment.place().local() >= 0) {
-      assign(assignment.place().local());
+    } else if (node instanceof Variables.Declare declaration
+        && EmitVariables.isPlainlyShared(declaration)) {
+      visit(declaration.value());
+    } else if (node instanceof Variables.Assign assignment) {
+      if (assignment.place().local() >= 0) {
+        assign(assignment.place().local());
+      }
       visit(assignment.value());
-    } else if (node instanceof CompoundAssignment assignment && assignment.local() >= 0) {
-      assign(assignment.local());
+    } else if (node instanceof CompoundAssignment assignment
+        && assignment.access() instanceof CompoundAssignment.OfVariable) {
+      if (assignment.local() >= 0) {
+        assign(assignment.local());
+      }
       visit(assignment.operand());
+    } else if (node instanceof CompoundAssignment assignment
+        && assignment.access() instanceof CompoundAssignment.Element element
+        && element.indices().length == 1) {
+      visit(element.target());
+      visitAll(element.indices());
+      visit(assignment.operand());
+    } else if (node instanceof MessageSend.OfLocal call) {
+      visit(call.variable());
+      depth++;
+      visitAll(call.argumentNodes());
+      depth--;
+    } else if (node instanceof Slots.Declare declaration && declaration.isPlain()) {
+      visit(declaration.target());
+      visit(declaration.value());
     } else if (node instanceof CompoundAssignment assignment
         && assignment.access() instanceof CompoundAssignment.Slot slot) {
       visit(slot.target());

@@ -1,0 +1,15 @@
+package org.urbi.kernel.node;
+
+/** Functions of the library that compiled code does by itself. */
+public enum Shortcut {
+  /** {@code list[i]}. */
+  ELEMENT,
+  /** {@code list[i] = value}. */
+  SET_ELEMENT,
+  /** {@code list << value}. */
+  APPEND,
+  /** {@code list.size}. */
+  SIZE_OF_LIST,
+  /** {@code text.size}. */
+  SIZE_OF_TEXT
+}

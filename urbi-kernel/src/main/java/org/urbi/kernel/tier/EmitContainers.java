@@ -1,0 +1,113 @@
+package org.urbi.kernel.tier;
+
+import static java.lang.constant.ConstantDescs.CD_boolean;
+import static java.lang.constant.ConstantDescs.CD_double;
+import static java.lang.constant.ConstantDescs.CD_void;
+
+import java.lang.classfile.Label;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.node.CompoundAssignment;
+import org.urbi.kernel.node.Shortcut;
+import org.urbi.kernel.object.UrbiCode;
+
+/** Emits what functions of the library do with lists, without a call. */
+final class EmitContainers {
+  private final Emitter to;
+  private final Unit unit;
+
+  EmitContainers(Emitter to, Unit unit) {
+    this.to = to;
+    this.unit = unit;
+  }
+
+  /** The shortcut for a function that has been found, with that many arguments; null if none. */
+  @Nullable Shortcut shortcut(@Nullable UrbiCode code, int arguments) {
+    Shortcut known =
+        code == null || unit.frame().interpreter().isProfiling()
+            ? null
+            : unit.frame().interpreter().shortcut(code);
+    if (known == null) {
+      return null;
+    }
+    int wanted =
+        switch (known) {
+          case SIZE_OF_LIST, SIZE_OF_TEXT -> 0;
+          case ELEMENT, APPEND -> 1;
+          case SET_ELEMENT -> 2;
+        };
+    return wanted == arguments ? known : null;
+  }
+
+  /** Emits the shortcut; jumps if something is not as expected. */
+  void take(Shortcut shortcut, int target, List<Value> arguments, Value result, Label otherwise) {
+    switch (shortcut) {
+      case ELEMENT -> {
+        int index = to.number(arguments.getFirst(), otherwise);
+        to.code.aload(target).dload(index);
+        to.help("element", Names.OBJECT, Names.OBJECT, CD_double);
+        to.code.dup().astore(result.object()).ifnull(otherwise);
+      }
+      case SET_ELEMENT -> {
+        int index = to.number(arguments.getFirst(), otherwise);
+        to.load(arguments.getLast());
+        to.code.astore(result.object());
+        to.code.aload(target).dload(index).aload(result.object());
+        to.frame();
+        to.help("setElement", CD_boolean, Names.OBJECT, CD_double, Names.OBJECT, Names.FRAME);
+        to.code.ifeq(otherwise);
+      }
+      case APPEND -> {
+        to.code.aload(target);
+        to.load(arguments.getFirst());
+        to.frame();
+        to.help("append", CD_boolean, Names.OBJECT, Names.OBJECT, Names.FRAME);
+        to.code.ifeq(otherwise);
+        to.code.aload(target).astore(result.object());
+      }
+      case SIZE_OF_LIST, SIZE_OF_TEXT -> {
+        to.code.aload(target);
+        to.help("size", CD_double, Names.OBJECT);
+        to.code.dup2().dstore(result.number()).dconst_0().dcmpl().iflt(otherwise);
+        to.code.aconst_null().astore(result.object());
+      }
+    }
+  }
+
+  /** {@code a[i] += b}, {@code a[i]++}. */
+  Value value(CompoundAssignment assignment, CompoundAssignment.Element element) {
+    Value[] results = new Value[1];
+    to.located(
+        assignment,
+        () -> {
+          to.load(to.operand(element.target()));
+          Value target = to.storedObject();
+          Value given = to.operand(element.indices()[0]);
+          to.notVoid(given);
+          to.load(given);
+          Value index = to.storedObject();
+          to.code.aload(target.object()).aload(index.object());
+          to.frame();
+          to.constant(assignment, Names.COUNTING);
+          to.help("before", Names.OBJECT, Names.OBJECT, Names.OBJECT, Names.FRAME, Names.COUNTING);
+          Value before = to.storedObject();
+          to.afterOthers();
+          to.load(to.arithmetic().combined(assignment, before));
+          Value after = to.storedObject();
+          to.code.aload(target.object()).aload(index.object()).aload(after.object());
+          to.frame();
+          to.constant(assignment, Names.COUNTING);
+          to.help(
+              "write",
+              CD_void,
+              Names.OBJECT,
+              Names.OBJECT,
+              Names.OBJECT,
+              Names.FRAME,
+              Names.COUNTING);
+          to.afterOthers();
+          results[0] = assignment.operand() == null ? before : after;
+        });
+    return results[0];
+  }
+}
