@@ -161,7 +161,11 @@ public final class HoldWatchdog {
 
   private void watch() {
     while (!scheduler.isOver()) {
-      check();
+      try {
+        check();
+      } catch (Error e) {
+        // There may be no memory to tell anybody. Without this thread no job would end any more.
+      }
       try {
         TimeUnit.NANOSECONDS.sleep(hurried ? Math.max(SHORTEST_PAUSE, pause / HURRY) : pause);
       } catch (InterruptedException e) {
@@ -237,8 +241,8 @@ public final class HoldWatchdog {
     if (job != null) {
       String component = job.componentCode().function();
       scheduler.interruptions().requestOverdue(turn, why);
-      listener.ended(job, component, why, allowed);
       interruptComponent(turn);
+      listener.ended(job, component, why, allowed);
     }
   }
 

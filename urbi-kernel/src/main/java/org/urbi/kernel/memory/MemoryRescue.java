@@ -62,6 +62,7 @@ final class MemoryRescue {
     each(users, scarce ? SCARCE : NOT_SCARCE);
     if (!scarce) {
       heap.forget();
+      heap.keepReserve();
     }
     if (scarce && heap.isNearlyFull(clock.now())) {
       rescue(users);
@@ -73,8 +74,31 @@ final class MemoryRescue {
     }
   }
 
-  /** To be called when memory is nearly exhausted, or was when somebody wanted to look. */
+  /**
+   * To be called when memory is nearly exhausted, or was when somebody wanted to look. It takes
+   * some memory to free more: a little was kept for that.
+   */
   void rescue(MemoryUser[] users) {
+    try {
+      attempt(users);
+    } catch (Error e) {
+      heap.releaseReserve();
+      attemptAgain(users);
+    }
+  }
+
+  private void attemptAgain(MemoryUser[] users) {
+    try {
+      attempt(users);
+    } catch (Error e) {
+      // There was no memory for it: it is tried again, as long as there is hope.
+      if (began && isOver(worked.getAsLong())) {
+        giveUp(users);
+      }
+    }
+  }
+
+  private void attempt(MemoryUser[] users) {
     long now = worked.getAsLong();
     long before = collections;
     collections = heap.collections();
@@ -82,27 +106,20 @@ final class MemoryRescue {
     if (gaveUp && now - gaveUpAt < REST) {
       return;
     }
-    try {
-      if (!began) {
-        began = true;
-        told = true;
-        since = now;
-        relievedAt = now;
-        relieved = false;
-        each(users, FULL);
-      }
-      if (isOver(now)) {
-        if (!isRelieved()) {
-          giveUp(users);
-        }
-      } else if (!relieved || now - relievedAt >= NEXT_RELIEF && !isRelieved()) {
-        relieve(users);
-      }
-    } catch (Error e) {
-      // There was no memory for it: it is tried again, as long as there is hope.
-      if (began && isOver(worked.getAsLong())) {
+    if (!began) {
+      began = true;
+      told = true;
+      since = now;
+      relievedAt = now;
+      relieved = false;
+      each(users, FULL);
+    }
+    if (isOver(now)) {
+      if (!isRelieved()) {
         giveUp(users);
       }
+    } else if (!relieved || now - relievedAt >= NEXT_RELIEF && !isRelieved()) {
+      relieve(users);
     }
   }
 

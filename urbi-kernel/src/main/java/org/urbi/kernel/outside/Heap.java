@@ -24,4 +24,10 @@ public interface Heap {
 
   /** Collects garbage, which nobody else would do soon. */
   void collect();
+
+  /** Keeps a little memory for later, unless some is kept already. */
+  void keepReserve();
+
+  /** Gives back what was kept: others may have taken all the rest. */
+  void releaseReserve();
 }

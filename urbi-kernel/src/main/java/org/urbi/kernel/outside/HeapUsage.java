@@ -28,6 +28,12 @@ public final class HeapUsage implements Heap {
 
   private static final long MILLISECOND = 1_000_000;
 
+  /** How many bytes are kept for when there are none left… */
+  private static final int RESERVE = 2_000_000;
+
+  /** …but not more than one of so many parts of the heap. */
+  private static final int RESERVE_PART = 64;
+
   /**
    * The old generation; looked up only in programs that live for some time, because that takes
    * long.
@@ -39,6 +45,7 @@ public final class HeapUsage implements Heap {
   private long windowBegan;
   private long collectedBefore;
   private boolean collecting;
+  private byte @Nullable [] reserve;
 
   @Override
   public boolean isScarce() {
@@ -131,5 +138,17 @@ public final class HeapUsage implements Heap {
   @Override
   public void collect() {
     System.gc();
+  }
+
+  @Override
+  public void keepReserve() {
+    if (reserve == null) {
+      reserve = new byte[(int) Math.min(RESERVE, Runtime.getRuntime().maxMemory() / RESERVE_PART)];
+    }
+  }
+
+  @Override
+  public void releaseReserve() {
+    reserve = null;
   }
 }

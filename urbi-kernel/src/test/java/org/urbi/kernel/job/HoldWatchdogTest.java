@@ -8,10 +8,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.journal.StopReason;
+import org.urbi.kernel.time.SystemClock;
 
 /** A job that holds the kernel for too long ends. Here the job itself moves the machine's clock. */
 class HoldWatchdogTest {
@@ -385,5 +387,34 @@ class HoldWatchdogTest {
     ended.await();
     assertEquals(1, told.size());
     assertTrue(loop.scheduler.isOver());
+  }
+
+  /** The thread goes on, and ends the next one: here with the clock of the machine. */
+  @Test
+  void whoCannotBeToldForWantOfMemoryEndsAllTheSame() {
+    AtomicInteger ended = new AtomicInteger();
+    new HoldWatchdog(
+            loop.scheduler,
+            new SystemClock(),
+            new HoldWatchdog.Gauges(() -> HoldWatchdog.UNKNOWN, () -> 0, () -> Long.MAX_VALUE),
+            LIMIT,
+            (job, component, why, limit) -> {
+              ended.incrementAndGet();
+              throw new OutOfMemoryError();
+            })
+        .start();
+    for (int i = 0; i < 3; i++) {
+      loop.start(job -> {
+        try {
+          while (true) {
+            job.checkInterrupted();
+          }
+        } finally {
+          loop.say("ended");
+        }
+      });
+    }
+    assertEquals(List.of("ended", "ended", "ended"), loop.run());
+    assertEquals(3, ended.get());
   }
 }

@@ -8,6 +8,12 @@ final class GivenHeap implements Heap {
   long collecting;
   int collections;
 
+  /** Whether looking takes memory that there is not, except for so many times. */
+  boolean exhausted;
+
+  int free;
+  boolean reserved;
+
   /** Says what becomes of the heap when garbage is collected. */
   Runnable whenCollected = () -> {};
 
@@ -25,7 +31,23 @@ final class GivenHeap implements Heap {
   public void forget() {}
 
   @Override
+  public void keepReserve() {
+    reserved = true;
+  }
+
+  @Override
+  public void releaseReserve() {
+    if (reserved) {
+      reserved = false;
+      free += 3;
+    }
+  }
+
+  @Override
   public long collections() {
+    if (exhausted && free-- <= 0) {
+      throw new OutOfMemoryError();
+    }
     return collections;
   }
 

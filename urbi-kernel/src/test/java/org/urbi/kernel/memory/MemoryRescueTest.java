@@ -1,6 +1,8 @@
 package org.urbi.kernel.memory;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -160,6 +162,24 @@ class MemoryRescueTest {
     }
   }
 
+  /** To look at the heap takes some memory, too. What was kept for that is kept again later. */
+  @Test
+  void littleIsKeptForTheRescue() {
+    Kernel kernel = new Kernel("one", 10);
+    heap.full = false;
+    run(0.25, kernel);
+    heap.full = true;
+    heap.exhausted = true;
+    run(1, kernel);
+    assertEquals("0.5 one full\n0.5 one ended\n", events.toString());
+    assertFalse(heap.reserved);
+    heap.full = false;
+    heap.exhausted = false;
+    run(0.25, kernel);
+    assertTrue(heap.reserved);
+    assertEquals("0.5 one full\n0.5 one ended\n1.5 one free\n", events.toString());
+  }
+
   /** Nothing can be made any more: not even a sentence. */
   @Test
   void memoryOfWhichThereIsNoneForARescueIsTold() {
@@ -175,9 +195,9 @@ class MemoryRescueTest {
     assertEquals(
         """
         0.25 other full
-        0.5 other ended
-        1.5 other gone
-        5.75 other exhausted
+        0.25 other ended
+        1.25 other gone
+        5.5 other exhausted
         """,
         events.toString());
   }
