@@ -218,7 +218,7 @@ class BudgetTest {
   void theMemoryLimitsJobs() {
     Budget budget = new Budget();
     budget.setLimits(Budget.fitting(400 << 20, "timers=3"));
-    assertEquals(102_400, budget.limit(Resource.JOBS));
+    assertEquals(51_200, budget.limit(Resource.JOBS));
     assertEquals(3, budget.limit(Resource.TIMERS));
     budget.setLimits(Budget.fitting(400 << 20, "jobs=3"));
     assertEquals(3, budget.limit(Resource.JOBS));

@@ -12,8 +12,11 @@ import org.urbi.kernel.error.Problem;
  * {@linkplain #nanoseconds measured}.
  */
 public final class Budget {
-  /** Twice the memory of a sleeping job, in bytes. */
-  private static final long MEMORY_OF_JOB = 4096;
+  /**
+   * Four times the memory of a sleeping job, in bytes: two lobbies that have all the jobs they may
+   * fill half of it.
+   */
+  private static final long MEMORY_OF_JOB = 8192;
 
   /** There is no limit. */
   public static final long UNLIMITED = Long.MAX_VALUE;
