@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.PriorityQueue;
 import java.util.WeakHashMap;
+import java.util.function.LongSupplier;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
@@ -22,10 +23,11 @@ import org.urbi.kernel.time.RandomNumbers;
  * <p>A round that would delay clients and timers noticeably is cut short. From then on, until the
  * load is over, each budget, which is that of a lobby, has a queue of its own. A round serves them
  * in the order in which they came, ends after a slice of time, and leaves the rest to the next one.
- * For that it blames one of those it has served, drawn by lot according to the time they took, and
- * who was to blame more often than others lets them go before. So a lobby that starts a million
- * jobs delays only itself, one that needs little goes first, and a thousand that need the same have
- * equally many turns. In simulated time nobody waits, and rounds are never cut.
+ * For that it blames one of those it has served, drawn by lot according to the processor time they
+ * took, and gives credit to one of those that took next to nothing. Who was to blame more often
+ * than others lets them go before. So a lobby that starts a million jobs delays only itself, one
+ * that needs little goes first, and a thousand that need the same have equally many turns. In
+ * simulated time nobody waits, and rounds are never cut.
  */
 final class RunQueue {
   /** How long a round may take while others wait, in nanoseconds. */
@@ -43,7 +45,10 @@ final class RunQueue {
   /** For so many rounds a lobby seems to be to blame that was not here before. */
   private static final long DEBIT = 1;
 
-  /** So many rounds fewer count for a lobby that has waited for something else: it goes first. */
+  /**
+   * So many rounds fewer count at most for a lobby that has waited for something else, or needs
+   * little: it goes first, however many others have waited longer.
+   */
   private static final long CREDIT = 5;
 
   /**
@@ -55,8 +60,11 @@ final class RunQueue {
   /** Who takes less time in a round, in nanoseconds, delays nobody… */
   private static final long LITTLE = SLICE / 10;
 
-  /** …so it is hardly ever to blame: its time counts for one of so many parts. */
+  /** …so it is hardly ever to blame: so much of each turn counts for one of so many parts. */
   private static final long LITTLE_COUNTS = 100;
+
+  /** No lobby: behind all indexes. */
+  private static final int MACHINE = Integer.MAX_VALUE;
 
   private static final Comparator<Share> AGE = Comparator.comparingLong(share -> share.number);
 
@@ -64,6 +72,7 @@ final class RunQueue {
   private final Timers timers;
   private final Inbox inbox;
   private final Journal journal;
+  private final LongSupplier worked;
   private final boolean counted;
   private final JobList together = new JobList();
 
@@ -113,6 +122,21 @@ final class RunQueue {
   /** When the turn of the current lobby began. */
   private long turnBegan;
 
+  /** The processor time when the turn of the current lobby began, or before. */
+  private long workedBefore;
+
+  /** The processor time when it was read last. */
+  private long workedAtLook;
+
+  /** How long the turn of the current lobby has taken, without what the machine did besides. */
+  private long turnTook;
+
+  /** The lots of the turn of the current lobby. */
+  private long turnLots;
+
+  /** For how long it did not run in its turn, because the machine did something else. */
+  private long turnLost;
+
   /** The lots of all that have had a turn in this round. */
   private long drawn;
 
@@ -123,13 +147,22 @@ final class RunQueue {
 
   private final RandomNumbers lots = new RandomNumbers();
 
-  /** Whom to blame when this round is cut short: an index in {@link #served}. */
+  /** Whom to blame when this round is cut short: an index in {@link #served}, or the machine. */
   private int culprit;
+
+  /** One of those who took little time in this round; an index, too, or nobody. */
+  private int modest;
+
+  /** How many of them there are. */
+  private int modestOnes;
 
   /** How many rounds rushes have had. */
   private long rounds;
 
-  /** The least {@link Share#roundsCut} of those that want to run; it never decreases. */
+  /**
+   * The least {@link Share#roundsCut} of those that want to run and have no credit; it never
+   * decreases.
+   */
   private long floor;
 
   /** The jobs of one budget. */
@@ -152,8 +185,12 @@ final class RunQueue {
     }
   }
 
-  RunQueue(Clock clock, Timers timers, Inbox inbox, Journal journal) {
+  /**
+   * @param worked the processor time of the loop, in nanoseconds, or {@link HoldWatchdog#UNKNOWN}
+   */
+  RunQueue(Clock clock, LongSupplier worked, Timers timers, Inbox inbox, Journal journal) {
     this.clock = clock;
+    this.worked = worked;
     this.timers = timers;
     this.inbox = inbox;
     this.journal = journal;
@@ -259,13 +296,18 @@ final class RunQueue {
     }
     last = null;
     fresh = 0;
-    culprit = 0;
+    culprit = MACHINE;
+    modest = MACHINE;
+    modestOnes = 0;
     drawn = 0;
     if (!rushing) {
       left = together.size();
       return;
     }
     rounds++;
+    if (cuttable) {
+      workedAtLook = worked.getAsLong();
+    }
     separate();
     while (!served.isEmpty()) {
       Share share = served.getLast();
@@ -282,13 +324,16 @@ final class RunQueue {
     left = 0;
   }
 
+  /** Those below it have a credit, and do not count. */
   private void raiseFloor() {
     long least = Long.MAX_VALUE;
     for (Share share : round) {
-      least = Math.min(least, share.roundsCut);
+      if (share.roundsCut >= floor) {
+        least = Math.min(least, share.roundsCut);
+      }
     }
-    if (!round.isEmpty()) {
-      floor = Math.max(floor, least);
+    if (least < Long.MAX_VALUE) {
+      floor = least;
     }
   }
 
@@ -324,14 +369,17 @@ final class RunQueue {
     }
     Job first = next.jobs.first();
     if (first != null && isSliceOver(first)) {
-      if (culprit < served.size()) {
-        blame(served.get(culprit));
-      }
+      judge();
       return null;
     }
     if (next != current) {
+      endTurn();
       turn = served.size();
       turnBegan = looked;
+      workedBefore = workedAtLook;
+      turnTook = 0;
+      turnLots = 0;
+      turnLost = 0;
       served.add(next);
       current = round.remove();
       left = current.jobs.size();
@@ -366,35 +414,83 @@ final class RunQueue {
     boolean looks =
         ++jobs % JOBS_PER_LOOK == 0 || rushing || slow || next.budget() != last || inbox.isFilled();
     boolean over = looks && last != null && isLate(clock.now());
-    int by = over || counted ? journal.cutsRound(jobs, over ? culprit : NOBODY) : NOBODY;
-    if (by == NOBODY) {
+    int found = over || counted ? journal.cutsRound(jobs, over ? verdict() : NOBODY) : NOBODY;
+    if (found == NOBODY) {
       return false;
     }
-    culprit = by;
+    int places = nobodysIndex() + 1;
+    culprit = found % places;
+    modest = found / places;
     return true;
+  }
+
+  /** Who is to blame for this round, and who is not at all, as one number. */
+  private int verdict() {
+    endTurn();
+    int most = nobodysIndex();
+    return Math.min(modest, most) * (most + 1) + Math.min(culprit, most);
+  }
+
+  /** Before a rush, the index 0 is that of the lobby that ran last. */
+  private int nobodysIndex() {
+    return served.size() + 1;
+  }
+
+  private void judge() {
+    if (culprit < served.size()) {
+      blame(served.get(culprit));
+    }
+    if (modest < served.size()) {
+      Share share = served.get(modest);
+      share.roundsCut = Math.min(share.roundsCut, Math.max(share.roundsCut - 1, floor - CREDIT));
+    }
+  }
+
+  /** The current lobby has had its turn. */
+  private void endTurn() {
+    if (current != nobody && turnTook < LITTLE && lots.below(++modestOnes) == 0) {
+      modest = turn;
+    }
   }
 
   private boolean isLate(long now) {
     long taken = now - looked;
     long all = now - roundBegan;
     if (rushing) {
-      draw(lotsFor(now - turnBegan) - lotsFor(looked - turnBegan));
+      drawLots(now - turnBegan);
+    } else {
+      culprit = taken < LITTLE ? MACHINE : 0;
     }
     slow = taken >= SHORT_SLICE;
     looked = now;
     return all >= (timers.next() <= now ? SHORT_SLICE : SLICE);
   }
 
-  /** The current lobby has so many more lots; each of the round is as likely to be drawn. */
-  private void draw(long more) {
+  /** The turn of the current lobby has taken so long: its time and that of the machine count. */
+  private void drawLots(long time) {
+    long own = time;
+    if (time >= LITTLE && workedBefore != HoldWatchdog.UNKNOWN) {
+      workedAtLook = worked.getAsLong();
+      own = Math.min(time, workedAtLook - workedBefore);
+    }
+    turnTook = own;
+    long all = lotsFor(own);
+    draw(Math.max(0, all - turnLots), turn);
+    draw(Math.max(0, time - own - turnLost), MACHINE);
+    turnLots = Math.max(turnLots, all);
+    turnLost = Math.max(turnLost, time - own);
+  }
+
+  /** Somebody has so many more lots; each of the round is as likely to be drawn. */
+  private void draw(long more, int whose) {
     drawn += more;
-    if (drawn == 0 || lots.below(drawn) < more) {
-      culprit = turn;
+    if (more > 0 && lots.below(drawn) < more) {
+      culprit = whose;
     }
   }
 
   private static long lotsFor(long time) {
-    return time < LITTLE ? time / LITTLE_COUNTS : time;
+    return Math.min(time, LITTLE) / LITTLE_COUNTS + Math.max(0, time - LITTLE);
   }
 
   private void blame(Share share) {
@@ -405,7 +501,7 @@ final class RunQueue {
     left = 0;
     rushing = true;
     separate();
-    if (last != null) {
+    if (last != null && culprit == 0) {
       blame(shareOf(last));
     }
   }

@@ -122,8 +122,8 @@ public final class Scheduler {
     this.clock = clock;
     this.pace = new SimulationPace(clock, machine);
     this.meter = new UsageMeter(machine);
-    this.runnable = new RunQueue(clock, timers, inbox, journal);
     this.threads = threads.factory(inbox);
+    this.runnable = new RunQueue(clock, this.threads::processorTime, timers, inbox, journal);
     this.uncaught = uncaught;
     inbox.register(Message.JOBS, this.threads::take);
   }
