@@ -16,6 +16,12 @@ import java.util.concurrent.locks.LockSupport;
 public final class ErrorOutput implements AutoCloseable {
   private static final int ROOM = 1 << 16;
 
+  /** How many bytes the JDK writes to a file without taking memory for them. */
+  private static final int PIECE = 1 << 13;
+
+  /** How long it waits for memory, in nanoseconds. */
+  private static final long PAUSE = 10_000_000;
+
   /** How long the end waits until all is written, in milliseconds. */
   private static final int LAST_WORDS = 1000;
 
@@ -107,18 +113,29 @@ public final class ErrorOutput implements AutoCloseable {
     try {
       while (!over) {
         int at = (int) (taken % ROOM);
-        int length = (int) Math.min(put - taken, ROOM - at);
+        int length = (int) Math.min(put - taken, Math.min(PIECE, ROOM - at));
         if (length == 0) {
           LockSupport.park(this);
-        } else {
-          stream.write(buffer, at, length);
-          stream.flush();
+        } else if (isWritten(at, length)) {
           taken += length;
+        } else {
+          LockSupport.parkNanos(this, PAUSE);
         }
       }
-    } catch (IOException e) {
+    } catch (Throwable failure) {
       // Nobody can be told.
       over = true;
+    }
+  }
+
+  private boolean isWritten(int at, int length) throws IOException {
+    try {
+      stream.write(buffer, at, length);
+      stream.flush();
+      return true;
+    } catch (OutOfMemoryError e) {
+      // The messages to come are about this.
+      return false;
     }
   }
 }

@@ -68,6 +68,34 @@ class ErrorOutputTest {
     assertTrue(text.length() < 70_000, text.length() + " bytes");
   }
 
+  /** Memory is wanting for large pieces always, and twice for small ones. */
+  @Test
+  void whatCannotBeWrittenForWantOfMemoryIsWrittenLater() {
+    pipe.writes.release(1_000_000);
+    OutputStream scarce =
+        new OutputStream() {
+          private int failures;
+
+          @Override
+          public void write(int octet) {
+            throw new UnsupportedOperationException();
+          }
+
+          @Override
+          public void write(byte[] bytes, int from, int length) {
+            if (length > 8192 || failures++ < 2) {
+              throw new OutOfMemoryError("of the test");
+            }
+            pipe.write(bytes, from, length);
+          }
+        };
+    String message = LINE.repeat(50);
+    try (ErrorOutput errors = new ErrorOutput(scarce)) {
+      errors.messages().print(message);
+    }
+    assertEquals(message, pipe.text());
+  }
+
   @Test
   void streamThatFailsHoldsNobodyUp() {
     OutputStream broken =
