@@ -224,6 +224,68 @@ class CompiledCodeTest {
             function both() { [c(), d(), c()] }|; both(); both(); both();
             """),
         Map.entry(
+            "cases match, and bind their variables",
+            """
+            function byNumber(n) { switch (n) { case 0: 3; case 1: { n += 1; n }; case 2: return 7; default: n } }|;
+            byNumber(0); byNumber(1); byNumber(2); byNumber(3); byNumber("s"); byNumber(nil); byNumber(void);
+            function byForm(l) {
+              var a = 1; var b = 2; var last = "none";
+              switch (l) {
+                case []: "empty"; case [1, var x]: last = x; case [var a1, a] if a1 > 2: a1 + b;
+                case ("t", var y): y; case "text": "t"; case ["k" => var v]: v; case b: "b"
+              };
+              [a, b, last]
+            }|;
+            byForm([]); byForm([1, 5]); byForm([3, 1]); byForm(("t", 4)); byForm("text"); byForm(["k" => 8]);
+            byForm(2); byForm([2, 1]); byForm([void]); byForm(nil);
+            function inLoop(n) {
+              var log = [];
+              for (var i : n) { switch (i) { case 1: continue; case 3: break; case 0: log << "zero" }; log << i };
+              for (var c : "abc") log << c; for (var k : ["x" => 1]) log << k; log
+            }|;
+            inLoop(2); inLoop(5); Float.'==' = function (o) { true }|; byNumber(5); inLoop(3);
+            """),
+        Map.entry(
+            "lists have their elements and errors",
+            """
+            function f(l, i, v) {
+              var old = l[i]; l[i] = v; l << old; l[i] += 1; l[-1]++;
+              [l, l.size, old === l[-1], l[i] === v, [i, v, i += 1]]
+            }|;
+            f([1, 2, 3], 0, 5); f([1, 2, 3], -1, 5); f([1, 2], 2, 1); f([1], 0.5, 1); f([1], "s", 1);
+            f(["k" => 1], "k", 2); f("text", 1, "x"); f(nil, 0, 1); f([1, 2], 1, void); f([[1]], 0, [2]);
+            var watched = [1, 2]|; at (watched.size > 3) echo("long"); f(watched, 0, 4); f(watched, 1, 4);
+            class Mine : List { function '[]'(i) { "mine" } }|; f(Mine.new, 0, 1); var own = [1, 2, 3]|;
+            own.setSlot("size", 7)|; f(own, 0, 2); f([1, 2], 1, 2);
+            List.size = function () { "many" }|; f([1, 2], 0, 2); f([1, 2], 0, 2);
+            function each(l) { var sum = 0; for (var e : l) { l << e; sum += e; if (e == 3) return sum }; sum }|;
+            each([1, 2]); each([3, 4]); each([]); each(["s"]); each([1, void]); each(3);
+            function sum(l) { var s = 0; for| (var e : l) { s += e; e = 0 }; s }|; sum([1, 2]); sum([1, nil]); sum([1, 2]);
+            """),
+        Map.entry(
+            "objects are equal as they say",
+            """
+            class E { var n = 1; function '=='(o) { echo("==") | true } }|; var e = E.new|; var o = Object.new|;
+            function f(a, b) { if (a == b) echo("equal"); if (a != b) echo("different"); [a == b, b != a] }|;
+            f(1, 1); f(1, nil); f(nil, 1); f(nil, nil); f("a", "a"); f("a", "b"); f("a", nil); f(o, o); f(o, nil);
+            f(e, e); f(e, o); f(o, e); f([1], [1]); f([1], nil); f(true, true); f(Object, Object); f(f(o, o), 1);
+            f(void, 1); f(1, void); f(o, void); f("a", void); f(o, 1 / 0); f(0 / 0, 0 / 0); f(f, f);
+            Object.'==' = function (x) { "all" }|; f(o, nil); f(nil, nil); f("a", "a"); f(1, 1);
+            """),
+        Map.entry(
+            "variables of closures are shared",
+            """
+            function f(n) {
+              var count = n; var add = function (x) { count += x; count++; count }; var name = closure () { this.n };
+              [add(1), count, add(count), count = 5, add(2), count += 1, count--, count, add("s")]
+            }|;
+            f(1); f(2); f("s"); f(nil);
+            function g(n) { const var c = n; var h = function () { c }; try { c = 2 } catch (var x) { echo(x.message) }; h() }|;
+            g(1); g(2); function apply(h, a) { h(a) }|; apply(function (a) { a * 2 }, 4); apply(3, 4); apply(nil, 1);
+            apply(function { call.args.size }, 1); apply(function (a, b) { a }, 1); apply(void, 1);
+            function seen(n) { var x = 0; at (x > n) echo("x" + x); x = 1; x += 1; x++; sleep(1ms); x }|; seen(1); seen(0);
+            """),
+        Map.entry(
             "errors have their places",
             """
             function f(a, b) {

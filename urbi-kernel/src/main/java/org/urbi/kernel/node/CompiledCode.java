@@ -218,6 +218,12 @@ public abstract class CompiledCode extends Node {
     return frame.located(exception, at.span());
   }
 
+  // ------------------------------------------------------------------ cases
+
+  protected static boolean matches(UrbiObject value, Frame frame, Pattern pattern) {
+    return pattern.matches(frame, value);
+  }
+
   // ------------------------------------------------------------------ jumps
 
   /** How the statement that has set the completion of the frame leaves a loop around it. */
@@ -384,6 +390,19 @@ public abstract class CompiledCode extends Node {
   }
 
   // ------------------------------------------------------------------ lists
+
+  protected static Elements newElements(int room) {
+    return new Elements(room);
+  }
+
+  protected static void add(Elements elements, UrbiObject element) {
+    elements.add(element);
+  }
+
+  /** The value of a literal whose elements have been evaluated. */
+  protected static UrbiObject sequence(Elements elements, Frame frame, Literals.Sequence literal) {
+    return literal.of(frame, elements);
+  }
 
   /** The element at an index; null if the list, or the index, is another than is expected. */
   protected static @Nullable UrbiObject element(UrbiObject target, double index) {

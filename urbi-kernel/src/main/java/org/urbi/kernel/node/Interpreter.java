@@ -67,6 +67,7 @@ public final class Interpreter {
   private boolean assertionsDisabled;
   private boolean assertionsShowValues = true;
   boolean profiling;
+  private int comparedEpoch = -1;
   private int maximumDepth;
 
   /**
@@ -307,6 +308,20 @@ public final class Interpreter {
       caller.job.endSend();
     }
     return Truth.of(caller, answer);
+  }
+
+  /** Whether literal numbers and strings are compared by the {@code ==} of the library. */
+  boolean comparesLiterals() {
+    int epoch = symbols.equals.epoch();
+    if (epoch != comparedEpoch) {
+      if (world.profiled
+          || values.floatProto.lookup(symbols.equals) != equalityOfNumbers
+          || values.stringProto.lookup(symbols.equals) != equalityOfStrings) {
+        return false;
+      }
+      comparedEpoch = world.remember(symbols.equals);
+    }
+    return true;
   }
 
   /** Sends a message on behalf of a library function called at that site. */

@@ -45,6 +45,10 @@ public final class Literals {
       this.value = value;
     }
 
+    public String value() {
+      return value;
+    }
+
     @Override
     public UrbiObject execute(Frame frame) {
       return frame.interpreter.values().string(value);
@@ -62,12 +66,21 @@ public final class Literals {
       this.tuple = tuple;
     }
 
+    public Node[] elements() {
+      return elements;
+    }
+
     @Override
     public UrbiObject execute(Frame frame) {
       var list = new Elements(elements.length);
       for (Node element : elements) {
         list.add(ArgumentEvaluation.notVoid(frame, element, span()));
       }
+      return of(frame, list);
+    }
+
+    /** The list or tuple of elements that have been evaluated. */
+    UrbiObject of(Frame frame, Elements list) {
       var values = frame.interpreter.values();
       return tuple ? values.tuple(list) : values.listOf(list);
     }

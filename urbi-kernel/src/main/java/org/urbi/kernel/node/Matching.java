@@ -31,6 +31,18 @@ public final class Matching {
       this.defaultCase = defaultCase;
     }
 
+    public Node value() {
+      return value;
+    }
+
+    public Case[] cases() {
+      return cases;
+    }
+
+    public @Nullable Node defaultCase() {
+      return defaultCase;
+    }
+
     @Override
     public UrbiObject execute(Frame frame) {
       UrbiObject switched = ArgumentEvaluation.notVoid(frame, value, span());
@@ -72,6 +84,11 @@ public final class Matching {
 
     public AssignedPlace(Variables.Place place) {
       this.place = place;
+    }
+
+    @Override
+    public void tell(Parts parts) {
+      parts.variable(place);
     }
 
     @Override

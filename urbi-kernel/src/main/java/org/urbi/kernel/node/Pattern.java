@@ -6,8 +6,10 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiDictionary;
+import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
 import org.urbi.lang.source.Span;
 
 /** A pattern that a value can be matched against (manual, "Structural Pattern Matching"). */
@@ -15,12 +17,27 @@ public abstract class Pattern {
   /** Whether the value matches; binds the variables of the pattern on the way. */
   public abstract boolean matches(Frame frame, UrbiObject value);
 
+  /** What a pattern consists of. */
+  public interface Parts {
+    void variable(Variables.Place place);
+
+    void code(Node node);
+  }
+
+  /** Tells what the pattern consists of. */
+  public abstract void tell(Parts parts);
+
   /** {@code var x}: matches anything. */
   public static final class Binding extends Pattern {
     private final Variables.Place place;
 
     public Binding(Variables.Place place) {
       this.place = place;
+    }
+
+    @Override
+    public void tell(Parts parts) {
+      parts.variable(place);
     }
 
     @Override
@@ -39,6 +56,9 @@ public abstract class Pattern {
       this.name = name;
       this.span = span;
     }
+
+    @Override
+    public void tell(Parts parts) {}
 
     @Override
     public boolean matches(Frame frame, UrbiObject value) {
@@ -61,7 +81,20 @@ public abstract class Pattern {
     }
 
     @Override
+    public void tell(Parts parts) {
+      parts.code(expression);
+    }
+
+    @Override
     public boolean matches(Frame frame, UrbiObject value) {
+      if (expression instanceof Literals.Number literal) {
+        if (frame.interpreter.comparesLiterals()) {
+          return value instanceof UrbiFloat number && number.value() == literal.value();
+        }
+      } else if (expression instanceof Literals.Text literal
+          && frame.interpreter.comparesLiterals()) {
+        return value instanceof UrbiString text && text.value().equals(literal.value());
+      }
       UrbiObject expected = expression.execute(frame);
       if (value == expected) {
         return true;
@@ -84,6 +117,13 @@ public abstract class Pattern {
     public Elements(Pattern[] patterns, boolean tuple) {
       this.patterns = patterns;
       this.tuple = tuple;
+    }
+
+    @Override
+    public void tell(Parts parts) {
+      for (Pattern pattern : patterns) {
+        pattern.tell(parts);
+      }
     }
 
     @Override
@@ -114,6 +154,16 @@ public abstract class Pattern {
     public Entries(Node[] keys, Pattern[] patterns) {
       this.keys = keys;
       this.patterns = patterns;
+    }
+
+    @Override
+    public void tell(Parts parts) {
+      for (Node key : keys) {
+        parts.code(key);
+      }
+      for (Pattern pattern : patterns) {
+        pattern.tell(parts);
+      }
     }
 
     @Override

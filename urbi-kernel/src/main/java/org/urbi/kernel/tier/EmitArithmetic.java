@@ -65,7 +65,7 @@ final class EmitArithmetic {
           jumpUnless(operator, left, right, otherwise);
           to.code.goto_(over);
         });
-    to.truth(Value.ofObject(result.object()), otherwise);
+    to.statements().truth(Value.ofObject(result.object()), otherwise);
     to.code.labelBinding(over);
   }
 

@@ -2,12 +2,15 @@ package org.urbi.kernel.tier;
 
 import static java.lang.constant.ConstantDescs.CD_boolean;
 import static java.lang.constant.ConstantDescs.CD_double;
+import static java.lang.constant.ConstantDescs.CD_int;
 import static java.lang.constant.ConstantDescs.CD_void;
 
 import java.lang.classfile.Label;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.CompoundAssignment;
+import org.urbi.kernel.node.Literals;
+import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Shortcut;
 import org.urbi.kernel.object.UrbiCode;
 
@@ -72,6 +75,28 @@ final class EmitContainers {
         to.code.aconst_null().astore(result.object());
       }
     }
+  }
+
+  /** {@code [a, b]}. */
+  Value value(Literals.Sequence literal) {
+    int elements = to.newObject();
+    to.code.loadConstant(literal.elements().length);
+    to.help("newElements", Names.ELEMENTS, CD_int);
+    to.code.astore(elements);
+    for (Node each : literal.elements()) {
+      Value element = to.operand(each);
+      if (element.hasObject()) {
+        to.located(literal, () -> to.notVoid(element));
+      }
+      to.code.aload(elements);
+      to.load(element);
+      to.help("add", CD_void, Names.ELEMENTS, Names.OBJECT);
+    }
+    to.code.aload(elements);
+    to.frame();
+    to.constant(literal, Names.SEQUENCE);
+    to.help("sequence", Names.OBJECT, Names.ELEMENTS, Names.FRAME, Names.SEQUENCE);
+    return to.storedObject();
   }
 
   /** {@code a[i] += b}, {@code a[i]++}. */

@@ -1,12 +1,16 @@
 package org.urbi.kernel.tier;
 
 import java.lang.classfile.Label;
+import java.lang.classfile.TypeKind;
+import java.lang.constant.ConstantDescs;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.Conditionals;
 import org.urbi.kernel.node.ForEach;
 import org.urbi.kernel.node.Jumps;
 import org.urbi.kernel.node.Loops;
+import org.urbi.kernel.node.Matching;
 import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.Pattern;
 import org.urbi.kernel.node.Sequences;
 
 /** Emits sequences, conditionals and jumps. */
@@ -30,6 +34,9 @@ final class EmitStatements {
     }
     if (node instanceof Conditionals.Logical logical) {
       return logical(logical);
+    }
+    if (node instanceof Matching.Switch choice) {
+      return choice(choice);
     }
     if (node instanceof Loops.Sequential loop) {
       return to.loops().value(loop);
@@ -120,15 +127,59 @@ final class EmitStatements {
     return result;
   }
 
+  private Value choice(Matching.Switch choice) {
+    Value given = to.operand(choice.value());
+    if (given.hasObject()) {
+      to.located(choice, () -> to.notVoid(given));
+    }
+    to.load(given);
+    Value value = to.storedObject();
+    Value result = to.newPair();
+    Label over = to.code.newLabel();
+    for (Matching.Case each : choice.cases()) {
+      Label next = to.code.newLabel();
+      matches(each.pattern(), value, next);
+      if (each.guard() != null) {
+        to.condition(each.guard(), next);
+      }
+      to.copy(to.lastStatement(each.body()), result);
+      to.code.goto_(over);
+      to.code.labelBinding(next);
+    }
+    if (choice.defaultCase() == null) {
+      to.loadVoid();
+      to.code.astore(result.object());
+    } else {
+      to.copy(to.lastStatement(choice.defaultCase()), result);
+    }
+    to.code.labelBinding(over);
+    return result;
+  }
+
+  /** Jumps unless the value matches. */
+  private void matches(Pattern pattern, Value value, Label otherwise) {
+    int matched = to.code.allocateLocal(TypeKind.INT);
+    to.beside(
+        Survey.of(pattern),
+        () -> {
+          to.code.aload(value.object());
+          to.frame();
+          to.constant(pattern, Names.PATTERN);
+          to.help("matches", ConstantDescs.CD_boolean, Names.OBJECT, Names.FRAME, Names.PATTERN);
+          to.code.istore(matched).aload(value.object());
+        });
+    to.code.iload(matched).ifeq(otherwise);
+  }
+
   private Value logical(Conditionals.Logical logical) {
     Label decided = to.code.newLabel();
     Value result = to.newPair();
     to.copy(to.operand(logical.left()), result);
     if (logical.isAnd()) {
-      to.truth(result, decided);
+      truth(result, decided);
     } else {
       Label on = to.code.newLabel();
-      to.truth(result, on);
+      truth(result, on);
       to.code.goto_(decided);
       to.code.labelBinding(on);
     }
@@ -150,5 +201,26 @@ final class EmitStatements {
     to.code.labelBinding(right);
     to.condition(logical.right(), otherwise);
     to.code.labelBinding(holds);
+  }
+
+  /** Jumps unless the value is true. */
+  void truth(Value value, Label otherwise) {
+    Label over = to.code.newLabel();
+    if (value.hasNumber()) {
+      Label object = to.code.newLabel();
+      if (value.hasObject()) {
+        to.code.aload(value.object()).ifnonnull(object);
+      }
+      to.code.dload(value.number()).dconst_0().dcmpl().ifeq(otherwise);
+      to.code.goto_(over);
+      to.code.labelBinding(object);
+    }
+    if (value.hasObject()) {
+      to.code.aload(value.object());
+      to.frame();
+      to.help("truth", ConstantDescs.CD_boolean, Names.OBJECT, Names.FRAME);
+      to.code.ifeq(otherwise);
+    }
+    to.code.labelBinding(over);
   }
 }

@@ -114,6 +114,10 @@ final class Emitter {
     return arithmetic;
   }
 
+  EmitStatements statements() {
+    return statements;
+  }
+
   EmitLoops loops() {
     return loops;
   }
@@ -202,6 +206,9 @@ final class Emitter {
     if (node instanceof Slots.Declare declaration && declaration.isPlain()) {
       return slots.value(declaration);
     }
+    if (node instanceof Literals.Sequence literal) {
+      return containers.value(literal);
+    }
     if (node instanceof MessageSend.OfLocal call) {
       return messages.value(call);
     }
@@ -232,29 +239,8 @@ final class Emitter {
         code.goto_(otherwise);
       }
     } else {
-      truth(operand(node), otherwise);
+      statements.truth(operand(node), otherwise);
     }
-  }
-
-  /** Jumps unless the value is true. */
-  void truth(Value value, Label otherwise) {
-    Label over = code.newLabel();
-    if (value.hasNumber()) {
-      Label object = code.newLabel();
-      if (value.hasObject()) {
-        code.aload(value.object()).ifnonnull(object);
-      }
-      code.dload(value.number()).dconst_0().dcmpl().ifeq(otherwise);
-      code.goto_(over);
-      code.labelBinding(object);
-    }
-    if (value.hasObject()) {
-      code.aload(value.object());
-      frame();
-      help("truth", ConstantDescs.CD_boolean, Names.OBJECT, Names.FRAME);
-      code.ifeq(otherwise);
-    }
-    code.labelBinding(over);
   }
 
   /** Emits code that is not compiled: the node is executed. */
@@ -284,8 +270,12 @@ final class Emitter {
    * @param executed what the interpreter may execute then, besides code that is not compiled
    */
   Value beside(Node executed, Runnable emitted) {
-    BitSet changed = changedBy(executed);
-    Survey inside = Survey.of(executed);
+    return beside(Survey.of(executed), emitted);
+  }
+
+  /** The same for what a survey tells of. */
+  Value beside(Survey inside, Runnable emitted) {
+    BitSet changed = changedBy(inside);
     for (Value variable : variables) {
       // What it does not mention it does not need, not even later on.
       int index = variable.variable();
@@ -312,8 +302,7 @@ final class Emitter {
     return Value.ofObject(result);
   }
 
-  private BitSet changedBy(@Nullable Node executed) {
-    Survey inside = Survey.of(executed);
+  private BitSet changedBy(Survey inside) {
     BitSet changed = new BitSet();
     for (int i = 0; i < variables.size(); i++) {
       changed.set(i, survey.isAssignedElsewhere(i) || inside.mayAssign(i));
@@ -332,7 +321,7 @@ final class Emitter {
 
   /** Other code may have run: if it has unevaluated arguments of this one, it may have assigned. */
   void afterOthers() {
-    BitSet changed = changedBy(null);
+    BitSet changed = changedBy(new Survey());
     if (!changed.isEmpty()) {
       Label over = code.newLabel();
       frame();

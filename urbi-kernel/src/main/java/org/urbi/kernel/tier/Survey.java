@@ -8,9 +8,11 @@ import org.urbi.kernel.node.ForEach;
 import org.urbi.kernel.node.Jumps;
 import org.urbi.kernel.node.Literals;
 import org.urbi.kernel.node.Loops;
+import org.urbi.kernel.node.Matching;
 import org.urbi.kernel.node.MessageSend;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.NumericOperator;
+import org.urbi.kernel.node.Pattern;
 import org.urbi.kernel.node.Sequences;
 import org.urbi.kernel.node.Slots;
 import org.urbi.kernel.node.Variables;
@@ -106,6 +108,30 @@ final class Survey {
     }
   }
 
+  /** What a pattern reads and assigns. */
+  static Survey of(Pattern pattern) {
+    Survey survey = new Survey();
+    survey.visit(pattern);
+    return survey;
+  }
+
+  private void visit(Pattern pattern) {
+    pattern.tell(
+        new Pattern.Parts() {
+          @Override
+          public void variable(Variables.Place place) {
+            if (place.declaredLocal() >= 0) {
+              assign(place.declaredLocal());
+            }
+          }
+
+          @Override
+          public void code(Node node) {
+            visit(node);
+          }
+        });
+  }
+
   private boolean visitStatement(Node node) {
     if (node instanceof Sequences.Chain chain) {
       visitAll(chain.statements());
@@ -124,6 +150,14 @@ final class Survey {
       assign(loop.variable().declaredLocal());
       visit(loop.range());
       visit(loop.body());
+    } else if (node instanceof Matching.Switch choice) {
+      visit(choice.value());
+      for (Matching.Case each : choice.cases()) {
+        visit(each.pattern());
+        visit(each.guard());
+        visit(each.body());
+      }
+      visit(choice.defaultCase());
     } else if (node instanceof Jumps.Return jump && jump.isPlain()) {
       visit(jump.value());
     } else {
@@ -165,6 +199,8 @@ final class Survey {
       visit(element.target());
       visitAll(element.indices());
       visit(assignment.operand());
+    } else if (node instanceof Literals.Sequence literal) {
+      visitAll(literal.elements());
     } else if (node instanceof MessageSend.OfLocal call) {
       visit(call.variable());
       depth++;
