@@ -1,6 +1,7 @@
 package org.urbi.lang.grammar;
 
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
@@ -80,6 +81,13 @@ public final class Keywords {
   /** All of them, in no order. */
   public static Set<String> all() {
     return TOKENS.keySet();
+  }
+
+  /** The words that may not be used, or that have no effect, in no order. */
+  static Set<String> refused() {
+    Set<String> refused = new HashSet<>(RESERVED);
+    refused.addAll(IGNORED);
+    return refused;
   }
 
   /** The token type of a word. */

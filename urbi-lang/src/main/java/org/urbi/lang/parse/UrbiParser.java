@@ -44,12 +44,12 @@ public final class UrbiParser {
    * @return a {@link Ast.Sequence}, or errors
    */
   public static ParseResult parse(String text, @Nullable String file, Runnable checkpoint) {
-    return new Run(Sources.of(text, file), 0, text.length(), false, checkpoint).parse();
+    return parse(Sources.of(text, file), 0, text.length(), false, checkpoint);
   }
 
   /** Parses a part of a text as if it were a complete one. */
   public static ParseResult parse(Source source, int begin, int end) {
-    return new Run(source, begin, end, false, () -> {}).parse();
+    return parse(source, begin, end, false, () -> {});
   }
 
   /**
@@ -58,7 +58,22 @@ public final class UrbiParser {
    * @param checkpoint called again and again, to end the parsing by an exception
    */
   public static ParseResult parseStatement(Source source, int begin, int end, Runnable checkpoint) {
-    return new Run(source, begin, end, true, checkpoint).parse();
+    return parse(source, begin, end, true, checkpoint);
+  }
+
+  private static ParseResult parse(
+      Source source, int begin, int end, boolean single, Runnable checkpoint) {
+    Checkpoint passed = new Checkpoint(checkpoint);
+    QuickParser.Quick quick = QuickParser.parse(source, begin, end, single, passed);
+    return quick == null
+        ? byGrammar(source, begin, end, single, passed)
+        : new ParseResult(quick.tree(), quick.separator(), List.of(), List.of());
+  }
+
+  /** What the grammar says, which is the judge of any other way to parse. */
+  static ParseResult byGrammar(
+      Source source, int begin, int end, boolean single, Checkpoint checkpoint) {
+    return new Run(source, begin, end, single, checkpoint).parse();
   }
 
   /** One text being parsed. */
@@ -71,10 +86,10 @@ public final class UrbiParser {
     private final Checkpoint checkpoint;
     private Ast.@Nullable Flavor separator;
 
-    Run(Source source, int begin, int end, boolean single, Runnable checkpoint) {
+    Run(Source source, int begin, int end, boolean single, Checkpoint checkpoint) {
       this.source = source;
       this.single = single;
-      this.checkpoint = new Checkpoint(checkpoint);
+      this.checkpoint = checkpoint;
       this.lexer = new UrbiscriptLexer(new TextStream(source.text(), begin, end));
       lexer.setCheckpoint(this.checkpoint);
       this.tokens = new CommonTokenStream(lexer);
