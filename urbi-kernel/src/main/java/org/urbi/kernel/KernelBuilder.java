@@ -302,6 +302,7 @@ public final class KernelBuilder {
     return new KernelMemory(
         scheduler.meter(),
         scheduler::turn,
+        scheduler::isTurnOf,
         to,
         full -> {
           control.hurry(full);

@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.error.Problem;
@@ -22,8 +23,8 @@ final class KernelMemory implements MemoryUser {
   private final KernelLog log;
   private final Consumer<Boolean> onNearlyFull;
   private final Runnable onExhausted;
-  private final UsageMeter meter;
   private final LongSupplier turns;
+  private final Predicate<Budget> isTurnOf;
 
   /** Whose jobs were ended, and who can be let go next. */
   private final Queue<Evictable> evicted = new ArrayDeque<>();
@@ -33,17 +34,19 @@ final class KernelMemory implements MemoryUser {
 
   /**
    * @param turns the number of the current turn, on any thread
+   * @param isTurnOf whether a job with that budget is running, on any thread
    * @param onNearlyFull told when memory is nearly exhausted, and when it is not any more
    * @param onExhausted called when memory could not be freed
    */
   KernelMemory(
       UsageMeter meter,
       LongSupplier turns,
+      Predicate<Budget> isTurnOf,
       KernelLog log,
       Consumer<Boolean> onNearlyFull,
       Runnable onExhausted) {
-    this.meter = meter;
     this.turns = turns;
+    this.isTurnOf = isTurnOf;
     this.growth =
         new LobbyGrowth(
             budget -> {
@@ -120,7 +123,7 @@ final class KernelMemory implements MemoryUser {
     }
     for (Evictable each : candidates) {
       Budget budget = each.budget();
-      if (budget != null && meter.isCharged(budget) && growth.mayBeAsked(each)) {
+      if (budget != null && isTurnOf.test(budget) && growth.mayBeAsked(each)) {
         return each;
       }
     }

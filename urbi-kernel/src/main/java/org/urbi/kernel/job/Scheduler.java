@@ -250,6 +250,12 @@ public final class Scheduler {
     return running;
   }
 
+  /** Whether it is the turn of a job with that budget. May be asked on any thread. */
+  public boolean isTurnOf(Budget budget) {
+    Job job = running;
+    return job != null && job.budget() == budget;
+  }
+
   /**
    * The number of this turn: another one whenever a job begins to run, lets others run, or could
    * have. May be asked on any thread.
@@ -499,6 +505,7 @@ public final class Scheduler {
     for (int rounds = 0; rounds < LAST_ROUNDS && !runnable.isEmpty(); rounds++) {
       runOnce(true);
     }
+    meter.turnOf(null);
     threads.loopEnded();
     runEndOfTick();
     inbox.close();
@@ -519,12 +526,16 @@ public final class Scheduler {
       return;
     }
     yields.beginTick(now);
+    if (inbox.isFilled() || timers.next() <= now) {
+      meter.turnOf(null);
+    }
     inbox.take(clock, now);
     fireTimers();
     for (Job job = ahead.poll(); job != null; job = ahead.poll()) {
       runnable.addFirst(job);
     }
     if (runnable.isEmpty() && behind.isEmpty()) {
+      meter.turnOf(null);
       runEndOfTick();
       if (begins && !clock.isReal() && timers.next() == Long.MAX_VALUE) {
         cycle--;
@@ -602,7 +613,6 @@ public final class Scheduler {
     }
     running = null;
     beginTurn();
-    meter.turnOf(null);
   }
 
   private void runBehind() {
@@ -617,10 +627,12 @@ public final class Scheduler {
       }
     }
     running = null;
-    meter.turnOf(null);
   }
 
   private void runEndOfTick() {
+    if (!endOfTick.isEmpty()) {
+      meter.turnOf(null);
+    }
     endOfTick.run(failure -> report(null, failure));
   }
 

@@ -34,7 +34,11 @@ public final class UsageMeter {
     }
   }
 
-  /** The turn passes to a job with this budget; null if to none. On the kernel thread. */
+  /**
+   * The turn passes to a job with this budget; null if to none. On the kernel thread. To measure
+   * costs as much as a short turn, so the loop passes from one turn of a lobby to its next without
+   * null between them, unless it does something of its own meanwhile.
+   */
   void turnOf(@Nullable Budget next) {
     if (next == charged) {
       return;
@@ -74,11 +78,6 @@ public final class UsageMeter {
     return kernel.isVirtual()
         ? known.getTotalThreadAllocatedBytes()
         : known.getThreadAllocatedBytes(kernel.threadId());
-  }
-
-  /** Whether it is the turn of a job with that budget. From any thread. */
-  public boolean isCharged(Budget budget) {
-    return charged == budget;
   }
 
   /**

@@ -126,6 +126,104 @@ class UsageMeterTest {
     assertEquals(57, loop.scheduler.meter().nanoseconds(one));
   }
 
+  @Test
+  void whatTheLoopDoesItselfIsOnNobody() {
+    loop.scheduler.meter().begin();
+    start(
+        lobby,
+        job -> {
+          loop.machine.now = 10;
+          job.yieldNow();
+          loop.machine.now = 15;
+          loop.scheduler.timers().add(0, () -> loop.machine.now = 300);
+          job.yieldNow();
+          loop.machine.now = 307;
+          loop.scheduler.atEndOfTick(() -> loop.machine.now = 500);
+          job.yieldNow();
+          loop.machine.now = 501;
+        });
+    loop.run();
+    assertEquals(15 + 7 + 1, loop.scheduler.meter().nanoseconds(one));
+  }
+
+  /** However short the turns are, and however they alternate with those of others. */
+  @Test
+  void manyShortTurnsCountAsMuchAsALongOne() {
+    loop.scheduler.meter().begin();
+    for (int i = 0; i < 3; i++) {
+      start(lobby, job -> useInTurns(job, 100, 1));
+      start(lobby, job -> useInTurns(job, 50, 2));
+      start(loop.object(), job -> useInTurns(job, 70, 1000));
+    }
+    loop.run();
+    assertEquals(3 * 100 + 3 * 50 * 2, loop.scheduler.meter().nanoseconds(one));
+    assertEquals(300 + 300, one.nanoseconds());
+  }
+
+  private void useInTurns(Job job, int turns, int nanoseconds) {
+    for (int i = 0; i < turns; i++) {
+      loop.machine.now += nanoseconds;
+      job.yieldNow();
+    }
+  }
+
+  @Test
+  void memoryOfManyShortTurnsCounts() {
+    loop.scheduler.meter().begin();
+    for (int i = 0; i < 4; i++) {
+      start(lobby, job -> allocateInTurns(job, 8));
+      start(loop.object(), job -> allocateInTurns(job, 4));
+    }
+    loop.run();
+    assertMegabytes(4 * 8, loop.scheduler.meter().bytes(one));
+  }
+
+  private void allocateInTurns(Job job, int megabytes) {
+    for (int i = 0; i < megabytes; i++) {
+      allocated.add(new byte[MEGABYTE]);
+      job.yieldNow();
+    }
+    allocated.clear();
+  }
+
+  /** A lobby that waits uses nothing, whatever becomes of the time. */
+  @Test
+  void whoWaitsUsesNothing() {
+    loop.scheduler.meter().begin();
+    start(
+        lobby,
+        job -> {
+          loop.machine.now = 5;
+          loop.scheduler.timers().add(Loop.SECOND, () -> loop.machine.now += 1000);
+          job.sleepUntil(Loop.SECOND);
+          loop.machine.now += 7;
+          loop.post(() -> loop.machine.now += 1000);
+          job.yieldNow();
+          job.yieldNow();
+          loop.machine.now += 1;
+        });
+    loop.run();
+    loop.machine.now += 1000;
+    assertEquals(5 + 7 + 1, loop.scheduler.meter().nanoseconds(one));
+  }
+
+  /** Between the turns it is nobody's, though the time may still count for the lobby. */
+  @Test
+  void theTurnIsThatOfTheJobThatRuns() {
+    start(
+        lobby,
+        job -> {
+          assertTrue(loop.scheduler.isTurnOf(one));
+          assertFalse(loop.scheduler.isTurnOf(other));
+          loop.scheduler.atEndOfTick(
+              () -> loop.say(loop.scheduler.isTurnOf(one) ? "somebody's" : "nobody's"));
+          job.yieldNow();
+        });
+    assertFalse(loop.scheduler.isTurnOf(one));
+    assertEquals(List.of("nobody's"), loop.run());
+    assertFalse(loop.scheduler.isTurnOf(one));
+  }
+
   // ------------------------------------------------------------------ counted
 
   @Test
