@@ -514,8 +514,12 @@ class Process(Connection):
     def kill(self):
         """The process dies, and says nothing."""
         self.ended.set()
-        self.sock.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
-        self.sock.shutdown(socket.SHUT_RDWR)
+        try:
+            self.sock.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+            self.sock.shutdown(socket.SHUT_RDWR)
+        except OSError:
+            # The thread that reads has seen that it is over, and closed it.
+            pass
         self.sock.close()
 
 

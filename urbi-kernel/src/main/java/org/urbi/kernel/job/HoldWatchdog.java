@@ -128,9 +128,14 @@ public final class HoldWatchdog {
 
   /** The budget of a lobby limits what a job may allocate at one go. */
   public synchronized void watchMemory() {
+    limitMemory();
+    watchFromNowOn();
+  }
+
+  /** From now on it looks how much is allocated. */
+  void limitMemory() {
     memoryLimited = true;
     pause = Math.min(pause, MEMORY_PAUSE);
-    watchFromNowOn();
   }
 
   private synchronized void watchFromNowOn() {

@@ -23,7 +23,6 @@ public abstract class CompiledCode extends Node {
 
   private static final int BREAK = 1;
   private static final int CONTINUE = 2;
-  private static final String NOT_SO = "this is no function with so many parameters";
 
   /** How often it meets what it has not expected. */
   private final Misses misses;
@@ -68,11 +67,11 @@ public abstract class CompiledCode extends Node {
   // ------------------------------------------------------------------ calls
 
   /**
-   * Calls a function without parameters whose code this is. The answer is null for a number, which
-   * is then in the frame of the caller.
+   * Calls a function without parameters whose code this is; code of others does not know how. The
+   * answer is null for a number, which is then in the frame of the caller.
    */
   public @Nullable UrbiObject call(Function called, Frame caller, MessageSend at, UrbiObject self) {
-    throw new IllegalStateException(NOT_SO);
+    throw new UnsupportedOperationException();
   }
 
   /** The same with one parameter. */
@@ -83,7 +82,7 @@ public abstract class CompiledCode extends Node {
       UrbiObject self,
       double a,
       @Nullable UrbiObject first) {
-    throw new IllegalStateException(NOT_SO);
+    throw new UnsupportedOperationException();
   }
 
   /** The same with two parameters. */
@@ -96,7 +95,7 @@ public abstract class CompiledCode extends Node {
       @Nullable UrbiObject first,
       double b,
       @Nullable UrbiObject second) {
-    throw new IllegalStateException(NOT_SO);
+    throw new UnsupportedOperationException();
   }
 
   /** The same with three parameters. */
@@ -111,7 +110,7 @@ public abstract class CompiledCode extends Node {
       @Nullable UrbiObject second,
       double c,
       @Nullable UrbiObject third) {
-    throw new IllegalStateException(NOT_SO);
+    throw new UnsupportedOperationException();
   }
 
   /** The frame of such a call. */

@@ -437,16 +437,19 @@ final class Emitter {
    * @return the slot of its double
    */
   int number(Value value, Label otherwise) {
+    int slot = value.number();
+    if (!value.hasNumber()) {
+      slot = newNumber();
+      // The code at the label may come back to where the number is used.
+      code.dconst_0().dstore(slot);
+    }
     doubt(otherwise);
     if (!value.hasObject()) {
-      return value.number();
+      return slot;
     }
     Label over = code.newLabel();
-    int slot = value.number();
     if (value.hasNumber()) {
       code.aload(value.object()).ifnull(over);
-    } else {
-      slot = newNumber();
     }
     code.aload(value.object());
     constant(values.floatShape, Names.SHAPE);

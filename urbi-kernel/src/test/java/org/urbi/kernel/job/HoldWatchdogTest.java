@@ -95,7 +95,7 @@ class HoldWatchdogTest {
   void whoAllocatesMoreAtOneGoThanItsBudgetAllowsEnds() {
     loop.start(job -> {
       job.budget().setLimit(Resource.MEMORY, 100);
-      watch.watchMemory();
+      watch.limitMemory();
       lookWith(1_000_000);
       lookWith(1_000_100);
       job.checkInterrupted();
@@ -114,7 +114,7 @@ class HoldWatchdogTest {
   void whatAJobAllocatesInSeveralTurnsCountsForEachAlone() {
     loop.start(job -> {
       job.budget().setLimit(Resource.MEMORY, 100);
-      watch.watchMemory();
+      watch.limitMemory();
       for (int turn = 1; turn <= 3; turn++) {
         loop.scheduler.beginTurn();
         lookWith(turn * 1_000_000);
@@ -133,7 +133,7 @@ class HoldWatchdogTest {
     free = 6400;
     loop.start(job -> {
       job.budget().setLimit(Resource.MEMORY, 1000);
-      watch.watchMemory();
+      watch.limitMemory();
       lookWith(0);
       lookWith(100);
       assertEquals(List.of(), told);
@@ -147,7 +147,7 @@ class HoldWatchdogTest {
 
   @Test
   void whoHasNoLimitOfMemoryMayAllocate() {
-    watch.watchMemory();
+    watch.limitMemory();
     loop.start(job -> {
       lookWith(0);
       lookWith(Long.MAX_VALUE);
