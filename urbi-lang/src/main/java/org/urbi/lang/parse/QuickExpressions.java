@@ -308,7 +308,7 @@ final class QuickExpressions {
       case UrbiscriptParser.LBRACKET -> list(begin);
       case UrbiscriptParser.LBRACE -> outsidePattern(statements::scope);
       case UrbiscriptParser.FUNCTION, UrbiscriptParser.CLOSURE ->
-          outsidePattern(() -> statements.function(begin));
+          outsidePattern(() -> statements.definitions().function(begin));
       default -> rarePrimary(begin, type);
     };
   }

@@ -13,18 +13,24 @@ import org.urbi.lang.grammar.QuickTokens;
 import org.urbi.lang.grammar.UrbiscriptParser;
 import org.urbi.lang.source.Span;
 
-/** Composition, flow control and definitions, for {@link QuickParser}. */
+/** Composition and flow control, for {@link QuickParser}. */
 final class QuickStatements {
   private final QuickCursor cursor;
   private final QuickTokens tokens;
   private final Checkpoint checkpoint;
   private final QuickExpressions expressions;
+  private final QuickDefinitions definitions;
 
   QuickStatements(QuickCursor cursor, Checkpoint checkpoint) {
     this.cursor = cursor;
     this.tokens = cursor.tokens();
     this.checkpoint = checkpoint;
     this.expressions = new QuickExpressions(cursor, this);
+    this.definitions = new QuickDefinitions(cursor, this, expressions);
+  }
+
+  QuickDefinitions definitions() {
+    return definitions;
   }
 
   // ------------------------------------------------------------------------------ composition
@@ -221,7 +227,7 @@ final class QuickStatements {
       case UrbiscriptParser.SWITCH -> choice(begin);
       case UrbiscriptParser.TRY -> attempt(begin);
       case UrbiscriptParser.ASSERT -> claim(begin);
-      case UrbiscriptParser.CLASS -> classDefinition(begin);
+      case UrbiscriptParser.CLASS -> definitions.classDefinition(begin);
       case UrbiscriptParser.THROW,
           UrbiscriptParser.RETURN,
           UrbiscriptParser.BREAK,
@@ -262,8 +268,13 @@ final class QuickStatements {
 
   // ------------------------------------------------------------------------------ loops
 
-  /** The flavor of a loop if it is written, which must not be the other one. */
-  private Flavor flavor(Flavor otherwise, Flavor forbidden) {
+  /**
+   * The flavor of a loop.
+   *
+   * @param otherwise what it is if nothing is written
+   * @param forbidden what it must not be, or null
+   */
+  private Flavor flavor(Flavor otherwise, @Nullable Flavor forbidden) {
     Flavor flavor =
         switch (cursor.type()) {
           case UrbiscriptParser.SEMICOLON -> Flavor.SEMICOLON;
@@ -279,7 +290,7 @@ final class QuickStatements {
     return refuse(flavor, forbidden);
   }
 
-  private static Flavor refuse(Flavor flavor, Flavor forbidden) {
+  private static Flavor refuse(Flavor flavor, @Nullable Flavor forbidden) {
     if (flavor == forbidden) {
       throw QuickCursor.unusual();
     }
@@ -287,12 +298,9 @@ final class QuickStatements {
   }
 
   private Ast forLoop(int begin) {
-    int flavorType = cursor.type();
-    boolean flavored = !cursor.is(UrbiscriptParser.LPAREN);
-    Flavor flavor = flavored ? anyFlavor(flavorType) : Flavor.SEMICOLON;
+    Flavor flavor = flavor(Flavor.SEMICOLON, null);
     cursor.expect(UrbiscriptParser.LPAREN);
     String name = null;
-    Ast init = null;
     if (cursor.is(UrbiscriptParser.VAR)) {
       int variable = cursor.next();
       if (cursor.isName()
@@ -307,7 +315,7 @@ final class QuickStatements {
     if (name != null) {
       return forEach(begin, flavor, name, expressions.value());
     }
-    init = cursor.is(UrbiscriptParser.SEMICOLON) ? null : clause();
+    Ast init = cursor.is(UrbiscriptParser.SEMICOLON) ? null : clause();
     if (init != null && cursor.is(UrbiscriptParser.RPAREN)) {
       if (init instanceof Ast.Sequence || init instanceof Ast.Declaration) {
         throw QuickCursor.unusual();
@@ -322,17 +330,6 @@ final class QuickStatements {
     refuse(flavor, Flavor.AND);
     Ast body = loopBody();
     return new Ast.For(cursor.span(begin), flavor, init, test, step, body);
-  }
-
-  private Flavor anyFlavor(int type) {
-    cursor.next();
-    return switch (type) {
-      case UrbiscriptParser.SEMICOLON -> Flavor.SEMICOLON;
-      case UrbiscriptParser.PIPE -> Flavor.PIPE;
-      case UrbiscriptParser.COMMA -> Flavor.COMMA;
-      case UrbiscriptParser.AND -> Flavor.AND;
-      default -> throw QuickCursor.unusual();
-    };
   }
 
   private Ast forEach(int begin, Flavor flavor, @Nullable String name, Ast range) {
@@ -504,101 +501,5 @@ final class QuickStatements {
       patterns.add(expressions.expression());
     }
     return List.copyOf(patterns);
-  }
-
-  // ------------------------------------------------------------------------------ definitions
-
-  private Ast classDefinition(int begin) {
-    Ast.Message name = QuickExpressions.lvalue(expressions.postfix());
-    List<Ast> protos = new ArrayList<>();
-    if (cursor.skip(UrbiscriptParser.COLON)) {
-      do {
-        protos.add(expressions.value());
-      } while (cursor.skip(UrbiscriptParser.COMMA));
-    }
-    Ast.Scope body = cursor.is(UrbiscriptParser.LBRACE) ? slots() : null;
-    return new Ast.ClassDefinition(cursor.span(begin), name, List.copyOf(protos), body);
-  }
-
-  /** A function, or the definition of one. */
-  Ast function(int begin) {
-    boolean closure = cursor.type() == UrbiscriptParser.CLOSURE;
-    cursor.next();
-    boolean named = cursor.isName() || cursor.is(UrbiscriptParser.THIS);
-    Ast.Message name = named ? path() : null;
-    List<Ast.Formal> formals = cursor.is(UrbiscriptParser.LPAREN) ? formals() : null;
-    if (closure && formals == null) {
-      throw QuickCursor.unusual();
-    }
-    Ast.Scope body = functionBody(closure);
-    Span span = cursor.span(begin);
-    Ast.Function function = new Ast.Function(span, closure, formals, body);
-    return name == null ? function : new Ast.FunctionDefinition(span, name, function);
-  }
-
-  private Ast.Scope functionBody(boolean closure) {
-    int loops = cursor.enclosingLoops;
-    int catches = cursor.enclosingCatches;
-    cursor.enclosingFunctions++;
-    cursor.enclosingCatches = 0;
-    // A closure may be what a loop calls.
-    cursor.enclosingLoops = closure ? 1 : 0;
-    Ast.Scope body = scope();
-    cursor.enclosingFunctions--;
-    cursor.enclosingLoops = loops;
-    cursor.enclosingCatches = catches;
-    return body;
-  }
-
-  private Ast.Message path() {
-    int begin = cursor.begin();
-    Ast tree = null;
-    if (cursor.is(UrbiscriptParser.THIS)) {
-      tree = new Ast.This(cursor.token(cursor.next()));
-      cursor.expect(UrbiscriptParser.DOT);
-    }
-    int height = cursor.height();
-    do {
-      cursor.enter();
-      int name = cursor.name();
-      tree =
-          new Ast.Message(cursor.span(begin), tree, tokens.string(name), null, cursor.token(name));
-    } while (cursor.skip(UrbiscriptParser.DOT));
-    cursor.leave(height);
-    return QuickExpressions.lvalue(tree);
-  }
-
-  private List<Ast.Formal> formals() {
-    cursor.next();
-    List<Ast.Formal> formals = new ArrayList<>();
-    while (!cursor.skip(UrbiscriptParser.RPAREN)) {
-      if (!formals.isEmpty()) {
-        cursor.expect(UrbiscriptParser.COMMA);
-        if (cursor.skip(UrbiscriptParser.RPAREN)) {
-          break;
-        }
-      }
-      Ast.Formal last = formals.isEmpty() ? null : formals.getLast();
-      Ast.Formal formal = formal();
-      boolean bare = formal.defaultValue() == null && !formal.variadic();
-      if (last != null && (last.variadic() || last.defaultValue() != null && bare)) {
-        throw QuickCursor.unusual();
-      }
-      formals.add(formal);
-    }
-    return List.copyOf(formals);
-  }
-
-  private Ast.Formal formal() {
-    int begin = cursor.begin();
-    cursor.skip(UrbiscriptParser.VAR);
-    String name = tokens.string(cursor.name());
-    boolean variadic = cursor.skip(UrbiscriptParser.LBRACKET);
-    if (variadic) {
-      cursor.expect(UrbiscriptParser.RBRACKET);
-    }
-    Ast type = cursor.skip(UrbiscriptParser.COLON) ? expressions.postfix() : null;
-    Ast value = cursor.skip(UrbiscriptParser.ASSIGN) ? expressions.value() : null;
-    return new Ast.Formal(cursor.span(begin), name, value, variadic, type);
   }
 }
