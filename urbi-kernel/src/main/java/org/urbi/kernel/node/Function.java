@@ -10,8 +10,11 @@ import org.urbi.lang.ast.Ast;
 
 /** A function written in urbiscript (manual, "Code"), with the variables that it captured. */
 public final class Function extends Code {
-  /** After how many calls unwound by an exception others may run; a power of two. */
+  /** After how many calls, at least, that an exception unwinds others may run; a power of two. */
   private static final int CALLS_PER_BREATH = 1 << 10;
+
+  /** How often others may run, at most, until an exception has unwound half of the calls. */
+  private static final int BREATHS_PER_HALF = 4;
 
   /** How often code is compiled again, because much of what was guessed has turned out wrong. */
   private static final int MOST_VERSIONS = 5;
@@ -283,10 +286,19 @@ public final class Function extends Code {
       if (exit.activation() == frame.activation) {
         return exit.value();
       }
-    } else if ((frame.depth & CALLS_PER_BREATH - 1) == 0) {
+    } else if (isBreath(frame.depth)) {
       frame.job.yieldWhileUnwinding();
     }
     throw leaving;
+  }
+
+  /**
+   * Whether others may run when calls are unwound to that depth. To let them costs time in
+   * proportion to the calls that are left, whose stack is copied: so the deeper, the more seldom.
+   */
+  private static boolean isBreath(int depth) {
+    int calls = Math.max(CALLS_PER_BREATH, Integer.highestOneBit(depth) / BREATHS_PER_HALF);
+    return (depth & calls - 1) == 0;
   }
 
   /** Moves the parameters that are shared to their cells, and gives the others their defaults. */
