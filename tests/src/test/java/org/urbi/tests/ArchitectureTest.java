@@ -111,6 +111,16 @@ class ArchitectureTest {
   @ArchTest
   static final ArchRule simulationDependsOnTheSdkOnly = dependsOnlyOn("org.urbi.sim..", "urbi");
 
+  @ArchTest static final ArchRule rosDependsOnTheSdkOnly = dependsOnlyOn("org.urbi.ros..", "urbi");
+
+  @ArchTest
+  static final ArchRule rosMessagesDependOnValuesOnly =
+      dependsOnlyOn("org.urbi.ros.message..", "urbi");
+
+  @ArchTest
+  static final ArchRule rosGraphDependsOnMessages =
+      dependsOnlyOn("org.urbi.ros.graph..", "org.urbi.ros.message..", "urbi");
+
   private static ArchRule onlyIn(String packageName, String library) {
     return noClasses()
         .that()

@@ -1,0 +1,68 @@
+package org.urbi.ros.graph;
+
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.urbi.ros.message.Dialect;
+import org.urbi.ros.message.MessageType;
+import org.urbi.ros.message.ServiceType;
+
+/**
+ * This program as a node among others. No method waits: what takes its time is promised. Names of
+ * topics and services may be relative, they are resolved and remapped as ROS does it.
+ */
+public interface Node extends AutoCloseable {
+  /** The full name: {@code /urbi_4711}. */
+  String name();
+
+  Dialect version();
+
+  /** Whether the others can be reached: whether there is a master, in ROS 1. */
+  CompletableFuture<Boolean> reachable();
+
+  /** Who does what. Fails with a {@link RosException} if there is nobody to tell. */
+  CompletableFuture<GraphSnapshot> graph();
+
+  /**
+   * Has a listener called, on a thread of the network, with each change that the node gets to know.
+   *
+   * @return what ends that
+   */
+  Runnable watch(Consumer<GraphSnapshot> listener);
+
+  /**
+   * Offers messages on a topic.
+   *
+   * @throws RosException if the name is no name of a topic
+   */
+  Publisher advertise(String topic, MessageType type, Qos qos, Publisher.Listener listener);
+
+  /**
+   * Listens to a topic.
+   *
+   * @param type null for that of the publishers
+   * @throws RosException if the name is no name of a topic
+   */
+  Subscription subscribe(
+      String topic, @Nullable MessageType type, Qos qos, Subscription.Listener listener);
+
+  /**
+   * What calls a service, as soon as that is there; fails with a {@link RosException} if it is not.
+   *
+   * @param type null for that of the server
+   * @param keepAlive whether the connection remains between calls, where it makes a difference
+   */
+  CompletableFuture<ServiceClient> client(
+      String service, @Nullable ServiceType type, boolean keepAlive);
+
+  /**
+   * Offers a service.
+   *
+   * @throws RosException if the name is no name of a service
+   */
+  ServiceServer serve(String service, ServiceType type, ServiceServer.Handler handler);
+
+  /** Says good-bye, and ends everything. */
+  @Override
+  void close();
+}

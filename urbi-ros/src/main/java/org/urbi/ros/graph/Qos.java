@@ -1,0 +1,23 @@
+package org.urbi.ros.graph;
+
+import java.time.Duration;
+
+/**
+ * How the messages of a topic are delivered. ROS 1 is always reliable; a topic whose messages are
+ * kept for those who come later is "latched" there, and keeps one.
+ *
+ * @param keptForLate whether who subscribes later gets the last messages
+ * @param depth how many messages wait at most; the oldest go first. 0: all wait, up to the limit of
+ *     the implementation
+ * @param deadline how often a message is to come; zero for no promise
+ */
+public record Qos(boolean reliable, boolean keptForLate, int depth, Duration deadline) {
+  /** What ROS 2 uses unless it is told otherwise. */
+  public static final Qos DEFAULT = new Qos(true, false, 10, Duration.ZERO);
+
+  /** For sensors: what is lost is not sent again. */
+  public static final Qos SENSOR_DATA = new Qos(false, false, 5, Duration.ZERO);
+
+  /** For what seldom changes, as maps. */
+  public static final Qos LATCHED = new Qos(true, true, 1, Duration.ZERO);
+}

@@ -1,0 +1,27 @@
+package org.urbi.ros.graph;
+
+import org.urbi.ros.message.MessageType;
+import urbi.UDictionary;
+
+/** What this node hears on a topic. */
+public interface Subscription extends AutoCloseable {
+  /** Who listens; called by threads of the network, one at a time. */
+  interface Listener {
+    void received(UDictionary message);
+
+    /** The type is known, now or since the first publisher has come. */
+    default void typed(MessageType type) {}
+
+    /** Something went wrong with a publisher; others are still heard. The text is for people. */
+    default void failed(String reason) {}
+  }
+
+  /** The full name of the topic. */
+  String topic();
+
+  /** How many nodes are being heard. */
+  int publishers();
+
+  @Override
+  void close();
+}
