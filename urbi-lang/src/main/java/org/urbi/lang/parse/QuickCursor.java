@@ -82,6 +82,23 @@ final class QuickCursor {
     }
   }
 
+  /**
+   * Whether another element of a list follows: reads the comma before it, or what closes the list.
+   * A comma behind the last element is allowed.
+   *
+   * @param first whether none has been read yet
+   */
+  boolean isMore(boolean first, int closing) {
+    if (skip(closing)) {
+      return false;
+    }
+    if (!first) {
+      expect(UrbiscriptParser.COMMA);
+      return !skip(closing);
+    }
+    return true;
+  }
+
   QuickTokens tokens() {
     return tokens;
   }

@@ -84,13 +84,7 @@ final class QuickDefinitions {
   private List<Ast.Formal> formals() {
     cursor.next();
     List<Ast.Formal> formals = new ArrayList<>();
-    while (!cursor.skip(UrbiscriptParser.RPAREN)) {
-      if (!formals.isEmpty()) {
-        cursor.expect(UrbiscriptParser.COMMA);
-        if (cursor.skip(UrbiscriptParser.RPAREN)) {
-          break;
-        }
-      }
+    while (cursor.isMore(formals.isEmpty(), UrbiscriptParser.RPAREN)) {
       Ast.Formal last = formals.isEmpty() ? null : formals.getLast();
       Ast.Formal formal = formal();
       boolean bare = formal.defaultValue() == null && !formal.variadic();

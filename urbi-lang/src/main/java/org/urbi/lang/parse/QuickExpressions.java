@@ -57,7 +57,8 @@ final class QuickExpressions {
       }
       cursor.enter();
       int nameBegin = cursor.begin();
-      if (cursor.next() >= 0 && operator == Operators.NOT_IN) {
+      cursor.next();
+      if (operator == Operators.NOT_IN) {
         cursor.expect(UrbiscriptParser.IN);
       }
       Span name = cursor.span(nameBegin);
@@ -266,20 +267,9 @@ final class QuickExpressions {
 
   /** Expressions between commas, up to what closes them. */
   private List<Ast> values(int closing) {
-    if (cursor.skip(closing)) {
-      return List.of();
-    }
-    Ast first = value();
-    if (cursor.skip(closing)) {
-      return List.of(first);
-    }
     List<Ast> values = new ArrayList<>();
-    values.add(first);
-    while (!cursor.skip(closing)) {
-      cursor.expect(UrbiscriptParser.COMMA);
-      if (!cursor.is(closing)) {
-        values.add(value());
-      }
+    while (cursor.isMore(values.isEmpty(), closing)) {
+      values.add(value());
     }
     return List.copyOf(values);
   }
@@ -346,7 +336,8 @@ final class QuickExpressions {
     throw QuickCursor.unusual();
   }
 
-  private Ast parenthesized() {
+  /** A value in parentheses that belong to what is before. */
+  Ast parenthesized() {
     cursor.expect(UrbiscriptParser.LPAREN);
     Ast value = outsidePattern(this::value);
     cursor.expect(UrbiscriptParser.RPAREN);
@@ -378,15 +369,9 @@ final class QuickExpressions {
     cursor.next();
     List<Ast> elements = new ArrayList<>();
     boolean comma = false;
-    while (!cursor.skip(UrbiscriptParser.RPAREN)) {
-      if (!elements.isEmpty()) {
-        cursor.expect(UrbiscriptParser.COMMA);
-        comma = true;
-        if (cursor.skip(UrbiscriptParser.RPAREN)) {
-          break;
-        }
-      }
+    while (cursor.isMore(elements.isEmpty(), UrbiscriptParser.RPAREN)) {
       elements.add(element());
+      comma = cursor.is(UrbiscriptParser.COMMA);
     }
     return elements.size() == 1 && !comma
         ? elements.get(0)
@@ -401,13 +386,7 @@ final class QuickExpressions {
     }
     List<Ast> keys = new ArrayList<>();
     List<Ast.Entry> entries = new ArrayList<>();
-    while (!cursor.skip(UrbiscriptParser.RBRACKET)) {
-      if (!keys.isEmpty()) {
-        cursor.expect(UrbiscriptParser.COMMA);
-        if (cursor.skip(UrbiscriptParser.RBRACKET)) {
-          break;
-        }
-      }
+    while (cursor.isMore(keys.isEmpty(), UrbiscriptParser.RBRACKET)) {
       Ast key = element();
       keys.add(key);
       if (cursor.skip(UrbiscriptParser.FAT_ARROW)) {

@@ -152,13 +152,6 @@ final class QuickStatements {
     return sequence.statements().size() == 1 ? sequence.statements().get(0) : sequence;
   }
 
-  private Ast parenthesized() {
-    cursor.expect(UrbiscriptParser.LPAREN);
-    Ast value = expressions.value();
-    cursor.expect(UrbiscriptParser.RPAREN);
-    return value;
-  }
-
   // ------------------------------------------------------------------------------ statements
 
   Ast statement() {
@@ -219,7 +212,7 @@ final class QuickStatements {
       }
       case UrbiscriptParser.EVERY -> {
         Flavor flavor = flavor(Flavor.COMMA, Flavor.AND);
-        Ast period = parenthesized();
+        Ast period = expressions.parenthesized();
         Ast body = loopBody();
         yield new Ast.Every(cursor.span(begin), flavor, period, body);
       }
@@ -409,7 +402,7 @@ final class QuickStatements {
 
   private Ast claim(int begin) {
     if (cursor.is(UrbiscriptParser.LPAREN)) {
-      Ast claim = parenthesized();
+      Ast claim = expressions.parenthesized();
       return new Ast.Assert(cursor.span(begin), false, List.of(claim));
     }
     cursor.expect(UrbiscriptParser.LBRACE);
@@ -491,13 +484,7 @@ final class QuickStatements {
 
   private List<Ast> patterns() {
     List<Ast> patterns = new ArrayList<>();
-    while (!cursor.skip(UrbiscriptParser.RPAREN)) {
-      if (!patterns.isEmpty()) {
-        cursor.expect(UrbiscriptParser.COMMA);
-        if (cursor.skip(UrbiscriptParser.RPAREN)) {
-          break;
-        }
-      }
+    while (cursor.isMore(patterns.isEmpty(), UrbiscriptParser.RPAREN)) {
       patterns.add(expressions.expression());
     }
     return List.copyOf(patterns);
