@@ -118,6 +118,10 @@ class ArchitectureTest {
       dependsOnlyOn("org.urbi.ros.message..", "urbi");
 
   @ArchTest
+  static final ArchRule rosCodecDependsOnMessages =
+      dependsOnlyOn("org.urbi.ros.codec..", "org.urbi.ros.message..", "urbi");
+
+  @ArchTest
   static final ArchRule rosGraphDependsOnMessages =
       dependsOnlyOn("org.urbi.ros.graph..", "org.urbi.ros.message..", "urbi");
 

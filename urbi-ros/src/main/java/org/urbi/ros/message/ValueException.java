@@ -2,7 +2,23 @@ package org.urbi.ros.message;
 
 /** A value that is not of the type of a message. The message names the field by its path. */
 public class ValueException extends RuntimeException {
-  public ValueException(String message) {
-    super(message);
+  private final String path;
+  private final String reason;
+
+  /** What is wrong with a value whose place those add who know it. */
+  public ValueException(String reason) {
+    this("", reason);
+  }
+
+  private ValueException(String path, String reason) {
+    super(path.isEmpty() ? reason : path + ": " + reason);
+    this.path = path;
+    this.reason = reason;
+  }
+
+  /** The same in a field of that name, or in an element: {@code [3]}. */
+  public ValueException within(String step) {
+    String separator = path.isEmpty() || path.startsWith("[") ? "" : ".";
+    return new ValueException(step + separator + path, reason);
   }
 }

@@ -1,0 +1,85 @@
+package org.urbi.ros.message;
+
+import java.util.List;
+
+/**
+ * What ROS derives from services and actions: the messages that are really sent, each described as
+ * if there were a file of it.
+ */
+final class Derived {
+  private static final TypeName TIME = TypeName.message("builtin_interfaces", "Time");
+  private static final TypeName UUID = TypeName.message("unique_identifier_msgs", "UUID");
+  private static final TypeName EVENT_INFO = TypeName.message("service_msgs", "ServiceEventInfo");
+
+  private Derived() {}
+
+  private static MessageDefinition message(TypeName name, Field... fields) {
+    return new MessageDefinition(name, Dialect.ROS_2, List.of(fields), List.of(), "");
+  }
+
+  private static Field field(String name, TypeName type) {
+    return new Field(name, new FieldType.Nested(type), null);
+  }
+
+  private static Field field(String name, Primitive type) {
+    return new Field(name, new FieldType.Basic(type), null);
+  }
+
+  private static Field atMostOne(String name, TypeName type) {
+    return new Field(
+        name, new FieldType.Array(new FieldType.Nested(type), FieldType.Length.BOUNDED, 1), null);
+  }
+
+  /** A service of ROS 2 as one message. */
+  static MessageDefinition service(TypeName name) {
+    return message(
+        name,
+        field("request_message", name.derived("_Request")),
+        field("response_message", name.derived("_Response")),
+        field("event_message", name.derived("_Event")));
+  }
+
+  /** What those are told who watch a service of ROS 2. */
+  static MessageDefinition event(TypeName service) {
+    return message(
+        service.derived("_Event"),
+        field("info", EVENT_INFO),
+        atMostOne("request", service.derived("_Request")),
+        atMostOne("response", service.derived("_Response")));
+  }
+
+  /** An action as one message. */
+  static MessageDefinition action(TypeName name) {
+    return message(
+        name,
+        field("goal", name.derived("_Goal")),
+        field("result", name.derived("_Result")),
+        field("feedback", name.derived("_Feedback")),
+        field("send_goal_service", name.derived("_SendGoal")),
+        field("get_result_service", name.derived("_GetResult")),
+        field("feedback_message", name.derived("_FeedbackMessage")));
+  }
+
+  /** The messages of the services of an action, and that of its feedback. */
+  static List<MessageDefinition> ofAction(TypeName name) {
+    TypeName send = name.derived("_SendGoal");
+    TypeName get = name.derived("_GetResult");
+    return List.of(
+        message(
+            send.derived("_Request"), field("goal_id", UUID), field("goal", name.derived("_Goal"))),
+        message(send.derived("_Response"), field("accepted", Primitive.BOOL), field("stamp", TIME)),
+        service(send),
+        event(send),
+        message(get.derived("_Request"), field("goal_id", UUID)),
+        message(
+            get.derived("_Response"),
+            field("status", Primitive.INT8),
+            field("result", name.derived("_Result"))),
+        service(get),
+        event(get),
+        message(
+            name.derived("_FeedbackMessage"),
+            field("goal_id", UUID),
+            field("feedback", name.derived("_Feedback"))));
+  }
+}
