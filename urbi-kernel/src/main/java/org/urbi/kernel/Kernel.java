@@ -70,6 +70,8 @@ public final class Kernel implements AutoCloseable {
   private final OutOfBandControl outOfBand;
   private final KernelMemory memory;
   private final Connections connections;
+  private final KernelLobbies lobbies;
+  private final LeftBehind leftBehind;
   private final KernelLifecycle life;
 
   /** The recording that this kernel replays, or null. */
@@ -88,7 +90,9 @@ public final class Kernel implements AutoCloseable {
     World world = new World();
     world.randomNumbers().seed(builder.seed);
     this.scheduler = new Scheduler(world, clock, journal, builder.jobThreads, this::report);
-    this.outOfBand = new OutOfBandControl(scheduler);
+    this.lobbies = new KernelLobbies(this);
+    this.leftBehind = new LeftBehind(this, log);
+    this.outOfBand = new OutOfBandControl(scheduler, leftBehind);
     this.memory = builder.memory(scheduler, outOfBand, log);
     Inbox inbox = scheduler.inbox();
     inbox.register(Message.KERNEL, this::take);
@@ -135,7 +139,7 @@ public final class Kernel implements AutoCloseable {
         new FileAccess(outside),
         log,
         loadedFiles,
-        new KernelLobbies(this),
+        lobbies,
         outside,
         uobjects,
         new SearchPath(builder.searchPath, library),
@@ -392,6 +396,14 @@ public final class Kernel implements AutoCloseable {
 
   Connections connections() {
     return connections;
+  }
+
+  KernelLobbies lobbies() {
+    return lobbies;
+  }
+
+  LeftBehind leftBehind() {
+    return leftBehind;
   }
 
   Inbox inbox() {

@@ -36,6 +36,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
       new ConcurrentHashMap<>();
   private volatile boolean incomplete;
   private volatile @Nullable UrbiLobby lobby;
+  private String limits = "";
   private boolean holding;
   private boolean ended;
   private boolean finished;
@@ -175,6 +176,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     }
     kernel.inbox().register(number, this);
     Budget budget = new Budget(this::limited);
+    this.limits = limits;
     budget.setLimits(limits);
     Output output = new Output(kernel.scheduler(), this::show, () -> isBehind(budget));
     UrbiLobby made = UrbiLobby.start(kernel.interpreter(), output, this, role, budget);
@@ -250,7 +252,16 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     left = true;
     kernel.scheduler().interruptions().clear(lobby());
     completions.values().forEach(names -> names.complete(List.of()));
-    kernel.inbox().forget(number);
+    if (!kernel.leftBehind().has(this)) {
+      kernel.inbox().forget(number);
+    }
+  }
+
+  /** It is gone, and what it had left behind has ended. */
+  void forget() {
+    if (gone) {
+      kernel.inbox().forget(number);
+    }
   }
 
   private void received(String bytes) {
@@ -291,7 +302,9 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   }
 
   private void evicted(String reason) {
-    if (!finished) {
+    if (finished) {
+      kernel.leftBehind().end(this, reason);
+    } else {
       lobby().shell().interrupt();
       lobby().connectionTag().state().stop(kernel.interpreter().values().voidObject);
       tell(Problem.EVICTED.text(reason));
@@ -317,6 +330,11 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   /** Its lobby, once it is open. */
   UrbiLobby lobby() {
     return requireNonNull(lobby, "its messages come when it is open");
+  }
+
+  /** The limits of its budget as options say them. */
+  String limits() {
+    return limits;
   }
 
   /** Simulated time stands still while the shell waits for input that is about to arrive. */
@@ -361,7 +379,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
 
   @Override
   public boolean stays() {
-    return client.isProgram();
+    return client.isProgram() || left;
   }
 
   /**
@@ -404,6 +422,9 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     kernel.connections().remove(this);
     if (own != null && !kernel.isStopping()) {
       own.disconnected(kernel.interpreter());
+      if (!client.isProgram()) {
+        kernel.leftBehind().left(this);
+      }
     }
     client.closed();
   }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.lobby.Lobbies;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
@@ -57,6 +58,15 @@ final class KernelLobbies implements Lobbies {
     }
     made[0].shell().start();
     return made[0];
+  }
+
+  /** Closes those that share that budget, which is that of a client. */
+  void closeCreated(Budget budget) {
+    for (UrbiLobby lobby : List.copyOf(created)) {
+      if (lobby.budget() == budget) {
+        lobby.shell().close();
+      }
+    }
   }
 
   private void gone(UrbiLobby lobby) {

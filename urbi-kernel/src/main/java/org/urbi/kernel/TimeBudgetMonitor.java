@@ -20,15 +20,18 @@ final class TimeBudgetMonitor {
   private final Clock clock = new SystemClock();
   private final UsageMeter meter;
   private final Collection<KernelConnection> connections;
+  private final LeftBehind leftBehind;
   private volatile boolean over;
   private final Map<Budget, Long> before = new WeakHashMap<>();
 
   /**
    * @param connections all there are, at any time
    */
-  TimeBudgetMonitor(UsageMeter meter, Collection<KernelConnection> connections) {
+  TimeBudgetMonitor(
+      UsageMeter meter, Collection<KernelConnection> connections, LeftBehind leftBehind) {
     this.meter = meter;
     this.connections = connections;
+    this.leftBehind = leftBehind;
   }
 
   void start() {
@@ -52,19 +55,48 @@ final class TimeBudgetMonitor {
       long now = clock.now();
       long window = now - since;
       for (KernelConnection each : connections) {
-        FailureLog.guarding("the watch over budgets", () -> check(each, window)).run();
+        guarded(() -> check(each, window));
       }
+      guarded(() -> checkLeftBehind(window));
       since = now;
     }
   }
 
+  private static void guarded(Runnable check) {
+    FailureLog.guarding("the watch over budgets", check).run();
+  }
+
   private void check(KernelConnection connection, long window) {
-    Budget budget = connection.lobby().budget();
-    long most = budget.limit(Resource.TIME);
-    long taken = meter.nanoseconds(budget);
-    Long known = before.put(budget, taken);
-    if (known != null && taken - known > window / PERCENT * most) {
+    long most = connection.budget().limit(Resource.TIME);
+    if (takenOf(connection) > window / PERCENT * most) {
       connection.evict(Problem.BUDGET_EXHAUSTED.text(most, Resource.TIME.unit()));
     }
+  }
+
+  /** What clients who have left have left behind takes together as much as one client may. */
+  private void checkLeftBehind(long window) {
+    long most = leftBehind.budget().limit(Resource.TIME);
+    long all = 0;
+    long largest = 0;
+    KernelConnection culprit = null;
+    for (KernelConnection each : leftBehind.all()) {
+      long taken = takenOf(each);
+      all += taken;
+      if (taken > largest) {
+        largest = taken;
+        culprit = each;
+      }
+    }
+    if (culprit != null && all > window / PERCENT * most) {
+      culprit.evict(Problem.COMMON_BUDGET.text(most, Resource.TIME.unit()));
+    }
+  }
+
+  /** For how long its jobs have run since the last look, in nanoseconds. */
+  private long takenOf(KernelConnection connection) {
+    Budget budget = connection.budget();
+    long taken = meter.nanoseconds(budget);
+    Long known = before.put(budget, taken);
+    return known == null ? 0 : taken - known;
   }
 }

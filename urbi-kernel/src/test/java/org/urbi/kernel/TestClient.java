@@ -4,15 +4,21 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.urbi.kernel.trust.Role;
 
-/** A client with a role, and what it hears. */
+/** A client with a role and a budget, and what it hears. */
 final class TestClient implements Client {
   private final Role role;
+  private final String budget;
   private final LinkedBlockingQueue<String> heard = new LinkedBlockingQueue<>();
   private final Connection connection;
   private int asked;
 
   TestClient(Kernel kernel, Role role) {
+    this(kernel, role, "");
+  }
+
+  TestClient(Kernel kernel, Role role, String budget) {
     this.role = role;
+    this.budget = budget;
     connection = kernel.connect(this, false);
   }
 
@@ -33,6 +39,11 @@ final class TestClient implements Client {
   @Override
   public Role role() {
     return role;
+  }
+
+  @Override
+  public String budget() {
+    return budget;
   }
 
   /** Sends statements; returns what has come until they were over, without time stamps. */

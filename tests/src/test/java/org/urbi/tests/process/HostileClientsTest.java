@@ -1,6 +1,7 @@
 package org.urbi.tests.process;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -244,6 +245,30 @@ class HostileClientsTest {
         reset(socket);
       }
       judge.isAnswered("slow clients that vanish");
+      assertEquals(0, server.shutDown());
+    } finally {
+      closeAll();
+    }
+  }
+
+  /** Each leaves behind as many jobs as it may, which go on for ever. */
+  @Test
+  void whatClientsLeaveBehindDelaysNobody() throws Exception {
+    try (ServerProcess server =
+            ServerProcess.in(
+                JavaProcess.Setting.in(folder).with("JAVA_TOOL_OPTIONS", "-Xmx200m"),
+                "--budget",
+                "hold=100,jobs=500");
+        Judge judge = Judge.of(server)) {
+      for (int i = 0; i < 40; i++) {
+        send(
+            server,
+            "function f(){ spawn(closure(){f()}, true); spawn(closure(){f()}, true) }; f();\n");
+        judge.isAnswered("jobs that do not belong to the connection");
+        closeAll();
+        judge.isAnswered("jobs that were left behind");
+      }
+      assertTrue(server.text().contains("clients that have left may have 500 jobs together"));
       assertEquals(0, server.shutDown());
     } finally {
       closeAll();

@@ -4,6 +4,7 @@ import java.util.concurrent.atomic.AtomicLongArray;
 import java.util.function.ObjLongConsumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 
 /**
@@ -32,6 +33,11 @@ public final class Budget {
   private volatile long bytes;
 
   private final ObjLongConsumer<Resource> limited;
+
+  /** Where its use counts, too; null at first. */
+  private @Nullable Budget common;
+
+  private Runnable whenUseChanges = () -> {};
 
   /** A budget without limits. */
   public Budget() {
@@ -119,13 +125,43 @@ public final class Budget {
     if (!allows(what, used[what.ordinal()] + 1)) {
       return false;
     }
-    used[what.ordinal()]++;
+    change(what, 1);
     return true;
   }
 
   /** Returns one unit of a resource. */
   public void giveBack(Resource what) {
-    used[what.ordinal()]--;
+    change(what, -1);
+  }
+
+  private void change(Resource what, int units) {
+    used[what.ordinal()] += units;
+    if (common != null) {
+      common.change(what, units);
+    }
+    whenUseChanges.run();
+  }
+
+  /** Sets an action that runs whenever something is taken or returned. */
+  public void whenUseChanges(Runnable action) {
+    whenUseChanges = action;
+  }
+
+  /**
+   * From now on what it uses counts for another one, too, and its jobs take turns with all whose
+   * use counts there. Its own limits remain.
+   */
+  public void join(Budget other) {
+    common = other;
+    for (Resource what : Resource.values()) {
+      other.used[what.ordinal()] += used(what);
+    }
+    other.whenUseChanges.run();
+  }
+
+  /** Whose turn it is when one of its jobs runs: another one, if it has {@link #join joined} it. */
+  public Budget account() {
+    return common == null ? this : common;
   }
 
   /** Whether that amount is within the limit. */

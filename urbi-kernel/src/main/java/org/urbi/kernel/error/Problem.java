@@ -309,6 +309,8 @@ public enum Problem {
   FILLS_MEMORY(
       LINE, "{job} has allocated more than {limit} bytes without letting others run, ending it"),
   EVICTED(LINE, "{reason}: the jobs of this lobby are ended"),
+  LEFT_BEHIND(LINE, "{reason}: ending what {lobby} has left behind, {count} jobs"),
+  COMMON_BUDGET(PART, "clients that have left may have {limit} {what} together"),
   NOBODY_HOLDS(LINE, "nobody holds the kernel"),
   INTERRUPTED_HOLDER(LINE, "interrupted: {job} held the kernel for {time} s"),
   INTERRUPTED_LOBBY(LINE, "interrupted: {lobby}"),

@@ -192,6 +192,11 @@ public final class Job implements Runnable {
     return budget;
   }
 
+  /** Whose turn it is when it runs. */
+  Budget account() {
+    return budget.account();
+  }
+
   /**
    * Takes one unit of a limited resource of its lobby.
    *

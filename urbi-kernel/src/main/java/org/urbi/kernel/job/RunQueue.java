@@ -257,7 +257,7 @@ final class RunQueue {
     if (!rushing) {
       return together;
     }
-    if (current != nobody && job.budget() == last) {
+    if (current != nobody && job.account() == last) {
       return current.jobs;
     }
     try {
@@ -268,7 +268,7 @@ final class RunQueue {
   }
 
   private Share shareFor(Job job) {
-    Share share = shareOf(job.budget());
+    Share share = shareOf(job.account());
     if (!share.active) {
       served.add(share);
       share.active = true;
@@ -341,7 +341,7 @@ final class RunQueue {
   @Nullable Job next() {
     Job job = rushing ? nextInRush() : nextOfAll();
     // Between rounds nobody is remembered: a budget leads to its client, who may have gone.
-    last = job == null ? null : job.budget();
+    last = job == null ? null : job.account();
     return job;
   }
 
@@ -412,7 +412,11 @@ final class RunQueue {
       return false;
     }
     boolean looks =
-        ++jobs % JOBS_PER_LOOK == 0 || rushing || slow || next.budget() != last || inbox.isFilled();
+        ++jobs % JOBS_PER_LOOK == 0
+            || rushing
+            || slow
+            || next.account() != last
+            || inbox.isFilled();
     boolean over = looks && last != null && isLate(clock.now());
     int found = over || counted ? journal.cutsRound(jobs, over ? verdict() : NOBODY) : NOBODY;
     if (found == NOBODY) {
@@ -511,8 +515,8 @@ final class RunQueue {
     Budget before = null;
     JobList queue = together;
     for (Job job = together.first(); job != null; job = together.first()) {
-      if (job.budget() != before) {
-        before = job.budget();
+      if (job.account() != before) {
+        before = job.account();
         queue = queueFor(job);
         if (queue == together) {
           return;

@@ -40,6 +40,7 @@ public final class TagScope {
   private final Set<Attachment> attachments = new LinkedHashSet<>();
   private int sweptAt = SWEPT_FROM;
   private boolean closed;
+  private boolean over;
 
   /** The root of the tree of a kernel: under no tag at all. */
   TagScope() {
@@ -107,13 +108,22 @@ public final class TagScope {
     detachIfOver();
   }
 
-  /** Declares that no more jobs will be started under a scope created by {@link Job#branch}. */
+  /**
+   * Declares that no more jobs will be started under a scope created by {@link Job#branch} from
+   * outside of it.
+   */
   public void end() {
     close();
   }
 
+  /** Whether it was ended, and nothing is left under it: then nothing can be started there. */
+  public boolean isOver() {
+    return over;
+  }
+
   private void detachIfOver() {
     if (parent != null && closed && jobs.isEmpty() && inner.isEmpty() && attachments.isEmpty()) {
+      over = true;
       parent.inner.remove(this);
       tag.scopes.remove(this);
       parent.detachIfOver();

@@ -34,6 +34,11 @@ public final class TagState {
     return owner;
   }
 
+  /** Whether code is under this tag that has not been left, or anything that it has left there. */
+  public boolean isUsed() {
+    return !scopes.isEmpty();
+  }
+
   /** Whether nothing is running under this tag, not even what has been frozen. */
   public boolean isIdle() {
     for (TagScope scope : scopes) {

@@ -11,6 +11,8 @@ import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Budgeted;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.TagScope;
+import org.urbi.kernel.job.TagState;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
@@ -32,6 +34,11 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
   private Budget budget = new Budget();
   private boolean connected = true;
 
+  /** Labels what its code has detached from the connection. */
+  private final TagState detachedTag = new TagState();
+
+  private @Nullable TagScope detached;
+
   /** The lobbies that its code has made, and that end with it. */
   private final Set<UrbiLobby> created = new LinkedHashSet<>(0);
 
@@ -50,6 +57,38 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
   /** The tag of all the code that is executed for this lobby. */
   public UrbiTag connectionTag() {
     return requireNonNull(connectionTag, NO_LOBBY);
+  }
+
+  /**
+   * Where a job runs that is detached from the connection, and so under no tag that code can name.
+   *
+   * @param starter starts it; then the scope must be {@linkplain TagScope#end ended}
+   */
+  public TagScope detachedScope(Job starter) {
+    TagScope scope = detached;
+    if (scope == null || scope.isOver()) {
+      scope = starter.branch(detachedTag, starter.scheduler().rootScope());
+      detached = scope;
+    }
+    return scope;
+  }
+
+  /** Whether its code has detached something from the connection that is still there. */
+  public boolean hasDetached() {
+    return detachedTag.isUsed();
+  }
+
+  /** Whether all jobs under the connection have ended. */
+  public boolean hasEnded() {
+    return connectionTag().state().isIdle();
+  }
+
+  /** Ends what is left when the client has left: what its code has detached, and what lingers. */
+  public void endDetached(UrbiObject value) {
+    for (TagState tag : List.of(connectionTag().state(), detachedTag)) {
+      tag.dismiss();
+      tag.stop(value);
+    }
   }
 
   /** The name of its {@link #connectionTag}, which identifies it for users. */

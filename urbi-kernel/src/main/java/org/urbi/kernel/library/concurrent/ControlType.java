@@ -12,6 +12,7 @@ import org.urbi.kernel.event.Persistence;
 import org.urbi.kernel.event.WaitUntil;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
+import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.ForkedCode;
 import org.urbi.kernel.node.Frame;
@@ -34,7 +35,8 @@ public final class ControlType {
       max = 1,
       doc = "Evaluates its argument in a job of its own, under the current tags.")
   static UrbiObject detach(Frame frame, CallSite site, UrbiObject self) {
-    return background(frame, site, LoopJobs.scope(frame));
+    return JobType.object(
+        frame, start(frame, how(site), LoopJobs.scope(frame), code(site)::execute));
   }
 
   @Builtin(
@@ -43,13 +45,16 @@ public final class ControlType {
       max = 1,
       doc = "Evaluates its argument in a job of its own, under no tag.")
   static UrbiObject disown(Frame frame, CallSite site, UrbiObject self) {
-    return background(frame, site, frame.job().scheduler().rootScope());
+    return JobType.object(frame, startUntagged(frame, how(site), code(site)::execute));
   }
 
-  private static UrbiObject background(Frame frame, CallSite site, TagScope scope) {
-    Node code = site.argumentNodes()[0];
-    var started = new Started(site.calledName(), code.isWritten() ? code.span() : null);
-    return JobType.object(frame, start(frame, started, scope, code::execute));
+  private static Node code(CallSite site) {
+    return site.argumentNodes()[0];
+  }
+
+  private static CallSite how(CallSite site) {
+    Node code = code(site);
+    return new Started(site.calledName(), code.isWritten() ? code.span() : null);
   }
 
   /** How a job was started, for its backtrace. */
@@ -69,6 +74,24 @@ public final class ControlType {
   /** Starts a job that runs with the variables of a frame and outlives it. */
   public static Job start(Frame frame, TagScope scope, Consumer<Frame> action) {
     return start(frame, null, scope, action);
+  }
+
+  /** Starts such a job under no tag: it may outlive the connection. */
+  public static Job startUntagged(Frame frame, Consumer<Frame> action) {
+    return startUntagged(frame, null, action);
+  }
+
+  private static Job startUntagged(Frame frame, @Nullable CallSite how, Consumer<Frame> action) {
+    Job starter = frame.job();
+    if (!(starter.lobby() instanceof UrbiLobby lobby)) {
+      return start(frame, how, starter.scheduler().rootScope(), action);
+    }
+    TagScope scope = lobby.detachedScope(starter);
+    try {
+      return start(frame, how, scope, action);
+    } finally {
+      scope.end();
+    }
   }
 
   private static Job start(

@@ -2,6 +2,7 @@ package org.urbi.kernel.library.system;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Optional;
@@ -86,16 +87,14 @@ final class SystemType {
     return frame.job().scheduler().jobs().size();
   }
 
-  @Builtin(doc = "Calls a function in a job of its own; under the current tags if so asked.")
+  @Builtin(doc = "Calls a function in a job of its own; under no tag if so asked.")
   static UrbiObject spawn(
-      Frame frame, CallSite site, UrbiObject self, UrbiObject code, UrbiObject underTags) {
+      Frame frame, CallSite site, UrbiObject self, UrbiObject code, UrbiObject detached) {
+    Consumer<Frame> action = forked -> frame.interpreter().call(forked, site, code, self);
     Job job =
-        ControlType.start(
-            frame,
-            Truth.of(frame, underTags)
-                ? frame.job().scheduler().rootScope()
-                : LoopJobs.scope(frame),
-            forked -> frame.interpreter().call(forked, site, code, self));
+        Truth.of(frame, detached)
+            ? ControlType.startUntagged(frame, action)
+            : ControlType.start(frame, LoopJobs.scope(frame), action);
     return JobType.object(frame, job);
   }
 

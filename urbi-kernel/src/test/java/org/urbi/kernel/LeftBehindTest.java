@@ -1,0 +1,148 @@
+package org.urbi.kernel;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.urbi.kernel.log.LogLevel;
+import org.urbi.kernel.trust.Role;
+
+/** What clients that have left leave behind has one budget in common. */
+class LeftBehindTest {
+  private final List<String> log = new CopyOnWriteArrayList<>();
+  private final Kernel kernel =
+      Kernel.builder().log(log::add).logLevel(LogLevel.LOG).virtualTime(true).start();
+  private final TestClient judge = new TestClient(kernel, Role.OWNER);
+
+  @AfterEach
+  void close() {
+    kernel.close();
+  }
+
+  /** A client with a budget; what it is told does not matter. */
+  private TestClient visitor(String budget) {
+    return new TestClient(kernel, Role.OWNER, budget);
+  }
+
+  private void leave(TestClient client) {
+    client.connection().close();
+    judge.say("sleep(1ms);");
+  }
+
+  private void visit(String budget, String program) {
+    TestClient client = visitor(budget);
+    client.say(program);
+    leave(client);
+  }
+
+  private int jobs() {
+    judge.say("sleep(2s);");
+    return Integer.parseInt(judge.say("System.jobs.size;"));
+  }
+
+  private List<String> endings() {
+    List<String> told = new ArrayList<>();
+    for (String line : log) {
+      told.add(line.replaceFirst("Lobby_\\d+", "Lobby"));
+    }
+    return told;
+  }
+
+  private static final String ENDED =
+      "urbi: clients that have left may have 100 jobs together: ending what Lobby has left behind, ";
+
+  private static String sleepers(int count) {
+    return "for (" + count + ") disown({ sleep(inf) });";
+  }
+
+  @Test
+  void whatOneClientLeavesBehindGoesOn() {
+    visit("jobs=100", sleepers(50));
+    assertEquals(51, jobs());
+    assertEquals(List.of(), endings());
+  }
+
+  @Test
+  void whatIsTooMuchForAllEnds() {
+    visit("jobs=100", sleepers(90));
+    for (int i = 0; i < 20; i++) {
+      visit("jobs=100", sleepers(80));
+      assertTrue(jobs() <= 101, "too many");
+    }
+    assertEquals(20, endings().size());
+    assertEquals(ENDED + "90 jobs", endings().getFirst(), "the most");
+    assertEquals(ENDED + "80 jobs", endings().getLast(), "the newest");
+  }
+
+  @Test
+  void whoeverLeavesLittleKeepsIt() {
+    judge.say("var Global.beats = 0;");
+    visit("jobs=100", "disown({ every (1ms) { Global.beats = Global.beats + 1 } })|;");
+    for (int i = 0; i < 5; i++) {
+      visit("jobs=100", "for (90) disown({ loop {} });");
+    }
+    judge.say("Global.beats = 0 | sleep(5ms);");
+    assertTrue(Integer.parseInt(judge.say("Global.beats;")) >= 4, judge.say("Global.beats;"));
+    assertEquals(4, endings().size(), "the first one leaves no more than it may");
+  }
+
+  @Test
+  void jobsThatAreEndingDoNotCount() {
+    visit("jobs=100", sleepers(20));
+    visit("jobs=100", "for (90) detach({ sleep(inf) }); disown({ sleep(inf) })|;");
+    assertEquals(22, jobs());
+    assertEquals(List.of(), endings());
+  }
+
+  /** A job that is ended may still wait in its finally clause. */
+  @Test
+  void jobsThatDoNotEndCountInTheEnd() {
+    for (int i = 0; i < 20; i++) {
+      visit(
+          "jobs=100",
+          "for (80) detach({ try { sleep(inf) } finally { loop { sleep(inf) } } }); sleep(1s);");
+    }
+    visit("jobs=100", "1|;");
+    assertTrue(jobs() <= 182, judge.say("System.jobs.size;"));
+  }
+
+  @Test
+  void handlersEndWithTheJobsThatHaveSetThem() {
+    judge.say("var Global.told = 0; var Global.e = Event.new;");
+    String handler = "disown({ at (Global.e?) { Global.told = Global.told + 1 } })|; sleep(1s);";
+    visit("jobs=100", handler + sleepers(90));
+    judge.say("Global.e!; sleep(1s);");
+    assertEquals("1", judge.say("Global.told;"));
+    visit("jobs=100", sleepers(80));
+    judge.say("sleep(2s); Global.e!; sleep(1s);");
+    assertEquals("1", judge.say("Global.told;"));
+  }
+
+  @Test
+  void lobbiesThatItHasMadeEndToo() {
+    visit(
+        "jobs=100",
+        "var Global.made = Lobby.create|; made.receive(\"for (80) detach({sleep(inf)});\");sleep(1s);");
+    judge.say("sleep(2s);");
+    visit("jobs=100", sleepers(70));
+    assertEquals(71, jobs());
+  }
+
+  @Test
+  void nothingIsKeptOfWhatHasEnded() {
+    judge.say("var Global.go = Event.new;");
+    visit("jobs=100", "for (50) disown({ waituntil (Global.go?) });");
+    assertEquals(1, kernel.leftBehind().all().size());
+    judge.say("Global.go!; sleep(1s);");
+    assertEquals(0, kernel.leftBehind().all().size());
+    for (int i = 0; i < 10; i++) {
+      visit("jobs=100", sleepers(80));
+      jobs();
+    }
+    assertEquals(1, kernel.leftBehind().all().size());
+  }
+}
