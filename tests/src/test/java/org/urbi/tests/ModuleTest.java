@@ -252,9 +252,10 @@ class ModuleTest {
     kernel.eval("loadModule(\"counter\"); var Global.made = 0|;");
     for (int i = 0; i < 50; i++) {
       Connection connection = kernel.connect(new DeafClient());
-      // It is a slot of its lobby, has got the lobby as argument, and is watched.
+      // It is a slot of its lobby, has got the lobby as argument and value, and is watched.
       connection.send(
-          "var c = Counter.new([this])|; at (c.count > 5) {}; c.add(1)|; Global.made += c.count;");
+          "var c = Counter.new([this])|; at (c.count > 5) {}; c.add(1)|;"
+              + " var n = c.count| c.count = this| Global.made += n;");
       kernel.eval("waituntil (made > %d);".formatted(i));
       connection.close();
     }

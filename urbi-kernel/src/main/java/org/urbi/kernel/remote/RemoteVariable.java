@@ -33,15 +33,13 @@ final class RemoteVariable {
   private boolean mirror;
   private int accesses;
   private @Nullable UValue accessed;
-  private final UrbiUVar variable;
   private final Runnable rtpEnd;
 
   RemoteVariable(RemotePeer peer, int id, USlot slot) {
     this.peer = peer;
     this.id = id;
     this.slot = slot;
-    this.variable = PluggedContext.behind(slot);
-    this.rtpEnd = variable.onRtp(() -> peer.datagrams().tellMode(this));
+    this.rtpEnd = variable().onRtp(() -> peer.datagrams().tellMode(this));
   }
 
   private static MethodHandle find(String name, Class<?>... parameters) {
@@ -61,9 +59,14 @@ final class RemoteVariable {
     return slot;
   }
 
+  /** Not kept here: it may lead to the object whose slot it is. */
+  private UrbiUVar variable() {
+    return PluggedContext.behind(slot);
+  }
+
   /** Whether its values travel in datagrams. */
   RtpMode rtp() {
-    Boolean on = variable.rtp();
+    Boolean on = variable().rtp();
     if (on == null) {
       return RtpMode.RTP_DEFAULT;
     }
@@ -109,7 +112,7 @@ final class RemoteVariable {
     boolean now = notification != null && interception != null && !isNotified() && !slot.isOwned();
     if (now != mirror) {
       mirror = now;
-      peer.countMirror(variable, now);
+      peer.countMirror(variable(), now);
     }
   }
 

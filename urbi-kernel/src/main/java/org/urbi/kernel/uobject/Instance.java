@@ -1,26 +1,32 @@
 package org.urbi.kernel.uobject;
 
 import java.lang.ref.WeakReference;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.object.SlotData;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.variable.UrbiUVar;
 import urbi.UClass;
 import urbi.UObject;
 
 /**
  * An urbiscript object and the Java object behind it. It keeps the urbiscript object alive only
  * while one of its functions is called periodically. What can lead back to that object (the lobby,
- * of which it may be a slot, and the arguments it was made with) is kept by the object alone.
+ * of which it may be a slot, the arguments it was made with, the values of its variables) is kept
+ * by the object alone.
  */
 final class Instance {
   /**
    * How the object was made: for which lobby; with which arguments, once {@code init} has ended.
+   * And its variables that Java uses.
    */
-  private record Origin(UrbiObject lobby, UrbiObject @Nullable [] initArguments)
+  private record Origin(
+      UrbiObject lobby, UrbiObject @Nullable [] initArguments, Set<UrbiUVar> variables)
       implements UrbiObject.Companion {}
 
   private final String name;
@@ -38,7 +44,7 @@ final class Instance {
     this.name = name;
     this.type = type;
     this.object = new WeakReference<>(object);
-    object.setCompanion(new Origin(lobby, null));
+    object.setCompanion(new Origin(lobby, null, new HashSet<>(0)));
   }
 
   String name() {
@@ -103,7 +109,15 @@ final class Instance {
     UrbiObject made = object();
     Origin origin = origin();
     if (made != null && origin != null) {
-      made.setCompanion(new Origin(origin.lobby, arguments));
+      made.setCompanion(new Origin(origin.lobby, arguments, origin.variables));
+    }
+  }
+
+  /** Keeps a variable for as long as the urbiscript object is there. */
+  void keep(UrbiUVar variable) {
+    Origin origin = origin();
+    if (origin != null) {
+      origin.variables.add(variable);
     }
   }
 

@@ -20,6 +20,7 @@ import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.object.World;
+import org.urbi.kernel.variable.UrbiUVar;
 import urbi.UClass;
 
 /** The UObjects of one kernel, by their names: slots of {@code uobjects}. */
@@ -160,6 +161,20 @@ final class Instances {
       }
     }
     return null;
+  }
+
+  /**
+   * Has the object whose slot a variable provides keep it: then nobody else needs to, and the
+   * variable may lead to the object. False if that is not one of these objects.
+   */
+  boolean keep(UrbiUVar variable) {
+    UrbiObject owner = variable.owner();
+    Instance instance = owner == null ? null : byObject.get(owner);
+    if (instance == null) {
+      return false;
+    }
+    instance.keep(variable);
+    return true;
   }
 
   /** All of them, the oldest first. */

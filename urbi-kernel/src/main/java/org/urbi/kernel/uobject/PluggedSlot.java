@@ -1,5 +1,6 @@
 package org.urbi.kernel.uobject;
 
+import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -24,7 +25,13 @@ final class PluggedSlot implements USlot {
 
   private final PluggedContext context;
   private final KernelCrossing crossing;
-  private final UrbiUVar variable;
+
+  /** The variable, which leads to the object whose slot it provides, if that keeps it. */
+  private final WeakReference<UrbiUVar> reference;
+
+  /** The variable, if nobody else keeps it. */
+  private @Nullable UrbiUVar kept;
+
   private final String name;
   private final List<Runnable> notifications = new ArrayList<>(1);
   private volatile boolean owner;
@@ -34,7 +41,8 @@ final class PluggedSlot implements USlot {
   PluggedSlot(PluggedContext context, UrbiUVar variable, String name) {
     this.context = context;
     this.crossing = context.crossing();
-    this.variable = variable;
+    this.reference = new WeakReference<>(variable);
+    this.kept = context.objects().keep(variable) ? null : variable;
     this.name = name;
   }
 
@@ -43,7 +51,16 @@ final class PluggedSlot implements USlot {
     return name;
   }
 
+  /**
+   * The variable. Once the object that had it was garbage collected, another one without value: the
+   * component may go on until it is told.
+   */
   UrbiUVar behind() {
+    UrbiUVar variable = kept == null ? reference.get() : kept;
+    if (variable == null) {
+      variable = (UrbiUVar) context.interpreter().world().prototype("UVar").cloned();
+      kept = variable;
+    }
     return variable;
   }
 
@@ -52,20 +69,20 @@ final class PluggedSlot implements USlot {
   @Override
   public UValue get() {
     return crossing.fromKernel(frame -> {
-      Datum told = context.notifications().find(frame.job(), variable);
+      Datum told = context.notifications().find(frame.job(), behind());
       if (told != null && told.foreign() instanceof BypassValue foreign) {
         return foreign.value();
       }
-      if (told != null && variable.isInput()) {
+      if (told != null && behind().isInput()) {
         return context.conversion().toJava(told.value());
       }
-      UrbiObject value = owner || told != null ? seen().value() : variable.readNow(frame);
+      UrbiObject value = owner || told != null ? seen().value() : behind().readNow(frame);
       return context.conversion().toJava(value);
     });
   }
 
   private Datum seen() {
-    return owner ? variable.target() : variable.visible();
+    return owner ? behind().target() : behind().visible();
   }
 
   @Override
@@ -77,9 +94,9 @@ final class PluggedSlot implements USlot {
               : new Datum(context.conversion().toUrbi(value));
       lastWritten = value.getType() == UDataType.DATA_DOUBLE ? value.doubleValue() : Double.NaN;
       if (owner) {
-        variable.set(frame, datum);
+        behind().set(frame, datum);
       } else {
-        variable.write(frame, datum);
+        behind().write(frame, datum);
       }
       return null;
     });
@@ -92,7 +109,7 @@ final class PluggedSlot implements USlot {
 
   @Override
   public long timestamp() {
-    return crossing.fromKernel(frame -> (long) (variable.written() / NANOSECONDS_PER_MICROSECOND));
+    return crossing.fromKernel(frame -> (long) (behind().written() / NANOSECONDS_PER_MICROSECOND));
   }
 
   @Override
@@ -102,7 +119,7 @@ final class PluggedSlot implements USlot {
 
   @Override
   public double out() {
-    return crossing.fromKernel(frame -> owner ? number(variable.visible().value()) : lastWritten);
+    return crossing.fromKernel(frame -> owner ? number(behind().visible().value()) : lastWritten);
   }
 
   private static double number(UrbiObject value) {
@@ -133,7 +150,7 @@ final class PluggedSlot implements USlot {
   }
 
   private UrbiObject object() {
-    UrbiObject object = variable.owner();
+    UrbiObject object = behind().owner();
     if (object == null) {
       throw new IllegalStateException(Problem.VARIABLE_WITHOUT_OBJECT.text(name));
     }
@@ -141,7 +158,7 @@ final class PluggedSlot implements USlot {
   }
 
   private Symbol symbol(Frame frame) {
-    String full = variable.name();
+    String full = behind().name();
     return frame.interpreter().world().symbol(full.substring(full.lastIndexOf('.') + 1));
   }
 
@@ -150,7 +167,7 @@ final class PluggedSlot implements USlot {
   @Override
   public void own() {
     crossing.inKernel(frame -> {
-      variable.own(context::warn);
+      behind().own(context::warn);
       owner = true;
       return null;
     });
@@ -165,7 +182,7 @@ final class PluggedSlot implements USlot {
   public boolean setBypass(boolean on) {
     crossing.inKernel(frame -> {
       bypass = on;
-      variable.setBypass(on);
+      behind().setBypass(on);
       return null;
     });
     return true;
@@ -175,7 +192,7 @@ final class PluggedSlot implements USlot {
   public void useRtp(boolean on) {
     // Within one process nothing is sent, but the setting also applies to remote subscribers.
     crossing.inKernel(frame -> {
-      variable.setRtp(on);
+      behind().setRtp(on);
       return null;
     });
   }
@@ -192,19 +209,19 @@ final class PluggedSlot implements USlot {
     return crossing.fromKernel(frame -> {
       JavaHook hook = new JavaHook(context, function);
       if (owner) {
-        long id = variable.notifyChangeOwned(hook);
-        return ending(() -> variable.removeChangeOwned(id));
+        long id = behind().notifyChangeOwned(hook);
+        return ending(() -> behind().removeChangeOwned(id));
       }
-      long id = variable.notifyChange(frame, hook);
-      return ending(() -> variable.removeChange(id));
+      long id = behind().notifyChange(frame, hook);
+      return ending(() -> behind().removeChange(id));
     });
   }
 
   @Override
   public Runnable onAccess(@Nullable UObject object, UCallback function) {
     return crossing.fromKernel(frame -> {
-      long id = variable.notifyAccess(frame, new JavaHook(context, function));
-      return ending(() -> variable.removeAccess(id));
+      long id = behind().notifyAccess(frame, new JavaHook(context, function));
+      return ending(() -> behind().removeAccess(id));
     });
   }
 

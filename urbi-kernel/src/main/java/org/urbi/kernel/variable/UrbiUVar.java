@@ -250,13 +250,10 @@ public final class UrbiUVar extends UrbiObject {
 
   /** Adds a listener for changes of that setting; returns the action that removes it. */
   public Runnable onRtp(Runnable listener) {
-    UrbiUVar prototype = general();
-    onRtp.add(listener);
-    prototype.onRtp.add(listener);
-    return () -> {
-      onRtp.remove(listener);
-      prototype.onRtp.remove(listener);
-    };
+    // Not the variable itself: whoever holds the action need not keep it.
+    List<List<Runnable>> both = List.of(onRtp, general().onRtp);
+    both.forEach(listeners -> listeners.add(listener));
+    return () -> both.forEach(listeners -> listeners.remove(listener));
   }
 
   private UrbiUVar general() {
