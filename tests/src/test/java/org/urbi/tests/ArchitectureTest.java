@@ -125,6 +125,15 @@ class ArchitectureTest {
   static final ArchRule rosGraphDependsOnMessages =
       dependsOnlyOn("org.urbi.ros.graph..", "org.urbi.ros.message..", "urbi");
 
+  @ArchTest
+  static final ArchRule rosOneDependsOnTheGraph =
+      dependsOnlyOn(
+          "org.urbi.ros.one..",
+          "org.urbi.ros.graph..",
+          "org.urbi.ros.codec..",
+          "org.urbi.ros.message..",
+          "urbi");
+
   private static ArchRule onlyIn(String packageName, String library) {
     return noClasses()
         .that()

@@ -1,0 +1,120 @@
+package org.urbi.ros.one;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import org.urbi.ros.graph.RosException;
+
+/**
+ * Keeps a master informed: looks again and again whether it is there, and tells it everything when
+ * it is, or when it is another one than before. One thread does that, in the order in which it was
+ * asked.
+ */
+final class MasterWatch implements AutoCloseable {
+  /** Milliseconds between two looks. */
+  private static final int PERIOD = 1000;
+
+  private final Api master;
+  private final Consumer<Boolean> listener;
+  private final ScheduledThreadPoolExecutor thread;
+  private final Map<String, Registration> wanted = new LinkedHashMap<>();
+  private int pid = -1;
+
+  /**
+   * @param listener told after each look whether the master is there
+   */
+  MasterWatch(Api master, Consumer<Boolean> listener) {
+    this.master = master;
+    this.listener = listener;
+    thread =
+        new ScheduledThreadPoolExecutor(
+            1, task -> Thread.ofPlatform().daemon().name("urbi-ros-master").unstarted(task));
+    thread.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
+    thread.scheduleWithFixedDelay(this::look, 0, PERIOD, TimeUnit.MILLISECONDS);
+  }
+
+  private void execute(Runnable task) {
+    try {
+      thread.execute(task);
+    } catch (RejectedExecutionException e) {
+      // Closed: there is nobody to tell any more.
+      return;
+    }
+  }
+
+  /** Has the master know of something, as soon as there is one. */
+  void add(Registration registration) {
+    execute(() -> {
+      wanted.put(registration.key(), registration);
+      tell();
+    });
+  }
+
+  /** Has the master forget something. */
+  void remove(String key) {
+    execute(() -> {
+      Registration registration = wanted.remove(key);
+      if (registration != null && registration.isKnown()) {
+        forget(registration);
+      }
+    });
+  }
+
+  private void forget(Registration registration) {
+    try {
+      registration.unregister(master).join();
+    } catch (CompletionException e) {
+      // A master that is away forgets by itself.
+      registration.setKnown(false);
+    }
+  }
+
+  private void look() {
+    try {
+      int present = master.call(value -> (Integer) value, "getPid").join();
+      if (present != pid) {
+        pid = present;
+        wanted.values().forEach(each -> each.setKnown(false));
+      }
+      tell();
+      listener.accept(true);
+    } catch (CompletionException e) {
+      pid = -1;
+      listener.accept(false);
+    }
+  }
+
+  private void tell() {
+    for (Registration each : wanted.values()) {
+      if (!each.isKnown()) {
+        try {
+          each.register(master).join();
+          each.setKnown(true);
+        } catch (CompletionException e) {
+          boolean refused = e.getCause() instanceof RosException told && told.getCause() == null;
+          if (!refused) {
+            // Nobody is there: again with the next look.
+            return;
+          }
+        }
+      }
+    }
+  }
+
+  /** Says good-bye to the master, and ends. */
+  @Override
+  public void close() {
+    execute(() -> wanted.values().stream().filter(Registration::isKnown).forEach(this::forget));
+    thread.shutdown();
+    try {
+      thread.awaitTermination(2 * PERIOD, TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    thread.shutdownNow();
+  }
+}

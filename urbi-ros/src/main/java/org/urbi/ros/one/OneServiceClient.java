@@ -1,0 +1,179 @@
+package org.urbi.ros.one;
+
+import java.io.IOException;
+import java.net.URI;
+import java.nio.charset.StandardCharsets;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import org.jspecify.annotations.Nullable;
+import org.urbi.ros.codec.CodecException;
+import org.urbi.ros.codec.MessageCodec;
+import org.urbi.ros.graph.RosException;
+import org.urbi.ros.graph.ServiceClient;
+import org.urbi.ros.message.Dialect;
+import org.urbi.ros.message.ServiceType;
+import org.urbi.ros.message.TypeHash;
+import urbi.UDictionary;
+
+/** Calls a service: by a connection for each request, or by one that is kept. */
+final class OneServiceClient implements ServiceClient {
+  private final OneNode node;
+  private final String service;
+  private final ServiceType type;
+  private final boolean keepAlive;
+  private final MessageCodec requests;
+  private final MessageCodec responses;
+  private final Set<TcpRosConnection> open = ConcurrentHashMap.newKeySet();
+  private final Object turn = new Object();
+  private @Nullable TcpRosConnection kept;
+  private volatile boolean closed;
+
+  OneServiceClient(OneNode node, String service, ServiceType type, boolean keepAlive) {
+    this.node = node;
+    this.service = service;
+    this.type = type;
+    this.keepAlive = keepAlive;
+    this.requests = MessageCodec.of(type.request());
+    this.responses = MessageCodec.of(type.response());
+  }
+
+  /** What a service says of itself: its type, its MD5 sum. */
+  static Map<String, String> probe(OneNode node, String service, URI address) throws IOException {
+    try (TcpRosConnection connection = TcpRosConnection.to(address.getHost(), address.getPort())) {
+      Map<String, String> header = header(node, service, TypeHash.ANY_MD5);
+      header.put(ConnectionHeader.PROBE, "1");
+      connection.sendHeader(header);
+      return checked(connection.readHeader());
+    }
+  }
+
+  private static Map<String, String> header(OneNode node, String service, String md5) {
+    Map<String, String> header = new LinkedHashMap<>();
+    header.put(ConnectionHeader.CALLER, node.name());
+    header.put(ConnectionHeader.SERVICE, service);
+    header.put(ConnectionHeader.MD5, md5);
+    return header;
+  }
+
+  private static Map<String, String> checked(Map<String, String> header) {
+    String error = header.get(ConnectionHeader.ERROR);
+    if (error != null) {
+      throw new RosException(error);
+    }
+    return header;
+  }
+
+  @Override
+  public String service() {
+    return service;
+  }
+
+  @Override
+  public ServiceType type() {
+    return type;
+  }
+
+  @Override
+  public CompletableFuture<UDictionary> request(UDictionary request) {
+    byte[] bytes = requests.encode(request);
+    CompletableFuture<UDictionary> answer = new CompletableFuture<>();
+    Threads.start(
+        "service-client",
+        () -> {
+          try {
+            answer.complete(responses.decode(keepAlive ? askKept(bytes) : askOnce(bytes)));
+          } catch (IOException e) {
+            answer.completeExceptionally(
+                new RosException(
+                    closed ? service + ": closed" : service + ": " + e.getMessage(), e));
+          } catch (CodecException e) {
+            answer.completeExceptionally(new RosException(service + ": " + e.getMessage(), e));
+          } catch (RuntimeException | Error e) {
+            answer.completeExceptionally(e);
+          }
+        });
+    return answer;
+  }
+
+  private byte[] askOnce(byte[] request) throws IOException {
+    TcpRosConnection connection = connect();
+    try {
+      return ask(connection, request);
+    } finally {
+      end(connection);
+    }
+  }
+
+  /** One after the other, by a connection that may have been broken since it was used last. */
+  private byte[] askKept(byte[] request) throws IOException {
+    synchronized (turn) {
+      TcpRosConnection before = kept;
+      if (before != null) {
+        try {
+          return ask(before, request);
+        } catch (IOException e) {
+          end(before);
+          kept = null;
+        }
+      }
+      TcpRosConnection connection = connect();
+      kept = connection;
+      try {
+        return ask(connection, request);
+      } catch (IOException e) {
+        end(connection);
+        kept = null;
+        throw e;
+      }
+    }
+  }
+
+  private TcpRosConnection connect() throws IOException {
+    URI address = node.serviceAddress(service);
+    TcpRosConnection connection = TcpRosConnection.to(address.getHost(), address.getPort());
+    open.add(connection);
+    try {
+      Map<String, String> header = header(node, service, TypeHash.md5(type));
+      header.put(ConnectionHeader.TYPE, type.name().in(Dialect.ROS_1));
+      header.put(ConnectionHeader.NO_DELAY, "1");
+      if (keepAlive) {
+        header.put(ConnectionHeader.PERSISTENT, "1");
+      }
+      connection.sendHeader(header);
+      checked(connection.readHeader());
+      if (closed) {
+        throw new IOException("closed");
+      }
+      return connection;
+    } catch (IOException | RuntimeException e) {
+      end(connection);
+      throw e;
+    }
+  }
+
+  private void end(TcpRosConnection connection) {
+    open.remove(connection);
+    connection.close();
+  }
+
+  private byte[] ask(TcpRosConnection connection, byte[] request) throws IOException {
+    connection.write(request);
+    connection.flush();
+    boolean done = connection.readByte() == 1;
+    byte[] answer = connection.read();
+    if (!done) {
+      throw new RosException(service + ": " + new String(answer, StandardCharsets.UTF_8));
+    }
+    return answer;
+  }
+
+  @Override
+  public void close() {
+    closed = true;
+    node.remove(this);
+    open.forEach(TcpRosConnection::close);
+  }
+}

@@ -1,0 +1,147 @@
+package org.urbi.ros.one;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import org.urbi.ros.graph.RosException;
+import urbi.UBinary;
+import urbi.UDictionary;
+import urbi.UList;
+import urbi.UValue;
+
+/** The parameters that the master of ROS 1 keeps for all nodes. */
+public final class Parameters {
+  private final Api master;
+  private final MasterWatch watch;
+  private final OneNode node;
+  private final Map<String, Consumer<UValue>> listeners = new LinkedHashMap<>();
+
+  Parameters(Api master, MasterWatch watch, OneNode node) {
+    this.master = master;
+    this.watch = watch;
+    this.node = node;
+  }
+
+  /** The value of a parameter; fails if there is none. */
+  public CompletableFuture<UValue> get(String name) {
+    return master.call(Parameters::value, "getParam", node.resolve(name));
+  }
+
+  /**
+   * Sets a parameter.
+   *
+   * @throws RosException if it is nothing that a parameter can be
+   */
+  public CompletableFuture<Void> set(String name, UValue value) {
+    String full = node.resolve(name);
+    Object plain = plain(value);
+    return master
+        .call(any -> any, "setParam", full, plain)
+        // The master does not tell the one who sets it.
+        .thenAccept(any -> update(full, plain));
+  }
+
+  /** Whether there is a parameter. */
+  public CompletableFuture<Boolean> has(String name) {
+    return master.call(value -> (Boolean) value, "hasParam", node.resolve(name));
+  }
+
+  /** Deletes a parameter; fails if there is none. */
+  public CompletableFuture<Void> delete(String name) {
+    return master.call(any -> any, "deleteParam", node.resolve(name)).thenApply(v -> null);
+  }
+
+  /** The full names of all parameters. */
+  public CompletableFuture<List<String>> names() {
+    return master.call(
+        value -> ((List<?>) value).stream().map(String.class::cast).toList(), "getParamNames");
+  }
+
+  /** Has a listener told the value, whenever it is set. */
+  public void watch(String name, Consumer<UValue> listener) {
+    String full = node.resolve(name);
+    synchronized (listeners) {
+      listeners.put(full, listener);
+    }
+    watch.add(
+        new Registration("parameter " + full) {
+          @Override
+          CompletableFuture<?> register(Api told) {
+            return told.call(value -> value, "subscribeParam", node.uri(), full)
+                .thenAccept(value -> update(full, value));
+          }
+
+          @Override
+          CompletableFuture<?> unregister(Api told) {
+            return told.call(any -> any, "unsubscribeParam", node.uri(), full);
+          }
+        });
+  }
+
+  /** A parameter has been set: the master calls it with a slash at the end. */
+  void update(String name, Object value) {
+    String full = name.replaceAll("(?<=.)/$", "");
+    Map<String, Consumer<UValue>> told;
+    synchronized (listeners) {
+      told = Map.copyOf(listeners);
+    }
+    boolean unset = value instanceof Map<?, ?> map && map.isEmpty();
+    told.forEach((watched, listener) -> {
+      if (watched.equals(full) && !unset) {
+        listener.accept(value(value));
+      } else if (full.startsWith(watched + "/")) {
+        // A part of it: the whole is asked for.
+        get(watched).thenAccept(listener);
+      }
+    });
+  }
+
+  private static UValue value(Object plain) {
+    return switch (plain) {
+      case Integer number -> new UValue((double) number);
+      case Double number -> new UValue((double) number);
+      case Boolean truth -> new UValue((boolean) truth);
+      case byte[] bytes -> new UValue(new UBinary(bytes));
+      case List<?> list -> {
+        UList values = new UList();
+        list.forEach(each -> values.add(value(each)));
+        yield new UValue(values);
+      }
+      case Map<?, ?> members -> {
+        UDictionary values = new UDictionary();
+        members.forEach((name, each) -> values.put(String.valueOf(name), value(each)));
+        yield new UValue(values);
+      }
+      default -> new UValue(String.valueOf(plain));
+    };
+  }
+
+  private static Object plain(UValue value) {
+    return switch (value.getType()) {
+      case DATA_DOUBLE -> {
+        double number = value.doubleValue();
+        if ((int) number == number) {
+          yield (int) number;
+        }
+        yield number;
+      }
+      case DATA_STRING, DATA_SLOTNAME -> value.stringValue();
+      case DATA_BINARY -> value.ubinaryValue().getData();
+      case DATA_LIST -> {
+        List<Object> list = new ArrayList<>();
+        value.ulistValue().forEach(each -> list.add(plain(each)));
+        yield list;
+      }
+      case DATA_DICTIONARY -> {
+        Map<String, Object> members = new LinkedHashMap<>();
+        value.udictionaryValue().forEach((name, each) -> members.put(name, plain(each)));
+        yield members;
+      }
+      case DATA_VOID ->
+          throw new RosException("a parameter is a number, a string, a list or a Dictionary");
+    };
+  }
+}

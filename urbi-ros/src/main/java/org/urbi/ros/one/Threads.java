@@ -1,0 +1,31 @@
+package org.urbi.ros.one;
+
+import java.io.IOException;
+import java.util.concurrent.Executor;
+
+/** The threads of a node: each waits for one peer, and none keeps the program from ending. */
+final class Threads {
+  /** Where what has come is worked on. */
+  static final Executor POOL = task -> Thread.ofVirtual().name("urbi-ros-task").start(task);
+
+  private Threads() {}
+
+  /** What a thread does until its connection ends. */
+  interface Work {
+    void run() throws IOException, InterruptedException;
+  }
+
+  /** Starts a thread that ends with its connection, in silence: its owner notices by itself. */
+  static Thread start(String name, Work work) {
+    return Thread.ofVirtual()
+        .name("urbi-ros-" + name)
+        .start(() -> {
+          try {
+            work.run();
+          } catch (IOException | InterruptedException e) {
+            // The peer has gone, or we have: whoever waits is told by what ends the connection.
+            Thread.currentThread().interrupt();
+          }
+        });
+  }
+}
