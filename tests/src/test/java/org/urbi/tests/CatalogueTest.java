@@ -14,12 +14,14 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.error.Errors;
+import org.urbi.kernel.error.Hint;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.ProblemKind;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.problem.SyntaxHint;
 import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.problem.Template;
 
@@ -98,6 +100,8 @@ class CatalogueTest {
     Set<Enum<?>> unused = new TreeSet<>((a, b) -> a.name().compareTo(b.name()));
     unused.addAll(EnumSet.allOf(Problem.class));
     unused.addAll(EnumSet.allOf(SyntaxProblem.class));
+    unused.addAll(EnumSet.allOf(Hint.class));
+    unused.addAll(EnumSet.allOf(SyntaxHint.class));
     unused.removeAll(USES.used());
     assertNone(unused.stream().map(Enum::name));
   }
@@ -129,9 +133,12 @@ class CatalogueTest {
 
   @Test
   void hintsAreShort() {
-    Stream.concat(
+    Stream.of(
             Stream.of(Problem.values()).flatMap(problem -> problem.hint().stream()),
-            Stream.of(SyntaxProblem.values()).flatMap(problem -> problem.hint().stream()))
+            Stream.of(SyntaxProblem.values()).flatMap(problem -> problem.hint().stream()),
+            Stream.of(Hint.values()).map(hint -> hint.template().text()),
+            Stream.of(SyntaxHint.values()).map(hint -> hint.template().text()))
+        .flatMap(hints -> hints)
         .forEach(hint -> {
           assertTrue(hint.length() <= 100, hint);
           assertFalse(hint.endsWith("."), hint);

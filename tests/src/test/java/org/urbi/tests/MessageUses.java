@@ -30,7 +30,9 @@ import java.util.Map;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.urbi.kernel.error.Hint;
 import org.urbi.kernel.error.Problem;
+import org.urbi.lang.problem.SyntaxHint;
 import org.urbi.lang.problem.SyntaxProblem;
 import org.urbi.lang.problem.Template;
 
@@ -41,7 +43,11 @@ final class MessageUses {
           internal(Problem.class),
           Problem.class,
           internal(SyntaxProblem.class),
-          SyntaxProblem.class);
+          SyntaxProblem.class,
+          internal(Hint.class),
+          Hint.class,
+          internal(SyntaxHint.class),
+          SyntaxHint.class);
 
   /** Two words. */
   private static final Pattern SENTENCE = Pattern.compile("\\p{L}{2,},? \\p{L}{2,}");
@@ -279,9 +285,12 @@ final class MessageUses {
   }
 
   private static Template template(Enum<?> message) {
-    return message instanceof Problem problem
-        ? problem.template()
-        : ((SyntaxProblem) message).template();
+    return switch (message) {
+      case Problem problem -> problem.template();
+      case Hint hint -> hint.template();
+      case SyntaxHint hint -> hint.template();
+      default -> ((SyntaxProblem) message).template();
+    };
   }
 
   /** The text of a literal, or of what a text is put together from; null for all else. */

@@ -1,5 +1,6 @@
 package org.urbi.kernel;
 
+import org.urbi.kernel.lobby.ErrorStyle;
 import org.urbi.kernel.trust.Role;
 
 /** Who is at the other end of a {@link Connection}. Called on the kernel thread; must not block. */
@@ -51,6 +52,11 @@ public interface Client {
    */
   default String budget() {
     return "";
+  }
+
+  /** How it is told of errors. Asked when it connects. */
+  default ErrorStyle errors() {
+    return ErrorStyle.PLAIN;
   }
 
   /** The role that its lobby starts with. Asked when it connects. */

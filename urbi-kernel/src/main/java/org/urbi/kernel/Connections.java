@@ -14,7 +14,6 @@ import org.urbi.kernel.remote.AnswerPoller;
 import org.urbi.kernel.remote.RemotePeer;
 import org.urbi.kernel.remote.RemoteTransport;
 import org.urbi.kernel.remote.UnconnectedTransport;
-import org.urbi.kernel.trust.Role;
 
 /** Who is connected to a kernel: clients, and processes that bring UObjects. */
 final class Connections {
@@ -58,7 +57,8 @@ final class Connections {
                 holdsTime,
                 client.remoteAddress(),
                 client.role().name(),
-                Budget.fitting(Outside.memory(), client.budget())));
+                Budget.fitting(Outside.memory(), client.budget()),
+                client.errors().name()));
     return connection;
   }
 
@@ -100,7 +100,7 @@ final class Connections {
       connection = new KernelConnection(kernel, number, replayed.apply(number), opened.holdsTime());
     }
     try {
-      connection.open(opened.address(), Role.valueOf(opened.role()), opened.budget());
+      connection.open(opened);
     } catch (OutOfMemoryError e) {
       // Its client must not wait for a lobby that it never gets.
       connection.finish();

@@ -16,6 +16,8 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.advice.SyntaxAdvice;
+import org.urbi.lang.parse.SyntaxError;
 
 /** Shows errors that no code has caught, as the manual does. */
 final class ErrorText {
@@ -77,6 +79,7 @@ final class ErrorText {
       case UrbiException e -> {
         String place = isPlaced(interpreter, e.value()) ? Diagnostics.place(e.span()) : "";
         Diagnostics.error(output, place + text(interpreter, job, lobby, e));
+        explain(interpreter, lobby, e);
         Diagnostics.callersOfError(output, e.backtrace());
       }
       case StackOverflowError e -> Diagnostics.error(output, Problem.STACK_EXHAUSTED.text());
@@ -85,6 +88,16 @@ final class ErrorText {
         // A return or a break that had nothing to leave.
       }
       default -> Diagnostics.error(output, FailureLog.text(failure));
+    }
+  }
+
+  private static void explain(Interpreter interpreter, UrbiLobby lobby, UrbiException thrown) {
+    Output output = lobby.output();
+    SyntaxError wrong = thrown.syntaxError();
+    if (wrong == null) {
+      Diagnostics.explain(output, thrown.span(), () -> ErrorAdvice.of(interpreter, lobby, thrown));
+    } else {
+      Diagnostics.explain(output, wrong.span(), () -> SyntaxAdvice.of(wrong));
     }
   }
 

@@ -14,6 +14,7 @@ import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.lobby.Completion;
 import org.urbi.kernel.lobby.Diagnostics;
+import org.urbi.kernel.lobby.ErrorStyle;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.Shell;
 import org.urbi.kernel.lobby.UrbiLobby;
@@ -168,7 +169,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
 
   // ------------------------------------------------------------------ on the kernel thread
 
-  void open(String address, Role role, String limits) {
+  void open(Message.ConnectionOpened opened) {
     if (kernel.isStopping()) {
       finished = true;
       client.closed();
@@ -176,11 +177,17 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     }
     kernel.inbox().register(number, this);
     Budget budget = new Budget(this::limited);
-    this.limits = limits;
+    limits = opened.budget();
     budget.setLimits(limits);
-    Output output = new Output(kernel.scheduler(), this::show, () -> isBehind(budget));
+    Output output =
+        new Output(
+            kernel.scheduler(),
+            this::show,
+            () -> isBehind(budget),
+            ErrorStyle.valueOf(opened.errors()));
+    Role role = Role.valueOf(opened.role());
     UrbiLobby made = UrbiLobby.start(kernel.interpreter(), output, this, role, budget);
-    made.setRemoteAddress(address);
+    made.setRemoteAddress(opened.address());
     lobby = made;
     kernel.connections().add(this);
     made.shell().start();

@@ -130,11 +130,13 @@ public final class Errors {
 
   /** {@code 1.5: syntax error: message}. */
   public UrbiException syntax(SyntaxError error, String input) {
-    return untold(Problem.SYNTAX_ERROR, error.problem().hint().orElse(null))
-        .with("message", error.reason())
-        .with("loc", error.span().location().toString())
-        .with("input", input)
-        .build();
+    UrbiObject exception =
+        untold(Problem.SYNTAX_ERROR)
+            .with("message", error.reason())
+            .with("loc", error.span().location().toString())
+            .with("input", input)
+            .object();
+    return new UrbiException(exception, error);
   }
 
   /** A problem with jobs. */

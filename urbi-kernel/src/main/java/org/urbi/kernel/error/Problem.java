@@ -43,7 +43,7 @@ public enum Problem {
   MISSPELLED(LOOKUP, "lookup failed: {name} (possible misspelling of {other})"),
   PROPERTY_NOT_FOUND(PROPERTY_LOOKUP, "property lookup failed: {name}"),
   REDEFINED(REDEFINITION, "slot redefinition: {name}", "without var, the slot gets another value"),
-  CONSTANT(CONSTNESS, "cannot modify const slot"),
+  CONSTANT(CONSTNESS, "cannot modify const slot", "what is declared const keeps its value"),
   NO_LOCAL_SLOT(WARNING, "no such local slot: {name}"),
   NO_PROPERTY(WARNING, "no such property: {slot}->{property}"),
   NOT_INHERITABLE_FINALIZABLE(
@@ -59,7 +59,10 @@ public enum Problem {
       UNEXPECTED_VOID,
       "unexpected void",
       "a function without a value was called where one is needed"),
-  UNMATCHED(MATCH_FAILURE, "pattern did not match"),
+  UNMATCHED(
+      MATCH_FAILURE,
+      "pattern did not match",
+      "the value has another form than what stands before ="),
   IN_ROUTINE(PART, "{routine}: {message}"),
   ARGUMENTS_EXACTLY(ARITY, "{routine}: expected {minimum} argument{s}, given {given}"),
   ARGUMENTS_AT_LEAST(ARITY, "{routine}: expected at least {minimum} argument{s}, given {given}"),
@@ -81,17 +84,19 @@ public enum Problem {
   WITHOUT_THIS(PRIMITIVE, "argument list must begin with `this'"),
   INDEX(PRIMITIVE, "invalid index: {index}", "the first has the index 0, the last -1"),
   ASSERTION_FAILED(ASSERTION, "failed assertion: {claim}"),
-  ASSERTION_FAILED_WITH(ASSERTION, "failed assertion: {claim} ({values})"),
+  ASSERTION_FAILED_WITH(
+      ASSERTION, "failed assertion: {claim} ({values})", "the values are in parentheses"),
 
   // ------------------------------------------------------------------ numbers, texts, collections
 
-  DIVISION_BY_ZERO(PRIMITIVE, "division by 0"),
-  MODULO_BY_ZERO(PRIMITIVE, "modulo by 0"),
+  DIVISION_BY_ZERO(PRIMITIVE, "division by 0", "check the divisor first: if (x != 0) …"),
+  MODULO_BY_ZERO(PRIMITIVE, "modulo by 0", "check the divisor first: if (x != 0) …"),
   RANGE(PRIMITIVE, "invalid range"),
   HAS_TO_BE_POSITIVE(PRIMITIVE, "argument has to be positive"),
   MATRIX_TOO_LARGE(PRIMITIVE, "matrix too large"),
   INCOMPATIBLE_SIZES(PRIMITIVE, "incompatible sizes"),
-  NOT_A_NUMBER(PRIMITIVE, "cannot convert to float: {text}"),
+  NOT_A_NUMBER(
+      PRIMITIVE, "cannot convert to float: {text}", "numbers are written as 12, -1.5, 1e3, 0xFF"),
   CHARACTER_CODE(PRIMITIVE, "invalid character code: {code}"),
   EMPTY_STRING(PRIMITIVE, "cannot be applied onto empty string"),
   REPLACES_EMPTY_STRING(PRIMITIVE, "cannot replace the empty string"),
@@ -105,7 +110,10 @@ public enum Problem {
       PRIMITIVE, "odd number of arguments", "each key has a value: Dictionary.new(key, value)"),
   MISSING_KEY(KEY_ERROR, "missing key: {key}", "getWithDefault has a value for missing keys"),
   GROUP_OUT_OF_BOUNDS(PRIMITIVE, "out of bound index: {index}"),
-  REGULAR_EXPRESSION(PRIMITIVE, "invalid regular expression `{text}': {reason}"),
+  REGULAR_EXPRESSION(
+      PRIMITIVE,
+      "invalid regular expression `{text}': {reason}",
+      "\\ makes one of ( ) [ ] { } . * + ? | an ordinary character"),
   EMPTY_EXPRESSION(PART, "Empty expression"),
   UNMATCHED_PARENTHESIS(PART, "Unmatched marking parenthesis ( or \\(."),
   UNMATCHED_BRACKET(PART, "Unmatched [ or [^."),
@@ -120,7 +128,8 @@ public enum Problem {
   FORMAT_WITHOUT_END(PRIMITIVE, "format without final `|': {text}"),
   FORMAT_NUMBER(PRIMITIVE, "number too large: {digits}"),
   TEXT_AFTER_FORMAT(PRIMITIVE, "unexpected text after the format: {text}"),
-  TOO_FEW_FOR_FORMAT(PRIMITIVE, "too few arguments for format"),
+  TOO_FEW_FOR_FORMAT(
+      PRIMITIVE, "too few arguments for format", "each %s takes an element: \"%s %s\" % [1, 2]"),
   TOO_MANY_FOR_FORMAT(PRIMITIVE, "too many arguments for format"),
   NOT_A_DATE(PRIMITIVE, "cannot convert to date: {text}"),
   YEAR(PRIMITIVE, "Year is out of valid range: 1400..9999"),
@@ -164,7 +173,7 @@ public enum Problem {
 
   NO_FILE(
       FILE_NOT_FOUND, "file not found: {name}", "System.searchPath says where it is looked for"),
-  AT_PATH(PRIMITIVE, "{reason}: {path}"),
+  AT_PATH(PRIMITIVE, "{reason}: {path}", "a relative path begins at Directory.current"),
   NO_SUCH_FILE(PART, "no such file or directory"),
   FILE_MISSING(PART, "file does not exist"),
   FILE_EXISTS(PART, "file exists"),

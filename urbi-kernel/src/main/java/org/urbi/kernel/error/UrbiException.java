@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.parse.SyntaxError;
 import org.urbi.lang.source.Span;
 
 /**
@@ -26,27 +27,38 @@ public final class UrbiException extends RuntimeException {
   private final transient UrbiObject value;
   private final @Nullable String hint;
   private final boolean uncatchable;
+  private final transient @Nullable SyntaxError syntaxError;
   private transient @Nullable Span span;
   private transient @Nullable List<Call> backtrace;
 
   public UrbiException(UrbiObject value) {
-    this(value, null);
+    this(value, null, null, false);
   }
 
   UrbiException(UrbiObject value, @Nullable String hint) {
-    this(value, hint, false);
+    this(value, hint, null, false);
   }
 
-  private UrbiException(UrbiObject value, @Nullable String hint, boolean uncatchable) {
+  /** An exception that tells of an error in a text. */
+  UrbiException(UrbiObject value, SyntaxError error) {
+    this(value, error.problem().hint().orElse(null), error, false);
+  }
+
+  private UrbiException(
+      UrbiObject value,
+      @Nullable String hint,
+      @Nullable SyntaxError syntaxError,
+      boolean uncatchable) {
     super(null, null, false, false);
     this.value = value;
     this.hint = hint;
+    this.syntaxError = syntaxError;
     this.uncatchable = uncatchable;
   }
 
   /** The same exception, but one that no code can catch, because the job must end. */
   UrbiException uncatchable() {
-    return new UrbiException(value, hint, true);
+    return new UrbiException(value, hint, syntaxError, true);
   }
 
   /** Whether {@code catch} clauses ignore it. */
@@ -62,6 +74,11 @@ public final class UrbiException extends RuntimeException {
   /** A hint at what to do about it, if the catalogue of messages has one. */
   public Optional<String> hint() {
     return Optional.ofNullable(hint);
+  }
+
+  /** The error in a text of which it tells, or null. */
+  public @Nullable SyntaxError syntaxError() {
+    return syntaxError;
   }
 
   /** Whether it is known where it was thrown. */

@@ -1,9 +1,11 @@
 package org.urbi.kernel.lobby;
 
 import java.util.List;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.lang.advice.Advice;
 import org.urbi.lang.source.Span;
 
 /**
@@ -18,12 +20,24 @@ public final class Diagnostics {
 
   /** Sends an error. */
   public static void error(Output output, String text) {
-    output.send(ERROR, marked(text));
+    output.send(ERROR, output.errors().problem(marked(text), true));
   }
 
   /** Sends a warning; the caller checks whether warnings are off. */
   public static void warning(Output output, String text) {
-    output.send(WarningChannel.NAME, marked(text));
+    output.send(WarningChannel.NAME, output.errors().problem(marked(text), false));
+  }
+
+  /**
+   * Sends what people want to know beyond the message, if anybody looks at the output.
+   *
+   * @param place null when it is not known
+   * @param advice asked for only then
+   */
+  public static void explain(Output output, @Nullable Span place, Supplier<Advice> advice) {
+    if (output.errors() != ErrorStyle.PLAIN) {
+      output.write(Explanation.of(output.errors(), place, advice.get()));
+    }
   }
 
   /** Sends the calls that led to an error. */

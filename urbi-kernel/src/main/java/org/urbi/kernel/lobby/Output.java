@@ -15,6 +15,7 @@ public final class Output {
   private final Consumer<String> client;
   private final BooleanSupplier full;
   private final int most;
+  private final ErrorStyle errors;
   private StringBuilder buffer = new StringBuilder();
   private final Runnable atEndOfTick = this::sendRegistered;
   private boolean registered;
@@ -22,17 +23,20 @@ public final class Output {
   private long bytesSent;
 
   public Output(Scheduler scheduler, Consumer<String> client) {
-    this(scheduler, client, () -> false);
+    this(scheduler, client, () -> false, ErrorStyle.PLAIN);
   }
 
   /**
    * @param full whether so much output is unread that the code of the client must not send more
+   * @param errors how much is told about errors
    */
-  public Output(Scheduler scheduler, Consumer<String> client, BooleanSupplier full) {
+  public Output(
+      Scheduler scheduler, Consumer<String> client, BooleanSupplier full, ErrorStyle errors) {
     this.scheduler = scheduler;
     this.client = client;
     this.full = full;
     this.most = LARGE;
+    this.errors = errors;
   }
 
   private Output(Output other) {
@@ -40,11 +44,17 @@ public final class Output {
     this.client = other::write;
     this.full = other.full;
     this.most = 0;
+    this.errors = other.errors;
   }
 
   /** A separate output that sends its bytes through this one, in order. */
   public Output branch() {
     return new Output(this);
+  }
+
+  /** How much is told about errors. */
+  public ErrorStyle errors() {
+    return errors;
   }
 
   /** Whether it is a {@linkplain #branch branch}. */

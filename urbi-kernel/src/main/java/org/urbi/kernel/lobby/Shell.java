@@ -2,6 +2,7 @@ package org.urbi.kernel.lobby;
 
 import static java.util.Objects.requireNonNull;
 
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.compile.Compilation;
@@ -18,6 +19,8 @@ import org.urbi.kernel.node.Imports;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.tag.UrbiTag;
+import org.urbi.lang.advice.Advice;
+import org.urbi.lang.advice.SyntaxAdvice;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.input.Item;
 import org.urbi.lang.input.StatementReader;
@@ -245,7 +248,7 @@ public final class Shell {
         if (item instanceof Item.Statement statement) {
           execute(shell, statement);
         } else if (item instanceof Item.Invalid invalid) {
-          invalid.errors().forEach(this::show);
+          show(invalid.errors());
         }
       }
       if (!closed && !hungUp) {
@@ -469,11 +472,19 @@ public final class Shell {
   private void show(SyntaxWarning warning) {
     if (!WarningChannel.isOff(interpreter.world())) {
       Diagnostics.warning(lobby.output(), Diagnostics.place(warning.span()) + warning.message());
+      Diagnostics.explain(lobby.output(), warning.span(), () -> Advice.of(null));
     }
+  }
+
+  /** People are told of the first, which may have caused the others. */
+  private void show(List<SyntaxError> errors) {
+    boolean all = lobby.output().errors() == ErrorStyle.PLAIN;
+    (all ? errors : errors.subList(0, 1)).forEach(this::show);
   }
 
   private void show(SyntaxError error) {
     listener.failed();
     Diagnostics.error(lobby.output(), Diagnostics.place(error.span()) + error.message());
+    Diagnostics.explain(lobby.output(), error.span(), () -> SyntaxAdvice.of(error));
   }
 }

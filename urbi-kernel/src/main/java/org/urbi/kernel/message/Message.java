@@ -65,9 +65,10 @@ public sealed interface Message {
    * @param address the Internet address of the client; empty when it has none
    * @param role the name of the role of its lobby
    * @param budget the limits of its lobby, as in options
+   * @param errors the name of the style in which it is told of errors
    */
   record ConnectionOpened(
-      int connection, boolean holdsTime, String address, String role, String budget)
+      int connection, boolean holdsTime, String address, String role, String budget, String errors)
       implements Message {
     @Override
     public int to() {

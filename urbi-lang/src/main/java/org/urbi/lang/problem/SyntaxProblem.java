@@ -46,9 +46,11 @@ public enum SyntaxProblem {
   MISPLACED_DECLARATION(ERROR, "declaration not allowed here"),
   VARIABLE_REDEFINITION(
       ERROR, "variable redefinition: {name}", "without var, the variable gets another value"),
-  BREAK_OUTSIDE(ERROR, "break: outside a loop"),
-  CONTINUE_OUTSIDE(ERROR, "continue: outside a loop"),
-  RETURN_OUTSIDE(ERROR, "return: outside a function"),
+  BREAK_OUTSIDE(ERROR, "break: outside a loop", "a tag ends other code: t.stop ends t: { … }"),
+  CONTINUE_OUTSIDE(
+      ERROR, "continue: outside a loop", "it begins the next turn of for, while, loop or every"),
+  RETURN_OUTSIDE(
+      ERROR, "return: outside a function", "a tag ends other code: t.stop ends t: { … }"),
   THROW_OUTSIDE(ERROR, "throw: outside a catch", "what is thrown stands behind throw"),
   INVALID_FLAVOR(ERROR, "invalid flavor: {loop}{flavor}"),
   CAUGHT_ALREADY(

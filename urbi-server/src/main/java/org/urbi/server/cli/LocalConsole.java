@@ -59,7 +59,7 @@ final class LocalConsole implements AutoCloseable {
         terminal != null
             ? terminal.consoleOutput()
             : new StandardOutput(stream(out), settings.keepsServing(), this::outputLost);
-    console = new Console(consoleOutput::add, this::lobbyClosed);
+    console = new Console(consoleOutput::add, settings.errors(), this::lobbyClosed);
   }
 
   /** Makes a stream that reports failures, unlike a print stream. */

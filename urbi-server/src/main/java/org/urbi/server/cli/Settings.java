@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.lobby.ErrorStyle;
 import org.urbi.server.Trace;
 import org.urbi.server.trust.AccessOptions;
 
@@ -17,6 +18,7 @@ import org.urbi.server.trust.AccessOptions;
  * @param watchdog how long kernel and network of a server may not turn before it gives up; zero for
  *     as long as they like
  * @param quiet whether clients are not sent a banner
+ * @param errors how the console tells of errors
  * @param port where to listen; 0 for any, {@link #NO_PORT} for nowhere
  * @param portFile where to write the port's number, or null
  * @param socket where to listen besides
@@ -40,6 +42,7 @@ record Settings(
     Duration maxHold,
     Duration watchdog,
     boolean quiet,
+    ErrorStyle errors,
     String host,
     int port,
     @Nullable Path portFile,

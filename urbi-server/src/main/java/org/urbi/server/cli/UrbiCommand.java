@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.urbi.bridge.NativeThreads;
 import org.urbi.kernel.budget.Budget;
+import org.urbi.kernel.lobby.ErrorStyle;
 import org.urbi.server.Trace;
 import org.urbi.server.console.ErrorOutput;
 import org.urbi.server.options.Arguments;
@@ -80,6 +81,12 @@ public final class UrbiCommand {
             "How deep a job may recurse, in KiB of stack (default: URBI_STACK_SIZE).",
             "-s",
             "--stack-size")
+        .option(
+            "STYLE",
+            "How the console tells of errors: plain, explained (with the line of the source and a"
+                + " hint) or coloured (default: coloured at a terminal, explained there with"
+                + " NO_COLOR, otherwise plain).",
+            "--errors")
         .flag("Do not send the welcome banner to clients.", "-q", "--quiet")
         .option(
             "ADDRESS",
@@ -212,6 +219,7 @@ public final class UrbiCommand {
         arguments.duration("--max-hold", serves ? MAX_HOLD : Duration.ZERO),
         arguments.duration("--watchdog", WATCHDOG),
         arguments.has("--quiet"),
+        errorStyle(arguments),
         arguments.value("--host", "127.0.0.1"),
         port,
         portFile == null ? null : Path.of(portFile),
@@ -226,6 +234,19 @@ public final class UrbiCommand {
         input,
         rest.isEmpty() ? List.of() : rest.subList(1, rest.size()),
         System.getProperty("urbi.program", SearchPath.root().resolve("urbi").toString()));
+  }
+
+  private static ErrorStyle errorStyle(Arguments arguments) {
+    String style = arguments.value("--errors");
+    if (style == null) {
+      return Terminal.errorStyle();
+    }
+    return switch (style) {
+      case "plain" -> ErrorStyle.PLAIN;
+      case "explained" -> ErrorStyle.EXPLAINED;
+      case "coloured", "colored" -> ErrorStyle.COLOURED;
+      default -> throw Failure.usage("invalid --errors: " + style + ": plain, explained, coloured");
+    };
   }
 
   private static String budget(Arguments arguments) {

@@ -5,6 +5,7 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
+import org.urbi.kernel.lobby.ErrorStyle;
 
 /**
  * The client of the program's own lobby, which executes {@code -e}, {@code -f} and the standard
@@ -14,6 +15,7 @@ public final class Console implements Client {
   private static final int PENDING_INPUT = 1 << 20;
 
   private final Consumer<String> consoleOutput;
+  private final ErrorStyle errors;
   private final Runnable whenClosed;
   private volatile @Nullable Thread sender;
   private volatile boolean open = true;
@@ -21,16 +23,23 @@ public final class Console implements Client {
 
   /**
    * @param consoleOutput takes the lobby's output, a byte in each character
+   * @param errors how it tells of errors
    * @param whenClosed called once when the lobby is over
    */
-  public Console(Consumer<String> consoleOutput, Runnable whenClosed) {
+  public Console(Consumer<String> consoleOutput, ErrorStyle errors, Runnable whenClosed) {
     this.consoleOutput = consoleOutput;
+    this.errors = errors;
     this.whenClosed = whenClosed;
   }
 
   @Override
   public boolean isProgram() {
     return true;
+  }
+
+  @Override
+  public ErrorStyle errors() {
+    return errors;
   }
 
   @Override

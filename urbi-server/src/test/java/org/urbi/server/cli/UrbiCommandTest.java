@@ -62,6 +62,27 @@ class UrbiCommandTest {
   }
 
   @Test
+  void errorsAreExplainedToWhoAsksForIt() throws Exception {
+    String script = file("open.u", "function f(x)\n{\n  echo(x;\n};\n");
+    String place = "[:error] !!! " + script + ":3.9: syntax error: unexpected ;";
+    assertEquals(
+        place
+            + """
+
+              3 |   echo(x;
+                |       - opened here
+                |         ^
+                hint: `)' is missing\
+            """,
+        urbi("-q", "--errors", "explained", script).out());
+    assertEquals(place, urbi("-q", "--errors", "plain", script).out());
+    assertEquals(place, urbi("-q", script).out());
+    String coloured = urbi("-q", "--errors", "coloured", script).out();
+    assertTrue(coloured.contains("\u001B[1;31m^\u001B[0m"), coloured);
+    assertEquals(2, urbi("-q", "--errors", "loud", script).status());
+  }
+
+  @Test
   void afterAScriptComesTheStandardInput() throws Exception {
     String script = file("one.u", "var one = 1;");
     try (UrbiProcess urbi = new UrbiProcess(folder, Map.of(), "-q", script)) {

@@ -9,7 +9,6 @@ import org.urbi.kernel.library.exception.ExceptionTable.Init;
 import org.urbi.kernel.library.exception.ExceptionTable.Shown;
 import org.urbi.kernel.library.lobby.Warnings;
 import org.urbi.kernel.library.object.ObjectType;
-import org.urbi.kernel.library.text.StringDistance;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
@@ -17,6 +16,7 @@ import org.urbi.kernel.node.Truth;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.text.StringDistance;
 
 /** The exceptions that the language throws (manual, "Exception"), one row for each type. */
 public final class ExceptionTypes {

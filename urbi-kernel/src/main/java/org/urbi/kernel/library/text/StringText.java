@@ -16,6 +16,7 @@ import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.lang.grammar.Checkpoint;
+import org.urbi.lang.text.StringDistance;
 
 /** Strings as texts (manual, "String"): splitting, likeness, kinds of characters. */
 @UrbiTypePart(value = "String", needs = Permission.NOTHING)

@@ -1,4 +1,4 @@
-package org.urbi.kernel.library.text;
+package org.urbi.lang.text;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -19,7 +19,7 @@ public final class StringDistance {
    *
    * @param onRow called now and then: long words take long
    */
-  static int distance(String from, String to, Runnable onRow) {
+  public static int distance(String from, String to, Runnable onRow) {
     int[] before = new int[to.length() + 1];
     int[] previous = new int[to.length() + 1];
     int[] current = new int[to.length() + 1];
@@ -48,8 +48,16 @@ public final class StringDistance {
     return previous[to.length()];
   }
 
+  private static String lower(String text) {
+    char[] chars = text.toCharArray();
+    for (int i = 0; i < chars.length; i++) {
+      chars[i] = 'A' <= chars[i] && chars[i] <= 'Z' ? (char) (chars[i] - 'A' + 'a') : chars[i];
+    }
+    return new String(chars);
+  }
+
   /** The first of the most similar candidates; null if none is similar enough. */
-  static @Nullable String closest(String word, List<String> candidates, Runnable onRow) {
+  public static @Nullable String closest(String word, List<String> candidates, Runnable onRow) {
     String closest = null;
     int least = Integer.MAX_VALUE;
     for (String candidate : candidates) {
@@ -61,8 +69,7 @@ public final class StringDistance {
       }
       // The case of letters counts little.
       int edits =
-          2 * distance(Characters.lower(word), Characters.lower(candidate), onRow)
-              + (word.equals(candidate) ? 0 : 1);
+          2 * distance(lower(word), lower(candidate), onRow) + (word.equals(candidate) ? 0 : 1);
       if (edits < least && edits <= most) {
         least = edits;
         closest = candidate;
@@ -86,7 +93,7 @@ public final class StringDistance {
 
     public ClosestName(String name) {
       this.name = name;
-      this.lower = Characters.lower(name);
+      this.lower = lower(name);
       this.open = name.length() <= LONGEST_NAME;
     }
 
@@ -104,7 +111,7 @@ public final class StringDistance {
         known = true;
         return;
       }
-      int edits = Math.max(1, distance(lower, Characters.lower(candidate), () -> {}));
+      int edits = Math.max(1, distance(lower, lower(candidate), () -> {}));
       if (edits <= most && (edits < least || edits == least && isAfter(candidate, meant))) {
         meant = candidate;
         least = edits;

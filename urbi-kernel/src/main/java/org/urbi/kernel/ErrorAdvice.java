@@ -1,0 +1,169 @@
+package org.urbi.kernel;
+
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.Errors;
+import org.urbi.kernel.error.Hint;
+import org.urbi.kernel.error.ProblemKind;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.event.UrbiEvent;
+import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.object.UrbiFloat;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.UrbiString;
+import org.urbi.lang.advice.Advice;
+import org.urbi.lang.source.Span;
+
+/**
+ * What to do about an exception, as far as its slots and the code around its place tell. Runs no
+ * code of users: asked for when something has already gone wrong.
+ */
+final class ErrorAdvice {
+  /** What other languages call what urbiscript has. */
+  private static final Map<String, String> FOREIGN =
+      Map.ofEntries(
+          Map.entry("printf", "echo(\"… %s\" % [value])"),
+          Map.entry("println", "echo(value)"),
+          Map.entry("puts", "echo(value)"),
+          Map.entry("console", "echo(value)"),
+          Map.entry("cout", "echo(value)"),
+          Map.entry("None", "nil"),
+          Map.entry("NULL", "nil"),
+          Map.entry("undefined", "nil"),
+          Map.entry("True", "true"),
+          Map.entry("False", "false"),
+          Map.entry("len", "size"),
+          Map.entry("length", "size"),
+          Map.entry("strlen", "size"),
+          Map.entry("append", "list << value"),
+          Map.entry("push", "list << value"),
+          Map.entry("push_back", "list << value"),
+          Map.entry("str", "asString"),
+          Map.entry("toString", "asString"),
+          Map.entry("to_s", "asString"),
+          Map.entry("parseInt", "asFloat"),
+          Map.entry("parseFloat", "asFloat"),
+          Map.entry("require", "load(\"file.u\")"),
+          Map.entry("include", "load(\"file.u\")"),
+          Map.entry("range", "for (var i : 3), 3.seq"));
+
+  /** Where an assignment is looked for: a program may be one long line. */
+  private static final int LOOK_AHEAD = 16;
+
+  private final Interpreter interpreter;
+  private final UrbiLobby lobby;
+  private final UrbiException thrown;
+
+  private ErrorAdvice(Interpreter interpreter, UrbiLobby lobby, UrbiException thrown) {
+    this.interpreter = interpreter;
+    this.lobby = lobby;
+    this.thrown = thrown;
+  }
+
+  static Advice of(Interpreter interpreter, UrbiLobby lobby, UrbiException thrown) {
+    String own = thrown.hint().orElse(null);
+    String found = new ErrorAdvice(interpreter, lobby, thrown).hint();
+    return Advice.of(found == null ? own : found);
+  }
+
+  private @Nullable String hint() {
+    Errors errors = interpreter.errors();
+    UrbiObject value = thrown.value();
+    if (errors.is(value, ProblemKind.LOOKUP)) {
+      return lookup(text("name"), slot("object"));
+    } else if (errors.is(value, ProblemKind.ARITY)) {
+      return arity(text("routine"));
+    } else if (errors.is(value, ProblemKind.ARGUMENT)) {
+      UrbiObject cause = slot("exception");
+      return cause == null ? null : type(slot(cause, "effective"), slot(cause, "expected"));
+    } else if (errors.is(value, ProblemKind.TYPE)) {
+      return type(slot("effective"), slot("expected"));
+    }
+    return value.isA(interpreter.world().prototype("Exception")) ? null : Hint.NO_EXCEPTION.text();
+  }
+
+  private @Nullable String lookup(String name, @Nullable UrbiObject asked) {
+    if (FOREIGN.containsKey(name)) {
+      return Hint.FOREIGN_NAME.text(name, FOREIGN.get(name));
+    } else if (asked == null) {
+      return null;
+    } else if (asked == interpreter.values().nil) {
+      return Hint.ASKED_OF_NIL.text(name);
+    } else if (isAssigned()) {
+      return Hint.UNDECLARED.text(name);
+    } else if (thrown.span() != null && thrown.span().text().startsWith("'")) {
+      return Hint.SINGLE_QUOTES.text();
+    } else if (asked instanceof UrbiLobby) {
+      return !name.isEmpty() && Character.isUpperCase(name.charAt(0))
+          ? Hint.UNKNOWN_CLASS.text()
+          : Hint.UNKNOWN_NAME.text(name, name);
+    }
+    return name.equals("emit")
+        ? Hint.NO_EVENT.text()
+        : name.equals("stop") ? Hint.NO_TAG_TO_STOP.text() : askedOf(name, asked);
+  }
+
+  private @Nullable String askedOf(String name, UrbiObject asked) {
+    String type = typeName(asked);
+    String article = type.isEmpty() || "AEIOU".indexOf(type.charAt(0)) < 0 ? "a" : "an";
+    return type.isEmpty() ? null : Hint.ASKED_OF.text(name, article, type);
+  }
+
+  /** Whether {@code =} follows the place, and not {@code ==}. */
+  private boolean isAssigned() {
+    Span span = thrown.span();
+    if (span == null) {
+      return false;
+    }
+    String text = span.source().text();
+    int end = Math.min(span.end(), text.length());
+    String next = text.substring(end, Math.min(end + LOOK_AHEAD, text.length())).stripLeading();
+    return next.startsWith("=") && !next.startsWith("==") && !next.startsWith("=>");
+  }
+
+  private @Nullable String arity(String routine) {
+    if (routine.equals("print")) {
+      return Hint.SHOW.text();
+    }
+    UrbiObject called = slot(lobby, routine);
+    if (called instanceof UrbiEvent) {
+      return Hint.EMIT.text(routine);
+    }
+    boolean none = slot("maximum") instanceof UrbiFloat most && most.value() == 0;
+    return none
+        ? Hint.NO_ARGUMENTS.text(routine)
+        : called == null ? null : Hint.PARAMETERS.text(routine);
+  }
+
+  private @Nullable String type(@Nullable UrbiObject effective, @Nullable UrbiObject expected) {
+    if (expected == null || effective == null) {
+      return null;
+    }
+    if (expected == interpreter.values().floatProto && effective instanceof UrbiString) {
+      return Hint.TO_NUMBER.text();
+    } else if (expected == interpreter.values().stringProto) {
+      return Hint.TO_STRING.text();
+    }
+    if (expected == interpreter.values().listProto) {
+      return Hint.TO_LIST.text();
+    }
+    return expected == interpreter.prototypes().tag ? Hint.NO_TAG.text() : null;
+  }
+
+  private String typeName(UrbiObject of) {
+    return slot(of, "type") instanceof UrbiString name ? name.value() : "";
+  }
+
+  private String text(String slot) {
+    return slot(slot) instanceof UrbiString text ? text.value() : "";
+  }
+
+  private @Nullable UrbiObject slot(String name) {
+    return slot(thrown.value(), name);
+  }
+
+  private @Nullable UrbiObject slot(UrbiObject of, String name) {
+    return of.lookup(interpreter.world().symbol(name));
+  }
+}

@@ -1,0 +1,44 @@
+package org.urbi.kernel.error;
+
+import org.urbi.lang.problem.Template;
+
+/**
+ * The catalogue of what is added to errors of running code for people who look at a terminal, where
+ * that depends on more than the {@linkplain Problem problem}.
+ */
+public enum Hint {
+  FOREIGN_NAME("`{name}' is no name of urbiscript; it has `{meant}'"),
+  SINGLE_QUOTES("single quotes stand around names, double quotes around strings"),
+  UNDECLARED("a new variable is declared by var: var {name} = …"),
+  UNKNOWN_CLASS("names are case-sensitive; loadModule(\"…\") loads what UObjects bring"),
+  UNKNOWN_NAME("nothing is called `{name}' here: var {name} = … declares it"),
+  ASKED_OF_NIL("`{name}' was asked of nil: what should have a value has none"),
+  ASKED_OF("`{name}' was asked of {a} {type}; allSlotNames lists what it has"),
+  NO_EVENT("`!' emits events; a tag has stop, freeze and block"),
+  NO_TAG_TO_STOP("tags are stopped: in `t: { … }' the code has the tag t, which t.stop stops"),
+  EMIT("an event is emitted by `{name}!(…)'"),
+  PARAMETERS("getSlotValue(\"{name}\") shows what it takes"),
+  TO_LIST("a list is written in brackets: [1]"),
+  NO_ARGUMENTS("`{name}' takes no arguments: without parentheses it gives its value"),
+  SHOW("echo(value) shows a value"),
+  TO_NUMBER("asFloat makes a number of a string: \"12\".asFloat"),
+  TO_STRING("asString makes a string of any value"),
+  NO_TAG("`tag: code' gives code a tag; a dictionary is [\"key\" => value]"),
+  NO_EXCEPTION("throw Exception.new(\"…\") tells where it was thrown");
+
+  private final Template template;
+
+  Hint(String text) {
+    template = new Template(text);
+  }
+
+  /** Its text, not filled in. */
+  public Template template() {
+    return template;
+  }
+
+  /** Its text; the values stand for its places, in their order. */
+  public String text(Object... values) {
+    return template.fill(values);
+  }
+}

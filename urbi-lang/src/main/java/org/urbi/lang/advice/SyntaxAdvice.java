@@ -1,0 +1,42 @@
+package org.urbi.lang.advice;
+
+import java.util.List;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import org.urbi.lang.parse.SyntaxError;
+
+/**
+ * Guesses what was meant by a text with a syntax error, from the words around it. A wrong guess
+ * costs nobody anything but the time to read it; so the rules are ordered from sure to vague.
+ */
+public final class SyntaxAdvice {
+  private static final List<Function<Surroundings, @Nullable Advice>> RULES =
+      List.of(
+          BracketAdvice::unfinished,
+          WordAdvice::characters,
+          OperatorAdvice::operator,
+          WordAdvice::keyword,
+          BracketAdvice::closer,
+          SeparatorAdvice::otherwise,
+          BracketAdvice::parentheses,
+          BracketAdvice::braces,
+          StringAdvice::string,
+          SeparatorAdvice::missing,
+          SeparatorAdvice::semicolon,
+          OperatorAdvice::operand);
+
+  private SyntaxAdvice() {}
+
+  /** What there is to say about an error. */
+  public static Advice of(SyntaxError error) {
+    Advice own = Advice.of(error.problem().hint().orElse(null));
+    var around = new Surroundings(error.span().source(), error.span().begin());
+    for (Function<Surroundings, @Nullable Advice> rule : RULES) {
+      Advice advice = rule.apply(around);
+      if (advice != null) {
+        return advice.hint() == null ? new Advice(own.hint(), advice.notes()) : advice;
+      }
+    }
+    return own;
+  }
+}

@@ -1,0 +1,102 @@
+package org.urbi.lang.advice;
+
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.urbi.lang.grammar.Keywords;
+import org.urbi.lang.grammar.LexicalError;
+import org.urbi.lang.grammar.UrbiscriptLexer;
+import org.urbi.lang.problem.SyntaxHint;
+import org.urbi.lang.text.StringDistance;
+
+/** Words of other languages, mistyped keywords, and characters that no word has. */
+final class WordAdvice {
+  /** What other languages say, and what they mean. */
+  private static final Map<String, String> FOREIGN =
+      Map.ofEntries(
+          Map.entry("def", "function"),
+          Map.entry("fn", "function"),
+          Map.entry("fun", "function"),
+          Map.entry("func", "function"),
+          Map.entry("sub", "function"),
+          Map.entry("elif", "else if"),
+          Map.entry("elsif", "else if"),
+          Map.entry("elseif", "else if"),
+          Map.entry("let", "var"),
+          Map.entry("local", "var"),
+          Map.entry("auto", "var"),
+          Map.entry("int", "var"),
+          Map.entry("float", "var"),
+          Map.entry("double", "var"),
+          Map.entry("bool", "var"),
+          Map.entry("except", "catch"),
+          Map.entry("raise", "throw"),
+          Map.entry("until", "while (!…)"),
+          Map.entry("when", "at (…)"),
+          Map.entry("wait", "sleep(…)"),
+          Map.entry("is", "=="));
+
+  private WordAdvice() {}
+
+  /** Quotes of a word processor, umlauts, {@code 12abc}. */
+  static @Nullable Advice characters(Surroundings around) {
+    for (LexicalError issue : around.issues()) {
+      switch (issue.problem()) {
+        case INVALID_CHARACTER -> {
+          String rest = around.span(issue).source().text().substring(issue.begin());
+          // The bytes of curved quotes; a back quote.
+          boolean quote = rest.startsWith("\u00E2\u0080") || rest.startsWith("`");
+          return Advice.of((quote ? SyntaxHint.QUOTES : SyntaxHint.ASCII).text());
+        }
+        case INVALID_NUMBER -> {
+          String text = around.span(issue).source().text().substring(issue.begin(), issue.end());
+          return Advice.of(
+              (text.matches("[0-9._]+(s|se|sec\\w*|m\\w+|h\\w+|d\\w+|u\\w*|n\\w*)")
+                      ? SyntaxHint.UNITS
+                      : SyntaxHint.LETTER_FIRST)
+                  .text());
+        }
+        case RESERVED_WORD -> {
+          String word = around.span(issue).source().text().substring(issue.begin(), issue.end());
+          String meant = FOREIGN.get(word);
+          return meant == null ? null : Advice.of(SyntaxHint.NO_WORD.text(word, meant));
+        }
+        default -> {}
+      }
+    }
+    return null;
+  }
+
+  /** {@code functon f(x) …}, {@code elif}. */
+  static @Nullable Advice keyword(Surroundings around) {
+    int at = around.at();
+    int first = around.statement(at);
+    for (int index : new int[] {at, at - 1, at - 2, first}) {
+      if (index < first || !around.is(index, UrbiscriptLexer.WORD)) {
+        continue;
+      }
+      String word = around.text(index);
+      boolean begins = index == first || around.is(index - 1, UrbiscriptLexer.RBRACE);
+      if (word.equals("lambda")) {
+        return Advice.of(SyntaxHint.LIKE_FUNCTION.text());
+      }
+      String meant = begins || word.equals("is") ? FOREIGN.get(word) : null;
+      if (meant != null) {
+        return Advice.of(SyntaxHint.NO_WORD.text(word, meant));
+      }
+      String keyword = begins ? mistyped(word) : null;
+      if (keyword != null) {
+        return Advice.of(SyntaxHint.MISSPELLED.text(keyword));
+      }
+    }
+    return null;
+  }
+
+  private static @Nullable String mistyped(String word) {
+    if (word.length() < 3) {
+      return null;
+    }
+    var closest = new StringDistance.ClosestName(word);
+    Keywords.all().stream().filter(keyword -> keyword.length() > 2).forEach(closest::consider);
+    return closest.meant();
+  }
+}

@@ -1,0 +1,71 @@
+package org.urbi.lang.problem;
+
+/**
+ * The catalogue of what the parser's messages add for people who look at a terminal: what to do
+ * about a mistake, where that depends on the text around it, and what the places are that are shown
+ * with it. What holds for every text is the {@linkplain SyntaxProblem#hint() hint} of the problem.
+ */
+public enum SyntaxHint {
+  // ------------------------------------------------------------------ words
+
+  MISSPELLED("did you mean `{word}'?"),
+  NO_WORD("`{word}' is no word of urbiscript; here it is `{meant}'"),
+  LIKE_FUNCTION("a function without a name is `function (x) { x + 1 }', or `closure'"),
+  NO_DO_WHILE("there is no do … while: loop { …; if (!condition) break }"),
+
+  // ------------------------------------------------------------------ separators
+
+  SEPARATOR("`;' is missing at the end of the statement before it"),
+  COMMA("elements and arguments are separated by `,'"),
+  NO_SEMICOLON("inside `{opener}' there are no statements: `,' separates elements and arguments"),
+  TOGETHER("`;' or an operator is missing before it; a modifier is x = 1 time:2s"),
+  NOTHING("something is missing between the parentheses of `{word}'"),
+  ELSE("`else' directly follows its `if (…) …', without a `;' before it"),
+  OPERAND("something is missing behind `{operator}'"),
+
+  // ------------------------------------------------------------------ brackets
+
+  PARENTHESES("what belongs to `{word}' stands in parentheses: {word} (…) …"),
+  BLOCK("braces hold what belongs to `{word}': {word} … { … }"),
+  CASES("the cases of a switch stand in braces: switch (x) { case 1: … }"),
+  CASE_COLON("a `:' follows the value of a case"),
+  CATCH("try { … } is followed by catch (var e) { … }, or by finally { … }"),
+  UNOPENED("there is nothing open that `{closer}' could close"),
+  UNCLOSED("`{closer}' is missing"),
+  INDENTED("by its indentation, `{closer}' is missing here"),
+  QUOTE("`\"' is missing at the end of a string"),
+
+  // ------------------------------------------------------------------ operators
+
+  ASSIGNMENT("a value is given by `='"),
+  DIFFERENT("`!=' asks whether two values are different"),
+  DICTIONARY("a dictionary is [\"key\" => value]"),
+  RANGE("there are no ranges with dots: for (var i : 3) counts 0, 1, 2"),
+  COLON("a `:' starts no block; braces do"),
+  QUOTES("strings stand between double quotes: \"…\""),
+  ASCII("names consist of the letters a to z, digits and _"),
+  UNITS("the units of durations are d, h, min, s, ms, us and ns"),
+  LETTER_FIRST("a name begins with a letter or _"),
+
+  // ------------------------------------------------------------------ the places that are shown
+
+  OPENED("opened here"),
+  ENDS("it ends here"),
+  STRING_BEGINS("this string goes on to line {line}");
+
+  private final Template template;
+
+  SyntaxHint(String text) {
+    template = new Template(text);
+  }
+
+  /** Its text, not filled in. */
+  public Template template() {
+    return template;
+  }
+
+  /** Its text; the values stand for its places, in their order. */
+  public String text(Object... values) {
+    return template.fill(values);
+  }
+}
