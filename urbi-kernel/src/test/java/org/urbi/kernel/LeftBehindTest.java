@@ -40,7 +40,7 @@ class LeftBehindTest {
   }
 
   private int jobs() {
-    judge.say("sleep(2s);");
+    judge.say("sleep(2ms);");
     return Integer.parseInt(judge.say("System.jobs.size;"));
   }
 
@@ -106,6 +106,7 @@ class LeftBehindTest {
           "jobs=100",
           "for (80) detach({ try { sleep(inf) } finally { loop { sleep(inf) } } }); sleep(1s);");
     }
+    judge.say("sleep(2s);");
     visit("jobs=100", "1|;");
     assertTrue(jobs() <= 182, judge.say("System.jobs.size;"));
   }
@@ -144,5 +145,23 @@ class LeftBehindTest {
       jobs();
     }
     assertEquals(1, kernel.leftBehind().all().size());
+  }
+
+  /** It does let others run, so that nothing needs to end it at once. */
+  @Test
+  void whatRunsWhenItsClientLeavesGoesOn() {
+    judge.say("var Global.beats = 0;");
+    for (int i = 0; i < 10; i++) {
+      visit("", "disown({ loop { Global.beats = Global.beats + 1 } })|;");
+      assertEquals(i + 2, jobs());
+    }
+  }
+
+  @Test
+  void whatHoldsTheKernelWhenItsClientLeavesEnds() {
+    TestClient holding = visitor("");
+    holding.connection().send("disown({ while| (true) {} })|;\n");
+    holding.connection().close();
+    assertEquals(1, jobs());
   }
 }

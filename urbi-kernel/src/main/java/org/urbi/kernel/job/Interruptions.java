@@ -47,6 +47,11 @@ public final class Interruptions {
   // The following fields belong to the kernel thread: the code that is being ended at present.
   private long endingTurn = NONE;
   private StopReason ending = StopReason.NONE;
+
+  /** The turn of a detached job that noticed a request of its client, and when. */
+  private long askedTurn = NONE;
+
+  private long askedSince;
   private long graceEnd;
   private @Nullable RuntimeException failure;
 
@@ -119,7 +124,7 @@ public final class Interruptions {
 
   /** Throws if the running job must end. */
   void check(Job job) {
-    StopReason decided = decide(job.lobby());
+    StopReason decided = decide(job.lobby(), job.scope().isDetached());
     if (decided == StopReason.REQUESTED) {
       throw TagStop.interruption();
     } else if (decided != StopReason.NONE) {
@@ -134,7 +139,17 @@ public final class Interruptions {
    * Decides whether and why the job that runs for that lobby must end, and notes that it ends now.
    */
   StopReason decide(UrbiObject lobby) {
-    StopReason decided = journal.stopReason(pendingFor(lobby));
+    return decide(lobby, false);
+  }
+
+  /**
+   * The same.
+   *
+   * @param detached whether the job is to outlive its connection: then its client, who leaves or
+   *     wants something else ended, only ends it if it does not let others run
+   */
+  private StopReason decide(UrbiObject lobby, boolean detached) {
+    StopReason decided = journal.stopReason(pendingFor(lobby, detached));
     if (decided == StopReason.NONE) {
       return decided;
     }
@@ -160,7 +175,7 @@ public final class Interruptions {
         : GRACE_PERIOD;
   }
 
-  private StopReason pendingFor(UrbiObject lobby) {
+  private StopReason pendingFor(UrbiObject lobby, boolean detached) {
     long turn = turns.getAsLong();
     if (endingTurn != NONE) {
       if (endingTurn == turn) {
@@ -168,7 +183,7 @@ public final class Interruptions {
       }
       forgetEnded(turn);
     }
-    if (all || lobby != null && lobbies.contains(lobby)) {
+    if (all || lobby != null && lobbies.contains(lobby) && (!detached || goesOn(turn))) {
       return StopReason.REQUESTED;
     }
     if (overdueTurn.get() == turn) {
@@ -179,6 +194,16 @@ public final class Interruptions {
       update();
     }
     return StopReason.NONE;
+  }
+
+  /** Whether this turn goes on although it was asked to end. */
+  private boolean goesOn(long turn) {
+    long now = machine.now();
+    if (askedTurn != turn) {
+      askedTurn = turn;
+      askedSince = now;
+    }
+    return now - askedSince >= GRACE_PERIOD;
   }
 
   /** Code that had to end in an earlier turn has ended by now. */

@@ -130,6 +130,16 @@ public final class TagScope {
     }
   }
 
+  /** Whether the code here is to outlive the connection that started it. */
+  boolean isDetached() {
+    for (TagScope scope = this; scope != null; scope = scope.parent) {
+      if (scope.tag.isDetached()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** Whether a surrounding tag suspends the code here. */
   public boolean isFrozen() {
     return frozenDepth() > 0;

@@ -17,16 +17,33 @@ public final class TagState {
   private boolean frozen;
   private @Nullable UrbiObject blockedValue;
 
+  private final boolean detached;
+
   /** A tag that no code can name. */
   public TagState() {
-    owner = null;
+    this(null, false);
+  }
+
+  private TagState(@Nullable UrbiObject owner, boolean detached) {
+    this.owner = owner;
+    this.detached = detached;
+  }
+
+  /** A tag that no code can name, for what is to outlive the connection that started it. */
+  public static TagState ofDetached() {
+    return new TagState(null, true);
+  }
+
+  /** Whether it is for what is to outlive its connection. */
+  boolean isDetached() {
+    return detached;
   }
 
   /**
    * @param owner the urbiscript object of this tag
    */
   public TagState(UrbiObject owner) {
-    this.owner = owner;
+    this(owner, false);
   }
 
   /** The urbiscript object of this tag, or null. */

@@ -35,7 +35,7 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
   private boolean connected = true;
 
   /** Labels what its code has detached from the connection. */
-  private final TagState detachedTag = new TagState();
+  private final TagState detachedTag = TagState.ofDetached();
 
   private @Nullable TagScope detached;
 
