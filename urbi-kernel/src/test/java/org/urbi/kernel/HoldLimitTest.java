@@ -169,4 +169,24 @@ class HoldLimitTest {
     patient.close();
     assertTrue(!patient.isRunning());
   }
+
+  /** To tell all of them takes longer than the client may. */
+  @Test
+  void conditionsOfOthersAreToldEvenIfWhoeverTellsThemIsEnded() throws Exception {
+    Told busy = new Told();
+    Told judge = new Told();
+    Connection client = kernel.connect(busy);
+    client.send("var Global.x = 0; for (var i : 20000) { at (Global.x > 0) {} }; echo(\"set\");\n");
+    busy.await(text -> text.contains("set"));
+    kernel
+        .connect(judge)
+        .send(
+            "at (Global.x > 0) echo(\"told\"); echo(\"ready\"); at (Global.x > 1) echo(\"more\");\n");
+    judge.await(text -> text.contains("ready"));
+    client.send("lobby.setBudget(\"hold\", 2); sleep(200ms); Global.x = 1; echo(\"end\");\n");
+    busy.await(text -> text.contains("has held the kernel for too long") && text.contains("end"));
+    judge.await(text -> text.contains("told"));
+    kernel.connect(judge).send("Global.x = 2;\n");
+    judge.await(text -> text.contains("more"));
+  }
 }

@@ -66,6 +66,14 @@ public final class UrbiException extends RuntimeException {
     return uncatchable;
   }
 
+  /** Returns this exception if code may go on all the same, otherwise throws it again. */
+  public UrbiException unlessUncatchable() {
+    if (uncatchable) {
+      throw this;
+    }
+    return this;
+  }
+
   /** What was thrown. */
   public UrbiObject value() {
     return value;

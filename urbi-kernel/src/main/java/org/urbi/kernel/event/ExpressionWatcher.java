@@ -85,13 +85,34 @@ final class ExpressionWatcher implements Dependencies.Watcher {
       return;
     }
     if (running == null) {
-      scheduler.startDetached(lobby, scheduler.rootScope(), "watch", this::evaluateAgain);
+      startEvaluation(scheduler);
     } else {
       evaluateAgain(running);
     }
   }
 
+  /** Conditions of the lobby whose code must end are given up with it. */
+  @Override
+  public void invalidatedLater() {
+    Scheduler scheduler = home.job().scheduler();
+    Job running = scheduler.running();
+    if (closed || running != null && running.lobby() == lobby) {
+      return;
+    }
+    if (evaluator != null) {
+      again = true;
+    } else {
+      startEvaluation(scheduler);
+    }
+  }
+
+  private void startEvaluation(Scheduler scheduler) {
+    scheduler.startDetached(lobby, scheduler.rootScope(), "watch", this::evaluateAgain);
+  }
+
   private void evaluateAgain(Job job) {
+    // There may be very many conditions, which call nothing that would look.
+    job.checkInterrupted();
     // A condition whose evaluation keeps changing its own value must not loop for ever.
     for (int rounds = 0; rounds < 100 && !closed; rounds++) {
       again = false;
@@ -105,7 +126,8 @@ final class ExpressionWatcher implements Dependencies.Watcher {
           listener.evaluated(value, job);
         }
       } catch (UrbiException e) {
-        home.interpreter().report(home.job(), e);
+        // A job that must end does not go on with the next condition.
+        home.interpreter().report(home.job(), e.unlessUncatchable());
       } finally {
         world.tracker = outer;
       }

@@ -11,6 +11,14 @@ public final class Dependencies {
   public interface Watcher {
     /** Something that the condition read has changed. */
     void invalidated();
+
+    /**
+     * The same, but whoever has changed it must end: he may spend no more time on this, except on
+     * what is others'.
+     */
+    default void invalidatedLater() {
+      invalidated();
+    }
   }
 
   /** Collects what the evaluation of a condition reads. */
@@ -106,13 +114,12 @@ public final class Dependencies {
     return first == null;
   }
 
-  /** Calls every watcher, in the order in which they were added. */
+  /**
+   * Calls every watcher, in the order in which they were added. What one of them throws goes on to
+   * the caller; the change must not be lost to the others.
+   */
   public void changed() {
     if (first == null) {
-      return;
-    }
-    if (size == 1) {
-      first.watcher.invalidated();
       return;
     }
     // Watchers are added and removed while they are called.
@@ -121,9 +128,18 @@ public final class Dependencies {
     for (Watch watch = first; watch != null; watch = watch.after) {
       told[known++] = watch;
     }
-    for (Watch watch : told) {
-      if (!watch.over) {
-        watch.watcher.invalidated();
+    int next = 0;
+    try {
+      for (; next < told.length; next++) {
+        if (!told[next].over) {
+          told[next].watcher.invalidated();
+        }
+      }
+    } finally {
+      for (; next < told.length; next++) {
+        if (!told[next].over) {
+          told[next].watcher.invalidatedLater();
+        }
       }
     }
   }

@@ -75,7 +75,7 @@ final class Hooks {
         try {
           each.hook.run(frame, variable, value);
         } catch (UrbiException e) {
-          variable.reportFailure(frame, e);
+          variable.reportFailure(frame, e.unlessUncatchable());
           if (variable.removesFailed(frame)) {
             remove(each.id);
           }

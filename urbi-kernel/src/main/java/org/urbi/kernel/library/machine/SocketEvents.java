@@ -115,7 +115,7 @@ final class SocketEvents {
       try {
         event.tell(frame);
       } catch (UrbiException e) {
-        interpreter.report(job, e);
+        interpreter.report(job, e.unlessUncatchable());
       }
     }
   }

@@ -52,7 +52,7 @@ public final class Finalization {
       try {
         frame.interpreter().send(frame, object, "finalize");
       } catch (UrbiException e) {
-        frame.interpreter().report(frame.job(), e);
+        frame.interpreter().report(frame.job(), e.unlessUncatchable());
       }
     }
   }
