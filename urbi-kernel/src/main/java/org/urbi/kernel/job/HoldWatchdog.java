@@ -161,7 +161,11 @@ public final class HoldWatchdog {
 
   /** Interrupts what holds the kernel, as its client could; from any thread. */
   public void interrupt() {
-    end(scheduler.turn(), StopReason.OVERDUE, heldFor());
+    long turn = scheduler.turn();
+    Job job = scheduler.running();
+    if (job != null && turn == scheduler.turn()) {
+      end(job, turn, StopReason.OVERDUE, heldFor());
+    }
   }
 
   private void watch() {
@@ -183,7 +187,8 @@ public final class HoldWatchdog {
   void check() {
     long seen = scheduler.turn();
     long now = machine.now();
-    if (seen != heldTurn || scheduler.running() == null) {
+    Job job = scheduler.running();
+    if (seen != heldTurn || job == null || seen != scheduler.turn()) {
       heldSince = now;
       heldTurn = seen;
       told = false;
@@ -193,37 +198,32 @@ public final class HoldWatchdog {
         allocatedBefore = gauges.allocated.getAsLong();
       }
     } else if (!told) {
-      Job job = scheduler.running();
       long memory = memoryLimited ? memoryFor(job) : Budget.UNLIMITED;
       if (memory != Budget.UNLIMITED && gauges.allocated.getAsLong() - allocatedBefore > memory) {
         told = true;
-        end(seen, StopReason.GREEDY, memory);
+        end(job, seen, StopReason.GREEDY, memory);
         return;
       }
-      long most = limitOf(job);
+      long most = job.budget().holdLimit(limit);
       long allowed = hurried ? Math.min(most, limit / HURRY) : most;
-      if (isOverdue(now - heldSince, allowed, most)) {
+      if (isOverdue(job, now - heldSince, allowed, most)) {
         told = true;
-        end(seen, StopReason.OVERDUE, allowed);
+        end(job, seen, StopReason.OVERDUE, allowed);
       }
     } else if (!interrupted) {
-      interruptComponent(seen);
+      interruptComponent(job, seen);
     }
   }
 
   /** What the turn of a job may allocate: in a crowd there must be something left for others. */
-  private long memoryFor(@Nullable Job job) {
-    long most = job == null ? Budget.UNLIMITED : job.budget().limit(Resource.MEMORY);
+  private long memoryFor(Job job) {
+    long most = job.budget().limit(Resource.MEMORY);
     return most == Budget.UNLIMITED
         ? most
         : Math.min(most, gauges.free.getAsLong() / TURNS_IN_FREE_MEMORY);
   }
 
-  private long limitOf(@Nullable Job job) {
-    return job == null ? limit : job.budget().holdLimit(limit);
-  }
-
-  private boolean isOverdue(long held, long allowed, long most) {
+  private boolean isOverdue(Job job, long held, long allowed, long most) {
     if (held >= allowed / 2 && processorTimeAtHalf == UNKNOWN) {
       // Asking for it earlier would cost the start of every kernel some milliseconds.
       processorTimeAtHalf = gauges.processorTime.getAsLong();
@@ -233,30 +233,26 @@ public final class HoldWatchdog {
     if (held < allowed) {
       return false;
     }
-    Job job = scheduler.running();
-    if (job == null || job.componentCode().function() != null || processorTimeAtHalf == UNKNOWN) {
+    if (job.componentCode().function() != null || processorTimeAtHalf == UNKNOWN) {
       return held >= most;
     }
     return heldAtHalf + gauges.processorTime.getAsLong() - processorTimeAtHalf >= allowed
         || held / LONGEST_WAIT >= most;
   }
 
-  private void end(long turn, StopReason why, long allowed) {
-    Job job = scheduler.running();
-    if (job != null) {
-      String component = job.componentCode().function();
-      scheduler.interruptions().requestOverdue(turn, why);
-      interruptComponent(turn);
-      listener.ended(job, component, why, allowed);
-    }
+  /** Ends the turn of that number, which is that job's. */
+  private void end(Job job, long turn, StopReason why, long allowed) {
+    String component = job.componentCode().function();
+    scheduler.interruptions().requestOverdue(turn, why);
+    interruptComponent(job, turn);
+    listener.ended(job, component, why, allowed);
   }
 
   /**
    * What waits in Java code takes no notice of requests; it may have been called after one, too.
    */
-  private void interruptComponent(long turn) {
-    Job job = scheduler.running();
-    if (job != null && job.componentCode().function() != null) {
+  private void interruptComponent(Job job, long turn) {
+    if (job.componentCode().function() != null) {
       interrupted = true;
       job.componentCode().interrupt(turn);
     }

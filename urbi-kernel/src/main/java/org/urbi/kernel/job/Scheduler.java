@@ -3,6 +3,7 @@ package org.urbi.kernel.job;
 import static java.util.Objects.requireNonNull;
 
 import java.io.IOException;
+import java.lang.invoke.VarHandle;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
@@ -603,9 +604,7 @@ public final class Scheduler {
     runnable.beginRound(last);
     Job job;
     while ((last || !stopped) && (job = runnable.next()) != null) {
-      running = job;
-      beginTurn();
-      meter.turnOf(job.budget());
+      beginTurnOf(job);
       job.resume();
       for (Job child = born.pollLast(); child != null; child = born.pollLast()) {
         runnable.addToRound(child);
@@ -615,12 +614,22 @@ public final class Scheduler {
     beginTurn();
   }
 
+  /**
+   * At no time the turn seems to be that of another job, which other threads would blame for it.
+   */
+  private void beginTurnOf(Job job) {
+    running = null;
+    VarHandle.storeStoreFence();
+    beginTurn();
+    VarHandle.storeStoreFence();
+    running = job;
+    meter.turnOf(job.budget());
+  }
+
   private void runBehind() {
     Job job;
     for (int left = behind.size(); left > 0 && !stopped && (job = behind.poll()) != null; left--) {
-      running = job;
-      beginTurn();
-      meter.turnOf(job.budget());
+      beginTurnOf(job);
       job.resume();
       for (Job child = born.poll(); child != null; child = born.poll()) {
         runnable.add(child);
