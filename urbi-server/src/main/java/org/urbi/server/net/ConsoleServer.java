@@ -143,7 +143,9 @@ public final class ConsoleServer implements AutoCloseable {
     this.trace = trace;
     loop =
         new MultiThreadIoEventLoopGroup(
-            1, new DefaultThreadFactory("urbi-network", true), NioIoHandler.newFactory());
+            1,
+            new DefaultThreadFactory("urbi-network", true),
+            PersistentIoHandler.around(NioIoHandler.newFactory()));
     datagrams = new DatagramPort(loop, this::datagramAddress, trace);
     totalOutput = new TotalOutput(limits.totalOutput());
     crowd = new ConnectionLimit(clients, limits.connections(), trace);

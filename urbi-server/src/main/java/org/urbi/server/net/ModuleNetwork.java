@@ -155,7 +155,9 @@ public final class ModuleNetwork implements AutoCloseable {
     if (loop == null) {
       loop =
           new MultiThreadIoEventLoopGroup(
-              1, new DefaultThreadFactory("urbi-modules", true), NioIoHandler.newFactory());
+              1,
+              new DefaultThreadFactory("urbi-modules", true),
+              PersistentIoHandler.around(NioIoHandler.newFactory()));
     }
     return loop;
   }
