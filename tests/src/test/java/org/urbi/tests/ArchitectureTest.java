@@ -204,7 +204,11 @@ class ArchitectureTest {
           .resideInAnyPackage("org.urbi..", "urbi..")
           .and()
           .resideOutsideOfPackages(
-              "org.urbi.kernel.time..", "org.urbi.sim.time..", "org.urbi.bench..", "urbi.time")
+              "org.urbi.kernel.time..",
+              "org.urbi.sim.time..",
+              "org.urbi.ros.time..",
+              "org.urbi.bench..",
+              "urbi.time")
           .should()
           .callCodeUnitWhere(are(callsOf("a clock", CLOCKS)));
 

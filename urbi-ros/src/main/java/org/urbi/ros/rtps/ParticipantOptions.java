@@ -1,0 +1,160 @@
+package org.urbi.ros.rtps;
+
+import java.net.InetAddress;
+import java.time.Duration;
+
+/**
+ * How a participant behaves.
+ *
+ * @param domain participants of different domains know nothing of each other: 0 to 232
+ * @param address the address that it receives at; a loopback address: only this machine's
+ *     participants are heard
+ * @param name what it is called where participants are listed
+ * @param userData for other participants to see
+ * @param lease others forget it when they hear nothing for so long
+ * @param fragmentSize larger payloads are sent in fragments of so many bytes
+ * @param largestSample longer ones, in bytes, are neither sent nor received
+ * @param memory how many bytes each history, each reader's queue, and all half received samples
+ *     together may take
+ * @param participants so many others are known at once
+ * @param endpoints each of them has at most so many writers and readers
+ */
+public record ParticipantOptions(
+    int domain,
+    InetAddress address,
+    String name,
+    byte[] userData,
+    Duration lease,
+    int fragmentSize,
+    int largestSample,
+    long memory,
+    int participants,
+    int endpoints) {
+
+  private static final int GREATEST_DOMAIN = 232;
+  private static final int MEGA = 1 << 20;
+
+  /** Checks the ranges. */
+  public ParticipantOptions {
+    if (domain < 0 || domain > GREATEST_DOMAIN)
+      throw new IllegalArgumentException(
+          "domain " + domain + " is not between 0 and " + GREATEST_DOMAIN);
+    if (fragmentSize < 1024 || fragmentSize > MessageBuilder.LARGEST - MessageBuilder.OVERHEAD)
+      throw new IllegalArgumentException(
+          "fragments of " + fragmentSize + " bytes: take 1024 to 65251");
+  }
+
+  /** On loopback, with fragments of 60,000 bytes, samples of at most 64 MB. */
+  public static ParticipantOptions loopback(int domain) {
+    return new ParticipantOptions(
+        domain,
+        InetAddress.ofLiteral("127.0.0.1"),
+        "",
+        new byte[0],
+        Duration.ofSeconds(10),
+        60_000,
+        64 * MEGA,
+        128L * MEGA,
+        256,
+        4096);
+  }
+
+  /** The same, called so. */
+  public ParticipantOptions withName(String text) {
+    return new ParticipantOptions(
+        domain,
+        address,
+        text,
+        userData,
+        lease,
+        fragmentSize,
+        largestSample,
+        memory,
+        participants,
+        endpoints);
+  }
+
+  /** The same with that data for others to see. */
+  public ParticipantOptions withUserData(byte[] bytes) {
+    return new ParticipantOptions(
+        domain,
+        address,
+        name,
+        bytes,
+        lease,
+        fragmentSize,
+        largestSample,
+        memory,
+        participants,
+        endpoints);
+  }
+
+  /** The same at that address. */
+  public ParticipantOptions withAddress(InetAddress where) {
+    return new ParticipantOptions(
+        domain,
+        where,
+        name,
+        userData,
+        lease,
+        fragmentSize,
+        largestSample,
+        memory,
+        participants,
+        endpoints);
+  }
+
+  /** The same which others forget after that time. */
+  public ParticipantOptions withLease(Duration time) {
+    return new ParticipantOptions(
+        domain,
+        address,
+        name,
+        userData,
+        time,
+        fragmentSize,
+        largestSample,
+        memory,
+        participants,
+        endpoints);
+  }
+
+  /** The same with fragments of so many bytes. */
+  public ParticipantOptions withFragmentSize(int bytes) {
+    return new ParticipantOptions(
+        domain,
+        address,
+        name,
+        userData,
+        lease,
+        bytes,
+        largestSample,
+        memory,
+        participants,
+        endpoints);
+  }
+
+  /**
+   * The same that keeps at most so many bytes of each history, and receives samples of at most as
+   * many.
+   */
+  public ParticipantOptions withMemory(int sample, long bytes) {
+    return new ParticipantOptions(
+        domain,
+        address,
+        name,
+        userData,
+        lease,
+        fragmentSize,
+        sample,
+        bytes,
+        participants,
+        endpoints);
+  }
+
+  /** The same that knows at most so many others, with so many writers and readers each. */
+  public ParticipantOptions withLimits(int others, int each) {
+    return new ParticipantOptions(
+        domain, address, name, userData, lease, fragmentSize, largestSample, memory, others, each);
+  }
+}

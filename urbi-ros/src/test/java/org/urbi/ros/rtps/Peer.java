@@ -1,0 +1,58 @@
+package org.urbi.ros.rtps;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.Writer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/** A program of somebody else's that speaks the same protocol. */
+final class Peer implements AutoCloseable {
+  private static final Path MADE = Path.of("../.build/ros-peers").toAbsolutePath().normalize();
+  private static final String LOOPBACK =
+      "<CycloneDDS><Domain><General><Interfaces><NetworkInterface name=\"lo\" multicast=\"true\"/>"
+          + "</Interfaces></General></Domain></CycloneDDS>";
+
+  private final Process process;
+  private final BufferedReader answers;
+  private final Writer commands;
+
+  /** Starts one of them in that domain; whoever does not have them skips the test. */
+  Peer(String environment, int domain) throws IOException {
+    Path python = MADE.resolve(environment).resolve("bin/python");
+    assumeTrue(
+        Files.exists(python), "no peer for the test: scripts/ros-peers.sh gets " + environment);
+    String script = environment.equals("cyclone") ? "cyclone.py" : "ros.py";
+    Path file = Path.of("src/test/resources/peers").resolve(script).toAbsolutePath();
+    ProcessBuilder builder = new ProcessBuilder(python.toString(), file.toString());
+    builder.environment().put("ROS_DOMAIN_ID", Integer.toString(domain));
+    builder.environment().put("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST");
+    builder.environment().put("CYCLONEDDS_URI", LOOPBACK);
+    process = builder.redirectError(ProcessBuilder.Redirect.INHERIT).start();
+    answers = process.inputReader();
+    commands = process.outputWriter();
+  }
+
+  void say(String command) throws IOException {
+    commands.write(command + "\n");
+    commands.flush();
+  }
+
+  void expect(String answer) throws IOException {
+    assertEquals(answer, answers.readLine());
+  }
+
+  /** Ends it without a word. */
+  void kill() throws InterruptedException {
+    process.destroyForcibly().waitFor();
+  }
+
+  @Override
+  public void close() throws Exception {
+    commands.close();
+    process.waitFor();
+  }
+}
