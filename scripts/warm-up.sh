@@ -21,8 +21,9 @@ else
   set -- org.urbi.server.cli.UrbiCommand -q --port 0 --port-file "$5/port" -m "$4" \
     -f "$root/scripts/warm-up.u" -f "$root/scripts/warm-up-server.u"
 fi
+# Everything is compiled at once (docs/tier.md), so that the classes of the compiler are in the cache.
 # shellcheck disable=SC2086
 timeout 120 "$java" $jvm_flags -XX:+UnlockDiagnosticVMOptions -XX:-AOTRecordTraining \
-  -XX:AOTCacheOutput="$cache.new" -Durbi.root="$root" -cp "$cp" "$@" </dev/null >"$log" 2>&1
+  -XX:AOTCacheOutput="$cache.new" -Durbi.tier=1 -Durbi.root="$root" -cp "$cp" "$@" </dev/null >"$log" 2>&1
 # Whoever starts meanwhile has the one before, whole.
 [ -s "$cache.new" ] && mv -f "$cache.new" "$cache"

@@ -117,9 +117,9 @@ public final class KernelBuilder {
   }
 
   /**
-   * After how many calls of a function, or turns of a loop, it is compiled; 0 for never. By default
-   * what the property {@code urbi.tier} or the variable URBI_TIER of the environment says
-   * (docs/tier.md).
+   * After how many calls a function, and after ten times as many turns a loop, is compiled; 0 for
+   * never, 1 for at once. By default what the property {@code urbi.tier} or the variable URBI_TIER
+   * of the environment says, or else 1,000 (docs/tier.md).
    */
   public KernelBuilder tier(int calls) {
     tierThreshold = calls;

@@ -2,11 +2,11 @@ package org.urbi.kernel;
 
 /** Reads what the user says about the compilation of hot code. */
 final class TierSetting {
-  private static final int DEFAULT = 0;
+  private static final int DEFAULT = 1000;
 
   private TierSetting() {}
 
-  /** After how many calls or turns code is compiled; 0 for never. */
+  /** After how many calls code is compiled; 0 for never. */
   static int threshold() {
     String said = System.getProperty("urbi.tier", System.getenv("URBI_TIER"));
     if (said == null || said.isBlank()) {

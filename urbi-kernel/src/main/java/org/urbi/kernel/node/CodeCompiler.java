@@ -13,6 +13,11 @@ public interface CodeCompiler {
         }
 
         @Override
+        public long turns() {
+          return 0;
+        }
+
+        @Override
         public @Nullable CompiledCode function(
             Function.Body function, Node code, Frame frame, boolean last) {
           return null;
@@ -39,11 +44,11 @@ public interface CodeCompiler {
    */
   record Statistics(int functions, int loops, int refused, long bytes) {}
 
-  /**
-   * After how many calls a function, and after how many turns a loop, is to be compiled; 0 for
-   * never.
-   */
+  /** After how many calls a function is to be compiled; 0 for never. */
   int threshold();
+
+  /** After how many turns a loop is to be compiled; 0 for never. */
+  long turns();
 
   /**
    * Compiles the body of a function.

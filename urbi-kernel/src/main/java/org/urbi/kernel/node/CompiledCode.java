@@ -3,7 +3,6 @@ package org.urbi.kernel.node;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
-import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagStop;
 import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.Shape;
@@ -11,13 +10,12 @@ import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
-import org.urbi.kernel.object.Values;
 
 /**
  * What hot code is compiled to, and what such code calls. A value of it is a pair: a double, and an
  * object or null. Null stands for a plain number of which there is no object yet.
  */
-public abstract class CompiledCode extends Node {
+public abstract class CompiledCode extends FrameAccess {
   /** What a loop does next. */
   private static final int RETURN = 0;
 
@@ -115,7 +113,11 @@ public abstract class CompiledCode extends Node {
 
   /** The frame of such a call. */
   protected static Frame enter(Function called, Frame caller, MessageSend at, UrbiObject self) {
-    return called.enter(caller, at, self);
+    try {
+      return called.enter(caller, at, self);
+    } catch (UrbiException e) {
+      throw caller.located(e, at.span());
+    }
   }
 
   /** An exception leaves such a call: it answers with the value of a return, or throws again. */
@@ -127,16 +129,29 @@ public abstract class CompiledCode extends Node {
         return Function.left(frame, (RuntimeException) leaving);
       }
       throw leaving;
+    } catch (UrbiException e) {
+      end(frame);
+      throw locatedByCaller(e, frame);
     } catch (Throwable t) {
       end(frame);
       throw t;
     }
   }
 
+  private static UrbiException locatedByCaller(UrbiException exception, Frame frame) {
+    return frame.caller == null || frame.site == null
+        ? exception
+        : located(exception, frame.caller, frame.site.calledSpan());
+  }
+
   /** Such a call is over. */
   protected static void end(Frame frame) {
     if (frame.scopeEnd != null) {
-      frame.scopeEnd.run();
+      try {
+        frame.scopeEnd.run();
+      } catch (UrbiException e) {
+        throw locatedByCaller(e, frame);
+      }
     }
   }
 
@@ -160,67 +175,23 @@ public abstract class CompiledCode extends Node {
     return ((UrbiFloat) value).value();
   }
 
-  /** The object of a pair. */
-  protected static UrbiObject object(double number, @Nullable UrbiObject object, Values values) {
-    return object == null ? values.number(number) : object;
-  }
-
-  protected static boolean truth(UrbiObject value, Frame frame) {
-    return Truth.of(frame, value);
-  }
-
-  /** The value, unless it is void. */
-  protected static UrbiObject notVoid(UrbiObject value, Frame frame) {
-    return frame.interpreter.notVoid(value);
-  }
-
-  // ------------------------------------------------------------------ frames
-
-  /** How many plain variables there are in a frame. */
-  public static int variables(Frame frame) {
-    return locals(frame).length;
-  }
-
-  /** The variables in the frame; there is room for them from now on. */
-  protected static UrbiObject[] locals(Frame frame) {
-    UrbiObject[] locals = frame.locals;
-    return locals == Frame.NO_ARGUMENTS ? room(frame) : locals;
-  }
-
-  private static UrbiObject[] room(Frame frame) {
-    if (frame.function != null) {
-      frame.locals = frame.function.layout().newLocals();
+  protected static boolean truth(UrbiObject value, Frame frame, @Nullable Node at) {
+    try {
+      return Truth.of(frame, value);
+    } catch (UrbiException e) {
+      throw located(e, frame, at);
     }
-    return frame.locals;
-  }
-
-  /** The value of a variable in the frame. */
-  protected static UrbiObject local(UrbiObject[] locals, int index, UrbiObject nothing) {
-    @Nullable UrbiObject value = locals[index];
-    return value == null ? nothing : value;
-  }
-
-  protected static Job job(Frame frame) {
-    return frame.job;
-  }
-
-  protected static UrbiObject self(Frame frame) {
-    return frame.self;
-  }
-
-  /** Whether others may read and assign the variables of the frame at any time. */
-  protected static boolean isExposed(Frame frame) {
-    return frame.isExposed();
-  }
-
-  protected static UrbiException located(UrbiException exception, Frame frame, Node at) {
-    return frame.located(exception, at.span());
   }
 
   // ------------------------------------------------------------------ cases
 
-  protected static boolean matches(UrbiObject value, Frame frame, Pattern pattern) {
-    return pattern.matches(frame, value);
+  protected static boolean matches(
+      UrbiObject value, Frame frame, Pattern pattern, @Nullable Node at) {
+    try {
+      return pattern.matches(frame, value);
+    } catch (UrbiException e) {
+      throw located(e, frame, at);
+    }
   }
 
   // ------------------------------------------------------------------ jumps
@@ -276,8 +247,13 @@ public abstract class CompiledCode extends Node {
   }
 
   /** Whether an equality compares the objects, or strings, themselves. */
-  protected static boolean equates(UrbiObject left, Frame frame, NumericOperator operator) {
-    return operator.equates(frame, left);
+  protected static boolean equates(
+      UrbiObject left, Frame frame, NumericOperator operator, @Nullable Node at) {
+    try {
+      return operator.equates(frame, left);
+    } catch (UrbiException e) {
+      throw located(e, frame, at);
+    }
   }
 
   /** The answer of such an equality. */
@@ -295,18 +271,30 @@ public abstract class CompiledCode extends Node {
 
   protected static UrbiObject successor(
       UrbiObject before, Frame frame, CompoundAssignment assignment) {
-    return assignment.successor(frame, before);
+    try {
+      return assignment.successor(frame, before);
+    } catch (UrbiException e) {
+      throw frame.located(e, assignment.span());
+    }
   }
 
   protected static UrbiObject combined(
       UrbiObject before, UrbiObject by, Frame frame, CompoundAssignment assignment) {
-    return assignment.combined(frame, before, by);
+    try {
+      return assignment.combined(frame, before, by);
+    } catch (UrbiException e) {
+      throw frame.located(e, assignment.span());
+    }
   }
 
   // ------------------------------------------------------------------ messages and slots
 
   protected static @Nullable UrbiObject find(UrbiObject target, Frame frame, MessageSend message) {
-    return message.find(frame, target);
+    try {
+      return message.find(frame, target);
+    } catch (UrbiException e) {
+      throw frame.located(e, message.span());
+    }
   }
 
   /** Whether what was found takes that many evaluated arguments, and never sees their code. */
@@ -337,10 +325,13 @@ public abstract class CompiledCode extends Node {
       int arguments,
       Frame frame,
       CallSite message) {
-    if (found instanceof Function function && isSimple(function, arguments)) {
-      return function.run(frame, message, target, room);
+    try {
+      return found instanceof Function function && isSimple(function, arguments)
+          ? function.run(frame, message, target, room)
+          : ((Code) found).call(frame, message, target, room);
+    } catch (UrbiException e) {
+      throw located(e, frame, message.calledSpan());
     }
-    return ((Code) found).call(frame, message, target, room);
   }
 
   private static boolean isSimple(Function function, int arguments) {
@@ -351,20 +342,33 @@ public abstract class CompiledCode extends Node {
   /** What was found answers; it evaluates the arguments. */
   protected static UrbiObject answer(
       @Nullable UrbiObject found, UrbiObject target, Frame frame, MessageSend message) {
-    return message.answer(frame, found, target);
+    try {
+      return message.answer(frame, found, target);
+    } catch (UrbiException e) {
+      throw frame.located(e, message.span());
+    }
   }
 
   /** The value of a variable answers, called as a function; it evaluates the arguments. */
   protected static UrbiObject answer(UrbiObject value, Frame frame, MessageSend.OfLocal call) {
-    return call.answer(frame, value);
+    try {
+      return call.answer(frame, value);
+    } catch (UrbiException e) {
+      throw frame.located(e, call.span());
+    }
   }
 
   protected static void declare(Frame frame, UrbiObject value, Variables.Place place) {
     place.declare(frame, value);
   }
 
-  protected static void assign(Frame frame, UrbiObject value, Variables.Place place) {
-    place.assign(frame, value);
+  protected static void assign(
+      Frame frame, UrbiObject value, Variables.Place place, @Nullable Node at) {
+    try {
+      place.assign(frame, value);
+    } catch (UrbiException e) {
+      throw located(e, frame, at);
+    }
   }
 
   protected static void declare(
@@ -375,7 +379,11 @@ public abstract class CompiledCode extends Node {
   /** The value of a slot that is going to be modified. */
   protected static UrbiObject before(
       UrbiObject target, Frame frame, CompoundAssignment assignment) {
-    return assignment.access().read(frame, new UrbiObject[] {target});
+    try {
+      return assignment.access().read(frame, new UrbiObject[] {target});
+    } catch (UrbiException e) {
+      throw frame.located(e, assignment.span());
+    }
   }
 
   /** Whether the job may change everything. */
@@ -384,8 +392,16 @@ public abstract class CompiledCode extends Node {
   }
 
   protected static UrbiObject assign(
-      UrbiObject target, UrbiObject value, Frame frame, Slots.Assign assignment) {
-    return assignment.assign(frame, target, value);
+      UrbiObject target,
+      UrbiObject value,
+      Frame frame,
+      Slots.Assign assignment,
+      @Nullable Node at) {
+    try {
+      return assignment.assign(frame, target, value);
+    } catch (UrbiException e) {
+      throw located(e, frame, at);
+    }
   }
 
   // ------------------------------------------------------------------ lists
@@ -450,17 +466,20 @@ public abstract class CompiledCode extends Node {
 
   /** The number of elements, or of characters; -1 if the target is something else. */
   protected static double size(UrbiObject target) {
-    return switch (target) {
-      case UrbiList list -> list.elements().size();
-      case UrbiString text -> text.value().length();
-      default -> -1;
-    };
+    if (target instanceof UrbiList list) {
+      return list.elements().size();
+    }
+    return target instanceof UrbiString text ? text.value().length() : -1;
   }
 
   /** The element that is going to be modified. */
   protected static UrbiObject before(
       UrbiObject target, UrbiObject index, Frame frame, CompoundAssignment assignment) {
-    return assignment.access().read(frame, new UrbiObject[] {target, index});
+    try {
+      return assignment.access().read(frame, new UrbiObject[] {target, index});
+    } catch (UrbiException e) {
+      throw frame.located(e, assignment.span());
+    }
   }
 
   /** Writes it. */
@@ -470,7 +489,11 @@ public abstract class CompiledCode extends Node {
       UrbiObject value,
       Frame frame,
       CompoundAssignment assignment) {
-    assignment.access().write(frame, new UrbiObject[] {target, index}, value);
+    try {
+      assignment.access().write(frame, new UrbiObject[] {target, index}, value);
+    } catch (UrbiException e) {
+      throw frame.located(e, assignment.span());
+    }
   }
 
   // ------------------------------------------------------------------ loops
@@ -488,7 +511,12 @@ public abstract class CompiledCode extends Node {
   }
 
   /** A loop over anything but a number. */
-  protected static UrbiObject iterate(UrbiObject range, Frame frame, ForEach loop) {
-    return loop.iterate(frame, range);
+  protected static UrbiObject iterate(
+      UrbiObject range, Frame frame, ForEach loop, @Nullable Node at) {
+    try {
+      return loop.iterate(frame, range);
+    } catch (UrbiException e) {
+      throw located(e, frame, at);
+    }
   }
 }

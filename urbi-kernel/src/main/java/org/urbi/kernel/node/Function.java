@@ -17,7 +17,7 @@ public final class Function extends Code {
   private static final int BREATHS_PER_HALF = 4;
 
   /** How often code is compiled again, because much of what was guessed has turned out wrong. */
-  private static final int MOST_VERSIONS = 5;
+  private static final int MOST_VERSIONS = 2;
 
   /** The part that all closures of one function text share. */
   public static final class Body {

@@ -2,7 +2,7 @@ package org.urbi.kernel.node;
 
 /** Counts how often compiled code meets what it has not expected. */
 public final class Misses {
-  private static final int MOST = 200;
+  private static final int MOST = 1000;
 
   private int left;
 

@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class TurnCount {
   /** How often a loop is compiled again, because what was guessed has turned out wrong. */
-  private static final int MOST_VERSIONS = 5;
+  private static final int MOST_VERSIONS = 2;
 
   private long counted;
   private boolean asked;
@@ -31,7 +31,7 @@ final class TurnCount {
     if (versions > 0 && !asked) {
       return 1;
     }
-    long left = compiler.threshold() - counted;
+    long left = compiler.turns() - counted;
     return left > 0 ? left : Long.MAX_VALUE;
   }
 

@@ -5,7 +5,6 @@ import static java.lang.constant.ConstantDescs.CD_double;
 import static java.lang.constant.ConstantDescs.CD_int;
 
 import java.lang.classfile.Label;
-import java.lang.classfile.TypeKind;
 import java.lang.constant.ClassDesc;
 import java.lang.constant.ConstantDescs;
 import java.lang.constant.MethodTypeDesc;
@@ -23,16 +22,21 @@ final class EmitArithmetic {
   private static final MethodTypeDesc POWER = MethodTypeDesc.of(CD_double, CD_double, CD_double);
 
   private final Emitter to;
+  private final EmitFormula formulas;
 
   EmitArithmetic(Emitter to) {
     this.to = to;
+    this.formulas = new EmitFormula(to, this);
   }
 
   // ------------------------------------------------------------------ a + b
 
   Value value(NumericOperator operator) {
-    Value result = to.newPair();
     boolean comparison = operator.isComparison();
+    if (!comparison && EmitFormula.fits(operator)) {
+      return formulas.value(operator);
+    }
+    Value result = to.newPair();
     operate(
         operator,
         result,
@@ -56,6 +60,10 @@ final class EmitArithmetic {
 
   /** Emits a comparison as a condition, without an object. */
   void condition(NumericOperator operator, Label otherwise) {
+    if (EmitFormula.fits(operator)) {
+      formulas.condition(operator, otherwise);
+      return;
+    }
     Label over = to.code.newLabel();
     Value result = to.newPair();
     operate(
@@ -80,7 +88,7 @@ final class EmitArithmetic {
     Label mixed = to.code.newLabel();
     Label ready = to.code.newLabel();
     Label over = to.code.newLabel();
-    int equates = operator.isEquality() ? to.code.allocateLocal(TypeKind.INT) : -1;
+    int equates = operator.isEquality() ? to.newFlag() : -1;
     Value left = to.kept(to.operand(operator.left()), operator.right());
     if (equates >= 0) {
       to.code.iconst_0().istore(equates);
@@ -93,7 +101,8 @@ final class EmitArithmetic {
       to.load(left);
       to.frame();
       to.constant(operator, Names.OPERATOR);
-      to.help("equates", CD_boolean, Names.OBJECT, Names.FRAME, Names.OPERATOR);
+      to.place();
+      to.help("equates", CD_boolean, Names.OBJECT, Names.FRAME, Names.OPERATOR, Names.NODE);
       to.code.dup().istore(equates);
       neither = to.code.newLabel();
       to.code.ifeq(neither);
@@ -149,6 +158,12 @@ final class EmitArithmetic {
 
   private void compute(NumericOperator operator, int left, int right, Value result) {
     to.code.dload(left).dload(right);
+    compute(operator);
+    setNumber(result);
+  }
+
+  /** Computes with the two doubles on the stack. */
+  void compute(NumericOperator operator) {
     switch (operator.name().name()) {
       case "+" -> to.code.dadd();
       case "-" -> to.code.dsub();
@@ -158,17 +173,23 @@ final class EmitArithmetic {
       case "**" -> to.code.invokestatic(MATH, "pow", POWER);
       default -> throw new IllegalArgumentException(operator.name().name());
     }
-    setNumber(result);
   }
 
   /** The double on the stack, of which there is no object yet. */
-  private void setNumber(Value pair) {
+  void setNumber(Value pair) {
     to.code.dstore(pair.number()).aconst_null().astore(pair.object());
   }
 
-  /** A comparison with what is not a number does not hold, but for "different". */
   private void jumpUnless(NumericOperator operator, int left, int right, Label otherwise) {
     to.code.dload(left).dload(right);
+    jumpUnless(operator, otherwise);
+  }
+
+  /**
+   * Compares the two doubles on the stack. A comparison with what is not a number does not hold,
+   * but for "different".
+   */
+  void jumpUnless(NumericOperator operator, Label otherwise) {
     switch (operator.name().name()) {
       case "<" -> to.code.dcmpg().ifge(otherwise);
       case "<=" -> to.code.dcmpg().ifgt(otherwise);
@@ -184,7 +205,7 @@ final class EmitArithmetic {
    * Jumps if somebody has redefined the operator. The epoch of its name tells at once; when that
    * has changed, which any slot of the name may be the reason of, the node looks.
    */
-  private void intact(Symbol name, Node node, ClassDesc type, boolean now, Label otherwise) {
+  void intact(Symbol name, Node node, ClassDesc type, boolean now, Label otherwise) {
     Label over = to.code.newLabel();
     if (now) {
       to.constant(name, Names.SYMBOL);

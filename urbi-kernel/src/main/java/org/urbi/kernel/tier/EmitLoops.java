@@ -4,10 +4,8 @@ import static java.lang.constant.ConstantDescs.CD_boolean;
 import static java.lang.constant.ConstantDescs.CD_double;
 import static java.lang.constant.ConstantDescs.CD_int;
 import static java.lang.constant.ConstantDescs.CD_void;
-import static java.lang.constant.ConstantDescs.MTD_void;
 
 import java.lang.classfile.Label;
-import java.lang.classfile.TypeKind;
 import java.lang.classfile.instruction.SwitchCase;
 import java.lang.constant.MethodTypeDesc;
 import java.util.ArrayDeque;
@@ -24,6 +22,7 @@ final class EmitLoops {
   private static final int RETURN = 0;
 
   private static final int BREAK = 1;
+  private static final int NO_JOBS = -1;
 
   private final Emitter to;
   private final Deque<Loop> around = new ArrayDeque<>();
@@ -37,9 +36,11 @@ final class EmitLoops {
    *
    * @param next where its next turn begins
    * @param broken where it ends by {@code break}
-   * @param jobs the slot of the jobs that it has detached; -1 if the caller of this code has them
+   * @param jobs the slot of the jobs that it has detached; -1 if it detaches none, or the caller of
+   *     this code has them
+   * @param handled whether its jumps may come as exceptions
    */
-  private record Loop(Label next, Label broken, int jobs) {}
+  private record Loop(Label next, Label broken, int jobs, boolean handled) {}
 
   /** The parts of a loop in which the kinds of loops differ. */
   private interface Parts {
@@ -58,10 +59,16 @@ final class EmitLoops {
     return !around.isEmpty();
   }
 
+  /** Whether there are exceptions that do not leave the function. */
+  boolean isHandling() {
+    return around.stream().anyMatch(Loop::handled);
+  }
+
   // ------------------------------------------------------------------ loops inside other code
 
   Value value(Loops.Sequential loop) {
     inside(
+        loop,
         () -> {
           if (loop.init() != null) {
             to.operand(loop.init());
@@ -100,7 +107,7 @@ final class EmitLoops {
     to.code.labelBinding(counted);
     int turn = to.newNumber();
     to.code.dconst_0().dstore(turn);
-    inside(() -> {}, loop.body(), counting(loop, turn, count, elements));
+    inside(loop, () -> {}, loop.body(), counting(loop, turn, count, elements));
     Value result = to.voidValue();
     to.code.goto_(over);
     to.code.labelBinding(other);
@@ -111,7 +118,9 @@ final class EmitLoops {
               to.code.aload(range.object());
               to.frame();
               to.constant(loop, Names.FOR_EACH);
-              to.help("iterate", Names.OBJECT, Names.OBJECT, Names.FRAME, Names.FOR_EACH);
+              to.place();
+              to.help(
+                  "iterate", Names.OBJECT, Names.OBJECT, Names.FRAME, Names.FOR_EACH, Names.NODE);
             });
     leaveIfAsked(value);
     to.code.aload(value.object()).astore(result.object());
@@ -119,9 +128,24 @@ final class EmitLoops {
     return result;
   }
 
-  private void inside(Runnable init, Node body, Parts parts) {
+  private void inside(Node node, Runnable init, Node body, Parts parts) {
+    if (Survey.of(node).mayDetach()) {
+      insideWithJobs(init, body, parts);
+      return;
+    }
+    Label over = to.code.newLabel();
+    init.run();
+    Loop loop =
+        new Loop(to.code.newLabel(), to.code.newLabel(), NO_JOBS, Survey.of(body).mayJump());
+    turns(loop, body, parts, over);
+    to.code.labelBinding(loop.broken());
+    to.code.labelBinding(over);
+  }
+
+  /** Emits a loop that may detach jobs. */
+  private void insideWithJobs(Runnable init, Node body, Parts parts) {
     int jobs = to.newObject();
-    Loop loop = new Loop(to.code.newLabel(), to.code.newLabel(), jobs);
+    Loop loop = new Loop(to.code.newLabel(), to.code.newLabel(), jobs, true);
     to.frame();
     to.help("beginLoop", Names.LOOP_JOBS, Names.FRAME);
     to.code.astore(jobs);
@@ -153,7 +177,8 @@ final class EmitLoops {
 
   /** Emits a loop that is running, from its condition on; the caller has begun it, and ends it. */
   void unit(Node node) {
-    Loop loop = new Loop(to.code.newLabel(), to.code.newLabel(), -1);
+    Loop loop =
+        new Loop(to.code.newLabel(), to.code.newLabel(), NO_JOBS, Survey.of(node).mayJump());
     Label done = to.code.newLabel();
     Label start = to.code.newBoundLabel();
     if (node instanceof ForEach forEach) {
@@ -202,8 +227,7 @@ final class EmitLoops {
     if (yields) {
       yieldToOthers();
     } else {
-      to.job();
-      to.code.invokevirtual(Names.JOB, "checkInterrupted", MTD_void);
+      to.callJob("checkInterrupted");
     }
   }
 
@@ -251,10 +275,12 @@ final class EmitLoops {
     to.statement(body);
     Label end = to.code.newBoundLabel();
     around.pop();
-    to.code.goto_(loop.next());
-    Label handler = to.code.newBoundLabel();
-    catchJumps(loop);
-    to.code.exceptionCatch(start, end, handler, Names.CONTROL_FLOW);
+    if (loop.handled()) {
+      to.code.goto_(loop.next());
+      Label handler = to.code.newBoundLabel();
+      catchJumps(loop);
+      to.code.exceptionCatch(start, end, handler, Names.CONTROL_FLOW);
+    }
     to.code.labelBinding(loop.next());
     parts.step();
     to.code.goto_(head);
@@ -262,7 +288,7 @@ final class EmitLoops {
 
   /** {@code break} and {@code continue} that come as exceptions. */
   private void catchJumps(Loop loop) {
-    int thrown = to.code.allocateLocal(TypeKind.REFERENCE);
+    int thrown = to.newObject();
     Label other = to.code.newLabel();
     to.code.astore(thrown).aload(thrown);
     to.help("isOfLoop", CD_boolean, Names.THROWABLE);
@@ -275,8 +301,7 @@ final class EmitLoops {
 
   /** Emits {@code ;}. */
   void yieldToOthers() {
-    to.job();
-    to.code.invokevirtual(Names.JOB, "yield", MTD_void);
+    to.callJob("yield");
     to.afterOthers();
   }
 

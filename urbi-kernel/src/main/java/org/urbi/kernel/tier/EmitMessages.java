@@ -15,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.CompiledCode;
 import org.urbi.kernel.node.Function;
+import org.urbi.kernel.node.KnownSlot;
 import org.urbi.kernel.node.MessageSend;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Shortcut;
@@ -80,19 +81,21 @@ final class EmitMessages {
   // ------------------------------------------------------------------ without arguments
 
   private void ask(MessageSend message, int receiver, Value result) {
-    Label general = to.code.newLabel();
     Label answers = to.code.newLabel();
     Label over = to.code.newLabel();
     int found = result.object();
-    List<EmitSlots.Place> places = slots.places(message.lookup(), message.target());
-    if (!places.isEmpty()) {
-      slots.guard(message.lookup().name(), general);
-    }
-    for (EmitSlots.Place place : places) {
+    List<KnownSlot> places = slots.places(message.lookup(), message.target());
+    boolean hasCode = false;
+    for (KnownSlot place : places) {
+      UrbiCode code = place.code();
+      if (code == null) {
+        slots.plainValue(place, receiver, found, over);
+        continue;
+      }
       Label next = to.code.newLabel();
       slots.check(place, receiver, next);
-      Callee callee = callee(place.code(), 0);
-      Shortcut shortcut = containers.shortcut(place.code(), 0);
+      Callee callee = callee(code, 0);
+      Shortcut shortcut = containers.shortcut(code, 0);
       if (shortcut != null) {
         containers.take(shortcut, receiver, List.of(), result, next);
         to.code.goto_(over);
@@ -101,18 +104,15 @@ final class EmitMessages {
         to.code.goto_(over);
       } else {
         slots.read(place, receiver);
-        to.code.dup().astore(found);
-        if (place.code() != null) {
-          to.code.pop().goto_(answers);
-        } else {
-          to.code.instanceOf(Names.CODE).ifeq(over).goto_(answers);
-        }
+        to.code.astore(found).goto_(answers);
+        hasCode = true;
       }
       to.code.labelBinding(next);
     }
-    to.code.labelBinding(general);
     find(message, receiver, found, !places.isEmpty());
-    to.code.labelBinding(answers);
+    if (hasCode) {
+      to.code.labelBinding(answers);
+    }
     answer(message, receiver, found);
     to.code.astore(found);
     to.afterOthers();
@@ -143,7 +143,6 @@ final class EmitMessages {
     int count = message.argumentNodes().length;
     int found = to.newObject();
     int known = to.newObject();
-    Label general = to.code.newLabel();
     Label asked = to.code.newLabel();
     Label ready = to.code.newLabel();
     Label lazy = to.code.newLabel();
@@ -151,11 +150,8 @@ final class EmitMessages {
     Map<UrbiCode, Callee> callees = new LinkedHashMap<>();
     Map<UrbiCode, Shortcut> shortcuts = new LinkedHashMap<>();
     to.code.aconst_null().astore(known);
-    List<EmitSlots.Place> places = slots.places(message.lookup(), message.target());
-    if (!places.isEmpty()) {
-      slots.guard(message.lookup().name(), general);
-    }
-    for (EmitSlots.Place place : places) {
+    List<KnownSlot> places = slots.places(message.lookup(), message.target());
+    for (KnownSlot place : places) {
       Label next = to.code.newLabel();
       slots.check(place, receiver, next);
       slots.read(place, receiver);
@@ -175,7 +171,6 @@ final class EmitMessages {
       to.code.goto_(code != null && CompiledCode.takes(code, count) ? ready : asked);
       to.code.labelBinding(next);
     }
-    to.code.labelBinding(general);
     find(message, receiver, found, !places.isEmpty());
     to.code.labelBinding(asked);
     to.code.aload(found).loadConstant(count);

@@ -1,7 +1,6 @@
 package org.urbi.kernel.tier;
 
 import static java.lang.constant.ConstantDescs.CD_boolean;
-import static java.lang.constant.ConstantDescs.CD_int;
 import static java.lang.constant.ConstantDescs.CD_void;
 
 import java.lang.classfile.Label;
@@ -10,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.CompoundAssignment;
+import org.urbi.kernel.node.KnownSlot;
 import org.urbi.kernel.node.Literals;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.SlotLookup;
@@ -27,30 +27,10 @@ final class EmitSlots {
   /** For more shapes of targets the cache of the node is as good. */
   private static final int MOST_PLACES = 4;
 
-  private static final MethodTypeDesc SHAPE = MethodTypeDesc.of(Names.SHAPE);
-  private static final MethodTypeDesc SLOT_AT = MethodTypeDesc.of(Names.OBJECT, CD_int);
-  private static final MethodTypeDesc SET_SLOT_AT =
-      MethodTypeDesc.of(CD_void, CD_int, Names.OBJECT);
-
-  /**
-   * Where a slot was found.
-   *
-   * @param shape the shape of the target; null if it is one object
-   * @param self that object
-   * @param holder whose slot it is; null if the target itself has it
-   */
-  record Place(
-      @Nullable Shape shape, @Nullable UrbiObject self, @Nullable UrbiObject holder, int index) {
-    /** Whether the slot is one of the target itself, and is just set. */
-    boolean isPlainlyOwn() {
-      return self != null && holder == self && !self.shape().writeSpecial(index);
-    }
-
-    /** The code in the slot, which is the same as long as the epoch of its name is; or null. */
-    @Nullable UrbiCode code() {
-      return holder != null && holder.slotAt(index) instanceof UrbiCode code ? code : null;
-    }
-  }
+  private static final MethodTypeDesc IS_OF = MethodTypeDesc.of(CD_boolean, Names.OBJECT);
+  private static final MethodTypeDesc READ = MethodTypeDesc.of(Names.OBJECT, Names.OBJECT);
+  private static final MethodTypeDesc SET =
+      MethodTypeDesc.of(CD_boolean, Names.OBJECT, Names.OBJECT, Names.FRAME);
 
   private final Emitter to;
   private final Unit unit;
@@ -63,10 +43,10 @@ final class EmitSlots {
   // ------------------------------------------------------------------ where slots are
 
   /** Where the slots of a name are that was looked up in a target. */
-  List<Place> places(SlotLookup lookup, @Nullable Node target) {
-    List<Place> places = new ArrayList<>();
+  List<KnownSlot> places(SlotLookup lookup, @Nullable Node target) {
+    List<KnownSlot> places = new ArrayList<>();
     if (isLobby(target)) {
-      Place place = ofLobby(lookup.name());
+      KnownSlot place = ofLobby(lookup.name());
       if (place != null) {
         places.add(place);
       }
@@ -74,7 +54,7 @@ final class EmitSlots {
     }
     for (SlotLookup.Known known : lookup.known()) {
       if (places.size() < MOST_PLACES) {
-        places.add(new Place(known.shape(), null, known.holder(), known.index()));
+        places.add(known(lookup.name(), known.shape(), null, known.holder(), known.index()));
       }
     }
     return places;
@@ -86,7 +66,7 @@ final class EmitSlots {
         && unit.frame().self() == unit.frame().job().lobby();
   }
 
-  private @Nullable Place ofLobby(Symbol name) {
+  private @Nullable KnownSlot ofLobby(Symbol name) {
     UrbiObject lobby = unit.frame().self();
     UrbiObject holder = lobby.locate(name);
     if (holder == null || holder.shape().readSpecial(holder.shape().indexOf(name))) {
@@ -94,50 +74,53 @@ final class EmitSlots {
     }
     lobby.announceChanges();
     lobby.world().remember(name);
-    return new Place(null, lobby, holder, holder.shape().indexOf(name));
+    return known(name, null, lobby, holder, holder.shape().indexOf(name));
   }
 
-  /** Emits what must hold for all of these places; jumps otherwise. */
-  void guard(Symbol name, Label otherwise) {
-    to.doubt(otherwise);
-    to.constant(unit.frame().self().world(), Names.WORLD);
-    to.code.getfield(Names.WORLD, "tracker", Names.TRACKER).ifnonnull(otherwise);
-    epoch(name, otherwise);
+  private KnownSlot known(
+      Symbol name,
+      @Nullable Shape shape,
+      @Nullable UrbiObject self,
+      @Nullable UrbiObject holder,
+      int index) {
+    return new KnownSlot(
+        unit.frame().self().world(), name, name.epoch(), shape, self, holder, index);
   }
 
-  private void epoch(Symbol name, Label otherwise) {
-    to.constant(name, Names.SYMBOL);
-    to.code
-        .invokevirtual(Names.SYMBOL, "epoch", MethodTypeDesc.of(CD_int))
-        .loadConstant(name.epoch())
-        .if_icmpne(otherwise);
+  private void place(KnownSlot place, int target) {
+    to.constant(place, Names.KNOWN_SLOT);
+    to.code.aload(target);
   }
 
   /** Jumps unless the slot of the target is there. */
-  void check(Place place, int target, Label otherwise) {
-    to.code.aload(target);
-    if (place.shape() != null) {
-      to.code.invokevirtual(Names.OBJECT, "shape", SHAPE);
-      to.constant(place.shape(), Names.SHAPE);
-    } else if (place.self() != null) {
-      to.constant(place.self(), Names.OBJECT);
-    }
-    to.code.if_acmpne(otherwise);
+  void check(KnownSlot place, int target, Label otherwise) {
+    to.doubt(otherwise);
+    place(place, target);
+    to.code.invokevirtual(Names.KNOWN_SLOT, "isOf", IS_OF).ifeq(otherwise);
   }
 
-  /** Pushes the value of the slot there. */
-  void read(Place place, int target) {
+  /** Pushes the value of the slot there, which has been checked. */
+  void read(KnownSlot place, int target) {
     UrbiCode code = place.code();
-    if (code != null) {
-      to.constant(code, Names.OBJECT);
-      return;
-    }
-    if (place.holder() == null) {
-      to.code.aload(target);
+    if (code == null) {
+      place(place, target);
+      to.code.invokevirtual(Names.KNOWN_SLOT, "read", READ);
     } else {
-      to.constant(place.holder(), Names.OBJECT);
+      to.constant(code, Names.OBJECT);
     }
-    to.code.loadConstant(place.index()).invokevirtual(Names.OBJECT, "slotAt", SLOT_AT);
+  }
+
+  /** Stores the value of the slot if it is there, and no code; and jumps then. */
+  void plainValue(KnownSlot place, int target, int value, Label found) {
+    Label otherwise = to.code.newLabel();
+    to.doubt(otherwise);
+    place(place, target);
+    to.code
+        .invokevirtual(Names.KNOWN_SLOT, "plainValue", READ)
+        .dup()
+        .astore(value)
+        .ifnonnull(found);
+    to.code.labelBinding(otherwise);
   }
 
   /** Counts that something was not as expected. */
@@ -183,16 +166,16 @@ final class EmitSlots {
     to.load(value);
     Value result = to.storedObject();
     Shape shape = assignment.knownShape();
-    Place place = isLobby(assignment.target()) ? ofLobby(assignment.name()) : null;
+    KnownSlot place = isLobby(assignment.target()) ? ofLobby(assignment.name()) : null;
     if (place != null && place.isPlainlyOwn()) {
-      to.doubt(slow);
-      epoch(assignment.name(), slow);
-      check(place, target, slow);
-      set(place.index(), target, result, slow, over);
+      set(place, target, result, slow, over);
     } else if (shape != null) {
-      to.doubt(slow);
-      check(new Place(shape, null, null, 0), target, slow);
-      set(assignment.knownIndex(), target, result, slow, over);
+      set(
+          known(assignment.name(), shape, null, null, assignment.knownIndex()),
+          target,
+          result,
+          slow,
+          over);
     }
     to.code.labelBinding(slow);
     if (place != null || shape != null) {
@@ -201,19 +184,27 @@ final class EmitSlots {
     to.code.aload(target).aload(result.object());
     to.frame();
     to.constant(assignment, Names.SLOT_ASSIGNMENT);
-    to.help("assign", Names.OBJECT, Names.OBJECT, Names.OBJECT, Names.FRAME, Names.SLOT_ASSIGNMENT);
+    to.place();
+    to.help(
+        "assign",
+        Names.OBJECT,
+        Names.OBJECT,
+        Names.OBJECT,
+        Names.FRAME,
+        Names.SLOT_ASSIGNMENT,
+        Names.NODE);
     to.code.astore(result.object());
     to.afterOthers();
     to.code.labelBinding(over);
     return result;
   }
 
-  private void set(int index, int target, Value value, Label slow, Label over) {
+  private void set(KnownSlot place, int target, Value value, Label slow, Label over) {
+    to.doubt(slow);
+    place(place, target);
+    to.code.aload(value.object());
     to.frame();
-    to.help("isOwner", CD_boolean, Names.FRAME);
-    to.code.ifeq(slow);
-    to.code.aload(target).loadConstant(index).aload(value.object());
-    to.code.invokevirtual(Names.OBJECT, "setSlotAt", SET_SLOT_AT).goto_(over);
+    to.code.invokevirtual(Names.KNOWN_SLOT, "set", SET).ifne(over);
   }
 
   /** {@code a.x += b}, {@code a.x++}. */
@@ -234,22 +225,12 @@ final class EmitSlots {
   }
 
   private Value before(CompoundAssignment assignment, CompoundAssignment.Slot slot, int target) {
-    Label slow = to.code.newLabel();
     Label over = to.code.newLabel();
     Value before = Value.ofObject(to.newObject());
-    List<Place> places = places(slot.lookup(), slot.target());
-    if (!places.isEmpty()) {
-      guard(slot.lookup().name(), slow);
-      for (Place place : places) {
-        Label next = to.code.newLabel();
-        check(place, target, next);
-        read(place, target);
-        to.code.dup().astore(before.object());
-        to.code.instanceOf(Names.CODE).ifeq(over);
-        to.code.labelBinding(next);
-      }
+    List<KnownSlot> places = places(slot.lookup(), slot.target());
+    for (KnownSlot place : places) {
+      plainValue(place, target, before.object(), over);
     }
-    to.code.labelBinding(slow);
     if (!places.isEmpty()) {
       missed();
     }

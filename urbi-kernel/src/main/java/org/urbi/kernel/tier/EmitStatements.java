@@ -1,7 +1,6 @@
 package org.urbi.kernel.tier;
 
 import java.lang.classfile.Label;
-import java.lang.classfile.TypeKind;
 import java.lang.constant.ConstantDescs;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.Conditionals;
@@ -158,14 +157,21 @@ final class EmitStatements {
 
   /** Jumps unless the value matches. */
   private void matches(Pattern pattern, Value value, Label otherwise) {
-    int matched = to.code.allocateLocal(TypeKind.INT);
+    int matched = to.newFlag();
     to.beside(
         Survey.of(pattern),
         () -> {
           to.code.aload(value.object());
           to.frame();
           to.constant(pattern, Names.PATTERN);
-          to.help("matches", ConstantDescs.CD_boolean, Names.OBJECT, Names.FRAME, Names.PATTERN);
+          to.place();
+          to.help(
+              "matches",
+              ConstantDescs.CD_boolean,
+              Names.OBJECT,
+              Names.FRAME,
+              Names.PATTERN,
+              Names.NODE);
           to.code.istore(matched).aload(value.object());
         });
     to.code.iload(matched).ifeq(otherwise);
@@ -218,7 +224,8 @@ final class EmitStatements {
     if (value.hasObject()) {
       to.code.aload(value.object());
       to.frame();
-      to.help("truth", ConstantDescs.CD_boolean, Names.OBJECT, Names.FRAME);
+      to.place();
+      to.help("truth", ConstantDescs.CD_boolean, Names.OBJECT, Names.FRAME, Names.NODE);
       to.code.ifeq(otherwise);
     }
     to.code.labelBinding(over);

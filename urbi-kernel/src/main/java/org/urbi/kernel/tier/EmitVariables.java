@@ -64,7 +64,8 @@ final class EmitVariables {
     to.frame();
     to.code.aload(value.object());
     to.constant(place, Names.PLACE);
-    to.help("assign", CD_void, Names.FRAME, Names.OBJECT, Names.PLACE);
+    to.place();
+    to.help("assign", CD_void, Names.FRAME, Names.OBJECT, Names.PLACE, Names.NODE);
     to.afterOthers();
   }
 

@@ -2,8 +2,6 @@ package org.urbi.kernel.tier;
 
 import java.lang.classfile.CodeBuilder;
 import java.lang.classfile.Label;
-import java.lang.classfile.TypeKind;
-import java.lang.constant.ClassDesc;
 import java.lang.constant.ConstantDescs;
 import java.lang.constant.MethodTypeDesc;
 import java.util.ArrayList;
@@ -20,7 +18,6 @@ import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.NumericOperator;
 import org.urbi.kernel.node.Slots;
 import org.urbi.kernel.node.Variables;
-import org.urbi.kernel.object.Values;
 
 /**
  * Emits the code of one function or loop: what all families of nodes need, and which of them emits
@@ -30,20 +27,15 @@ import org.urbi.kernel.object.Values;
  * frame, and read again, around all code that may see the frame; so every construct that is not
  * compiled is simply executed.
  */
-final class Emitter {
+final class Emitter extends CodeWriter {
   /** The slots of the parameters of the method that is emitted for a loop. */
   static final int FROM = 2;
 
   static final int TO = 4;
   static final int ELEMENTS = 6;
 
-  final CodeBuilder code;
-  private final Unit unit;
-  private final Values values;
   private final @Nullable Doubt doubt;
   private final Survey survey;
-  private final int frame;
-  private final int job;
   private final List<Value> variables = new ArrayList<>();
   private final EmitArithmetic arithmetic;
   private final EmitVariables assignments;
@@ -54,9 +46,7 @@ final class Emitter {
   private final EmitLoops loops;
 
   private Emitter(CodeBuilder code, Unit unit) {
-    this.code = code;
-    this.unit = unit;
-    this.values = unit.values();
+    super(code, unit);
     this.doubt = unit.doubt();
     this.survey = unit.survey();
     this.arithmetic = new EmitArithmetic(this);
@@ -66,11 +56,6 @@ final class Emitter {
     this.containers = new EmitContainers(this, unit);
     this.messages = new EmitMessages(this, slots, containers, unit);
     this.loops = new EmitLoops(this);
-    this.frame = code.parameterSlot(0);
-    this.job = code.allocateLocal(TypeKind.REFERENCE);
-    frame();
-    help("job", Names.JOB, Names.FRAME);
-    code.astore(job);
   }
 
   /** For a loop, whose variables are in the frame. */
@@ -78,7 +63,9 @@ final class Emitter {
     Emitter to = new Emitter(code, unit);
     to.addVariables(0);
     for (int i = 0; i < unit.locals(); i++) {
-      to.read(i);
+      if (unit.survey().mayMention(i)) {
+        to.read(i);
+      }
     }
     return to;
   }
@@ -151,9 +138,11 @@ final class Emitter {
 
   /** Emits a statement, after which jumps of code that is not compiled are looked for. */
   void statement(Node node) {
-    if (!statements.effect(node)) {
-      value(node, true);
-    }
+    releasing(() -> {
+      if (!statements.effect(node)) {
+        value(node, true);
+      }
+    });
   }
 
   /** Emits a statement whose value is used, such as the last one of a function. */
@@ -216,20 +205,26 @@ final class Emitter {
   }
 
   private @Nullable Value compound(CompoundAssignment assignment) {
-    return switch (assignment.access()) {
-      case CompoundAssignment.OfVariable variable ->
-          assignment.local() >= 0
-              ? arithmetic.value(assignment)
-              : assignments.value(assignment, variable);
-      case CompoundAssignment.Slot slot -> slots.value(assignment, slot);
-      case CompoundAssignment.Element element when element.indices().length == 1 ->
-          containers.value(assignment, element);
-      default -> null;
-    };
+    CompoundAssignment.Access access = assignment.access();
+    if (access instanceof CompoundAssignment.OfVariable variable) {
+      return assignment.local() >= 0
+          ? arithmetic.value(assignment)
+          : assignments.value(assignment, variable);
+    }
+    if (access instanceof CompoundAssignment.Slot slot) {
+      return slots.value(assignment, slot);
+    }
+    return access instanceof CompoundAssignment.Element element && element.indices().length == 1
+        ? containers.value(assignment, element)
+        : null;
   }
 
   /** Emits a condition, after which the code goes on if it holds. */
   void condition(Node node, Label otherwise) {
+    releasing(() -> emitCondition(node, otherwise));
+  }
+
+  private void emitCondition(Node node, Label otherwise) {
     if (node instanceof NumericOperator operator && operator.isComparison()) {
       arithmetic.condition(operator, otherwise);
     } else if (node instanceof Conditionals.Logical logical) {
@@ -244,7 +239,7 @@ final class Emitter {
   }
 
   /** Emits code that is not compiled: the node is executed. */
-  private Value unknown(Node node, boolean jumps) {
+  Value unknown(Node node, boolean jumps) {
     if (Survey.isLeaf(node)) {
       execute(node);
       return storedObject();
@@ -254,12 +249,6 @@ final class Emitter {
       loops.leaveIfAsked(result);
     }
     return result;
-  }
-
-  private void execute(Node node) {
-    constant(node, Names.NODE);
-    frame();
-    code.invokevirtual(Names.NODE, "execute", MethodTypeDesc.of(Names.OBJECT, Names.FRAME));
   }
 
   // ------------------------------------------------------------------ code that sees the frame
@@ -316,7 +305,7 @@ final class Emitter {
   }
 
   private boolean isGuarded() {
-    return unit.isLoop() || loops.isInLoop();
+    return unit.isLoop() || loops.isHandling();
   }
 
   /** Other code may have run: if it has unevaluated arguments of this one, it may have assigned. */
@@ -335,12 +324,8 @@ final class Emitter {
   /** A variable has changed: whoever has unevaluated arguments of this code sees it. */
   void afterStore(Value variable) {
     if (survey.mayExpose(variable.variable())) {
-      Label over = code.newLabel();
-      frame();
-      help("isExposed", ConstantDescs.CD_boolean, Names.FRAME);
-      code.ifeq(over);
-      write(variable);
-      code.labelBinding(over);
+      pushPair(variable);
+      write("expose", variable);
     }
   }
 
@@ -363,47 +348,30 @@ final class Emitter {
     which.stream().forEach(this::read);
   }
 
-  private void locals() {
-    frame();
-    help("locals", Names.OBJECTS, Names.FRAME);
+  private void write(Value variable) {
+    pushPair(variable);
+    write("write", variable);
   }
 
-  private void write(Value variable) {
-    locals();
+  /** Lets a method write the pair on the stack to the frame, and keeps the object it may get. */
+  private void write(String method, Value variable) {
+    frame();
     code.loadConstant(variable.variable());
-    load(variable);
-    code.aastore();
+    help(
+        method,
+        Names.OBJECT,
+        ConstantDescs.CD_double,
+        Names.OBJECT,
+        Names.FRAME,
+        ConstantDescs.CD_int);
+    code.astore(variable.object());
   }
 
   private void read(int variable) {
-    locals();
-    code.loadConstant(variable);
-    loadVoid();
-    help("local", Names.OBJECT, Names.OBJECTS, ConstantDescs.CD_int, Names.OBJECT);
-    code.astore(variables.get(variable).object());
-  }
-
-  /** Begins a range of code whose exceptions are handled; such a range must not be empty. */
-  Label beginRange() {
-    Label start = code.newBoundLabel();
-    code.nop();
-    return start;
-  }
-
-  /** Emits code in which an error without a place has that of a node. */
-  void located(Node at, Runnable emitted) {
-    Label start = beginRange();
-    emitted.run();
-    Label end = code.newBoundLabel();
-    Label over = code.newLabel();
-    code.goto_(over);
-    Label handler = code.newBoundLabel();
     frame();
-    constant(at, Names.NODE);
-    help("located", Names.ERROR, Names.ERROR, Names.FRAME, Names.NODE);
-    code.athrow();
-    code.exceptionCatch(start, end, handler, Names.ERROR);
-    code.labelBinding(over);
+    code.loadConstant(variable);
+    help("read", Names.OBJECT, Names.FRAME, ConstantDescs.CD_int);
+    code.astore(variables.get(variable).object());
   }
 
   // ------------------------------------------------------------------ values
@@ -418,16 +386,20 @@ final class Emitter {
       code.aload(value.object());
       return;
     }
+    pushPair(value);
+    constant(values, Names.VALUES);
+    help("object", Names.OBJECT, ConstantDescs.CD_double, Names.OBJECT, Names.VALUES);
+    if (value.hasObject()) {
+      code.dup().astore(value.object());
+    }
+  }
+
+  private void pushPair(Value value) {
     code.dload(value.number());
     if (value.hasObject()) {
       code.aload(value.object());
     } else {
       code.aconst_null();
-    }
-    constant(values, Names.VALUES);
-    help("object", Names.OBJECT, ConstantDescs.CD_double, Names.OBJECT, Names.VALUES);
-    if (value.hasObject()) {
-      code.dup().astore(value.object());
     }
   }
 
@@ -482,8 +454,8 @@ final class Emitter {
     }
     code.aload(value.object());
     frame();
-    help("notVoid", Names.OBJECT, Names.OBJECT, Names.FRAME);
-    code.pop();
+    place();
+    help("notVoid", ConstantDescs.CD_void, Names.OBJECT, Names.FRAME, Names.NODE);
     code.labelBinding(over);
   }
 
@@ -518,74 +490,6 @@ final class Emitter {
     Value copy = newPair();
     copy(value, copy);
     return copy;
-  }
-
-  Value newPair() {
-    Value pair = Value.ofPair(newNumber(), newObject());
-    code.dconst_0().dstore(pair.number());
-    return pair;
-  }
-
-  int newNumber() {
-    return code.allocateLocal(TypeKind.DOUBLE);
-  }
-
-  int newObject() {
-    return code.allocateLocal(TypeKind.REFERENCE);
-  }
-
-  /** The double on the stack. */
-  Value storedNumber() {
-    int slot = newNumber();
-    code.dstore(slot);
-    return Value.ofNumber(slot);
-  }
-
-  /** The object on the stack. */
-  Value storedObject() {
-    int slot = newObject();
-    code.astore(slot);
-    return Value.ofObject(slot);
-  }
-
-  Value voidValue() {
-    loadVoid();
-    return storedObject();
-  }
-
-  void loadVoid() {
-    constant(values.voidObject, Names.OBJECT);
-  }
-
-  void loadBoolean(boolean value) {
-    constant(values.bool(value), Names.OBJECT);
-  }
-
-  // ------------------------------------------------------------------ the Java machine
-
-  /** Pushes the frame. */
-  void frame() {
-    code.aload(frame);
-  }
-
-  /** Pushes the job. */
-  void job() {
-    code.aload(job);
-  }
-
-  /** Pushes an object of the kernel. */
-  void constant(Object value, ClassDesc type) {
-    unit.constant(code, value, type);
-  }
-
-  /** Calls a method of the superclass. */
-  void help(String name, ClassDesc result, ClassDesc... parameters) {
-    help(code, name, result, parameters);
-  }
-
-  /** Calls a method of the superclass. */
-  static void help(CodeBuilder code, String name, ClassDesc result, ClassDesc... parameters) {
-    code.invokestatic(Names.COMPILED_CODE, name, MethodTypeDesc.of(result, parameters));
   }
 
   static boolean isLoop(Node node) {

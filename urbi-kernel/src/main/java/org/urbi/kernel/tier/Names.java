@@ -1,7 +1,6 @@
 package org.urbi.kernel.tier;
 
 import java.lang.constant.ClassDesc;
-import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.node.CallSite;
@@ -10,6 +9,7 @@ import org.urbi.kernel.node.CompoundAssignment;
 import org.urbi.kernel.node.ForEach;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Function;
+import org.urbi.kernel.node.KnownSlot;
 import org.urbi.kernel.node.Literals;
 import org.urbi.kernel.node.LoopJobs;
 import org.urbi.kernel.node.MessageSend;
@@ -37,11 +37,11 @@ final class Names {
   static final ClassDesc ELEMENTS = of(Elements.class);
   static final ClassDesc PATTERN = of(Pattern.class);
   static final ClassDesc SEQUENCE = of(Literals.Sequence.class);
-  static final ClassDesc ERROR = of(UrbiException.class);
   static final ClassDesc FOR_EACH = of(ForEach.class);
   static final ClassDesc FRAME = of(Frame.class);
   static final ClassDesc FUNCTION = of(Function.class);
   static final ClassDesc JOB = of(Job.class);
+  static final ClassDesc KNOWN_SLOT = of(KnownSlot.class);
   static final ClassDesc LOOP_JOBS = of(LoopJobs.class);
   static final ClassDesc MESSAGE = of(MessageSend.class);
   static final ClassDesc MISSES = of(Misses.class);

@@ -23,6 +23,8 @@ final class Survey {
   private final BitSet inArguments = new BitSet();
   private final BitSet mentioned = new BitSet();
   private boolean hides;
+  private boolean closures;
+  private boolean passes;
   private final BitSet assignedInArguments = new BitSet();
   private int operations;
   private int depth;
@@ -56,6 +58,19 @@ final class Survey {
   /** Whether a lazy argument may read or assign the variable. */
   boolean mayExpose(int variable) {
     return hides || inArguments.get(variable);
+  }
+
+  /**
+   * Whether jobs may be detached from it: by code that is not compiled, or by a function that does
+   * so with its argument. Operators do not.
+   */
+  boolean mayDetach() {
+    return hides || passes;
+  }
+
+  /** Whether {@code break} and {@code continue} may come out of it as exceptions. */
+  boolean mayJump() {
+    return hides || closures;
   }
 
   /** Whether more is gained than an execution of the node takes. */
@@ -94,6 +109,7 @@ final class Survey {
 
   private void visit(@Nullable Node node) {
     if (node == null || isLeaf(node) || node instanceof Literals.Number) {
+      closures |= node instanceof Literals.Closure;
       return;
     }
     if (node instanceof Variables.Local read) {
@@ -166,6 +182,10 @@ final class Survey {
     return true;
   }
 
+  private static boolean isWord(String name) {
+    return !name.isEmpty() && Character.isJavaIdentifierStart(name.charAt(0));
+  }
+
   private boolean visitExpression(Node node) {
     if (node instanceof NumericOperator operator) {
       visit(operator.left());
@@ -202,6 +222,7 @@ final class Survey {
     } else if (node instanceof Literals.Sequence literal) {
       visitAll(literal.elements());
     } else if (node instanceof MessageSend.OfLocal call) {
+      passes |= call.argumentNodes().length > 0;
       visit(call.variable());
       depth++;
       visitAll(call.argumentNodes());
@@ -217,6 +238,7 @@ final class Survey {
       visit(assignment.target());
       visit(assignment.value());
     } else if (node instanceof MessageSend message) {
+      passes |= message.argumentNodes().length > 0 && isWord(message.calledName());
       visit(message.target());
       depth++;
       visitAll(message.argumentNodes());

@@ -3,6 +3,7 @@ package org.urbi.kernel.tier;
 import java.lang.classfile.Attributes;
 import java.lang.classfile.ClassBuilder;
 import java.lang.classfile.ClassFile;
+import java.lang.classfile.ClassHierarchyResolver;
 import java.lang.classfile.CodeBuilder;
 import java.lang.classfile.MethodModel;
 import java.lang.classfile.attribute.CodeAttribute;
@@ -14,6 +15,7 @@ import java.lang.ref.ReferenceQueue;
 import java.lang.ref.WeakReference;
 import java.util.HashSet;
 import java.util.Set;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.node.CodeCompiler;
@@ -29,14 +31,20 @@ public final class Tier implements CodeCompiler {
   private static final String FUNCTION = "Code";
   private static final String LOOP = "Loop";
 
+  /**
+   * How many turns of a loop count as much as a call. A loop around a hot one is compiled with that
+   * one inside, so it must be hot itself.
+   */
+  private static final int TURNS_PER_CALL = 10;
+
   /** More variables than most functions have; all of them are written around other code. */
   private static final int MOST_LOCALS = 60;
 
   /** The Java machine never compiles a method with more bytes than this. */
   private static final int MOST_BYTES = 8000;
 
-  /** How many pieces of compiled code may be in use at once. */
-  private static final int MOST_UNITS = 5000;
+  /** How many bytes of classes may be in use at once. */
+  private static final long MOST_IN_USE = 8L << 20;
 
   static final MethodTypeDesc RUN =
       MethodTypeDesc.of(
@@ -49,19 +57,41 @@ public final class Tier implements CodeCompiler {
   private static final MethodTypeDesc CONSTRUCTOR =
       MethodTypeDesc.of(ConstantDescs.CD_void, Names.MISSES);
 
+  /** Compiled code that somebody may still use, and how long its class is. */
+  private static final class InUse extends WeakReference<CompiledCode> {
+    final int bytes;
+
+    InUse(CompiledCode compiled, int bytes, ReferenceQueue<CompiledCode> forgotten) {
+      super(compiled, forgotten);
+      this.bytes = bytes;
+    }
+  }
+
   private final World world;
   private final int threshold;
   private final @Nullable Doubt doubt;
   private final KernelLog log;
   private final ReferenceQueue<CompiledCode> forgotten = new ReferenceQueue<>();
-  private final Set<WeakReference<CompiledCode>> inUse = new HashSet<>();
+  private final Set<InUse> inUse = new HashSet<>();
+  private long bytesInUse;
+
+  /** Asks loaded classes what they extend; otherwise their files would be read. */
+  private final ClassFile files =
+      ClassFile.of(
+          ClassFile.ClassHierarchyResolverOption.of(
+              ClassHierarchyResolver.ofClassLoading(MethodHandles.lookup()).cached()));
+
+  /** Whether the Java machine has failed to give what compiling needs. */
+  private boolean broken;
+
   private int functions;
   private int loops;
   private int refused;
   private long bytes;
 
   /**
-   * @param threshold after how many calls or turns code is compiled
+   * @param threshold after how many calls a function is compiled, and after ten times as many turns
+   *     a loop; with 1 both at once
    * @param missEvery every how many times compiled code distrusts a number, which must make no
    *     difference but for the time; 0 for never
    * @param log is told of code that could not be compiled because of a defect here
@@ -79,6 +109,11 @@ public final class Tier implements CodeCompiler {
   }
 
   @Override
+  public long turns() {
+    return 1 + TURNS_PER_CALL * (threshold - 1L);
+  }
+
+  @Override
   public Statistics statistics() {
     return new Statistics(functions, loops, refused, bytes);
   }
@@ -86,23 +121,24 @@ public final class Tier implements CodeCompiler {
   @Override
   public @Nullable CompiledCode function(
       Function.Body function, Node code, Frame frame, boolean last) {
-    Survey survey = Survey.of(code);
     CompiledCode compiled =
-        survey.isWorthwhile()
-            ? compile(
-                new Unit(
-                    name(FUNCTION),
-                    new Constants(),
-                    world.values(),
-                    doubt,
-                    new Misses(!last),
-                    survey,
-                    frame,
-                    function,
-                    function.locals()),
-                new EmitFunction(code))
-            : null;
-    count(compiled);
+        attempt(() -> {
+          Survey survey = Survey.of(code);
+          return survey.isWorthwhile()
+              ? compile(
+                  new Unit(
+                      name(FUNCTION),
+                      new Constants(),
+                      world.values(),
+                      doubt,
+                      new Misses(!last),
+                      survey,
+                      frame,
+                      function,
+                      function.locals()),
+                  new EmitFunction(code))
+              : null;
+        });
     if (compiled != null) {
       functions++;
     }
@@ -112,38 +148,55 @@ public final class Tier implements CodeCompiler {
   @Override
   public @Nullable CompiledCode loop(Node loop, Frame frame, boolean last) {
     CompiledCode compiled =
-        Emitter.isLoop(loop)
-            ? compile(
-                new Unit(
-                    name(LOOP),
-                    new Constants(),
-                    world.values(),
-                    doubt,
-                    new Misses(!last),
-                    Survey.of(loop),
-                    frame,
-                    null,
-                    CompiledCode.variables(frame)),
-                (type, unit) ->
-                    type.withMethodBody(
-                        "run",
-                        RUN,
-                        ClassFile.ACC_PUBLIC,
-                        code -> Emitter.ofLoop(code, unit).loops().unit(loop)))
-            : null;
-    count(compiled);
+        attempt(() ->
+            Emitter.isLoop(loop)
+                ? compile(
+                    new Unit(
+                        name(LOOP),
+                        new Constants(),
+                        world.values(),
+                        doubt,
+                        new Misses(!last),
+                        Survey.of(loop),
+                        frame,
+                        null,
+                        CompiledCode.variables(frame)),
+                    (type, unit) ->
+                        type.withMethodBody(
+                            "run",
+                            RUN,
+                            ClassFile.ACC_PUBLIC,
+                            code -> Emitter.ofLoop(code, unit).loops().unit(loop)))
+                : null);
     if (compiled != null) {
       loops++;
     }
     return compiled;
   }
 
-  private void count(@Nullable CompiledCode compiled) {
+  /**
+   * Compiles something, if that is possible. Otherwise the interpreter does it as well: where the
+   * stack is nearly exhausted, or a class cannot be loaded because the process has no file
+   * descriptors left. Such a class is missing from then on.
+   */
+  private @Nullable CompiledCode attempt(Supplier<@Nullable CompiledCode> work) {
+    CompiledCode compiled = null;
+    if (!broken) {
+      try {
+        compiled = work.get();
+      } catch (LinkageError e) {
+        broken = true;
+        log.write("urbi: code is not compiled any more: " + e);
+      } catch (IllegalArgumentException e) {
+        log.write("urbi: code is not compiled: " + e);
+      } catch (StackOverflowError e) {
+        // It is refused.
+      }
+    }
     if (compiled == null) {
       refused++;
-    } else {
-      inUse.add(new WeakReference<>(compiled, forgotten));
     }
+    return compiled;
   }
 
   /** What is emitted. */
@@ -156,34 +209,27 @@ public final class Tier implements CodeCompiler {
   }
 
   private @Nullable CompiledCode compile(Unit unit, Emission emission) {
-    if (unit.locals() > MOST_LOCALS || !hasRoom()) {
-      return null;
-    }
-    try {
-      return emit(unit, emission);
-    } catch (IllegalArgumentException | LinkageError e) {
-      // The interpreter does it as well.
-      log.write("urbi: code is not compiled: " + e);
-      return null;
-    }
+    return unit.locals() > MOST_LOCALS || !hasRoom() ? null : emit(unit, emission);
   }
 
   private @Nullable CompiledCode emit(Unit unit, Emission emission) {
     byte[] emitted =
-        ClassFile.of()
-            .build(
-                unit.owner(),
-                type -> {
-                  type.withSuperclass(Names.COMPILED_CODE).withFlags(ClassFile.ACC_FINAL);
-                  type.withMethodBody(ConstantDescs.INIT_NAME, CONSTRUCTOR, 0, Tier::construct);
-                  emission.emit(type, unit);
-                  unit.constants().declare(type, unit.owner());
-                });
+        files.build(
+            unit.owner(),
+            type -> {
+              type.withSuperclass(Names.COMPILED_CODE).withFlags(ClassFile.ACC_FINAL);
+              type.withMethodBody(ConstantDescs.INIT_NAME, CONSTRUCTOR, 0, Tier::construct);
+              emission.emit(type, unit);
+              unit.constants().declare(type, unit.owner());
+            });
     if (length(emitted) > MOST_BYTES) {
       return null;
     }
+    CompiledCode compiled = instance(emitted, unit);
     bytes += emitted.length;
-    return instance(emitted, unit);
+    bytesInUse += emitted.length;
+    inUse.add(new InUse(compiled, emitted.length, forgotten));
+    return compiled;
   }
 
   /** The length of the code that does the work. */
@@ -200,9 +246,11 @@ public final class Tier implements CodeCompiler {
 
   private boolean hasRoom() {
     for (var gone = forgotten.poll(); gone != null; gone = forgotten.poll()) {
-      inUse.remove(gone);
+      if (gone instanceof InUse code && inUse.remove(code)) {
+        bytesInUse -= code.bytes;
+      }
     }
-    return inUse.size() < MOST_UNITS;
+    return bytesInUse < MOST_IN_USE;
   }
 
   private static void construct(CodeBuilder code) {

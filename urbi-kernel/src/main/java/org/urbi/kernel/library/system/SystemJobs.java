@@ -98,7 +98,7 @@ final class SystemJobs {
 
   @Builtin(
       doc =
-          "After how many calls or turns code is compiled, how many functions and loops were, how"
+          "After how many calls code is compiled, how many functions and loops were, how"
               + " many were refused, and how many bytes they take in all.")
   static UrbiObject tier(Frame frame, UrbiObject self) {
     CodeCompiler compiler = frame.interpreter().compiler();

@@ -1,0 +1,119 @@
+package org.urbi.kernel.node;
+
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.Values;
+import org.urbi.lang.source.Span;
+
+/** What compiled code does with its frame: variables, errors, code that is not compiled. */
+abstract class FrameAccess extends Node {
+  /** How many plain variables there are in a frame. */
+  public static int variables(Frame frame) {
+    return locals(frame).length;
+  }
+
+  /** The variables in the frame; there is room for them from now on. */
+  protected static UrbiObject[] locals(Frame frame) {
+    UrbiObject[] locals = frame.locals;
+    return locals == Frame.NO_ARGUMENTS ? room(frame) : locals;
+  }
+
+  private static UrbiObject[] room(Frame frame) {
+    if (frame.function != null) {
+      frame.locals = frame.function.layout().newLocals();
+    }
+    return frame.locals;
+  }
+
+  /** The value of a variable in the frame. */
+  protected static UrbiObject local(UrbiObject[] locals, int index, UrbiObject nothing) {
+    @Nullable UrbiObject value = locals[index];
+    return value == null ? nothing : value;
+  }
+
+  /** The value of a variable in the frame. */
+  protected static UrbiObject read(Frame frame, int index) {
+    @Nullable UrbiObject value = locals(frame)[index];
+    return value == null ? frame.interpreter.values().voidObject : value;
+  }
+
+  /** Writes a pair to a variable in the frame; returns the object, which it has from now on. */
+  protected static UrbiObject write(
+      double number, @Nullable UrbiObject object, Frame frame, int index) {
+    UrbiObject value = object(number, object, frame.interpreter.values());
+    locals(frame)[index] = value;
+    return value;
+  }
+
+  /**
+   * Writes a pair to a variable in the frame if others may read it at any time; returns the object
+   * of the pair, if there is one.
+   */
+  protected static @Nullable UrbiObject expose(
+      double number, @Nullable UrbiObject object, Frame frame, int index) {
+    return frame.isExposed() ? write(number, object, frame, index) : object;
+  }
+
+  protected static Job job(Frame frame) {
+    return frame.job;
+  }
+
+  protected static UrbiObject self(Frame frame) {
+    return frame.self;
+  }
+
+  /** Whether others may read and assign the variables of the frame at any time. */
+  protected static boolean isExposed(Frame frame) {
+    return frame.isExposed();
+  }
+
+  /** An error that has no place yet gets that of a node, if there is one. */
+  static UrbiException located(UrbiException exception, Frame frame, @Nullable Node at) {
+    return at == null ? exception : frame.located(exception, at.span());
+  }
+
+  static UrbiException located(UrbiException exception, Frame frame, @Nullable Span at) {
+    return at == null ? exception : frame.located(exception, at);
+  }
+
+  /** The object of a pair. */
+  protected static UrbiObject object(double number, @Nullable UrbiObject object, Values values) {
+    return object == null ? values.number(number) : object;
+  }
+
+  /** Throws an error if the value is void. */
+  protected static void notVoid(UrbiObject value, Frame frame, @Nullable Node at) {
+    try {
+      frame.interpreter.notVoid(value);
+    } catch (UrbiException e) {
+      throw located(e, frame, at);
+    }
+  }
+
+  /** What is not compiled. */
+  protected static UrbiObject execute(Node code, Frame frame, @Nullable Node at) {
+    try {
+      return code.execute(frame);
+    } catch (UrbiException e) {
+      throw located(e, frame, at);
+    }
+  }
+
+  protected static void yield(Job job, Frame frame, @Nullable Node at) {
+    try {
+      job.yield();
+    } catch (UrbiException e) {
+      throw located(e, frame, at);
+    }
+  }
+
+  protected static void checkInterrupted(Job job, Frame frame, @Nullable Node at) {
+    try {
+      job.checkInterrupted();
+    } catch (UrbiException e) {
+      throw located(e, frame, at);
+    }
+  }
+}

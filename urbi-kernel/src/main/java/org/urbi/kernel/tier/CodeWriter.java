@@ -1,0 +1,178 @@
+package org.urbi.kernel.tier;
+
+import java.lang.classfile.CodeBuilder;
+import java.lang.classfile.Label;
+import java.lang.classfile.TypeKind;
+import java.lang.constant.ClassDesc;
+import java.lang.constant.ConstantDescs;
+import java.lang.constant.MethodTypeDesc;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.node.Node;
+import org.urbi.kernel.object.Values;
+
+/**
+ * The code of one method that is being emitted, whatever it does: its slots, its constants, the
+ * methods that it calls, and where its errors are.
+ */
+abstract class CodeWriter {
+  final CodeBuilder code;
+  final Unit unit;
+  final Values values;
+  private final int frame;
+  private final int job;
+
+  /** The first slot that nothing is kept in. */
+  private int free;
+
+  /** The node whose place errors have that have none, of what is being emitted; or null. */
+  private @Nullable Node place;
+
+  /** Emits the beginning of the method, whose first parameter is the frame. */
+  CodeWriter(CodeBuilder code, Unit unit) {
+    this.code = code;
+    this.unit = unit;
+    this.values = unit.values();
+    this.frame = code.parameterSlot(0);
+    this.job = code.allocateLocal(TypeKind.REFERENCE);
+    this.free = job + 1;
+    frame();
+    help("job", Names.JOB, Names.FRAME);
+    code.astore(job);
+  }
+
+  /** Begins a range of code whose exceptions are handled; such a range must not be empty. */
+  Label beginRange() {
+    Label start = code.newBoundLabel();
+    code.nop();
+    return start;
+  }
+
+  /** Emits code in which an error without a place has that of a node. */
+  void located(Node at, Runnable emitted) {
+    Node around = place;
+    place = at;
+    emitted.run();
+    place = around;
+  }
+
+  /** Pushes the node whose place an error has that has none; or null. */
+  void place() {
+    if (place == null) {
+      code.aconst_null();
+    } else {
+      constant(place, Names.NODE);
+    }
+  }
+
+  /** Calls a method of the job that may throw. */
+  void callJob(String name) {
+    job();
+    if (place == null) {
+      code.invokevirtual(Names.JOB, name, ConstantDescs.MTD_void);
+    } else {
+      frame();
+      place();
+      help(name, ConstantDescs.CD_void, Names.JOB, Names.FRAME, Names.NODE);
+    }
+  }
+
+  /** Executes a node. */
+  void execute(Node node) {
+    constant(node, Names.NODE);
+    frame();
+    if (place == null) {
+      code.invokevirtual(Names.NODE, "execute", MethodTypeDesc.of(Names.OBJECT, Names.FRAME));
+    } else {
+      place();
+      help("execute", Names.OBJECT, Names.NODE, Names.FRAME, Names.NODE);
+    }
+  }
+
+  // ------------------------------------------------------------------ slots
+
+  /** Emits something, after which the slots that it has taken are free again. */
+  void releasing(Runnable emitted) {
+    int before = free;
+    emitted.run();
+    free = before;
+  }
+
+  Value newPair() {
+    Value pair = Value.ofPair(newNumber(), newObject());
+    code.dconst_0().dstore(pair.number());
+    return pair;
+  }
+
+  int newNumber() {
+    return allocate(2);
+  }
+
+  int newObject() {
+    return allocate(1);
+  }
+
+  int newFlag() {
+    return allocate(1);
+  }
+
+  /** Takes slots until the statement that is being emitted ends. */
+  private int allocate(int slots) {
+    int slot = free;
+    free += slots;
+    return slot;
+  }
+
+  /** The double on the stack. */
+  Value storedNumber() {
+    int slot = newNumber();
+    code.dstore(slot);
+    return Value.ofNumber(slot);
+  }
+
+  /** The object on the stack. */
+  Value storedObject() {
+    int slot = newObject();
+    code.astore(slot);
+    return Value.ofObject(slot);
+  }
+
+  Value voidValue() {
+    loadVoid();
+    return storedObject();
+  }
+
+  void loadVoid() {
+    constant(values.voidObject, Names.OBJECT);
+  }
+
+  void loadBoolean(boolean value) {
+    constant(values.bool(value), Names.OBJECT);
+  }
+
+  // ------------------------------------------------------------------ the Java machine
+
+  /** Pushes the frame. */
+  void frame() {
+    code.aload(frame);
+  }
+
+  /** Pushes the job. */
+  void job() {
+    code.aload(job);
+  }
+
+  /** Pushes an object of the kernel. */
+  void constant(Object value, ClassDesc type) {
+    unit.constant(code, value, type);
+  }
+
+  /** Calls a method of the superclass. */
+  void help(String name, ClassDesc result, ClassDesc... parameters) {
+    help(code, name, result, parameters);
+  }
+
+  /** Calls a method of the superclass. */
+  static void help(CodeBuilder code, String name, ClassDesc result, ClassDesc... parameters) {
+    code.invokestatic(Names.COMPILED_CODE, name, MethodTypeDesc.of(result, parameters));
+  }
+}
