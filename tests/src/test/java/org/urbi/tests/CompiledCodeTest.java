@@ -263,6 +263,18 @@ class CompiledCodeTest {
             function sum(l) { var s = 0; for| (var e : l) { s += e; e = 0 }; s }|; sum([1, 2]); sum([1, nil]); sum([1, 2]);
             """),
         Map.entry(
+            "dictionaries have their entries and errors",
+            """
+            function f(d, k) { d[k] += 1; d[k]++; [d.has(k), d[k], d[k] === d[k], d.has("none"), d.get(k)] }|;
+            f(["a" => 1], "a"); f(["a" => 1], "b"); f([1 => 1], 1); f([1 => 1], 1.5); f([true => 1], true);
+            f([nil => 2], nil); f([=>], void); f([1, 2], 1); f("text", 1); f(nil, 1); f([[1] => 1], [1]);
+            class K { function '=='(o) { echo("==") | true }; function hash { echo("hash") | "k".hash } }|;
+            f([K.new => 1], K.new); var watched = ["a" => 1]|; at (watched.has("b")) echo("b");
+            function add(d, k) { d[k] = 1; d.has(k) }|; add(watched, "c"); add(watched, "b"); sleep(1ms)|;
+            class Mine : Dictionary { function '[]'(k) { 7 }; function has(k) { "mine" } }|; f(Mine.new, "a");
+            Dictionary.has = function (k) { "all" }|; f(["a" => 1], "a"); f(["a" => 1], "c");
+            """),
+        Map.entry(
             "objects are equal as they say",
             """
             class E { var n = 1; function '=='(o) { echo("==") | true } }|; var e = E.new|; var o = Object.new|;

@@ -136,8 +136,8 @@ final class Assignments {
               new CompoundAssignment.Element(
                   target(message.target(), span, block),
                   compilation.all(message.arguments(), block),
-                  interpreter().world().symbol(message.name()),
-                  interpreter().world().symbol(message.name() + "="));
+                  Slots.lookup(interpreter(), message.name()),
+                  Slots.lookup(interpreter(), message.name() + "="));
           case Ast.Message message -> {
             LocalVariable variable = message.target() == null ? block.find(message.name()) : null;
             yield variable == null

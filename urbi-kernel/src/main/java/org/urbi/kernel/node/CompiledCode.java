@@ -6,6 +6,7 @@ import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.TagStop;
 import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
@@ -429,6 +430,25 @@ public abstract class CompiledCode extends FrameAccess {
       }
     }
     return null;
+  }
+
+  /**
+   * The value of a key; null if there is none, or the dictionary or key is another than expected.
+   */
+  protected static @Nullable UrbiObject entry(UrbiObject target, UrbiObject key, Frame frame) {
+    return target instanceof UrbiDictionary dictionary && DictionaryKey.isPlain(key)
+        ? dictionary.entries().get(DictionaryKey.of(frame, key))
+        : null;
+  }
+
+  /** Whether there is a key; null if the dictionary or key is another than expected. */
+  protected static @Nullable UrbiObject hasEntry(UrbiObject target, UrbiObject key, Frame frame) {
+    return target instanceof UrbiDictionary dictionary && DictionaryKey.isPlain(key)
+        ? frame
+            .interpreter
+            .values()
+            .bool(dictionary.entries().containsKey(DictionaryKey.of(frame, key)))
+        : null;
   }
 
   private static int place(double index, int size) {

@@ -72,7 +72,8 @@ public final class CompoundAssignment extends Node implements CallSite {
   }
 
   /** {@code a[i]}. */
-  public record Element(Node target, Node[] indices, Symbol get, Symbol set) implements Access {
+  public record Element(Node target, Node[] indices, SlotLookup get, SlotLookup set)
+      implements Access {
     @Override
     public UrbiObject[] parts(Frame frame) {
       UrbiObject[] parts = new UrbiObject[1 + indices.length];
@@ -85,12 +86,12 @@ public final class CompoundAssignment extends Node implements CallSite {
 
     @Override
     public UrbiObject read(Frame frame, UrbiObject[] parts) {
-      return frame.interpreter.send(frame, parts[0], get.name(), tail(parts, null));
+      return frame.interpreter.send(frame, parts[0], get, tail(parts, null));
     }
 
     @Override
     public void write(Frame frame, UrbiObject[] parts, UrbiObject value) {
-      frame.interpreter.send(frame, parts[0], set.name(), tail(parts, value));
+      frame.interpreter.send(frame, parts[0], set, tail(parts, value));
     }
 
     private static UrbiObject[] tail(UrbiObject[] parts, @Nullable UrbiObject last) {

@@ -66,6 +66,11 @@ public final class DictionaryKey {
     }
   }
 
+  /** Whether no code of urbiscript is called for such a key. */
+  static boolean isPlain(UrbiObject value) {
+    return value instanceof UrbiString || value instanceof UrbiFloat;
+  }
+
   /** The key for a value. */
   public static UrbiDictionary.Key of(Frame frame, UrbiObject value) {
     if (value instanceof UrbiString string) {

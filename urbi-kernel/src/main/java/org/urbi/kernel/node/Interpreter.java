@@ -199,6 +199,8 @@ public final class Interpreter {
     shorten(values.listProto, "<<", Shortcut.APPEND);
     shorten(values.listProto, "size", Shortcut.SIZE_OF_LIST);
     shorten(values.stringProto, "size", Shortcut.SIZE_OF_TEXT);
+    shorten(values.dictionaryProto, "[]", Shortcut.ENTRY);
+    shorten(values.dictionaryProto, "has", Shortcut.HAS_ENTRY);
     identity = values.object.lookup(symbols.equals);
     difference = values.nil.lookup(world.symbol("!="));
     differenceOfStrings = values.stringProto.lookup(world.symbol("!="));
@@ -272,6 +274,18 @@ public final class Interpreter {
     beginSend(caller);
     try {
       return send(caller, javaSite(message), target, world.symbol(message), arguments);
+    } finally {
+      caller.job.endSend();
+    }
+  }
+
+  /** The same for a message whose slot is looked for in one place of the code. */
+  UrbiObject send(Frame caller, UrbiObject target, SlotLookup lookup, UrbiObject... arguments) {
+    beginSend(caller);
+    try {
+      Symbol name = lookup.name();
+      UrbiObject found = lookup.find(caller, target);
+      return answer(caller, javaSite(name.name()), target, name, found, arguments);
     } finally {
       caller.job.endSend();
     }

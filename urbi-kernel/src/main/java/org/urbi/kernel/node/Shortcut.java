@@ -11,5 +11,9 @@ public enum Shortcut {
   /** {@code list.size}. */
   SIZE_OF_LIST,
   /** {@code text.size}. */
-  SIZE_OF_TEXT
+  SIZE_OF_TEXT,
+  /** {@code dictionary[key]}. */
+  ENTRY,
+  /** {@code dictionary.has(key)}. */
+  HAS_ENTRY
 }

@@ -36,7 +36,7 @@ final class EmitContainers {
     int wanted =
         switch (known) {
           case SIZE_OF_LIST, SIZE_OF_TEXT -> 0;
-          case ELEMENT, APPEND -> 1;
+          case ELEMENT, APPEND, ENTRY, HAS_ENTRY -> 1;
           case SET_ELEMENT -> 2;
         };
     return wanted == arguments ? known : null;
@@ -67,6 +67,18 @@ final class EmitContainers {
         to.help("append", CD_boolean, Names.OBJECT, Names.OBJECT, Names.FRAME);
         to.code.ifeq(otherwise);
         to.code.aload(target).astore(result.object());
+      }
+      case ENTRY, HAS_ENTRY -> {
+        to.code.aload(target);
+        to.load(arguments.getFirst());
+        to.frame();
+        to.help(
+            shortcut == Shortcut.ENTRY ? "entry" : "hasEntry",
+            Names.OBJECT,
+            Names.OBJECT,
+            Names.OBJECT,
+            Names.FRAME);
+        to.code.dup().astore(result.object()).ifnull(otherwise);
       }
       case SIZE_OF_LIST, SIZE_OF_TEXT -> {
         to.code.aload(target);
