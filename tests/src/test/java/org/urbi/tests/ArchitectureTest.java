@@ -132,7 +132,19 @@ class ArchitectureTest {
           "org.urbi.ros.graph..",
           "org.urbi.ros.codec..",
           "org.urbi.ros.message..",
+          "org.urbi.ros.time",
           "urbi");
+
+  @ArchTest
+  static final ArchRule nothingOfRosDependsOnItsObjects =
+      noClasses()
+          .that()
+          .resideInAPackage("org.urbi.ros..")
+          .and()
+          .resideOutsideOfPackage("org.urbi.ros.uobject..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAPackage("org.urbi.ros.uobject..");
 
   private static ArchRule onlyIn(String packageName, String library) {
     return noClasses()

@@ -1,7 +1,7 @@
 package org.urbi.ros.message;
 
 /** A value that is not of the type of a message. The message names the field by its path. */
-public class ValueException extends RuntimeException {
+public class ValueException extends IllegalArgumentException {
   private final String path;
   private final String reason;
 
@@ -20,5 +20,11 @@ public class ValueException extends RuntimeException {
   public ValueException within(String step) {
     String separator = path.isEmpty() || path.startsWith("[") ? "" : ".";
     return new ValueException(step + separator + path, reason);
+  }
+
+  /** It is a message for people, who do not want to know where in this module it was thrown. */
+  @Override
+  public synchronized Throwable fillInStackTrace() {
+    return this;
   }
 }

@@ -2,6 +2,7 @@ package org.urbi.ros.one;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
@@ -37,12 +38,13 @@ final class MasterWatch implements AutoCloseable {
     thread.scheduleWithFixedDelay(this::look, 0, PERIOD, TimeUnit.MILLISECONDS);
   }
 
-  private void execute(Runnable task) {
+  /** Has the thread do something; false if it has ended: there is nobody to tell any more. */
+  private boolean execute(Runnable task) {
     try {
       thread.execute(task);
+      return true;
     } catch (RejectedExecutionException e) {
-      // Closed: there is nobody to tell any more.
-      return;
+      return false;
     }
   }
 
@@ -62,6 +64,15 @@ final class MasterWatch implements AutoCloseable {
         forget(registration);
       }
     });
+  }
+
+  /** Done when the master has been told all that it was to be told by now, if it is there. */
+  CompletableFuture<Void> settled() {
+    CompletableFuture<Void> done = new CompletableFuture<>();
+    if (!execute(() -> done.complete(null))) {
+      done.complete(null);
+    }
+    return done;
   }
 
   private void forget(Registration registration) {

@@ -42,6 +42,8 @@ public final class OneNode implements Node {
   private final Set<OneServiceClient> clients = ConcurrentHashMap.newKeySet();
   private final List<Consumer<GraphSnapshot>> watchers = new CopyOnWriteArrayList<>();
   private final Consumer<Boolean> presence;
+  private @Nullable RosOut out;
+  private volatile boolean closed;
   private @Nullable Boolean present;
   private @Nullable GraphSnapshot seen;
 
@@ -66,6 +68,7 @@ public final class OneNode implements Node {
     try {
       OneNode node = new OneNode(settings, presence);
       node.server.start();
+      node.out = new RosOut(node);
       return node;
     } catch (IOException e) {
       throw new RosException("no node of ROS: " + e.getMessage(), e);
@@ -95,7 +98,12 @@ public final class OneNode implements Node {
     return server.port();
   }
 
-  String resolve(String name) {
+  /**
+   * The full name that is meant by one.
+   *
+   * @throws RosException if it is no name
+   */
+  public String resolve(String name) {
     return settings.names().resolve(name);
   }
 
@@ -116,6 +124,10 @@ public final class OneNode implements Node {
     return publications.values().stream()
         .map(each -> List.of(each.topic(), each.typeName()))
         .toList();
+  }
+
+  List<String> publishedNames() {
+    return publications.values().stream().map(Publication::topic).toList();
   }
 
   List<List<String>> subscribed() {
@@ -170,6 +182,16 @@ public final class OneNode implements Node {
     return parameters;
   }
 
+  /**
+   * Tells people something on {@code /rosout}.
+   *
+   * @param level debug, info, warn, error or fatal
+   * @throws RosException if it is another one
+   */
+  public void log(String level, String text) {
+    requireNonNull(out, "every node that was started has one").log(level, text);
+  }
+
   @Override
   public CompletableFuture<Boolean> reachable() {
     return master.call(value -> true, "getPid").exceptionally(failure -> false);
@@ -190,8 +212,19 @@ public final class OneNode implements Node {
         });
   }
 
+  /**
+   * Done when the master has been told of what was advertised, subscribed and offered until now; or
+   * when it is seen that there is none.
+   */
+  public CompletableFuture<Void> settled() {
+    return watch.settled();
+  }
+
   /** After each look at the master, on the thread that looks. */
   private void looked(boolean there) {
+    if (closed) {
+      return;
+    }
     try {
       if (present == null || present != there) {
         present = there;
@@ -299,6 +332,7 @@ public final class OneNode implements Node {
       String service, @Nullable ServiceType type, boolean keepAlive) {
     String full = resolve(service);
     return lookUp(full)
+        .exceptionallyCompose(failure -> CompletableFuture.failedFuture(unknown(full, failure)))
         .thenApplyAsync(
             address -> {
               ServiceType known = type != null ? type : typeOf(full, address);
@@ -307,6 +341,14 @@ public final class OneNode implements Node {
               return made;
             },
             Threads.POOL);
+  }
+
+  /** A master that refuses has no such service; one that is not there is another matter. */
+  private static Throwable unknown(String service, Throwable failure) {
+    Throwable cause = failure.getCause() == null ? failure : failure.getCause();
+    return cause instanceof RosException && cause.getCause() == null
+        ? new RosException("there is no service " + service + ": Ros.services has all")
+        : cause;
   }
 
   private ServiceType typeOf(String service, URI address) {
@@ -369,6 +411,7 @@ public final class OneNode implements Node {
 
   @Override
   public void close() {
+    closed = true;
     watch.close();
     publications.values().forEach(Publication::closeAll);
     subscriptions.forEach(OneSubscription::close);

@@ -96,6 +96,7 @@ final class Server {
     ConsoleServer network = null;
     watch(started);
     try {
+      startFiles.loadRos(started, err, System.getenv());
       startFiles.loadGlobal(started, err);
       network = settings.keepsServing() ? listen() : null;
       listening = network;

@@ -1,6 +1,8 @@
 package org.urbi.server.cli;
 
 import java.io.PrintStream;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
@@ -16,6 +18,9 @@ import org.urbi.server.source.SourceText;
 final class StartFiles {
   /** How long other connections wait for {@code global.u} to end. */
   private static final int TIMEOUT_SECONDS = 5;
+
+  /** What the environment of somebody who uses ROS 1 has, either of them. */
+  private static final List<String> ROS = List.of("ROS_MASTER_URI", "ROS_ROOT");
 
   private static final String LOADED = "urbi-global-loaded";
 
@@ -35,15 +40,26 @@ final class StartFiles {
   /** Loads {@code global.u} and waits for its end; what it prints goes to {@code err}. */
   void loadGlobal(Kernel kernel, PrintStream err) {
     path.find("global.u", "URBI.INI", "CLIENT.INI")
-        .ifPresent(file -> {
-          GlobalLobbyClient system = new GlobalLobbyClient(err);
-          Connection connection = kernel.connect(system, false);
-          connection.send(SourceText.file(file.toString()));
-          connection.send("lobby.send(\"\", \"" + LOADED + "\");\n");
-          if (!system.awaitLoaded()) {
-            err.println("urbi: " + file + " is still running, going on without waiting for it");
-          }
-        });
+        .ifPresent(file -> load(kernel, err, file.toString(), SourceText.file(file.toString())));
+  }
+
+  /** Loads the module of ROS where the environment has one (manual, "Communication with ROS"). */
+  void loadRos(Kernel kernel, PrintStream err, Map<String, String> environment) {
+    boolean named = ROS.stream().anyMatch(name -> !environment.getOrDefault(name, "").isEmpty());
+    if (named) {
+      // Once its node is asked for, it says when there is no master.
+      load(kernel, err, "urbi/ros.u", "requireFile(\"urbi/ros.u\"); Ros.name|;\n");
+    }
+  }
+
+  private static void load(Kernel kernel, PrintStream err, String what, String code) {
+    GlobalLobbyClient system = new GlobalLobbyClient(err);
+    Connection connection = kernel.connect(system, false);
+    connection.send(code);
+    connection.send("lobby.send(\"\", \"" + LOADED + "\");\n");
+    if (!system.awaitLoaded()) {
+      err.println("urbi: " + what + " is still running, going on without waiting for it");
+    }
   }
 
   /** The lobby of {@code global.u}, which stays for as long as the kernel. */

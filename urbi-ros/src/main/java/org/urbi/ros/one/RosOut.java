@@ -1,0 +1,115 @@
+package org.urbi.ros.one;
+
+import static java.util.Objects.requireNonNull;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import org.urbi.ros.graph.Publisher;
+import org.urbi.ros.graph.Qos;
+import org.urbi.ros.graph.RosException;
+import org.urbi.ros.message.Templates;
+import org.urbi.ros.time.WallClock;
+import urbi.UDictionary;
+import urbi.UList;
+import urbi.UValue;
+
+/**
+ * What a node tells people, on {@code /rosout}; and the services by which they choose how much that
+ * is. Every node of ROS 1 has them: they are what makes it appear in the master's graph.
+ */
+final class RosOut {
+  /** How grave something is; the numbers are those of {@code rosgraph_msgs/Log}. */
+  private enum Level {
+    DEBUG(1),
+    INFO(2),
+    WARN(4),
+    ERROR(8),
+    FATAL(16);
+
+    private final int number;
+
+    Level(int number) {
+      this.number = number;
+    }
+
+    /**
+     * The level of that name.
+     *
+     * @throws RosException if there is none
+     */
+    static Level of(String name) {
+      for (Level level : values()) {
+        if (level.name().equalsIgnoreCase(name)) {
+          return level;
+        }
+      }
+      throw new RosException(
+          "level: debug, info, warn, error or fatal expected, not '" + name + "'");
+    }
+  }
+
+  /** Nanoseconds. */
+  private static final long SECOND = 1_000_000_000;
+
+  private static final String LOGGER = "urbi";
+  private static final Qos KEPT = new Qos(true, false, 100, Qos.DEFAULT.deadline());
+
+  private final OneNode node;
+  private final Publisher publisher;
+  private volatile Level least = Level.INFO;
+
+  RosOut(OneNode node) {
+    this.node = node;
+    publisher =
+        node.advertise(
+            "/rosout",
+            node.definitions().message("rosgraph_msgs/Log"),
+            KEPT,
+            new Publisher.Listener() {});
+    node.serve(
+        "~get_loggers", node.definitions().service("roscpp/GetLoggers"), request -> loggers());
+    node.serve(
+        "~set_logger_level", node.definitions().service("roscpp/SetLoggerLevel"), this::setLevel);
+  }
+
+  private CompletionStage<UDictionary> loggers() {
+    UDictionary logger =
+        new UDictionary().with("name", LOGGER).with("level", least.name().toLowerCase(Locale.ROOT));
+    return CompletableFuture.completedFuture(new UDictionary().with("loggers", UList.of(logger)));
+  }
+
+  private CompletionStage<UDictionary> setLevel(UDictionary request) {
+    least = Level.of(field(request, "level").stringValue());
+    return CompletableFuture.completedFuture(new UDictionary());
+  }
+
+  private static UValue field(UDictionary message, String name) {
+    return requireNonNull(message.get(name), "a decoded message has all its fields");
+  }
+
+  /**
+   * Tells people something.
+   *
+   * @param level how grave it is: {@code debug}, {@code info}, {@code warn}, {@code error}, {@code
+   *     fatal}
+   * @throws RosException if it is another one
+   */
+  void log(String level, String text) {
+    Level grave = Level.of(level);
+    if (grave.compareTo(least) < 0) {
+      return;
+    }
+    long now = WallClock.nanoseconds();
+    UDictionary message = Templates.of(publisher.type());
+    field(message, "header")
+        .udictionaryValue()
+        .put("stamp", Templates.instant(now / SECOND, now % SECOND));
+    message.put("level", new UValue((double) grave.number));
+    message.put("name", new UValue(node.name()));
+    message.put("msg", new UValue(text));
+    message.put("topics", new UValue(new UList(List.copyOf(node.publishedNames()))));
+    publisher.publish(message);
+  }
+}

@@ -1,0 +1,80 @@
+package org.urbi.ros.uobject;
+
+import java.util.concurrent.CompletionStage;
+import org.jspecify.annotations.Nullable;
+import org.urbi.ros.graph.RosException;
+import org.urbi.ros.graph.ServiceClient;
+import org.urbi.ros.message.Templates;
+import org.urbi.ros.one.OneNode;
+import urbi.UDictionary;
+import urbi.UObject;
+import urbi.UVar;
+
+/** A service of another node that urbiscript calls (manual, "Ros.Service"). */
+public final class RosService extends UObject implements AutoCloseable {
+  static {
+    UStart(RosService.class);
+  }
+
+  private final UVar initialized = new UVar();
+  private String service = "";
+  private volatile @Nullable ServiceClient client;
+
+  public RosService(String name) {
+    super(name);
+    UBindVar(initialized, "initialized");
+    initialized.setValue(0);
+    UBindFunctions("init", "name", "reqStruct", "resStruct", "request");
+  }
+
+  /**
+   * Looks the service up. The job waits until it is there.
+   *
+   * @param keepAlive whether the connection is kept between requests
+   */
+  public CompletionStage<Void> init(String name, boolean keepAlive) {
+    OneNode node = Ros.of(this);
+    service = node.resolve(name);
+    return node.client(name, null, keepAlive)
+        .thenAccept(found -> {
+          client = found;
+          initialized.setValue(1);
+        });
+  }
+
+  private ServiceClient client() {
+    ServiceClient known = client;
+    if (known == null) {
+      throw new RosException(service + " is not initialized");
+    }
+    return known;
+  }
+
+  /** The full name of the service. */
+  public String name() {
+    return service;
+  }
+
+  /** A new request. */
+  public UDictionary reqStruct() {
+    return Templates.of(client().type().request());
+  }
+
+  /** A new response. */
+  public UDictionary resStruct() {
+    return Templates.of(client().type().response());
+  }
+
+  /** Asks the service. The job waits for the answer. */
+  public CompletionStage<UDictionary> request(UDictionary request) {
+    return client().request(request);
+  }
+
+  @Override
+  public void close() {
+    ServiceClient known = client;
+    if (known != null) {
+      known.close();
+    }
+  }
+}

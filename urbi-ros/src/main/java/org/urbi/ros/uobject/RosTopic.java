@@ -1,0 +1,259 @@
+package org.urbi.ros.uobject;
+
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
+import org.urbi.ros.graph.GraphSnapshot;
+import org.urbi.ros.graph.Publisher;
+import org.urbi.ros.graph.Qos;
+import org.urbi.ros.graph.RosException;
+import org.urbi.ros.graph.Subscription;
+import org.urbi.ros.message.DefinitionException;
+import org.urbi.ros.message.MessageType;
+import org.urbi.ros.message.Templates;
+import org.urbi.ros.one.OneNode;
+import urbi.UDictionary;
+import urbi.UEvent;
+import urbi.UObject;
+import urbi.UValue;
+import urbi.UVar;
+
+/** A topic to which urbiscript listens, or on which it speaks (manual, "Ros.Topic"). */
+public final class RosTopic extends UObject implements AutoCloseable {
+  static {
+    UStart(RosTopic.class);
+  }
+
+  /** Seconds in which a publisher has to tell its type, if nobody else knows that. */
+  private static final int PATIENCE = 5;
+
+  private static final int DEFAULT_DEPTH = 100;
+  private static final String TAKE = "__take";
+
+  private final UEvent onMessage = new UEvent();
+  private final UEvent onConnect = new UEvent();
+  private final UEvent onDisconnect = new UEvent();
+  private final UVar last = new UVar();
+  private final UVar depth = new UVar();
+  private final UVar latch = new UVar();
+  private final Delivery<UDictionary> delivery =
+      new Delivery<>(() -> getUContext().call(get__name(), TAKE));
+
+  private String topic = "";
+  private volatile @Nullable MessageType type;
+  private volatile @Nullable Subscription subscription;
+  private volatile @Nullable Publisher publisher;
+
+  public RosTopic(String name) {
+    super(name);
+    UBindEvent(onMessage, "onMessage");
+    UBindEvent(onConnect, "onConnect");
+    UBindEvent(onDisconnect, "onDisconnect");
+    UBindVars(last, "last", depth, "depth", latch, "latch");
+    depth.setValue(DEFAULT_DEPTH);
+    latch.setValue(0);
+    UBindFunctions(
+        "init",
+        "name",
+        "structure",
+        "subscriberCount",
+        "subscribe",
+        "unsubscribe",
+        "advertise",
+        "publish",
+        "unadvertise");
+    bind("<<", this::publish);
+    bind(TAKE, this::take);
+  }
+
+  /** Chooses the topic; may be called again as long as it is neither heard nor advertised. */
+  public void init(String name) {
+    idle();
+    topic = Ros.of(this).resolve(name);
+  }
+
+  private void idle() {
+    if (subscription != null) {
+      throw new RosException(topic + " is subscribed already: unsubscribe first");
+    }
+    if (publisher != null) {
+      throw new RosException(topic + " is advertised already: unadvertise first");
+    }
+  }
+
+  /** The full name of the topic. */
+  public String name() {
+    return topic;
+  }
+
+  /** A new message of the type of the topic. */
+  public UDictionary structure() {
+    MessageType known = type;
+    if (known == null) {
+      throw new RosException("the type is known when " + topic + " is subscribed or advertised");
+    }
+    return Templates.of(known);
+  }
+
+  /** How many subscribe to the topic. */
+  public CompletionStage<Integer> subscriberCount() {
+    Publisher own = publisher;
+    if (own != null) {
+      return CompletableFuture.completedFuture(own.subscribers());
+    }
+    return info().thenApply(info -> info == null ? 0 : info.subscribers().size());
+  }
+
+  /** What is known of the topic; null if nothing is. */
+  private CompletableFuture<GraphSnapshot.@Nullable TopicInfo> info() {
+    return Ros.of(this).graph().thenApply(graph -> graph.topics().get(topic));
+  }
+
+  /** The type that the others use. */
+  private CompletableFuture<String> advertisedType() {
+    return info()
+        .thenApply(info -> {
+          if (info == null || info.type().equals("*") || info.type().isEmpty()) {
+            throw new RosException("there is no topic " + topic + ": Ros.topics has all");
+          }
+          return info.type();
+        });
+  }
+
+  // ------------------------------------------------------------------ hearing
+
+  /** Begins to listen. The job waits until the type is known. */
+  public CompletionStage<Void> subscribe() {
+    idle();
+    int most = depth.intValue();
+    if (most < 0) {
+      throw new RosException("depth: 0 or more messages expected, not " + most);
+    }
+    OneNode node = Ros.of(this);
+    CompletableFuture<Void> typed = new CompletableFuture<>();
+    return advertisedType()
+        .thenCompose(name -> {
+          try {
+            type = node.definitions().message(name);
+            typed.complete(null);
+          } catch (DefinitionException e) {
+            // A publisher tells what it means by that name.
+            typed.orTimeout(PATIENCE, TimeUnit.SECONDS);
+          }
+          delivery.begin(most);
+          subscription = node.subscribe(topic, null, Qos.DEFAULT, listener(typed));
+          return typed.exceptionallyCompose(failure -> {
+            unsubscribe();
+            return CompletableFuture.failedFuture(
+                new RosException(
+                    "there is no definition of " + name + ", and no publisher has sent it",
+                    failure));
+          });
+        });
+  }
+
+  private Subscription.Listener listener(CompletableFuture<Void> typed) {
+    return new Subscription.Listener() {
+      @Override
+      public void received(UDictionary message) {
+        delivery.offer(message);
+      }
+
+      @Override
+      public void typed(MessageType told) {
+        type = told;
+        typed.complete(null);
+      }
+
+      @Override
+      public void failed(String reason) {
+        getUContext().report("ROS: " + topic + ": " + reason);
+      }
+    };
+  }
+
+  /** Has urbiscript see what has come. */
+  public void take() {
+    for (UDictionary next = delivery.next(); next != null; next = delivery.next()) {
+      UValue message = new UValue(next);
+      last.setValue(message);
+      onMessage.emit(message);
+    }
+  }
+
+  /** Ends listening. */
+  public void unsubscribe() {
+    Subscription present = subscription;
+    if (present == null) {
+      throw new RosException(topic + " is not subscribed");
+    }
+    subscription = null;
+    delivery.end();
+    present.close();
+  }
+
+  // ------------------------------------------------------------------ speaking
+
+  /**
+   * Offers messages of a type; of the one that others use if it is empty. The job waits until the
+   * master knows.
+   */
+  public CompletionStage<Void> advertise(String typeName) {
+    idle();
+    return typeName.isEmpty() ? advertisedType().thenCompose(this::begin) : begin(typeName);
+  }
+
+  private CompletionStage<Void> begin(String typeName) {
+    OneNode node = Ros.of(this);
+    MessageType wanted = node.definitions().message(typeName);
+    int most = depth.intValue();
+    publisher =
+        node.advertise(
+            topic,
+            wanted,
+            new Qos(true, latch.booleanValue(), most, Qos.DEFAULT.deadline()),
+            new Publisher.Listener() {
+              @Override
+              public void connected(String name) {
+                onConnect.emit(name);
+              }
+
+              @Override
+              public void disconnected(String name) {
+                onDisconnect.emit(name);
+              }
+            });
+    type = wanted;
+    return node.settled();
+  }
+
+  /** Sends a message to all who listen. */
+  public void publish(UDictionary message) {
+    Publisher present = publisher;
+    if (present == null) {
+      throw new RosException(topic + " is not advertised");
+    }
+    present.publish(message);
+  }
+
+  /** Ends speaking. */
+  public void unadvertise() {
+    Publisher present = publisher;
+    if (present == null) {
+      throw new RosException(topic + " is not advertised");
+    }
+    publisher = null;
+    present.close();
+  }
+
+  @Override
+  public void close() {
+    if (subscription != null) {
+      unsubscribe();
+    }
+    if (publisher != null) {
+      unadvertise();
+    }
+  }
+}
