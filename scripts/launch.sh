@@ -40,7 +40,7 @@ if [ "$main" = org.urbi.server.cli.UrbiCommand ] && [ -z "$little" ]; then
   for word; do
     case $word in
       --) break ;;
-      -P* | --port | --port=* | --socket | --socket=*) collector="-XX:+UseG1GC -XX:MaxGCPauseMillis=10" ;;
+      -P* | --port | --port=* | --socket | --socket=*) collector="-XX:+UseG1GC -XX:MaxGCPauseMillis=10 -XX:+UnlockExperimentalVMOptions -XX:G1NewSizePercent=2" ;;
     esac
   done
 fi

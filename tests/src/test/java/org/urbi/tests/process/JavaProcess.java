@@ -25,7 +25,11 @@ final class JavaProcess implements AutoCloseable {
 
   /** What {@code scripts/launch.sh} gives a server instead. */
   private static final List<String> COLLECTOR_OF_SERVERS =
-      List.of("-XX:+UseG1GC", "-XX:MaxGCPauseMillis=10");
+      List.of(
+          "-XX:+UseG1GC",
+          "-XX:MaxGCPauseMillis=10",
+          "-XX:+UnlockExperimentalVMOptions",
+          "-XX:G1NewSizePercent=2");
 
   private static final List<String> FLAGS =
       List.of(SERIAL, "-XX:TieredStopAtLevel=1", "-Durbi.stdin.terminal=false");
