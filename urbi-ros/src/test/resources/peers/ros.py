@@ -6,6 +6,7 @@ import time
 import rclpy
 from rclpy.qos import QoSProfile
 from std_msgs.msg import String
+from test_msgs.srv import BasicTypes
 
 rclpy.init()
 node = rclpy.create_node("peer")
@@ -39,6 +40,38 @@ def subscribe(topic, count):
     say("got", len(got), "in order" if got == list(range(int(count))) else "in disorder")
 
 
+def spin_until(condition):
+    while not condition():
+        rclpy.spin_once(node, timeout_sec=0.05)
+
+
+def graph(name, topic):
+    spin_until(lambda: name in node.get_node_names() and node.get_publishers_info_by_topic(topic))
+    info = node.get_publishers_info_by_topic(topic)[0]
+    say(info.node_namespace, info.node_name, info.topic_type, str(info.topic_type_hash))
+
+
+def serve(name):
+    def answer(request, response):
+        response.int32_value = request.int32_value + 1
+        response.string_value = request.string_value + "!"
+        return response
+
+    kept.append(node.create_service(BasicTypes, name, answer))
+    say("serving")
+    spin_until(lambda: stop)
+
+
+def call(name, number):
+    client = node.create_client(BasicTypes, name)
+    spin_until(client.service_is_ready)
+    future = client.call_async(BasicTypes.Request(int32_value=int(number), string_value="hello"))
+    spin_until(future.done)
+    say(future.result().int32_value, future.result().string_value)
+
+
+kept = []
+stop = False
 for line in sys.stdin:
     words = line.split()
     globals()[words[0]](*words[1:])

@@ -19,7 +19,7 @@ import java.util.concurrent.ThreadLocalRandom;
 /**
  * Participants of one domain, which no other test uses at the time, and what is told about them.
  */
-final class Neighbourhood implements AutoCloseable {
+public final class Neighbourhood implements AutoCloseable {
   static final String TYPE = "std_msgs::msg::dds_::String_";
   static final byte[] NO_DATA = {};
 
@@ -36,7 +36,7 @@ final class Neighbourhood implements AutoCloseable {
   private final List<String> seen = new ArrayList<>();
   final Queue<Throwable> troubles = new ConcurrentLinkedQueue<>();
 
-  Neighbourhood() throws IOException {
+  public Neighbourhood() throws IOException {
     ServerSocket free = null;
     int tried = ThreadLocalRandom.current().nextInt(DOMAINS);
     while (free == null) {
@@ -50,6 +50,11 @@ final class Neighbourhood implements AutoCloseable {
     }
     guard = free;
     domain = tried;
+  }
+
+  /** Its number. */
+  public int domain() {
+    return domain;
   }
 
   ParticipantOptions options() {

@@ -10,7 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /** A program of somebody else's that speaks the same protocol. */
-final class Peer implements AutoCloseable {
+public final class Peer implements AutoCloseable {
   private static final Path MADE = Path.of("../.build/ros-peers").toAbsolutePath().normalize();
   private static final String LOOPBACK =
       "<CycloneDDS><Domain><General><Interfaces><NetworkInterface name=\"lo\" multicast=\"true\"/>"
@@ -21,7 +21,7 @@ final class Peer implements AutoCloseable {
   private final Writer commands;
 
   /** Starts one of them in that domain; whoever does not have them skips the test. */
-  Peer(String environment, int domain) throws IOException {
+  public Peer(String environment, int domain) throws IOException {
     Path python = MADE.resolve(environment).resolve("bin/python");
     assumeTrue(
         Files.exists(python), "no peer for the test: scripts/ros-peers.sh gets " + environment);
@@ -36,17 +36,22 @@ final class Peer implements AutoCloseable {
     commands = process.outputWriter();
   }
 
-  void say(String command) throws IOException {
+  public void say(String command) throws IOException {
     commands.write(command + "\n");
     commands.flush();
   }
 
-  void expect(String answer) throws IOException {
+  /** Where its types are defined. */
+  public static String prefix(String environment) {
+    return MADE.resolve(environment).toString();
+  }
+
+  public void expect(String answer) throws IOException {
     assertEquals(answer, answers.readLine());
   }
 
   /** Ends it without a word. */
-  void kill() throws InterruptedException {
+  public void kill() throws InterruptedException {
     process.destroyForcibly().waitFor();
   }
 

@@ -1,0 +1,126 @@
+package org.urbi.ros.two;
+
+import java.nio.ByteBuffer;
+import org.jspecify.annotations.Nullable;
+import org.urbi.ros.codec.CodecException;
+import org.urbi.ros.codec.MessageCodec;
+import org.urbi.ros.graph.Qos;
+import org.urbi.ros.graph.Subscription;
+import org.urbi.ros.message.DefinitionException;
+import org.urbi.ros.message.MessageType;
+import org.urbi.ros.message.TypeHash;
+import org.urbi.ros.rtps.EndpointInfo;
+import org.urbi.ros.rtps.Reader;
+import org.urbi.ros.rtps.ReaderListener;
+import org.urbi.ros.rtps.Sample;
+import urbi.UDictionary;
+
+/**
+ * What this node hears on a topic of ROS 2; its type is that of the first publisher, if it was not
+ * said.
+ */
+final class TwoSubscription implements Subscription {
+  private final TwoNode node;
+  private final String topic;
+  private final Qos qos;
+  private final Listener listener;
+  private final Runnable stopsSeeking;
+  private @Nullable Reader reader;
+  private boolean closed;
+
+  TwoSubscription(
+      TwoNode node, String topic, @Nullable MessageType type, Qos qos, Listener listener) {
+    this.node = node;
+    this.topic = topic;
+    this.qos = qos;
+    this.listener = listener;
+    if (type != null) {
+      stopsSeeking = () -> {};
+      open(type);
+    } else {
+      stopsSeeking = node.seek(this::seek);
+      seek();
+    }
+  }
+
+  private void seek() {
+    String wanted = Mangling.topic(topic);
+    for (EndpointInfo each : node.endpoints()) {
+      if (!each.isWriter() || !each.topic().equals(wanted)) continue;
+      try {
+        MessageType type = node.settings().definitions().message(Mangling.typeOf(each.type()));
+        if (open(type)) listener.typed(type);
+      } catch (DefinitionException e) {
+        listener.failed(topic + ": " + e.getMessage());
+      }
+      return;
+    }
+  }
+
+  private synchronized boolean open(MessageType type) {
+    if (closed || reader != null) return false;
+    reader =
+        node.reader(
+            Mangling.topic(topic),
+            Mangling.type(type.name()),
+            TwoNode.qos(qos),
+            TypeHash.rihs(type),
+            new Samples(MessageCodec.of(type)));
+    return true;
+  }
+
+  @Override
+  public String topic() {
+    return topic;
+  }
+
+  @Override
+  public synchronized int publishers() {
+    return reader == null ? 0 : reader.matched().size();
+  }
+
+  @Override
+  public synchronized void close() {
+    if (closed) return;
+    closed = true;
+    stopsSeeking.run();
+    if (reader != null) node.close(reader);
+  }
+
+  private final class Samples implements ReaderListener {
+    private final MessageCodec codec;
+
+    Samples(MessageCodec codec) {
+      this.codec = codec;
+    }
+
+    @Override
+    public void available(Reader us) {
+      TwoNode.takeAll(us, this::received);
+    }
+
+    private void received(Sample sample) {
+      ByteBuffer bytes = sample.payload();
+      UDictionary message;
+      try {
+        message =
+            codec.decode(bytes.array(), bytes.arrayOffset() + bytes.position(), bytes.remaining());
+      } catch (CodecException e) {
+        String owner = node.ownerOf(sample.identity().writer());
+        listener.failed(owner + " sends what is no " + codec.type().name() + ": " + e.getMessage());
+        return;
+      }
+      listener.received(message);
+    }
+
+    @Override
+    public void hindered(Reader us, EndpointInfo writer, String policy) {
+      listener.failed(
+          node.ownerOf(writer.guid())
+              + " does not offer the "
+              + policy
+              + " that is asked for on "
+              + topic);
+    }
+  }
+}
