@@ -1,21 +1,31 @@
 #!/usr/bin/env bash
 # Makes the environments of Python with real ROS 2 (Kilted and Jazzy) and with Cyclone DDS, that the tests of urbi-ros
-# speak to, under .build/ros-peers. What is there already stays. Says what it could not get, and fails then.
+# speak to. They are kept for the user, since they take half a minute of processor time, and linked to from
+# .build/ros-peers. What is there already stays. Says what it could not get, and fails then.
 set -uo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd -P)
-folder=$root/.build/ros-peers
-mkdir -p "$folder"
+kept=${XDG_CACHE_HOME:-$HOME/.cache}/urbi/ros-peers
+links=$root/.build/ros-peers
+mkdir -p "$kept" "$links" || exit 1
+exec 9>"$kept/lock"
+flock 9 # another check may be making them
 bad=0
 for name in kilted jazzy cyclone; do
   wanted=$root/scripts/ros-peers/$name.txt
-  cmp -s "$wanted" "$folder/$name.made" && continue
-  rm -rf "${folder:?}/$name" "$folder/$name.made"
-  if python3 -m venv "$folder/$name" >"$folder/$name.log" 2>&1 &&
-    "$folder/$name/bin/pip" install -q --disable-pip-version-check -r "$wanted" >>"$folder/$name.log" 2>&1; then
-    cp "$wanted" "$folder/$name.made"
-  else
-    echo "ros-peers: could not make $name: see .build/ros-peers/$name.log" >&2
-    bad=1
+  # What other versions of the project want is something else.
+  made=$kept/$name-$(cksum <"$wanted" | cut -d' ' -f1)
+  if [ ! -e "$made/complete" ]; then
+    rm -rf "$made"
+    if python3 -m venv "$made" >"$made.log" 2>&1 &&
+      "$made/bin/pip" install -q --disable-pip-version-check -r "$wanted" >>"$made.log" 2>&1; then
+      : >"$made/complete"
+    else
+      echo "ros-peers: could not make $name: see $made.log" >&2
+      bad=1
+      continue
+    fi
   fi
+  [ -L "$links/$name" ] || rm -rf "${links:?}/$name"
+  ln -sfn "$made" "$links/$name"
 done
 exit "$bad"
