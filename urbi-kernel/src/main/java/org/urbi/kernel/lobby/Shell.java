@@ -20,6 +20,8 @@ import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.tag.UrbiTag;
 import org.urbi.lang.advice.Advice;
+import org.urbi.lang.advice.Note;
+import org.urbi.lang.advice.SuspectCode;
 import org.urbi.lang.advice.SyntaxAdvice;
 import org.urbi.lang.ast.Ast;
 import org.urbi.lang.input.Item;
@@ -246,6 +248,7 @@ public final class Shell {
         }
         item.warnings().forEach(this::show);
         if (item instanceof Item.Statement statement) {
+          showSuspicions(statement);
           execute(shell, statement);
         } else if (item instanceof Item.Invalid invalid) {
           show(invalid.errors());
@@ -467,6 +470,14 @@ public final class Shell {
     Frame frame = Frame.top(interpreter, shell, lobby, compiled.layout());
     interpreter.send(
         frame, interpreter.get(frame, lobby, interpreter.world().symbol("topLevel")), "<<", value);
+  }
+
+  private void showSuspicions(Item.Statement statement) {
+    if (lobby.output().errors() != ErrorStyle.PLAIN) {
+      for (Note note : SuspectCode.in(statement.tree(), statement.separator())) {
+        Diagnostics.explain(lobby.output(), note.span(), () -> Advice.of(note.text()));
+      }
+    }
   }
 
   private void show(SyntaxWarning warning) {

@@ -32,7 +32,7 @@ import org.urbi.kernel.lobby.ErrorStyle;
 class MistakesTest {
   private static final Path FOLDER = Path.of("src/test/resources/org/urbi/kernel/mistakes");
   private static final String TITLE = "//// ";
-  private static final String ANSWER = "----";
+  private static final String ANSWER = "----\n";
 
   /** A mistake: what it is called, what was typed, and what is told. */
   private record Mistake(String title, String code, String answer) {}
@@ -57,7 +57,7 @@ class MistakesTest {
 
   private static List<Mistake> read(Path file) throws IOException {
     List<Mistake> mistakes = new ArrayList<>();
-    for (String part : ("\n" + Files.readString(file)).split("\n" + TITLE)) {
+    for (String part : ("\n" + Files.readString(file)).split("(?<=\n)" + TITLE)) {
       if (!part.isBlank()) {
         int code = part.indexOf('\n') + 1;
         int answer = part.indexOf(ANSWER);
@@ -65,7 +65,7 @@ class MistakesTest {
             new Mistake(
                 part.substring(0, code - 1),
                 part.substring(code, answer),
-                part.substring(answer + ANSWER.length()).strip()));
+                part.substring(answer + ANSWER.length()).stripTrailing()));
       }
     }
     return mistakes;
@@ -109,10 +109,7 @@ class MistakesTest {
     StringBuilder text = new StringBuilder();
     for (Mistake mistake : read(file)) {
       text.append(TITLE).append(mistake.title()).append('\n').append(mistake.code());
-      text.append(ANSWER)
-          .append("\n")
-          .append(tell(mistake.code(), ErrorStyle.EXPLAINED))
-          .append("\n\n");
+      text.append(ANSWER).append(tell(mistake.code(), ErrorStyle.EXPLAINED)).append("\n\n");
     }
     Files.writeString(file, text.toString().stripTrailing() + "\n");
   }
@@ -148,6 +145,6 @@ class MistakesTest {
         .map(line -> line.replaceFirst("^\\[\\d+", "["))
         .filter(line -> !line.contains("called from"))
         .collect(Collectors.joining("\n"))
-        .strip();
+        .stripTrailing();
   }
 }

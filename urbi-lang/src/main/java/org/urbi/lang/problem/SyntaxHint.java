@@ -47,6 +47,11 @@ public enum SyntaxHint {
   UNITS("the units of durations are d, h, min, s, ms, us and ns"),
   LETTER_FIRST("a name begins with a letter or _"),
 
+  // ------------------------------------------------------------------ code that is valid
+
+  COMPARISON("`=' gives a value, and the condition is that value; `==' compares"),
+  ENDLESS("this does not end, and what is typed next waits for it: `,' at its end does not wait"),
+
   // ------------------------------------------------------------------ the places that are shown
 
   OPENED("opened here"),
