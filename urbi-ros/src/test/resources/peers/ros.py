@@ -1,10 +1,10 @@
 # A node of ROS 2. Commands come by lines, answers go by lines.
-#   publish TOPIC COUNT SIZE RATE, subscribe TOPIC COUNT
+#   publish TOPIC COUNT SIZE RATE, subscribe TOPIC COUNT, pair, silent NAME
 import sys
 import time
 
 import rclpy
-from rclpy.qos import QoSProfile
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from std_msgs.msg import String
 from test_msgs.srv import BasicTypes
 
@@ -59,6 +59,37 @@ def serve(name):
 
     kept.append(node.create_service(BasicTypes, name, answer))
     say("serving")
+    spin_until(lambda: stop)
+
+
+# A service that does not answer.
+def silent(name):
+    def hang(request, response):
+        say("asked")
+        time.sleep(1000)
+
+    kept.append(node.create_service(BasicTypes, name, hang))
+    say("serving")
+    spin_until(lambda: stop)
+
+
+# The other half of either.u. Its talker is one of those that lose messages.
+def pair():
+    def answer(request, response):
+        response.int32_value = request.int32_value + 1
+        response.string_value = request.string_value + "!"
+        return response
+
+    sensor = QoSProfile(depth=10, reliability=ReliabilityPolicy.BEST_EFFORT)
+    latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    chatter = node.create_publisher(String, "chatter", sensor)
+    echo = node.create_publisher(String, "echo_out", 100)
+    held = node.create_publisher(String, "kept", latched)
+    held.publish(String(data="kept"))
+    kept.append(node.create_timer(0.02, lambda: chatter.publish(String(data="hello"))))
+    kept.append(node.create_subscription(String, "echo_in", echo.publish, 100))
+    kept.append(node.create_service(BasicTypes, "increment", answer))
+    say("ready")
     spin_until(lambda: stop)
 
 

@@ -3,6 +3,7 @@ package org.urbi.ros.graph;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.urbi.ros.message.Definitions;
 import org.urbi.ros.message.Dialect;
 import org.urbi.ros.message.MessageType;
 import org.urbi.ros.message.ServiceType;
@@ -17,11 +18,47 @@ public interface Node extends AutoCloseable {
 
   Dialect version();
 
-  /** Whether the others can be reached: whether there is a master, in ROS 1. */
+  /** The types that this node knows. */
+  Definitions definitions();
+
+  /**
+   * The full name that is meant by one.
+   *
+   * @throws RosException if it is no name
+   */
+  String resolve(String name);
+
+  /**
+   * Whether the others can be reached: in ROS 1, whether there is a master; in ROS 2, whether the
+   * node is up.
+   */
   CompletableFuture<Boolean> reachable();
 
   /** Who does what. Fails with a {@link RosException} if there is nobody to tell. */
   CompletableFuture<GraphSnapshot> graph();
+
+  /**
+   * The name of the type that the others use on a topic; fails with a {@link RosException} if there
+   * is none, or nobody says.
+   */
+  CompletableFuture<String> typeOf(String topic);
+
+  /**
+   * Done when those have been told who can be told of what was advertised, subscribed and offered
+   * until now: the master in ROS 1, or it is seen that there is none; in ROS 2, which has nobody
+   * who would confirm it, all are told at once.
+   */
+  CompletableFuture<Void> settled();
+
+  /** Tells people something on {@code /rosout}. */
+  void log(Severity severity, String text);
+
+  /**
+   * The parameters that are kept for all nodes.
+   *
+   * @throws RosException if this ROS has no such place
+   */
+  ParameterServer parameters();
 
   /**
    * Has a listener called, on a thread of the network, with each change that the node gets to know.

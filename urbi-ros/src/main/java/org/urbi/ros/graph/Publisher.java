@@ -12,6 +12,9 @@ public interface Publisher extends AutoCloseable {
 
     /** A node has unsubscribed, or has gone. */
     default void disconnected(String node) {}
+
+    /** Something keeps a node from being heard; others hear all the same. For people. */
+    default void failed(String reason) {}
   }
 
   /** The full name of the topic. */

@@ -13,6 +13,7 @@ public interface ServiceClient extends AutoCloseable {
 
   /**
    * Asks the service. The answer fails with a {@link RosException} if the service refuses, or goes.
+   * Whoever does not want to wait any longer completes it.
    *
    * @throws org.urbi.ros.message.ValueException if the request is not of the type
    */

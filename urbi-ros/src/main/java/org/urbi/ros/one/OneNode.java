@@ -20,6 +20,7 @@ import org.urbi.ros.graph.Qos;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.graph.ServiceClient;
 import org.urbi.ros.graph.ServiceServer;
+import org.urbi.ros.graph.Severity;
 import org.urbi.ros.graph.Subscription;
 import org.urbi.ros.message.Definitions;
 import org.urbi.ros.message.Dialect;
@@ -81,7 +82,7 @@ public final class OneNode implements Node {
     return new Api(client, uri, settings.names().node());
   }
 
-  /** The types that this node knows. */
+  @Override
   public Definitions definitions() {
     return settings.definitions();
   }
@@ -98,11 +99,7 @@ public final class OneNode implements Node {
     return server.port();
   }
 
-  /**
-   * The full name that is meant by one.
-   *
-   * @throws RosException if it is no name
-   */
+  @Override
   public String resolve(String name) {
     return settings.names().resolve(name);
   }
@@ -177,19 +174,14 @@ public final class OneNode implements Node {
     return Dialect.ROS_1;
   }
 
-  /** The parameters that the master keeps for all. */
+  @Override
   public Parameters parameters() {
     return parameters;
   }
 
-  /**
-   * Tells people something on {@code /rosout}.
-   *
-   * @param level debug, info, warn, error or fatal
-   * @throws RosException if it is another one
-   */
-  public void log(String level, String text) {
-    requireNonNull(out, "every node that was started has one").log(level, text);
+  @Override
+  public void log(Severity severity, String text) {
+    requireNonNull(out, "every node that was started has one").log(severity, text);
   }
 
   @Override
@@ -212,10 +204,20 @@ public final class OneNode implements Node {
         });
   }
 
-  /**
-   * Done when the master has been told of what was advertised, subscribed and offered until now; or
-   * when it is seen that there is none.
-   */
+  @Override
+  public CompletableFuture<String> typeOf(String topic) {
+    String full = resolve(topic);
+    return graph()
+        .thenApply(graph -> {
+          GraphSnapshot.TopicInfo info = graph.topics().get(full);
+          if (info == null || info.type().equals("*") || info.type().isEmpty()) {
+            throw new RosException("there is no topic " + full + ": Ros.topics has all");
+          }
+          return info.type();
+        });
+  }
+
+  @Override
   public CompletableFuture<Void> settled() {
     return watch.settled();
   }

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.TimeoutException;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.codec.CodecException;
 import org.urbi.ros.codec.MessageCodec;
@@ -84,7 +85,8 @@ final class OneServiceClient implements ServiceClient {
         "service-client",
         () -> {
           try {
-            answer.complete(responses.decode(keepAlive ? askKept(bytes) : askOnce(bytes)));
+            byte[] response = keepAlive ? askKept(bytes, answer) : askOnce(bytes, answer);
+            answer.complete(responses.decode(response));
           } catch (IOException e) {
             answer.completeExceptionally(
                 new RosException(
@@ -98,22 +100,25 @@ final class OneServiceClient implements ServiceClient {
     return answer;
   }
 
-  private byte[] askOnce(byte[] request) throws IOException {
+  private byte[] askOnce(byte[] request, CompletableFuture<?> answer) throws IOException {
     TcpRosConnection connection = connect();
     try {
-      return ask(connection, request);
+      return ask(connection, request, answer);
     } finally {
       end(connection);
     }
   }
 
   /** One after the other, by a connection that may have been broken since it was used last. */
-  private byte[] askKept(byte[] request) throws IOException {
+  private byte[] askKept(byte[] request, CompletableFuture<?> answer) throws IOException {
     synchronized (turn) {
+      if (answer.isDone()) {
+        throw new IOException("nobody waits for the answer any more");
+      }
       TcpRosConnection before = kept;
       if (before != null) {
         try {
-          return ask(before, request);
+          return ask(before, request, answer);
         } catch (IOException e) {
           end(before);
           kept = null;
@@ -122,7 +127,7 @@ final class OneServiceClient implements ServiceClient {
       TcpRosConnection connection = connect();
       kept = connection;
       try {
-        return ask(connection, request);
+        return ask(connection, request, answer);
       } catch (IOException e) {
         end(connection);
         kept = null;
@@ -159,15 +164,22 @@ final class OneServiceClient implements ServiceClient {
     connection.close();
   }
 
-  private byte[] ask(TcpRosConnection connection, byte[] request) throws IOException {
+  private byte[] ask(TcpRosConnection connection, byte[] request, CompletableFuture<?> answer)
+      throws IOException {
+    answer.whenComplete((value, failure) -> {
+      if (failure instanceof TimeoutException) {
+        // What comes now would be taken for the answer to the next request.
+        end(connection);
+      }
+    });
     connection.write(request);
     connection.flush();
     boolean done = connection.readByte() == 1;
-    byte[] answer = connection.read();
+    byte[] response = connection.read();
     if (!done) {
-      throw new RosException(service + ": " + new String(answer, StandardCharsets.UTF_8));
+      throw new RosException(service + ": " + new String(response, StandardCharsets.UTF_8));
     }
-    return answer;
+    return response;
   }
 
   @Override

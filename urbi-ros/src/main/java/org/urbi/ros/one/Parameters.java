@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
+import org.urbi.ros.graph.ParameterServer;
 import org.urbi.ros.graph.RosException;
 import urbi.UBinary;
 import urbi.UDictionary;
@@ -13,7 +14,7 @@ import urbi.UList;
 import urbi.UValue;
 
 /** The parameters that the master of ROS 1 keeps for all nodes. */
-public final class Parameters {
+public final class Parameters implements ParameterServer {
   private final Api master;
   private final MasterWatch watch;
   private final OneNode node;
@@ -25,16 +26,12 @@ public final class Parameters {
     this.node = node;
   }
 
-  /** The value of a parameter; fails if there is none. */
+  @Override
   public CompletableFuture<UValue> get(String name) {
     return master.call(Parameters::value, "getParam", node.resolve(name));
   }
 
-  /**
-   * Sets a parameter.
-   *
-   * @throws RosException if it is nothing that a parameter can be
-   */
+  @Override
   public CompletableFuture<Void> set(String name, UValue value) {
     String full = node.resolve(name);
     Object plain = plain(value);
@@ -44,17 +41,17 @@ public final class Parameters {
         .thenAccept(any -> update(full, plain));
   }
 
-  /** Whether there is a parameter. */
+  @Override
   public CompletableFuture<Boolean> has(String name) {
     return master.call(value -> (Boolean) value, "hasParam", node.resolve(name));
   }
 
-  /** Deletes a parameter; fails if there is none. */
+  @Override
   public CompletableFuture<Void> delete(String name) {
     return master.call(any -> any, "deleteParam", node.resolve(name)).thenApply(v -> null);
   }
 
-  /** The full names of all parameters. */
+  @Override
   public CompletableFuture<List<String>> names() {
     return master.call(
         value -> ((List<?>) value).stream().map(String.class::cast).toList(), "getParamNames");

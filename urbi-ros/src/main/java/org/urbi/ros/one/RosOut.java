@@ -8,7 +8,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import org.urbi.ros.graph.Publisher;
 import org.urbi.ros.graph.Qos;
-import org.urbi.ros.graph.RosException;
+import org.urbi.ros.graph.Severity;
 import org.urbi.ros.message.Templates;
 import org.urbi.ros.time.WallClock;
 import urbi.UDictionary;
@@ -20,45 +20,15 @@ import urbi.UValue;
  * is. Every node of ROS 1 has them: they are what makes it appear in the master's graph.
  */
 final class RosOut {
-  /** How grave something is; the numbers are those of {@code rosgraph_msgs/Log}. */
-  private enum Level {
-    DEBUG(1),
-    INFO(2),
-    WARN(4),
-    ERROR(8),
-    FATAL(16);
-
-    private final int number;
-
-    Level(int number) {
-      this.number = number;
-    }
-
-    /**
-     * The level of that name.
-     *
-     * @throws RosException if there is none
-     */
-    static Level of(String name) {
-      for (Level level : values()) {
-        if (level.name().equalsIgnoreCase(name)) {
-          return level;
-        }
-      }
-      throw new RosException(
-          "level: debug, info, warn, error or fatal expected, not '" + name + "'");
-    }
-  }
-
   /** Nanoseconds. */
   private static final long SECOND = 1_000_000_000;
 
   private static final String LOGGER = "urbi";
-  private static final Qos KEPT = new Qos(true, false, 100, Qos.DEFAULT.deadline());
+  private static final Qos KEPT = new Qos(true, false, 100, Qos.DEFAULT.deadline(), false);
 
   private final OneNode node;
   private final Publisher publisher;
-  private volatile Level least = Level.INFO;
+  private volatile Severity least = Severity.INFO;
 
   RosOut(OneNode node) {
     this.node = node;
@@ -81,7 +51,7 @@ final class RosOut {
   }
 
   private CompletionStage<UDictionary> setLevel(UDictionary request) {
-    least = Level.of(field(request, "level").stringValue());
+    least = Severity.of(field(request, "level").stringValue());
     return CompletableFuture.completedFuture(new UDictionary());
   }
 
@@ -89,16 +59,9 @@ final class RosOut {
     return requireNonNull(message.get(name), "a decoded message has all its fields");
   }
 
-  /**
-   * Tells people something.
-   *
-   * @param level how grave it is: {@code debug}, {@code info}, {@code warn}, {@code error}, {@code
-   *     fatal}
-   * @throws RosException if it is another one
-   */
-  void log(String level, String text) {
-    Level grave = Level.of(level);
-    if (grave.compareTo(least) < 0) {
+  /** Tells people something. */
+  void log(Severity severity, String text) {
+    if (severity.compareTo(least) < 0) {
       return;
     }
     long now = WallClock.nanoseconds();
@@ -106,10 +69,15 @@ final class RosOut {
     field(message, "header")
         .udictionaryValue()
         .put("stamp", Templates.instant(now / SECOND, now % SECOND));
-    message.put("level", new UValue((double) grave.number));
+    message.put("level", new UValue((double) number(severity)));
     message.put("name", new UValue(node.name()));
     message.put("msg", new UValue(text));
     message.put("topics", new UValue(new UList(List.copyOf(node.publishedNames()))));
     publisher.publish(message);
+  }
+
+  /** As {@code rosgraph_msgs/Log} has it. */
+  private static int number(Severity severity) {
+    return 1 << severity.ordinal();
   }
 }

@@ -102,6 +102,7 @@ final class Discovery {
 
   /** Says that it is there: to all at once, and to those of this machine that have no multicast. */
   void announce() {
+    if (isAlone()) return;
     Set<InetSocketAddress> addresses = new LinkedHashSet<>();
     addresses.add(transport.multicastAddress());
     for (int i = 0; i < UdpTransport.PARTICIPANTS_LOOKED_FOR; i++)
@@ -111,6 +112,11 @@ final class Discovery {
     description();
     environment.send(addresses.toArray(InetSocketAddress[]::new));
     announcements.in(announced++ < AT_FIRST ? FIRST_PERIOD : period);
+  }
+
+  /** Who is to know nobody is not to be known, either. */
+  private boolean isAlone() {
+    return environment.options.participants() == 0;
   }
 
   private void description() {
@@ -123,6 +129,14 @@ final class Discovery {
 
   /** Says that it goes. */
   void close() {
+    if (!isAlone()) sayGoodbye();
+    announcements.cancel();
+    leases.cancel();
+    writers.values().forEach(StatefulWriter::close);
+    readers.values().forEach(StatefulReader::close);
+  }
+
+  private void sayGoodbye() {
     Guid guid = new Guid(own.prefix(), EntityId.PARTICIPANT);
     InlineQos gone = new InlineQos(true, guid, null);
     Change change = new Change(2, 0, 0, DiscoveryCodec.encodeKey(guid), gone);
@@ -133,10 +147,6 @@ final class Discovery {
     Set<InetSocketAddress> addresses = new LinkedHashSet<>(Set.of(transport.multicastAddress()));
     participants.values().forEach(each -> addresses.add(each.discovery));
     environment.send(addresses.toArray(InetSocketAddress[]::new));
-    announcements.cancel();
-    leases.cancel();
-    writers.values().forEach(StatefulWriter::close);
-    readers.values().forEach(StatefulReader::close);
   }
 
   /** Tells everybody of a writer or reader of this participant. */
@@ -173,7 +183,7 @@ final class Discovery {
     }
     ParticipantInfo info = DiscoveryCodec.decodeParticipant(data.payload());
     // Nobody speaks for somebody else, and one's own voice comes back by multicast.
-    if (!info.prefix().equals(sender) || sender.equals(own.prefix())) return;
+    if (!info.prefix().equals(sender) || sender.equals(own.prefix()) || isAlone()) return;
     if (info.domain() >= 0 && info.domain() != own.domain()) return;
     InetSocketAddress address = reachable(info.discovery());
     if (address == null) return;

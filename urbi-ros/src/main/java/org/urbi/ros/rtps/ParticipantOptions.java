@@ -16,7 +16,7 @@ import java.time.Duration;
  * @param largestSample longer ones, in bytes, are neither sent nor received
  * @param memory how many bytes each history, each reader's queue, and all half received samples
  *     together may take
- * @param participants so many others are known at once
+ * @param participants so many others are known at once; for 0, none of them knows this one, either
  * @param endpoints each of them has at most so many writers and readers
  */
 public record ParticipantOptions(

@@ -120,7 +120,12 @@ final class UdpTransport implements DatagramSink {
       // Not every system lets a socket have the address of a group.
       channel.bind(new InetSocketAddress(multicastAddress.getPort()));
     }
-    channel.join(GROUP, network);
+    try {
+      channel.join(GROUP, network);
+    } catch (IOException e) {
+      trouble.accept(
+          "no multicast on " + network.getName() + ", only nodes of this machine are found", e);
+    }
     return channel;
   }
 

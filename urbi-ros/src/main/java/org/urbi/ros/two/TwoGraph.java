@@ -2,6 +2,7 @@ package org.urbi.ros.two;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -25,7 +26,7 @@ final class TwoGraph {
 
   private TwoGraph() {}
 
-  static GraphSnapshot snapshot(List<Entities> participants, List<EndpointInfo> endpoints) {
+  static GraphSnapshot snapshot(Collection<Entities> participants, List<EndpointInfo> endpoints) {
     Map<Guid, String> owners = new HashMap<>();
     Map<String, Work> nodes = new LinkedHashMap<>();
     for (Entities participant : participants) {

@@ -2,23 +2,26 @@ package org.urbi.ros.two;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.Executor;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.graph.GraphSnapshot;
 import org.urbi.ros.graph.Node;
+import org.urbi.ros.graph.ParameterServer;
 import org.urbi.ros.graph.Publisher;
 import org.urbi.ros.graph.Qos;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.graph.ServiceClient;
 import org.urbi.ros.graph.ServiceServer;
+import org.urbi.ros.graph.Severity;
 import org.urbi.ros.graph.Subscription;
-import org.urbi.ros.message.DefinitionException;
+import org.urbi.ros.message.Definitions;
 import org.urbi.ros.message.Dialect;
 import org.urbi.ros.message.MessageType;
 import org.urbi.ros.message.ServiceType;
@@ -43,19 +46,42 @@ public final class TwoNode implements Node {
       EndpointQos.reliable(EndpointQos.KEEP_ALL).asTransientLocal();
   private static final byte[] NO_DATA = {};
 
+  /** Programs of the domain, and writers and readers of each, that are known at most. */
+  private static final int MOST_OTHERS = 256;
+
+  private static final int MOST_ENDPOINTS = 4096;
+
+  private static final Executor TASKS =
+      task -> Thread.ofVirtual().name("urbi-ros-task").start(task);
+
+  /** Seconds after which a node knows who is there, if nothing delays it. */
+  private static final int FIRST_LOOK = 1;
+
+  /** Seconds after which a node is sure that what it does not know is not there. */
+  private static final int LAST_LOOK = 3;
+
   private final TwoSettings settings;
+  private final Reports reports;
+  private final Owners owners = new Owners();
+  private final Mismatches mismatches;
   private final Participant participant;
   private final Writer entitiesWriter;
-  private final Map<Guid, Entities> others = new ConcurrentHashMap<>();
   private final List<EndpointInfo> own = new CopyOnWriteArrayList<>();
   private final List<Consumer<GraphSnapshot>> watchers = new CopyOnWriteArrayList<>();
   private final List<Runnable> seekers = new CopyOnWriteArrayList<>();
+  private final CompletableFuture<Void> looked = after(FIRST_LOOK);
+  private final CompletableFuture<Void> sure = after(LAST_LOOK);
+  private final TwoLog log;
+  private volatile boolean closed;
 
-  private TwoNode(TwoSettings settings) throws IOException {
+  private TwoNode(TwoSettings settings, Consumer<String> people) throws IOException {
     this.settings = settings;
+    reports = new Reports(people);
+    mismatches = new Mismatches(owners, reports);
     ParticipantOptions options =
         ParticipantOptions.loopback(settings.domain())
             .withAddress(settings.address())
+            .withLimits(settings.isAlone() ? 0 : MOST_OTHERS, MOST_ENDPOINTS)
             .withName(name())
             .withUserData(ENCLAVE);
     participant = Participant.open(options, new Changes());
@@ -63,17 +89,22 @@ public final class TwoNode implements Node {
         participant.writer(Entities.TOPIC, Entities.TYPE, ENTITIES, NO_DATA, WriterListener.NONE);
     participant.reader(
         Entities.TOPIC, Entities.TYPE, ALL_ENTITIES, NO_DATA, new EntitiesListener());
-    tellEntities();
+    log = new TwoLog(this);
+  }
+
+  private static CompletableFuture<Void> after(int seconds) {
+    return new CompletableFuture<Void>().completeOnTimeout(null, seconds, TimeUnit.SECONDS);
   }
 
   /**
    * Makes a node.
    *
+   * @param people are told what goes wrong and was survived, by threads of the node
    * @throws RosException if this machine does not let us
    */
-  public static TwoNode start(TwoSettings settings) {
+  public static TwoNode start(TwoSettings settings, Consumer<String> people) {
     try {
-      return new TwoNode(settings);
+      return new TwoNode(settings, people);
     } catch (IOException | IllegalArgumentException e) {
       throw new RosException("no node of ROS 2: " + e.getMessage(), e);
     }
@@ -91,26 +122,68 @@ public final class TwoNode implements Node {
 
   @Override
   public CompletableFuture<Boolean> reachable() {
-    return CompletableFuture.completedFuture(true);
+    return CompletableFuture.completedFuture(!closed);
   }
 
-  TwoSettings settings() {
-    return settings;
+  @Override
+  public Definitions definitions() {
+    return settings.definitions();
+  }
+
+  @Override
+  public String resolve(String name) {
+    return settings.names().resolve(name);
+  }
+
+  @Override
+  public CompletableFuture<Void> settled() {
+    return CompletableFuture.completedFuture(null);
+  }
+
+  @Override
+  public void log(Severity severity, String text) {
+    log.log(severity, text);
+  }
+
+  @Override
+  public ParameterServer parameters() {
+    throw new RosException(
+        "ROS 2 keeps no parameters for all nodes: each node has its own, and services for them");
   }
 
   // ------------------------------------------------------------------ the graph
 
   private GraphSnapshot snapshot() {
-    List<Entities> all = new ArrayList<>(others.values());
-    all.add(ownEntities());
-    List<EndpointInfo> endpoints = participant.endpoints();
-    endpoints.addAll(own);
-    return TwoGraph.snapshot(all, endpoints);
+    return TwoGraph.snapshot(owners.all(), endpoints());
   }
 
   @Override
   public CompletableFuture<GraphSnapshot> graph() {
-    return CompletableFuture.completedFuture(snapshot());
+    return looked.thenApplyAsync(nothing -> snapshot(), TASKS);
+  }
+
+  @Override
+  public CompletableFuture<String> typeOf(String topic) {
+    String full = resolve(topic);
+    String wanted = Mangling.topic(full);
+    return sought(
+        each -> each.topic().equals(wanted),
+        each -> Mangling.typeOf(each.type()),
+        "there is no topic " + full + ": Ros.topics has all");
+  }
+
+  /** What is told of a writer or reader, which a node that is new here need not have heard of. */
+  private CompletableFuture<String> sought(
+      Predicate<EndpointInfo> wanted, Function<EndpointInfo, String> told, String missing) {
+    CompletableFuture<String> found = new CompletableFuture<>();
+    Runnable look =
+        () -> endpoints().stream().filter(wanted).findFirst().map(told).ifPresent(found::complete);
+    Runnable stopsLooking = seek(look);
+    look.run();
+    // What is new is told within that time, too.
+    CompletableFuture.allOf(sure, after(FIRST_LOOK))
+        .thenRun(() -> found.completeExceptionally(new RosException(missing)));
+    return found.whenComplete((value, failure) -> stopsLooking.run());
   }
 
   @Override
@@ -139,15 +212,12 @@ public final class TwoNode implements Node {
     return all;
   }
 
-  /** The node that has that writer or reader; its identifier if it has told of none. */
-  String ownerOf(Guid endpoint) {
-    for (Entities each : others.values())
-      for (Entities.NodeEntities node : each.nodes())
-        if (node.readers().contains(endpoint) || node.writers().contains(endpoint))
-          return node.fullName();
-    return own.stream().anyMatch(each -> each.guid().equals(endpoint))
-        ? name()
-        : endpoint.toString();
+  Owners owners() {
+    return owners;
+  }
+
+  Reports reports() {
+    return reports;
   }
 
   private Entities ownEntities() {
@@ -163,22 +233,28 @@ public final class TwoNode implements Node {
   }
 
   private synchronized void tellEntities() {
-    entitiesWriter.write(ownEntities().encode());
+    Entities entities = ownEntities();
+    owners.put(entities);
+    entitiesWriter.write(entities.encode());
+  }
+
+  private void added(EndpointInfo endpoint) {
+    endpoints().forEach(each -> mismatches.compare(endpoint, each));
+    own.add(endpoint);
+    tellEntities();
   }
 
   // ------------------------------------------------------------------ writers and readers
 
   Writer writer(String topic, String type, EndpointQos qos, String hash, WriterListener events) {
     Writer writer = participant.writer(topic, type, qos, TwoGraph.userData(hash), events);
-    own.add(writer.info());
-    tellEntities();
+    added(writer.info());
     return writer;
   }
 
   Reader reader(String topic, String type, EndpointQos qos, String hash, ReaderListener events) {
     Reader reader = participant.reader(topic, type, qos, TwoGraph.userData(hash), events);
-    own.add(reader.info());
-    tellEntities();
+    added(reader.info());
     return reader;
   }
 
@@ -203,59 +279,53 @@ public final class TwoNode implements Node {
 
   @Override
   public Publisher advertise(String topic, MessageType type, Qos qos, Publisher.Listener listener) {
-    return new TwoPublisher(this, settings.names().resolve(topic), type, qos, listener);
+    return new TwoPublisher(this, resolve(topic), type, qos, listener);
   }
 
   @Override
   public Subscription subscribe(
       String topic, @Nullable MessageType type, Qos qos, Subscription.Listener listener) {
-    return new TwoSubscription(this, settings.names().resolve(topic), type, qos, listener);
+    return new TwoSubscription(this, resolve(topic), type, qos, listener);
   }
 
   @Override
   public CompletableFuture<ServiceClient> client(
       String service, @Nullable ServiceType type, boolean keepAlive) {
-    String full = settings.names().resolve(service);
+    String full = resolve(service);
     if (type != null) return new TwoServiceClient(this, full, type).ready();
     String request = Mangling.request(full);
-    for (EndpointInfo each : endpoints()) {
-      if (each.isWriter() || !each.topic().equals(request)) continue;
-      try {
-        ServiceType known = settings.definitions().service(Mangling.serviceTypeOf(each.type()));
-        return new TwoServiceClient(this, full, known).ready();
-      } catch (DefinitionException e) {
-        return CompletableFuture.failedFuture(e);
-      }
-    }
-    return CompletableFuture.failedFuture(
-        new RosException("there is no service " + full + ": no node offers it"));
+    return sought(
+            each -> !each.isWriter() && each.topic().equals(request),
+            each -> Mangling.serviceTypeOf(each.type()),
+            "there is no service " + full + ": Ros.services has all")
+        .thenComposeAsync(
+            found -> new TwoServiceClient(this, full, definitions().service(found)).ready(), TASKS);
   }
 
   @Override
   public ServiceServer serve(String service, ServiceType type, ServiceServer.Handler handler) {
-    return new TwoServiceServer(this, settings.names().resolve(service), type, handler);
+    String full = resolve(service);
+    String request = Mangling.request(full);
+    if (own.stream().anyMatch(each -> !each.isWriter() && each.topic().equals(request)))
+      throw new RosException(full + " is offered by this node already");
+    return new TwoServiceServer(this, full, type, handler);
   }
 
   @Override
   public void close() {
+    closed = true;
     participant.close();
-  }
-
-  /** A failure that concerns nobody else: it is told as those of threads are. */
-  static void told(Throwable failure) {
-    Thread self = Thread.currentThread();
-    self.getUncaughtExceptionHandler().uncaughtException(self, failure);
   }
 
   /**
    * Takes all that a reader has; what one sample leads to does not keep the next from being taken.
    */
-  static void takeAll(Reader reader, Consumer<Sample> action) {
+  void takeAll(Reader reader, Consumer<Sample> action) {
     for (Sample each = reader.take(); each != null; each = reader.take()) {
       try {
         if (!each.disposed()) action.accept(each);
       } catch (Throwable e) {
-        told(e);
+        reports.tell(reader.info().topic(), e);
       }
     }
   }
@@ -263,11 +333,12 @@ public final class TwoNode implements Node {
   private final class Changes implements ParticipantListener {
     @Override
     public void trouble(String what, Throwable reason) {
-      told(new RosException(what + ": " + reason.getMessage(), reason));
+      reports.tell(what, reason);
     }
 
     @Override
     public void found(EndpointInfo endpoint) {
+      own.forEach(each -> mismatches.compare(each, endpoint));
       changed();
     }
 
@@ -278,7 +349,7 @@ public final class TwoNode implements Node {
 
     @Override
     public void lost(ParticipantInfo gone) {
-      others.keySet().removeIf(each -> each.prefix().equals(gone.prefix()));
+      owners.forget(gone.prefix());
       changed();
     }
   }
@@ -295,7 +366,7 @@ public final class TwoNode implements Node {
       Entities entities = Entities.decode(sample.payload());
       // Nobody speaks for another participant.
       if (!entities.participant().prefix().equals(writer.prefix())) return;
-      others.put(entities.participant(), entities);
+      owners.put(entities);
       changed();
     }
   }

@@ -2,6 +2,7 @@ package org.urbi.ros.two;
 
 import java.nio.ByteBuffer;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import org.urbi.ros.codec.MessageCodec;
 import org.urbi.ros.graph.Publisher;
@@ -16,10 +17,14 @@ import urbi.UDictionary;
 
 /** What this node says on a topic of ROS 2. */
 final class TwoPublisher implements Publisher {
+  private static final int MOST = 1000;
+
   private final TwoNode node;
   private final String topic;
   private final MessageCodec codec;
   private final Listener listener;
+  private final Reports troubles;
+  private final Map<Guid, CompletableFuture<Void>> subscribed = new ConcurrentHashMap<>();
   private final Map<Guid, String> names = new ConcurrentHashMap<>();
   private final Writer writer;
 
@@ -27,14 +32,21 @@ final class TwoPublisher implements Publisher {
     this.node = node;
     this.topic = topic;
     this.listener = listener;
+    troubles = new Reports(listener::failed);
     codec = MessageCodec.of(type);
     writer =
         node.writer(
             Mangling.topic(topic),
             Mangling.type(type.name()),
-            TwoNode.qos(qos),
+            TwoNode.qos(kept(qos)),
             TypeHash.rihs(type),
             new Readers());
+  }
+
+  /** Nothing waits for slow subscribers: where all are wanted, there is an end somewhere. */
+  private static Qos kept(Qos qos) {
+    if (qos.depth() > 0) return qos;
+    return new Qos(qos.reliable(), qos.keptForLate(), MOST, qos.deadline(), false);
   }
 
   @Override
@@ -65,15 +77,34 @@ final class TwoPublisher implements Publisher {
   private final class Readers implements WriterListener {
     @Override
     public void matched(Writer us, EndpointInfo reader) {
-      String owner = node.ownerOf(reader.guid());
-      names.put(reader.guid(), owner);
-      listener.connected(owner);
+      Guid guid = reader.guid();
+      CompletableFuture<Void> told =
+          node.owners()
+              .soon(guid)
+              .thenAccept(owner -> {
+                names.put(guid, owner);
+                listener.connected(owner);
+              });
+      subscribed.put(guid, told);
     }
 
     @Override
     public void unmatched(Writer us, Guid reader) {
-      String owner = names.remove(reader);
-      if (owner != null) listener.disconnected(owner);
+      CompletableFuture<Void> told = subscribed.remove(reader);
+      if (told == null) return;
+      // Whoever was told that it came is told that it has gone, and in this order.
+      told.thenRun(() -> {
+        String owner = names.remove(reader);
+        if (owner != null) listener.disconnected(owner);
+      });
+    }
+
+    @Override
+    public void hindered(Writer us, EndpointInfo reader, String policy) {
+      node.owners()
+          .soon(reader.guid())
+          .thenAccept(
+              owner -> troubles.tell(owner + " asks for " + policy + " that is not offered here"));
     }
   }
 }

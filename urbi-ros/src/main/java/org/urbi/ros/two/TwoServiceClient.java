@@ -1,11 +1,16 @@
 package org.urbi.ros.two;
 
 import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
 import org.urbi.ros.codec.CodecException;
 import org.urbi.ros.codec.MessageCodec;
 import org.urbi.ros.graph.RosException;
@@ -35,12 +40,19 @@ final class TwoServiceClient implements ServiceClient {
 
   private static final long PATIENCE_SECONDS = 5;
 
+  /**
+   * A request that has no answer yet.
+   *
+   * @param servers those that got it and are still there
+   */
+  private record Asked(CompletableFuture<UDictionary> answer, Set<Guid> servers) {}
+
   private final TwoNode node;
   private final String service;
   private final ServiceType type;
   private final MessageCodec requests;
   private final MessageCodec replies;
-  private final Map<Long, CompletableFuture<UDictionary>> waiting = new ConcurrentHashMap<>();
+  private final Map<Long, Asked> waiting = new HashMap<>();
   private final CompletableFuture<ServiceClient> ready = new CompletableFuture<>();
   private final Writer writer;
   private final Reader reader;
@@ -106,31 +118,47 @@ final class TwoServiceClient implements ServiceClient {
     CompletableFuture<UDictionary> answer = new CompletableFuture<>();
     // The reply may come before the number is known here: it waits for the lock.
     synchronized (waiting) {
-      if (writer.matched().isEmpty()) {
+      Set<Guid> servers = new HashSet<>(writer.matched());
+      if (servers.isEmpty()) {
         answer.completeExceptionally(new RosException("the service " + service + " has gone"));
         return answer;
       }
       long number = writer.write(bytes, new SampleIdentity(reader.guid(), NO_SEQUENCE));
-      if (number == 0) answer.completeExceptionally(new RosException("the client is closed"));
-      else waiting.put(number, answer);
+      if (number == 0) {
+        answer.completeExceptionally(new RosException("the client is closed"));
+        return answer;
+      }
+      waiting.put(number, new Asked(answer, servers));
+      // Also if nobody wants it any more.
+      answer.whenComplete((value, failure) -> answered(number));
     }
     return answer;
   }
 
-  private void gone() {
-    if (writer == null || !writer.matched().isEmpty()) return;
-    RosException reason = new RosException("the service " + service + " has gone");
-    for (Long each : List.copyOf(waiting.keySet())) {
-      CompletableFuture<UDictionary> answer = waiting.remove(each);
-      if (answer != null) answer.completeExceptionally(reason);
+  private @Nullable Asked answered(long number) {
+    synchronized (waiting) {
+      return waiting.remove(number);
     }
+  }
+
+  /** Those who wait for nobody else than that server are told; another one may have come since. */
+  private void gone(Predicate<Guid> who) {
+    List<CompletableFuture<UDictionary>> lost = new ArrayList<>();
+    synchronized (waiting) {
+      for (Asked each : waiting.values()) {
+        each.servers.removeIf(who);
+        if (each.servers.isEmpty()) lost.add(each.answer);
+      }
+    }
+    RosException reason = new RosException("the service " + service + " has gone");
+    lost.forEach(each -> each.completeExceptionally(reason));
   }
 
   @Override
   public void close() {
     node.close(writer);
     node.close(reader);
-    gone();
+    gone(any -> true);
   }
 
   private final class Servers implements WriterListener {
@@ -141,7 +169,7 @@ final class TwoServiceClient implements ServiceClient {
 
     @Override
     public void unmatched(Writer us, Guid server) {
-      gone();
+      gone(server::equals);
     }
   }
 
@@ -153,17 +181,15 @@ final class TwoServiceClient implements ServiceClient {
 
     @Override
     public void available(Reader us) {
-      TwoNode.takeAll(us, this::received);
+      node.takeAll(us, this::received);
     }
 
     private void received(Sample sample) {
       SampleIdentity related = sample.related();
       if (related == null || !isOurs(related.writer())) return;
-      CompletableFuture<UDictionary> answer;
-      synchronized (waiting) {
-        answer = waiting.remove(related.sequence());
-      }
-      if (answer == null) return;
+      Asked asked = answered(related.sequence());
+      if (asked == null) return;
+      CompletableFuture<UDictionary> answer = asked.answer;
       ByteBuffer bytes = sample.payload();
       try {
         answer.complete(

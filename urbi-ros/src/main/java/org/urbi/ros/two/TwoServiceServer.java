@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import java.util.ArrayDeque;
 import java.util.Iterator;
 import java.util.Queue;
+import java.util.concurrent.CompletionException;
 import org.urbi.ros.codec.CodecException;
 import org.urbi.ros.codec.MessageCodec;
 import org.urbi.ros.graph.ServiceServer;
@@ -87,6 +88,8 @@ final class TwoServiceServer implements ServiceServer {
           requests.decode(bytes.array(), bytes.arrayOffset() + bytes.position(), bytes.remaining());
     } catch (CodecException e) {
       // ROS 2 has no way to refuse: whoever asks what is no request gets no answer.
+      String owner = node.owners().now(client);
+      node.reports().tell(service + ": " + owner + " sends what is no request", e);
       return;
     }
     // Nor has it one to tell why there is none.
@@ -94,8 +97,14 @@ final class TwoServiceServer implements ServiceServer {
         .answer(asked)
         .thenAccept(answer -> send(identity, ByteBuffer.wrap(replies.encode(answer))))
         .whenComplete((nothing, failure) -> {
-          if (failure != null) TwoNode.told(failure);
+          if (failure != null)
+            node.reports().tell(service + " failed, and gave no answer", reason(failure));
         });
+  }
+
+  private static Throwable reason(Throwable failure) {
+    Throwable cause = failure.getCause();
+    return failure instanceof CompletionException && cause != null ? cause : failure;
   }
 
   private synchronized void send(SampleIdentity request, ByteBuffer answer) {
@@ -131,7 +140,7 @@ final class TwoServiceServer implements ServiceServer {
   private final class Requests implements ReaderListener {
     @Override
     public void available(Reader us) {
-      TwoNode.takeAll(us, TwoServiceServer.this::answer);
+      node.takeAll(us, TwoServiceServer.this::answer);
     }
   }
 }

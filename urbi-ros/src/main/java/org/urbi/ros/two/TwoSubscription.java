@@ -1,6 +1,7 @@
 package org.urbi.ros.two;
 
 import java.nio.ByteBuffer;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.codec.CodecException;
 import org.urbi.ros.codec.MessageCodec;
@@ -10,6 +11,7 @@ import org.urbi.ros.message.DefinitionException;
 import org.urbi.ros.message.MessageType;
 import org.urbi.ros.message.TypeHash;
 import org.urbi.ros.rtps.EndpointInfo;
+import org.urbi.ros.rtps.EndpointQos;
 import org.urbi.ros.rtps.Reader;
 import org.urbi.ros.rtps.ReaderListener;
 import org.urbi.ros.rtps.Sample;
@@ -24,6 +26,7 @@ final class TwoSubscription implements Subscription {
   private final String topic;
   private final Qos qos;
   private final Listener listener;
+  private final Reports troubles;
   private final Runnable stopsSeeking;
   private @Nullable Reader reader;
   private boolean closed;
@@ -34,6 +37,7 @@ final class TwoSubscription implements Subscription {
     this.topic = topic;
     this.qos = qos;
     this.listener = listener;
+    troubles = new Reports(listener::failed);
     if (type != null) {
       stopsSeeking = () -> {};
       open(type);
@@ -48,13 +52,27 @@ final class TwoSubscription implements Subscription {
     for (EndpointInfo each : node.endpoints()) {
       if (!each.isWriter() || !each.topic().equals(wanted)) continue;
       try {
-        MessageType type = node.settings().definitions().message(Mangling.typeOf(each.type()));
+        MessageType type = node.definitions().message(Mangling.typeOf(each.type()));
         if (open(type)) listener.typed(type);
       } catch (DefinitionException e) {
-        listener.failed(topic + ": " + e.getMessage());
+        troubles.tell(topic, e);
       }
       return;
     }
+  }
+
+  /** What is asked of the publishers. */
+  private Qos asked() {
+    if (!qos.asOffered()) return qos;
+    String wanted = Mangling.topic(topic);
+    List<EndpointQos> offered =
+        node.endpoints().stream()
+            .filter(each -> each.isWriter() && each.topic().equals(wanted))
+            .map(EndpointInfo::qos)
+            .toList();
+    return qos.with(
+        offered.stream().allMatch(EndpointQos::reliable),
+        !offered.isEmpty() && offered.stream().allMatch(EndpointQos::transientLocal));
   }
 
   private synchronized boolean open(MessageType type) {
@@ -63,7 +81,7 @@ final class TwoSubscription implements Subscription {
         node.reader(
             Mangling.topic(topic),
             Mangling.type(type.name()),
-            TwoNode.qos(qos),
+            TwoNode.qos(asked()),
             TypeHash.rihs(type),
             new Samples(MessageCodec.of(type)));
     return true;
@@ -96,7 +114,10 @@ final class TwoSubscription implements Subscription {
 
     @Override
     public void available(Reader us) {
-      TwoNode.takeAll(us, this::received);
+      if (us.info().qos().depth() != EndpointQos.KEEP_ALL) node.takeAll(us, this::received);
+      // Where all are wanted, who listens may have us wait, but not all others of this node.
+      else
+        Thread.ofVirtual().name("urbi-ros" + topic).start(() -> node.takeAll(us, this::received));
     }
 
     private void received(Sample sample) {
@@ -106,8 +127,8 @@ final class TwoSubscription implements Subscription {
         message =
             codec.decode(bytes.array(), bytes.arrayOffset() + bytes.position(), bytes.remaining());
       } catch (CodecException e) {
-        String owner = node.ownerOf(sample.identity().writer());
-        listener.failed(owner + " sends what is no " + codec.type().name() + ": " + e.getMessage());
+        String owner = node.owners().now(sample.identity().writer());
+        troubles.tell(owner + " sends what is no " + codec.type().name() + ": " + e.getMessage());
         return;
       }
       listener.received(message);
@@ -115,12 +136,10 @@ final class TwoSubscription implements Subscription {
 
     @Override
     public void hindered(Reader us, EndpointInfo writer, String policy) {
-      listener.failed(
-          node.ownerOf(writer.guid())
-              + " does not offer the "
-              + policy
-              + " that is asked for on "
-              + topic);
+      node.owners()
+          .soon(writer.guid())
+          .thenAccept(owner ->
+              troubles.tell(owner + " does not offer the " + policy + " that is asked for"));
     }
   }
 }

@@ -6,17 +6,23 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
+import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.RosException;
+import org.urbi.ros.graph.Severity;
+import org.urbi.ros.message.Dialect;
 import org.urbi.ros.one.OneNode;
 import org.urbi.ros.one.OneSettings;
+import org.urbi.ros.two.TwoNode;
+import org.urbi.ros.two.TwoSettings;
 import urbi.UDictionary;
 import urbi.UObject;
 import urbi.UValue;
 import urbi.UVar;
 
 /**
- * This program's node (manual, "Ros"). It is made when it is needed first; until then, {@code
- * masterUri} and {@code packagePath} may be set, which the environment gives otherwise.
+ * This program's node (manual, "Ros"), of ROS 1 or ROS 2. It is made when it is needed first; until
+ * then, {@code version}, {@code masterUri}, {@code domain} and {@code packagePath} may be set,
+ * which the environment gives otherwise.
  */
 public final class Ros extends UObject implements AutoCloseable {
   static {
@@ -24,22 +30,28 @@ public final class Ros extends UObject implements AutoCloseable {
   }
 
   private static final String MASTER = "ROS_MASTER_URI";
-  private static final String PACKAGES = "ROS_PACKAGE_PATH";
+  private static final String DOMAIN = "ROS_DOMAIN_ID";
 
+  private final UVar version = new UVar();
   private final UVar masterUri = new UVar();
+  private final UVar domain = new UVar();
   private final UVar packagePath = new UVar();
   private final Map<String, String> remappings = new HashMap<>();
-  private @Nullable OneNode node;
+  private Dialect dialect = RosVersion.of(System.getenv());
+  private @Nullable Node node;
 
   public Ros(String name) {
     super(name);
-    UBindVars(masterUri, "masterUri", packagePath, "packagePath");
+    UBindVars(
+        version, "version", masterUri, "masterUri", domain, "domain", packagePath, "packagePath");
     masterUri.setValue(System.getenv().getOrDefault(MASTER, "http://localhost:11311"));
-    packagePath.setValue(System.getenv().getOrDefault(PACKAGES, ""));
+    domain.setValue(System.getenv().getOrDefault(DOMAIN, "0"));
+    version.setValue(dialect.version());
+    packagePath.setValue(System.getenv().getOrDefault(packages(dialect), ""));
+    UNotifyChange(version, "choose");
     UBindFunctions(
         "checkMaster",
         "name",
-        "version",
         "nodes",
         "topics",
         "services",
@@ -55,42 +67,78 @@ public final class Ros extends UObject implements AutoCloseable {
   }
 
   /** The one of this kernel, for its topics and services. */
-  static OneNode of(UObject asking) {
+  static Node of(UObject asking) {
     if (asking.getUObject("Ros") instanceof Ros ros) {
       return ros.node();
     }
     throw new RosException("the module of ROS is not loaded: loadModule(\"urbi/ros\")");
   }
 
-  private synchronized OneNode node() {
-    OneNode known = node;
+  /** Another version has its packages elsewhere; the version of a node that is there remains. */
+  public synchronized void choose() {
+    try {
+      Dialect wanted = RosVersion.of("Ros.version", version.stringValue());
+      if (wanted == dialect) {
+        return;
+      }
+      if (node != null) {
+        throw new RosException("the version is chosen before Ros is used");
+      }
+      dialect = wanted;
+      packagePath.setValue(System.getenv().getOrDefault(packages(wanted), ""));
+    } catch (RosException e) {
+      told(String.valueOf(e.getMessage()));
+      version.setValue(dialect.version());
+    }
+  }
+
+  private static String packages(Dialect dialect) {
+    return switch (dialect) {
+      case ROS_1 -> "ROS_PACKAGE_PATH";
+      case ROS_2 -> "AMENT_PREFIX_PATH";
+    };
+  }
+
+  private synchronized Node node() {
+    Node known = node;
     if (known == null) {
-      Map<String, String> environment = new HashMap<>(System.getenv());
-      environment.put(MASTER, masterUri.stringValue());
-      environment.put(PACKAGES, packagePath.stringValue());
-      ProcessHandle self = ProcessHandle.current();
-      long born = self.info().startInstant().map(time -> time.toEpochMilli()).orElse(0L);
-      String own = "urbi_" + born + self.pid();
-      String uri = masterUri.stringValue();
-      known =
-          OneNode.start(
-              OneSettings.of(environment, own, Map.copyOf(remappings)), there -> told(uri, there));
+      known = start();
       node = known;
     }
     return known;
   }
 
+  private Node start() {
+    Map<String, String> environment = new HashMap<>(System.getenv());
+    environment.put(MASTER, masterUri.stringValue());
+    environment.put(DOMAIN, domain.stringValue());
+    environment.put(packages(dialect), packagePath.stringValue());
+    ProcessHandle self = ProcessHandle.current();
+    long born = self.info().startInstant().map(time -> time.toEpochMilli()).orElse(0L);
+    String own = "urbi_" + born + self.pid();
+    Map<String, String> names = Map.copyOf(remappings);
+    String uri = masterUri.stringValue();
+    return switch (dialect) {
+      case ROS_1 ->
+          OneNode.start(OneSettings.of(environment, own, names), there -> told(uri, there));
+      case ROS_2 -> TwoNode.start(TwoSettings.of(environment, own, names), this::told);
+    };
+  }
+
   private void told(String uri, boolean there) {
-    getUContext()
-        .report(
-            there
-                ? "ROS: connected to the master " + uri
-                : "ROS: no master at " + uri + ", looking for it every second (start roscore)");
+    told(
+        there
+            ? "connected to the master " + uri
+            : "no master at " + uri + ", looking for it every second (start roscore)");
+  }
+
+  private void told(String text) {
+    getUContext().report("ROS: " + text);
   }
 
   // ------------------------------------------------------------------ what it tells
 
-  /** Whether there is a master. */
+  /** Whether there is a master; in ROS 2, which has none, whether the node is up. */
   public CompletionStage<Boolean> checkMaster() {
     return node().reachable();
   }
@@ -98,11 +146,6 @@ public final class Ros extends UObject implements AutoCloseable {
   /** The full name of the node. */
   public String name() {
     return node().name();
-  }
-
-  /** Which ROS it is: 1. */
-  public int version() {
-    return node().version().version();
   }
 
   /** For each node the topics that it publishes, those to which it subscribes, its services. */
@@ -126,7 +169,7 @@ public final class Ros extends UObject implements AutoCloseable {
    * @param level debug, info, warn, error or fatal
    */
   public void log(String level, String text) {
-    node().log(level, text);
+    node().log(Severity.of(level), text);
   }
 
   // ------------------------------------------------------------------ names and parameters

@@ -6,11 +6,11 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
+import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.graph.ServiceServer;
 import org.urbi.ros.message.ServiceType;
 import org.urbi.ros.message.Templates;
-import org.urbi.ros.one.OneNode;
 import urbi.UDictionary;
 import urbi.UEvent;
 import urbi.UObject;
@@ -38,9 +38,9 @@ public final class RosServer extends UObject implements AutoCloseable {
     UBindFunctions("init", "name", "resStruct", "answer", "refuse", "close");
   }
 
-  /** Offers a service. The job waits until the master knows. */
+  /** Offers a service. The job waits until the others can know. */
   public CompletionStage<Void> init(String name, String type) {
-    OneNode node = Ros.of(this);
+    Node node = Ros.of(this);
     ServiceType known = node.definitions().service(type);
     server = node.serve(name, known, this::ask);
     return node.settled();

@@ -1,11 +1,14 @@
 package org.urbi.ros.uobject;
 
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import org.jspecify.annotations.Nullable;
+import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.graph.ServiceClient;
 import org.urbi.ros.message.Templates;
-import org.urbi.ros.one.OneNode;
 import urbi.UDictionary;
 import urbi.UObject;
 import urbi.UVar;
@@ -16,14 +19,19 @@ public final class RosService extends UObject implements AutoCloseable {
     UStart(RosService.class);
   }
 
+  /** Seconds. */
+  private static final int PATIENCE = 60;
+
   private final UVar initialized = new UVar();
+  private final UVar patience = new UVar();
   private String service = "";
   private volatile @Nullable ServiceClient client;
 
   public RosService(String name) {
     super(name);
-    UBindVar(initialized, "initialized");
+    UBindVars(initialized, "initialized", patience, "patience");
     initialized.setValue(0);
+    patience.setValue(PATIENCE);
     UBindFunctions("init", "name", "reqStruct", "resStruct", "request");
   }
 
@@ -33,7 +41,7 @@ public final class RosService extends UObject implements AutoCloseable {
    * @param keepAlive whether the connection is kept between requests
    */
   public CompletionStage<Void> init(String name, boolean keepAlive) {
-    OneNode node = Ros.of(this);
+    Node node = Ros.of(this);
     service = node.resolve(name);
     return node.client(name, null, keepAlive)
         .thenAccept(found -> {
@@ -65,9 +73,24 @@ public final class RosService extends UObject implements AutoCloseable {
     return Templates.of(client().type().response());
   }
 
-  /** Asks the service. The job waits for the answer. */
+  /**
+   * Asks the service. The job waits for the answer, at most for the seconds of {@code patience}.
+   */
   public CompletionStage<UDictionary> request(UDictionary request) {
-    return client().request(request);
+    double seconds = patience.doubleValue();
+    if (!(seconds > 0)) {
+      throw new RosException("patience: seconds, more than 0, expected, or inf");
+    }
+    long most = (long) Math.ceil(seconds * 1000);
+    return client()
+        .request(request)
+        .orTimeout(most, TimeUnit.MILLISECONDS)
+        .exceptionallyCompose(failure ->
+            CompletableFuture.failedFuture(
+                failure instanceof TimeoutException
+                    ? new RosException(
+                        service + " has not answered within " + most + " ms", failure)
+                    : failure));
   }
 
   @Override

@@ -1,10 +1,12 @@
 package org.urbi.ros.uobject;
 
+import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.graph.GraphSnapshot;
+import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.Publisher;
 import org.urbi.ros.graph.Qos;
 import org.urbi.ros.graph.RosException;
@@ -12,7 +14,7 @@ import org.urbi.ros.graph.Subscription;
 import org.urbi.ros.message.DefinitionException;
 import org.urbi.ros.message.MessageType;
 import org.urbi.ros.message.Templates;
-import org.urbi.ros.one.OneNode;
+import urbi.UDataType;
 import urbi.UDictionary;
 import urbi.UEvent;
 import urbi.UObject;
@@ -37,6 +39,7 @@ public final class RosTopic extends UObject implements AutoCloseable {
   private final UVar last = new UVar();
   private final UVar depth = new UVar();
   private final UVar latch = new UVar();
+  private final UVar qos = new UVar();
   private final Delivery<UDictionary> delivery =
       new Delivery<>(() -> getUContext().call(get__name(), TAKE));
 
@@ -50,9 +53,10 @@ public final class RosTopic extends UObject implements AutoCloseable {
     UBindEvent(onMessage, "onMessage");
     UBindEvent(onConnect, "onConnect");
     UBindEvent(onDisconnect, "onDisconnect");
-    UBindVars(last, "last", depth, "depth", latch, "latch");
+    UBindVars(last, "last", depth, "depth", latch, "latch", qos, "qos");
     depth.setValue(DEFAULT_DEPTH);
     latch.setValue(0);
+    qos.setValue(new UValue(new UDictionary()));
     UBindFunctions(
         "init",
         "name",
@@ -110,15 +114,19 @@ public final class RosTopic extends UObject implements AutoCloseable {
     return Ros.of(this).graph().thenApply(graph -> graph.topics().get(topic));
   }
 
-  /** The type that the others use. */
-  private CompletableFuture<String> advertisedType() {
-    return info()
-        .thenApply(info -> {
-          if (info == null || info.type().equals("*") || info.type().isEmpty()) {
-            throw new RosException("there is no topic " + topic + ": Ros.topics has all");
-          }
-          return info.type();
-        });
+  /** What {@code depth}, {@code latch} and {@code qos} say. */
+  private Qos delivery(boolean asOffered) {
+    int most = depth.intValue();
+    if (most < 0) {
+      throw new RosException("depth: 0 or more messages expected, not " + most);
+    }
+    UValue keys = qos.val();
+    if (keys.getType() != UDataType.DATA_DICTIONARY) {
+      throw new RosException("qos: a Dictionary expected, as [\"reliability\" => \"best_effort\"]");
+    }
+    boolean kept = !asOffered && latch.booleanValue();
+    Duration none = Qos.DEFAULT.deadline();
+    return QosKeys.of(keys.udictionaryValue(), new Qos(true, kept, most, none, asOffered));
   }
 
   // ------------------------------------------------------------------ hearing
@@ -126,13 +134,10 @@ public final class RosTopic extends UObject implements AutoCloseable {
   /** Begins to listen. The job waits until the type is known. */
   public CompletionStage<Void> subscribe() {
     idle();
-    int most = depth.intValue();
-    if (most < 0) {
-      throw new RosException("depth: 0 or more messages expected, not " + most);
-    }
-    OneNode node = Ros.of(this);
+    Qos wanted = delivery(true);
+    Node node = Ros.of(this);
     CompletableFuture<Void> typed = new CompletableFuture<>();
-    return advertisedType()
+    return node.typeOf(topic)
         .thenCompose(name -> {
           try {
             type = node.definitions().message(name);
@@ -141,8 +146,8 @@ public final class RosTopic extends UObject implements AutoCloseable {
             // A publisher tells what it means by that name.
             typed.orTimeout(PATIENCE, TimeUnit.SECONDS);
           }
-          delivery.begin(most);
-          subscription = node.subscribe(topic, null, Qos.DEFAULT, listener(typed));
+          delivery.begin(wanted.depth());
+          subscription = node.subscribe(topic, null, wanted, listener(typed));
           return typed.exceptionallyCompose(failure -> {
             unsubscribe();
             return CompletableFuture.failedFuture(
@@ -168,9 +173,13 @@ public final class RosTopic extends UObject implements AutoCloseable {
 
       @Override
       public void failed(String reason) {
-        getUContext().report("ROS: " + topic + ": " + reason);
+        troubled(reason);
       }
     };
+  }
+
+  private void troubled(String reason) {
+    getUContext().report("ROS: " + topic + ": " + reason);
   }
 
   /** Has urbiscript see what has come. */
@@ -197,22 +206,23 @@ public final class RosTopic extends UObject implements AutoCloseable {
 
   /**
    * Offers messages of a type; of the one that others use if it is empty. The job waits until the
-   * master knows.
+   * others can know.
    */
   public CompletionStage<Void> advertise(String typeName) {
     idle();
-    return typeName.isEmpty() ? advertisedType().thenCompose(this::begin) : begin(typeName);
+    return typeName.isEmpty()
+        ? Ros.of(this).typeOf(topic).thenCompose(this::begin)
+        : begin(typeName);
   }
 
   private CompletionStage<Void> begin(String typeName) {
-    OneNode node = Ros.of(this);
+    Node node = Ros.of(this);
     MessageType wanted = node.definitions().message(typeName);
-    int most = depth.intValue();
     publisher =
         node.advertise(
             topic,
             wanted,
-            new Qos(true, latch.booleanValue(), most, Qos.DEFAULT.deadline()),
+            delivery(false),
             new Publisher.Listener() {
               @Override
               public void connected(String name) {
@@ -222,6 +232,11 @@ public final class RosTopic extends UObject implements AutoCloseable {
               @Override
               public void disconnected(String name) {
                 onDisconnect.emit(name);
+              }
+
+              @Override
+              public void failed(String reason) {
+                troubled(reason);
               }
             });
     type = wanted;

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
 
 /** A program of somebody else's that speaks the same protocol. */
 public final class Peer implements AutoCloseable {
@@ -58,6 +59,7 @@ public final class Peer implements AutoCloseable {
   @Override
   public void close() throws Exception {
     commands.close();
-    process.waitFor();
+    // One that is in the middle of something does not end by itself.
+    if (!process.waitFor(10, TimeUnit.SECONDS)) kill();
   }
 }

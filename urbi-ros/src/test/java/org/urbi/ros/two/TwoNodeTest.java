@@ -39,6 +39,12 @@ class TwoNodeTest {
         Map.of());
   }
 
+  private final BlockingQueue<String> told = new LinkedBlockingQueue<>();
+
+  private TwoNode start(TwoSettings settings) {
+    return TwoNode.start(settings, told::add);
+  }
+
   private static ServiceServer.Handler increment(ServiceType type) {
     return request ->
         CompletableFuture.completedFuture(
@@ -67,9 +73,8 @@ class TwoNodeTest {
   void isANodeAmongOthers(String environment) throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
         Peer peer = new Peer(environment, domain.domain());
-        TwoNode node =
-            TwoNode.start(settings(domain.domain(), Peer.prefix(environment), "jnode"))) {
-      MessageType string = node.settings().definitions().message("std_msgs/String");
+        TwoNode node = start(settings(domain.domain(), Peer.prefix(environment), "jnode"))) {
+      MessageType string = node.definitions().message("std_msgs/String");
       Publisher publisher =
           node.advertise("chatter", string, Qos.LATCHED, new Publisher.Listener() {});
       publisher.publish(Templates.of(string).with("data", "0:hello"));
@@ -84,7 +89,7 @@ class TwoNodeTest {
       peer.expect("published");
       assertEquals("std_msgs/msg/String", heard.types.take().name().toString());
       assertEquals(1, subscription.publishers());
-      ServiceType type = node.settings().definitions().service("test_msgs/BasicTypes");
+      ServiceType type = node.definitions().service("test_msgs/BasicTypes");
       ServiceServer server = node.serve("increment", type, increment(type));
       peer.say("call /urbi/increment 41");
       peer.expect("42 hello!");
@@ -101,7 +106,8 @@ class TwoNodeTest {
       }
       GraphSnapshot graph = node.graph().join();
       assertTrue(graph.nodes().get("/peer").publishes().contains("/back"), graph::toString);
-      assertEquals(List.of("/urbi/chatter"), graph.nodes().get("/urbi/jnode").publishes());
+      assertEquals(
+          List.of("/rosout", "/urbi/chatter"), graph.nodes().get("/urbi/jnode").publishes());
       assertEquals("std_msgs/msg/String", graph.topics().get("/back").type());
       assertEquals(List.of("/urbi/jnode"), graph.topics().get("/back").subscribers());
       assertEquals(
@@ -114,9 +120,9 @@ class TwoNodeTest {
   @Test
   void twoNodesFindEachOther() throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
-        TwoNode one = TwoNode.start(settings(domain.domain(), "", "one"));
-        TwoNode two = TwoNode.start(settings(domain.domain(), "", "/far/two"))) {
-      MessageType string = one.settings().definitions().message("std_msgs/String");
+        TwoNode one = start(settings(domain.domain(), "", "one"));
+        TwoNode two = start(settings(domain.domain(), "", "/far/two"))) {
+      MessageType string = one.definitions().message("std_msgs/String");
       BlockingQueue<String> connected = new LinkedBlockingQueue<>();
       Publisher publisher =
           one.advertise(
@@ -163,13 +169,124 @@ class TwoNodeTest {
         RosException.class, () -> TwoSettings.of(Map.of("ROS_DOMAIN_ID", "many"), "x", Map.of()));
     assertThrows(
         RosException.class, () -> TwoSettings.of(Map.of("ROS_IP", "nowhere"), "x", Map.of()));
-    assertThrows(RosException.class, () -> TwoNode.start(settings(1000, "", "x")));
+    assertThrows(
+        RosException.class,
+        () -> TwoSettings.of(Map.of("ROS_AUTOMATIC_DISCOVERY_RANGE", "HERE"), "x", Map.of()));
+    assertThrows(RosException.class, () -> start(settings(1000, "", "x")));
     try (Neighbourhood domain = new Neighbourhood();
-        TwoNode node = TwoNode.start(settings(domain.domain(), "", "one"))) {
+        TwoNode node = start(settings(domain.domain(), "", "one"))) {
       CompletionException none =
           assertThrows(CompletionException.class, () -> node.client("none", null, false).join());
       assertEquals(
-          "there is no service /urbi/none: no node offers it", none.getCause().getMessage());
+          "there is no service /urbi/none: Ros.services has all", none.getCause().getMessage());
+    }
+  }
+
+  @Test
+  void theRangeOfDiscovery() throws Exception {
+    assertTrue(settings(1, "", "x").address().isLoopbackAddress());
+    Map<String, String> off = Map.of("ROS_AUTOMATIC_DISCOVERY_RANGE", "off");
+    assertTrue(TwoSettings.of(off, "x", Map.of()).isAlone());
+    Map<String, String> subnet =
+        Map.of("ROS_AUTOMATIC_DISCOVERY_RANGE", "SUBNET", "ROS_IP", "127.0.0.2");
+    assertEquals("127.0.0.2", TwoSettings.of(subnet, "x", Map.of()).address().getHostAddress());
+    try (Neighbourhood domain = new Neighbourhood();
+        TwoNode one = start(settings(domain.domain(), "", "one"));
+        TwoNode alone =
+            start(
+                TwoSettings.of(
+                    Map.of(
+                        "ROS_DOMAIN_ID",
+                        "" + domain.domain(),
+                        "ROS_AUTOMATIC_DISCOVERY_RANGE",
+                        "OFF"),
+                    "alone",
+                    Map.of()))) {
+      assertEquals(List.of("/urbi/one"), List.copyOf(one.graph().join().nodes().keySet()));
+      assertEquals(List.of("/alone"), List.copyOf(alone.graph().join().nodes().keySet()));
+    }
+  }
+
+  @Test
+  void otherTypesAreTold() throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        TwoNode one = start(settings(domain.domain(), "", "one"));
+        TwoNode two = TwoNode.start(settings(domain.domain(), "", "two"), text -> {})) {
+      one.advertise(
+          "x",
+          one.definitions().message("std_msgs/String"),
+          Qos.DEFAULT,
+          new Publisher.Listener() {});
+      two.subscribe("x", two.definitions().message("std_msgs/Int32"), Qos.DEFAULT, new Heard());
+      assertEquals(
+          "/urbi/x: /urbi/two subscribes to std_msgs/msg/Int32, this node has std_msgs/msg/String",
+          told.take());
+      ServiceType trigger = one.definitions().service("std_srvs/Trigger");
+      one.serve("s", trigger, request -> new CompletableFuture<>());
+      CompletionException refused =
+          assertThrows(
+              CompletionException.class,
+              () -> two.client("s", two.definitions().service("std_srvs/Empty"), true).join());
+      assertTrue(refused.getCause().getMessage().contains("of another type"));
+      assertEquals(
+          "/urbi/s: /urbi/two calls std_srvs/srv/Empty, this node has std_srvs/srv/Trigger",
+          told.take());
+    }
+  }
+
+  @Test
+  void deliveryThatIsNotOfferedIsTold() throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        TwoNode one = start(settings(domain.domain(), "", "one"));
+        TwoNode two = start(settings(domain.domain(), "", "two"))) {
+      MessageType string = one.definitions().message("std_msgs/String");
+      BlockingQueue<String> failed = new LinkedBlockingQueue<>();
+      one.advertise(
+          "x",
+          string,
+          Qos.SENSOR_DATA,
+          new Publisher.Listener() {
+            @Override
+            public void failed(String reason) {
+              failed.add(reason);
+            }
+          });
+      two.subscribe("x", string, Qos.DEFAULT, new Heard());
+      assertEquals("/urbi/two asks for reliability that is not offered here", failed.take());
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"kilted", "jazzy"})
+  void aServerThatDiesInTheMiddle(String environment) throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        Peer peer = new Peer(environment, domain.domain());
+        TwoNode node = start(settings(domain.domain(), Peer.prefix(environment), "node"))) {
+      peer.say("silent /hangs");
+      peer.expect("serving");
+      ServiceClient client = node.client("/hangs", null, true).join();
+      CompletableFuture<UDictionary> answer = client.request(Templates.of(client.type().request()));
+      peer.expect("asked");
+      peer.kill();
+      CompletionException gone = assertThrows(CompletionException.class, answer::join);
+      assertEquals("the service /hangs has gone", gone.getCause().getMessage());
+    }
+  }
+
+  @Test
+  void answersThatAreNone() throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        TwoNode node = start(settings(domain.domain(), "", "node"));
+        HostileServer server = new HostileServer(domain)) {
+      ServiceClient client = node.client("/bad", null, true).join();
+      CompletableFuture<UDictionary> answer = client.request(new UDictionary());
+      CompletionException bad = assertThrows(CompletionException.class, answer::join);
+      assertTrue(bad.getCause().getMessage().startsWith("/bad answers what is none: "));
+      server.goesOn = false;
+      answer = client.request(new UDictionary());
+      server.close();
+      CompletionException gone = assertThrows(CompletionException.class, answer::join);
+      assertEquals("the service /bad has gone", gone.getCause().getMessage());
     }
   }
 }

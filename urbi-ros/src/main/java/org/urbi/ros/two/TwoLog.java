@@ -1,0 +1,45 @@
+package org.urbi.ros.two;
+
+import static java.util.Objects.requireNonNull;
+
+import org.urbi.ros.graph.Publisher;
+import org.urbi.ros.graph.Qos;
+import org.urbi.ros.graph.Severity;
+import org.urbi.ros.message.Templates;
+import org.urbi.ros.time.WallClock;
+import urbi.UDictionary;
+
+/** What a node of ROS 2 tells people, on {@code /rosout}. */
+final class TwoLog {
+  /** Nanoseconds. */
+  private static final long SECOND = 1_000_000_000;
+
+  private static final Qos KEPT = new Qos(true, true, 100, Qos.DEFAULT.deadline(), false);
+
+  private final TwoNode node;
+  private final Publisher publisher;
+
+  TwoLog(TwoNode node) {
+    this.node = node;
+    publisher =
+        node.advertise(
+            "/rosout",
+            node.definitions().message("rcl_interfaces/Log"),
+            KEPT,
+            new Publisher.Listener() {});
+  }
+
+  void log(Severity severity, String text) {
+    // As in ROS 1, where it is so unless somebody wants to know more.
+    if (severity == Severity.DEBUG) return;
+    long now = WallClock.nanoseconds();
+    UDictionary message = Templates.of(publisher.type());
+    UDictionary stamp = requireNonNull(message.get("stamp"), "each has one").udictionaryValue();
+    stamp.put(Templates.SECONDS, (double) (now / SECOND));
+    stamp.put(Templates.NANOSECONDS, (double) (now % SECOND));
+    message.put("level", 10.0 * (severity.ordinal() + 1));
+    message.put("name", node.name().substring(1).replace('/', '.'));
+    message.put("msg", text);
+    publisher.publish(message);
+  }
+}
