@@ -333,7 +333,9 @@ public final class OneNode implements Node {
   public CompletableFuture<ServiceClient> client(
       String service, @Nullable ServiceType type, boolean keepAlive) {
     String full = resolve(service);
-    return lookUp(full)
+    // The service may be one of our own, of which the master is yet to be told.
+    return settled()
+        .thenCompose(told -> lookUp(full))
         .exceptionallyCompose(failure -> CompletableFuture.failedFuture(unknown(full, failure)))
         .thenApplyAsync(
             address -> {

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 
 /** A program of somebody else's that speaks the same protocol. */
@@ -23,12 +24,31 @@ public final class Peer implements AutoCloseable {
 
   /** Starts one of them in that domain; whoever does not have them skips the test. */
   public Peer(String environment, int domain) throws IOException {
+    this(environment, domain, Map.of());
+  }
+
+  /** One of ROS that others miss soon after it has died. */
+  public static Peer ofShortLease(String environment, int domain) throws IOException {
+    String profile = resource("short-lease.xml").toString();
+    return new Peer(
+        environment,
+        domain,
+        Map.of(
+            "FASTDDS_DEFAULT_PROFILES_FILE", profile,
+            "FASTRTPS_DEFAULT_PROFILES_FILE", profile));
+  }
+
+  private static Path resource(String name) {
+    return Path.of("src/test/resources/peers").resolve(name).toAbsolutePath();
+  }
+
+  private Peer(String environment, int domain, Map<String, String> settings) throws IOException {
     Path python = MADE.resolve(environment).resolve("bin/python");
     assumeTrue(
         Files.exists(python), "no peer for the test: scripts/ros-peers.sh gets " + environment);
     String script = environment.equals("cyclone") ? "cyclone.py" : "ros.py";
-    Path file = Path.of("src/test/resources/peers").resolve(script).toAbsolutePath();
-    ProcessBuilder builder = new ProcessBuilder(python.toString(), file.toString());
+    ProcessBuilder builder = new ProcessBuilder(python.toString(), resource(script).toString());
+    builder.environment().putAll(settings);
     builder.environment().put("ROS_DOMAIN_ID", Integer.toString(domain));
     builder.environment().put("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST");
     builder.environment().put("CYCLONEDDS_URI", LOOPBACK);

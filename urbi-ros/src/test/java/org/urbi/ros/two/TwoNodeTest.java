@@ -260,7 +260,7 @@ class TwoNodeTest {
   @ValueSource(strings = {"kilted", "jazzy"})
   void aServerThatDiesInTheMiddle(String environment) throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
-        Peer peer = new Peer(environment, domain.domain());
+        Peer peer = Peer.ofShortLease(environment, domain.domain());
         TwoNode node = start(settings(domain.domain(), Peer.prefix(environment), "node"))) {
       peer.say("silent /hangs");
       peer.expect("serving");
