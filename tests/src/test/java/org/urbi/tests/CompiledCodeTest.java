@@ -120,6 +120,40 @@ class CompiledCodeTest {
             t: spin(1e9), sleep(0); t.stop; n;
             """),
         Map.entry(
+            "variables are seen after an exception has left loops inside of loops",
+            """
+            function pairs(n) {
+              var sum = 0;
+              for (var i : n) { for| (var j = i; j < n; j += 1) { sum += i * j } };
+              sum
+            }|;
+            for (var n : 30) pairs(n % 5); pairs(20);
+            function until(list, at) {
+              var i = 0; var last = nil;
+              try {
+                while (i < 9) {
+                  for (var x : list) { last = x; if (i + x == at) throw last; i += 0.5 };
+                  i += 1
+                }
+              } catch (var e) { echo("%s %s %s" % [i, last, e]) };
+              [i, last]
+            }|;
+            for (var k : 30) until([1, 2, 3], k / 2);
+            var tag = Tag.new|; var seen = nil|;
+            function stopped(n) {
+              var i = 0; var j = 0;
+              tag: while (true) { for (j = 0; j < n; j++) { i += 1; if (i == 5 * n) tag.stop } };
+              seen = [i, j]
+            }|;
+            for (var n : 30) { stopped(1 + n % 4); echo(seen) };
+            function left(n) {
+              for (var i : n) { for (var j : n) { if (j == 3) continue; if (i * j == 8) return [i, j] } };
+              [n]
+            }|;
+            for (var n : 30) echo(left(n % 7));
+            for (var i : 40) { for (var j : 3) { for (var k : 2) { if (i * j * k == 70) i.nowhere } } };
+            """),
+        Map.entry(
             "conditions see what compiled functions read",
             """
             var x = 0|; var o = Object.new|; var o.y = 0|;

@@ -70,6 +70,7 @@ public final class Compilation {
       CompilationUnit unit = new CompilationUnit();
       Node code = compilation.compile(statement, LexicalScope.top(unit), HandledJumps.ALL);
       if (!compilation.learned) {
+        code.standsIn();
         return new Compiled(code, unit.layout());
       }
     }

@@ -38,6 +38,14 @@ public final class Conditionals {
     }
 
     @Override
+    void standsIn(@Nullable TurnCount loop) {
+      thenClause.standsIn(loop);
+      if (elseClause != null) {
+        elseClause.standsIn(loop);
+      }
+    }
+
+    @Override
     public UrbiObject execute(Frame frame) {
       boolean holds;
       try {

@@ -73,6 +73,18 @@ public final class ForEach extends Node implements CallSite {
     return flavor == Flavor.SEMICOLON || flavor == Flavor.PIPE;
   }
 
+  public TurnCount turns() {
+    return turns;
+  }
+
+  @Override
+  void standsIn(@Nullable TurnCount loop) {
+    if (isSequential()) {
+      turns.standsIn(loop);
+      body.standsIn(turns);
+    }
+  }
+
   @Override
   public String calledName() {
     return each.name();
@@ -140,8 +152,9 @@ public final class ForEach extends Node implements CallSite {
   /** Executes the turns, until the loop is over or compiled. */
   private UrbiObject interpret(Frame frame, double count) {
     var values = frame.interpreter.values();
-    long most = turns.left(frame.interpreter.compiler());
-    long left = most;
+    CodeCompiler compiler = frame.interpreter.compiler();
+    long limit = turns.limit(compiler);
+    long turn = 0;
     try {
       for (long i = 0; i < count; i++) {
         UrbiObject value = turn(frame, values.number(i));
@@ -153,16 +166,17 @@ public final class ForEach extends Node implements CallSite {
         } else {
           frame.job.checkInterrupted();
         }
-        if (--left == 0) {
-          CompiledCode compiled = turns.compile(this, frame);
+        if (++turn >= limit || turns.isWanted()) {
+          CompiledCode compiled = turns.compile(this, frame, turn);
           if (compiled != null) {
             return compiled.run(frame, i + 1, count);
           }
+          limit = turns.next(compiler, turn);
         }
       }
       return values.voidObject;
     } finally {
-      turns.add(most - left);
+      turns.add(turn);
     }
   }
 
@@ -183,8 +197,9 @@ public final class ForEach extends Node implements CallSite {
       return compiled.over(frame, 0, elements);
     }
     int last = elements.size() - 1;
-    long most = turns.left(frame.interpreter.compiler());
-    long left = most;
+    CodeCompiler compiler = frame.interpreter.compiler();
+    long limit = turns.limit(compiler);
+    long turn = 0;
     try {
       for (int i = 0; i <= last; i++) {
         UrbiObject value = turn(frame, elements.get(i));
@@ -196,16 +211,17 @@ public final class ForEach extends Node implements CallSite {
         } else if (i < last) {
           frame.job.yield();
         }
-        if (--left == 0) {
-          compiled = turns.compile(this, frame);
+        if (++turn >= limit || turns.isWanted()) {
+          compiled = turns.compile(this, frame, turn);
           if (compiled != null) {
             return compiled.over(frame, i + 1, elements);
           }
+          limit = turns.next(compiler, turn);
         }
       }
       return values.voidObject;
     } finally {
-      turns.add(most - left);
+      turns.add(turn);
     }
   }
 

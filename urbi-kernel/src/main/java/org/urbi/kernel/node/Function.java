@@ -64,6 +64,7 @@ public final class Function extends Code {
       this.formals = formals;
       this.parameterCells = parameterCells;
       this.plain = parameterCells == null && (formals == null || !formals.hasDefaults());
+      code.standsIn();
     }
 
     /** What is executed, when the parameters are ready; compiled if it has been executed often. */
@@ -89,6 +90,19 @@ public final class Function extends Code {
         }
       }
       return compiled;
+    }
+
+    /**
+     * Has it compiled when it is called the next time, unless it is compiled already, or cannot be.
+     *
+     * @return whether it will be compiled then
+     */
+    boolean hasten(CodeCompiler compiler) {
+      if (versions > 0 || calls >= compiler.threshold()) {
+        return false;
+      }
+      calls = compiler.threshold() - 1;
+      return true;
     }
 
     /** How many parameters there are. */

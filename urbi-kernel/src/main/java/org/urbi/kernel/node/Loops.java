@@ -60,6 +60,16 @@ public final class Loops {
       return yields;
     }
 
+    public TurnCount turns() {
+      return turns;
+    }
+
+    @Override
+    void standsIn(@Nullable TurnCount loop) {
+      turns.standsIn(loop);
+      body.standsIn(turns);
+    }
+
     @Override
     public UrbiObject execute(Frame frame) {
       LoopJobs jobs = LoopJobs.begin(frame);
@@ -82,8 +92,9 @@ public final class Loops {
 
     /** Executes the turns, until the loop is over or compiled. */
     private UrbiObject interpret(Frame frame) {
-      long most = turns.left(frame.interpreter.compiler());
-      long left = most;
+      CodeCompiler compiler = frame.interpreter.compiler();
+      long limit = turns.limit(compiler);
+      long turn = 0;
       try {
         while (condition == null || condition.test(frame)) {
           UrbiObject value = turn(frame);
@@ -104,16 +115,17 @@ public final class Loops {
           } else {
             frame.job.checkInterrupted();
           }
-          if (--left == 0) {
-            CompiledCode compiled = turns.compile(this, frame);
+          if (++turn >= limit || turns.isWanted()) {
+            CompiledCode compiled = turns.compile(this, frame, turn);
             if (compiled != null) {
               return compiled.execute(frame);
             }
+            limit = turns.next(compiler, turn);
           }
         }
         return frame.interpreter.values().voidObject;
       } finally {
-        turns.add(most - left);
+        turns.add(turn);
       }
     }
 

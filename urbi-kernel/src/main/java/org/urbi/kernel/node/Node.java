@@ -1,5 +1,6 @@
 package org.urbi.kernel.node;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Source;
 import org.urbi.lang.source.Span;
@@ -29,6 +30,19 @@ public abstract class Node {
   public final Span span() {
     return span;
   }
+
+  /** Tells the code that it is that of a function or of the top level. */
+  public final void standsIn() {
+    standsIn(null);
+  }
+
+  /**
+   * Tells the code that it stands in that of a function, of the top level or of a loop, and that
+   * nothing between them handles exceptions.
+   *
+   * @param loop the loop, or null
+   */
+  void standsIn(@Nullable TurnCount loop) {}
 
   /** Executes the code and returns its value, which may be void. */
   public abstract UrbiObject execute(Frame frame);

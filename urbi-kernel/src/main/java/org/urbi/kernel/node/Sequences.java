@@ -2,6 +2,7 @@ package org.urbi.kernel.node;
 
 import static java.util.Objects.requireNonNull;
 
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
@@ -43,6 +44,13 @@ public final class Sequences {
     /** Whether others may run after the statement of that index; not to be asked for the last. */
     public boolean yieldsAfter(int index) {
       return yieldsAfter[index];
+    }
+
+    @Override
+    void standsIn(@Nullable TurnCount loop) {
+      for (Node statement : statements) {
+        statement.standsIn(loop);
+      }
     }
 
     @Override
@@ -139,6 +147,11 @@ public final class Sequences {
 
     public Node code() {
       return code;
+    }
+
+    @Override
+    void standsIn(@Nullable TurnCount loop) {
+      code.standsIn(loop);
     }
 
     @Override

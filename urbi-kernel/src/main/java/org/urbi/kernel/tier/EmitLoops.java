@@ -187,11 +187,13 @@ final class EmitLoops {
     } else if (node instanceof Loops.Sequential sequential) {
       turns(loop, sequential.body(), parts(sequential), done);
     }
-    Label end = to.code.newBoundLabel();
-    Label handler = to.code.newBoundLabel();
-    to.writeAll();
-    to.code.athrow();
-    to.code.exceptionCatchAll(start, end, handler);
+    if (to.isObserved()) {
+      Label end = to.code.newBoundLabel();
+      Label handler = to.code.newBoundLabel();
+      to.writeAll();
+      to.code.athrow();
+      to.code.exceptionCatchAll(start, end, handler);
+    }
     to.code.labelBinding(loop.broken());
     to.frame();
     to.help("breaks", CD_void, Names.FRAME);

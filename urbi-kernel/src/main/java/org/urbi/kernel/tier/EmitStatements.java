@@ -20,7 +20,10 @@ final class EmitStatements {
     this.to = to;
   }
 
-  /** The value of a statement; null for nodes of another kind. */
+  /**
+   * The value of a statement; null for nodes of another kind, and loops that are compiled by
+   * themselves.
+   */
   @Nullable Value value(Node node) {
     if (node instanceof Sequences.Chain chain) {
       return chain(chain);
@@ -37,10 +40,10 @@ final class EmitStatements {
     if (node instanceof Matching.Switch choice) {
       return choice(choice);
     }
-    if (node instanceof Loops.Sequential loop) {
+    if (node instanceof Loops.Sequential loop && !loop.turns().isCompiled()) {
       return to.loops().value(loop);
     }
-    if (node instanceof ForEach loop && EmitLoops.canCount(loop)) {
+    if (node instanceof ForEach loop && EmitLoops.canCount(loop) && !loop.turns().isCompiled()) {
       return to.loops().value(loop);
     }
     if (node instanceof Jumps.Return jump && jump.isPlain()) {

@@ -17,6 +17,7 @@ import org.urbi.kernel.node.MessageSend;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.NumericOperator;
 import org.urbi.kernel.node.Slots;
+import org.urbi.kernel.node.TurnCount;
 import org.urbi.kernel.node.Variables;
 
 /**
@@ -115,6 +116,11 @@ final class Emitter extends CodeWriter {
 
   boolean isLoopUnit() {
     return unit.isLoop();
+  }
+
+  /** Whether somebody may look at the variables when an exception has left this code. */
+  boolean isObserved() {
+    return unit.guarded();
   }
 
   /** Leaves a function: a number without an object is left in the frame. */
@@ -305,7 +311,7 @@ final class Emitter extends CodeWriter {
   }
 
   private boolean isGuarded() {
-    return unit.isLoop() || loops.isHandling();
+    return unit.guarded() || loops.isHandling();
   }
 
   /** Other code may have run: if it has unevaluated arguments of this one, it may have assigned. */
@@ -492,8 +498,12 @@ final class Emitter extends CodeWriter {
     return copy;
   }
 
-  static boolean isLoop(Node node) {
-    return node instanceof Loops.Sequential
-        || node instanceof ForEach loop && EmitLoops.canCount(loop);
+  /** The turns of a loop that can be compiled by itself; null for other nodes. */
+  static @Nullable TurnCount turns(Node node) {
+    return switch (node) {
+      case Loops.Sequential loop -> loop.turns();
+      case ForEach loop when EmitLoops.canCount(loop) -> loop.turns();
+      default -> null;
+    };
   }
 }

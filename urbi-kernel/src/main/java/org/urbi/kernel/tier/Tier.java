@@ -24,6 +24,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Function;
 import org.urbi.kernel.node.Misses;
 import org.urbi.kernel.node.Node;
+import org.urbi.kernel.node.TurnCount;
 import org.urbi.kernel.object.World;
 
 /** Compiles the hot code of one kernel, on the kernel thread, and counts what it does. */
@@ -135,7 +136,8 @@ public final class Tier implements CodeCompiler {
                       survey,
                       frame,
                       function,
-                      function.locals()),
+                      function.locals(),
+                      false),
                   new EmitFunction(code))
               : null;
         });
@@ -148,30 +150,36 @@ public final class Tier implements CodeCompiler {
   @Override
   public @Nullable CompiledCode loop(Node loop, Frame frame, boolean last) {
     CompiledCode compiled =
-        attempt(() ->
-            Emitter.isLoop(loop)
-                ? compile(
-                    new Unit(
-                        name(LOOP),
-                        new Constants(),
-                        world.values(),
-                        doubt,
-                        new Misses(!last),
-                        Survey.of(loop),
-                        frame,
-                        null,
-                        CompiledCode.variables(frame)),
-                    (type, unit) ->
-                        type.withMethodBody(
-                            "run",
-                            RUN,
-                            ClassFile.ACC_PUBLIC,
-                            code -> Emitter.ofLoop(code, unit).loops().unit(loop)))
-                : null);
+        attempt(() -> {
+          TurnCount turns = Emitter.turns(loop);
+          return turns == null ? null : loop(loop, turns, frame, last);
+        });
     if (compiled != null) {
       loops++;
     }
     return compiled;
+  }
+
+  private @Nullable CompiledCode loop(Node loop, TurnCount turns, Frame frame, boolean last) {
+    Survey survey = Survey.of(loop);
+    return compile(
+        new Unit(
+            name(LOOP),
+            new Constants(),
+            world.values(),
+            doubt,
+            new Misses(!last),
+            survey,
+            frame,
+            null,
+            CompiledCode.variables(frame),
+            !turns.isAlone() || survey.mayJump()),
+        (type, unit) ->
+            type.withMethodBody(
+                "run",
+                RUN,
+                ClassFile.ACC_PUBLIC,
+                code -> Emitter.ofLoop(code, unit).loops().unit(loop)));
   }
 
   /**

@@ -17,6 +17,7 @@ import org.urbi.kernel.object.Values;
  * @param frame the activation that needs it
  * @param function null for a loop, whose variables are used afterwards
  * @param locals the number of plain variables
+ * @param guarded whether somebody may look at the variables when an exception has left it
  */
 record Unit(
     ClassDesc owner,
@@ -27,7 +28,8 @@ record Unit(
     Survey survey,
     Frame frame,
     Function.@Nullable Body function,
-    int locals) {
+    int locals,
+    boolean guarded) {
   /** Pushes an object of the kernel. */
   void constant(CodeBuilder code, Object value, ClassDesc type) {
     code.getstatic(owner, constants.name(value, type), type);
