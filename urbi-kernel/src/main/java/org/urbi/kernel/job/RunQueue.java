@@ -22,12 +22,13 @@ import org.urbi.kernel.time.RandomNumbers;
  *
  * <p>A round that would delay clients and timers noticeably is cut short. From then on, until the
  * load is over, each budget, which is that of a lobby, has a queue of its own. A round serves them
- * in the order in which they came, ends after a slice of time, and leaves the rest to the next one.
- * For that it blames one of those it has served, drawn by lot according to the processor time they
- * took, and gives credit to one of those that took next to nothing. Who was to blame more often
- * than others lets them go before. So a lobby that starts a million jobs delays only itself, one
- * that needs little goes first, and a thousand that need the same have equally many turns. In
- * simulated time nobody waits, and rounds are never cut.
+ * in the order in which they came, each as long as it has jobs and has taken next to no time, or
+ * once; it ends after a slice of time, and leaves the rest to the next one. For that it blames one
+ * of those it has served, drawn by lot according to the processor time they took, and gives credit
+ * to one of those that took next to nothing. Who was to blame more often than others lets them go
+ * before. So a lobby that starts a million jobs delays only itself, one that needs little goes
+ * first, and a thousand that need the same have equally many turns. In simulated time nobody waits,
+ * and rounds are never cut.
  */
 final class RunQueue {
   /** How long a round may take while others wait, in nanoseconds. */
@@ -62,6 +63,14 @@ final class RunQueue {
 
   /** …so it is hardly ever to blame: so much of each turn counts for one of so many parts. */
   private static final long LITTLE_COUNTS = 100;
+
+  /**
+   * A lobby of which jobs that have had their turn can run again goes on in the same round so long.
+   */
+  private static final long GOES_ON = LITTLE / 2;
+
+  /** In a recording: not the round is over, but the turn of the current lobby. */
+  private static final int TURN_OVER = Integer.MAX_VALUE;
 
   /** No lobby: behind all indexes. */
   private static final int MACHINE = Integer.MAX_VALUE;
@@ -362,7 +371,7 @@ final class RunQueue {
   }
 
   private @Nullable Job nextInRush() {
-    Share next = left > 0 && !current.jobs.isEmpty() ? current : round.peek();
+    Share next = !current.jobs.isEmpty() && (left > 0 || goesOn()) ? current : round.peek();
     if (next == null) {
       relax();
       return null;
@@ -391,6 +400,23 @@ final class RunQueue {
       waiting--;
     }
     return job;
+  }
+
+  /**
+   * All jobs of the current lobby have had their turn, and some could run again: whether they may
+   * in this round. So who needs little makes up for the periods that it has missed, instead of one
+   * in each round, which may be longer than the period.
+   */
+  private boolean goesOn() {
+    if (!cuttable) {
+      return false;
+    }
+    boolean over = clock.now() - turnBegan >= GOES_ON;
+    if (journal.cutsRound(++jobs, over ? TURN_OVER : NOBODY) != NOBODY) {
+      return false;
+    }
+    left = current.jobs.size();
+    return true;
   }
 
   private @Nullable Job poll(JobList queue) {

@@ -58,7 +58,10 @@ public sealed interface Entry {
   /** A job that has allocated too much at one go is ended, at that safepoint of the tick. */
   record JobGreedy(long safepoint) implements Entry {}
 
-  /** A round of jobs was cut short before that job of the tick; by which of those it had served. */
+  /**
+   * A round of jobs was cut short when that was asked for so many times, by which of those it had
+   * served; or the turn of a lobby.
+   */
   record RoundCut(int jobs, int by) implements Entry {}
 
   /**

@@ -70,9 +70,10 @@ public interface Journal {
   }
 
   /**
-   * Whether a round of jobs is cut short here, because others wait, and by whom.
+   * Whether a round of jobs is cut short here, because others wait, and by whom; or whether a lobby
+   * that could run again in this round may not.
    *
-   * @param jobs how many jobs of this tick could have run, with the one that does not
+   * @param jobs how often that was asked in this round, so or so
    * @param wanted the number of whom to blame; {@link #NOBODY} if it should go on
    * @return likewise
    */

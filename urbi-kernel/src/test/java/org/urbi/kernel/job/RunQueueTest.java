@@ -263,6 +263,7 @@ class RunQueueTest {
       queue.next();
     }
     add("c1", "b2", "a31");
+    clock.now += MILLISECOND;
     assertNull(queue.next());
     assertEquals("a31 b2 c1", round(0));
   }
@@ -315,6 +316,23 @@ class RunQueueTest {
     add("b2", "a2");
     assertEquals("c1 d1", round(4));
     assertEquals("a2 b2", round(0));
+  }
+
+  @Test
+  void whoNeedsLittleGoesOnInTheSameRound() {
+    rush();
+    Job late = job("c1");
+    queue.add(late);
+    queue.beginRound(false);
+    List<String> ran = new ArrayList<>();
+    for (Job job = queue.next(); job != null; job = queue.next()) {
+      ran.add(names.get(job));
+      clock.now += job == late ? MILLISECOND / 10 : 0;
+      if (job == late) {
+        queue.add(late);
+      }
+    }
+    assertEquals("b1 c1 c1 c1 " + names("a", 8, 30), String.join(" ", ran));
   }
 
   @Test
