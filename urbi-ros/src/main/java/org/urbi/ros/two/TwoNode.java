@@ -194,6 +194,10 @@ public final class TwoNode implements Node {
 
   private void changed() {
     seekers.forEach(Runnable::run);
+    tellWatchers();
+  }
+
+  private void tellWatchers() {
     if (watchers.isEmpty()) return;
     GraphSnapshot now = snapshot();
     watchers.forEach(each -> each.accept(now));
@@ -242,6 +246,7 @@ public final class TwoNode implements Node {
     endpoints().forEach(each -> mismatches.compare(endpoint, each));
     own.add(endpoint);
     tellEntities();
+    tellWatchers();
   }
 
   // ------------------------------------------------------------------ writers and readers
@@ -262,12 +267,14 @@ public final class TwoNode implements Node {
     writer.close();
     own.remove(writer.info());
     tellEntities();
+    tellWatchers();
   }
 
   void close(Reader reader) {
     reader.close();
     own.remove(reader.info());
     tellEntities();
+    tellWatchers();
   }
 
   static EndpointQos qos(Qos qos) {

@@ -15,6 +15,7 @@ import org.urbi.ros.one.OneSettings;
 import org.urbi.ros.two.TwoNode;
 import org.urbi.ros.two.TwoSettings;
 import urbi.UDictionary;
+import urbi.UEvent;
 import urbi.UObject;
 import urbi.UValue;
 import urbi.UVar;
@@ -36,9 +37,16 @@ public final class Ros extends UObject implements AutoCloseable {
   private final UVar masterUri = new UVar();
   private final UVar domain = new UVar();
   private final UVar packagePath = new UVar();
+  private final UEvent onNode = new UEvent();
+  private final UEvent onNodeGone = new UEvent();
+  private final UEvent onTopic = new UEvent();
+  private final UEvent onTopicGone = new UEvent();
+  private final UEvent onService = new UEvent();
+  private final UEvent onServiceGone = new UEvent();
   private final Map<String, String> remappings = new HashMap<>();
   private Dialect dialect = RosVersion.of(System.getenv());
   private @Nullable Node node;
+  private boolean watched;
 
   public Ros(String name) {
     super(name);
@@ -49,6 +57,12 @@ public final class Ros extends UObject implements AutoCloseable {
     version.setValue(dialect.version());
     packagePath.setValue(System.getenv().getOrDefault(packages(dialect), ""));
     UNotifyChange(version, "choose");
+    UBindEvent(onNode, "onNode");
+    UBindEvent(onNodeGone, "onNodeGone");
+    UBindEvent(onTopic, "onTopic");
+    UBindEvent(onTopicGone, "onTopicGone");
+    UBindEvent(onService, "onService");
+    UBindEvent(onServiceGone, "onServiceGone");
     UBindFunctions(
         "checkMaster",
         "name",
@@ -62,6 +76,8 @@ public final class Ros extends UObject implements AutoCloseable {
         "hasParam",
         "deleteParam",
         "params");
+    // Whoever waits for one of the events has it called: ros.u sees to that.
+    bind("__watch", this::watch);
     bind("Topic", () -> UValue.slotName("RosTopic"));
     bind("Service", () -> UValue.slotName("RosService"));
   }
@@ -161,6 +177,24 @@ public final class Ros extends UObject implements AutoCloseable {
   /** For each service the nodes that provide it. */
   public CompletionStage<UDictionary> services() {
     return node().graph().thenApply(Listings::services);
+  }
+
+  /** From now on the events of the graph are emitted. */
+  public synchronized void watch() {
+    if (!watched) {
+      watched = true;
+      GraphChanges.tell(node(), this::changed);
+    }
+  }
+
+  private void changed(GraphChanges.Kind kind, String name, boolean appeared) {
+    UEvent event =
+        switch (kind) {
+          case NODE -> appeared ? onNode : onNodeGone;
+          case TOPIC -> appeared ? onTopic : onTopicGone;
+          case SERVICE -> appeared ? onService : onServiceGone;
+        };
+    event.emit(name);
   }
 
   /**

@@ -63,6 +63,7 @@ public final class RosTopic extends UObject implements AutoCloseable {
         "structure",
         "subscriberCount",
         "subscribe",
+        "subscribeAs",
         "unsubscribe",
         "advertise",
         "publish",
@@ -156,6 +157,22 @@ public final class RosTopic extends UObject implements AutoCloseable {
                     failure));
           });
         });
+  }
+
+  /**
+   * Begins to listen to messages of a type, whether there is somebody who publishes them already or
+   * not. The job waits until the others can know.
+   */
+  public CompletionStage<Void> subscribeAs(String typeName) {
+    idle();
+    Qos wanted = delivery(true);
+    Node node = Ros.of(this);
+    MessageType known = node.definitions().message(typeName);
+    delivery.begin(wanted.depth());
+    type = known;
+    subscription =
+        node.subscribe(topic, known, wanted, listener(CompletableFuture.completedFuture(null)));
+    return node.settled();
   }
 
   private Subscription.Listener listener(CompletableFuture<Void> typed) {

@@ -43,9 +43,15 @@ class EitherTest {
           "[\"data\" => \"kept\"]",
           "/peer listens",
           "[\"data\" => \"to and fro\"]",
+          "nothing else for a while",
+          "by a variable",
           "data: a string expected, not 1",
           "/echo_in is advertised already: unadvertise first",
           "there is no topic /no_such: Ros.topics has all",
+          "there is no topic /no_such: Ros.topics has all",
+          "has no such field: size",
+          "ranges[3]: this message has none: [3]",
+          "rate: times a second expected, or 0 for no limit, not -1.0",
           "there is no service /no_such: Ros.services has all",
           "[\"nanosec\" => 0, \"sec\" => 0]",
           "[\"nanosec\" => 500, \"sec\" => 12]",
@@ -56,6 +62,7 @@ class EitherTest {
           "/ours",
           "well",
           "/ours is offered by this node already",
+          "came and went",
           "done");
 
   @TempDir static Path folder;

@@ -1,0 +1,134 @@
+package org.urbi.ros.uobject;
+
+import static java.util.Objects.requireNonNull;
+
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import org.jspecify.annotations.Nullable;
+import org.urbi.ros.graph.Node;
+import org.urbi.ros.graph.Qos;
+import org.urbi.ros.graph.Subscription;
+import org.urbi.ros.message.FieldPath;
+import org.urbi.ros.message.MessageType;
+import org.urbi.ros.message.ValueException;
+import urbi.UDictionary;
+import urbi.UEvent;
+import urbi.UObject;
+import urbi.UValue;
+
+/**
+ * A field of a topic that urbiscript wants to have, the newest one, at a rate at most: nothing else
+ * of the messages reaches the kernel. {@code Ros.input} in {@code ros.u} leads it to a variable.
+ */
+public final class RosInput extends UObject implements AutoCloseable {
+  static {
+    UStart(RosInput.class);
+  }
+
+  private static final String TAKE = "__take";
+
+  private final UEvent onValue = new UEvent();
+  private @Nullable Delivery<UValue> delivery;
+  private @Nullable Subscription subscription;
+  private volatile String trouble = "";
+
+  public RosInput(String name) {
+    super(name);
+    UBindEvent(onValue, "onValue");
+    UBindFunction("init");
+    bind(TAKE, this::take);
+  }
+
+  /**
+   * Begins to listen.
+   *
+   * @param typeName empty for the type of those who publish already
+   * @param rate times a second at most; 0 for each message
+   */
+  public CompletionStage<Void> init(String topic, String field, String typeName, double rate) {
+    FieldPath path = FieldPath.of(field);
+    Pace pace = new Pace(rate, () -> getUContext().call(get__name(), TAKE));
+    Delivery<UValue> fields = new Delivery<>(pace::want);
+    delivery = fields;
+    Node node = Ros.of(this);
+    String full = node.resolve(topic);
+    if (!typeName.isEmpty()) {
+      MessageType type = node.definitions().message(typeName);
+      path.check(type);
+      listen(node, full, type, path, fields);
+      return node.settled();
+    }
+    CompletionStage<String> known = node.typeOf(full);
+    return known.thenCompose(name -> {
+      listen(node, full, null, path, fields);
+      return CompletableFuture.completedFuture(null);
+    });
+  }
+
+  private synchronized void listen(
+      Node node,
+      String topic,
+      @Nullable MessageType type,
+      FieldPath path,
+      Delivery<UValue> fields) {
+    Qos newest = new Qos(true, false, 1, Qos.DEFAULT.deadline(), true);
+    subscription =
+        node.subscribe(
+            topic,
+            type,
+            newest,
+            new Subscription.Listener() {
+              @Override
+              public void received(UDictionary message) {
+                try {
+                  fields.offer(path.get(message));
+                } catch (ValueException e) {
+                  failed(requireNonNull(e.getMessage(), "it always says why"));
+                }
+              }
+
+              @Override
+              public void typed(MessageType told) {
+                try {
+                  path.check(told);
+                } catch (ValueException e) {
+                  failed(requireNonNull(e.getMessage(), "it always says why"));
+                }
+              }
+
+              @Override
+              public void failed(String reason) {
+                tell(topic, reason);
+              }
+            });
+  }
+
+  /** What is wrong with each message is said once. */
+  private void tell(String topic, String reason) {
+    if (!reason.equals(trouble)) {
+      trouble = reason;
+      getUContext().report("ROS: " + topic + ": " + reason);
+    }
+  }
+
+  /** Has urbiscript see what has come. */
+  public void take() {
+    Delivery<UValue> fields = requireNonNull(delivery, "nothing comes before there is one");
+    for (UValue next = fields.next(); next != null; next = fields.next()) {
+      onValue.emit(next);
+    }
+  }
+
+  /** Ends listening. */
+  @Override
+  public synchronized void close() {
+    Subscription present = subscription;
+    subscription = null;
+    if (delivery != null) {
+      delivery.end();
+    }
+    if (present != null) {
+      present.close();
+    }
+  }
+}
