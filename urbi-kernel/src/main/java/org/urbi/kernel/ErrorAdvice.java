@@ -8,6 +8,7 @@ import org.urbi.kernel.error.ProblemKind;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.node.Function;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
@@ -65,6 +66,15 @@ final class ErrorAdvice {
     String own = thrown.hint().orElse(null);
     String found = new ErrorAdvice(interpreter, lobby, thrown).hint();
     return Advice.of(found == null ? own : found);
+  }
+
+  /** Which failure before this one has caused it, or null. */
+  static @Nullable String cause(Interpreter interpreter, UrbiLobby lobby, UrbiException thrown) {
+    var advice = new ErrorAdvice(interpreter, lobby, thrown);
+    return interpreter.errors().is(thrown.value(), ProblemKind.LOOKUP)
+            && advice.slot("object") instanceof UrbiLobby
+        ? lobby.failures().causeOf(advice.text("name"), thrown.span())
+        : null;
   }
 
   private @Nullable String hint() {
@@ -130,10 +140,12 @@ final class ErrorAdvice {
     if (called instanceof UrbiEvent) {
       return Hint.EMIT.text(routine);
     }
-    boolean none = slot("maximum") instanceof UrbiFloat most && most.value() == 0;
-    return none
-        ? Hint.NO_ARGUMENTS.text(routine)
-        : called == null ? null : Hint.PARAMETERS.text(routine);
+    if (slot("maximum") instanceof UrbiFloat most && most.value() == 0) {
+      return Hint.NO_ARGUMENTS.text(routine);
+    }
+    return called instanceof Function function
+        ? Hint.PARAMETERS.text(routine, function.parameters())
+        : null;
   }
 
   private @Nullable String type(@Nullable UrbiObject effective, @Nullable UrbiObject expected) {

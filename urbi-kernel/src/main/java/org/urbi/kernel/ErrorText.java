@@ -9,6 +9,7 @@ import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.lobby.Diagnostics;
+import org.urbi.kernel.lobby.ErrorStyle;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.log.FailureLog;
@@ -16,6 +17,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.advice.Advice;
 import org.urbi.lang.advice.SyntaxAdvice;
 import org.urbi.lang.parse.SyntaxError;
 
@@ -93,12 +95,19 @@ final class ErrorText {
 
   private static void explain(Interpreter interpreter, UrbiLobby lobby, UrbiException thrown) {
     Output output = lobby.output();
-    SyntaxError wrong = thrown.syntaxError();
-    if (wrong == null) {
-      Diagnostics.explain(output, thrown.span(), () -> ErrorAdvice.of(interpreter, lobby, thrown));
-    } else {
-      Diagnostics.explain(output, wrong.span(), () -> SyntaxAdvice.of(wrong));
+    if (output.errors() == ErrorStyle.PLAIN) {
+      return;
     }
+    SyntaxError wrong = thrown.syntaxError();
+    String cause = ErrorAdvice.cause(interpreter, lobby, thrown);
+    if (wrong != null) {
+      Diagnostics.explain(output, wrong.span(), () -> SyntaxAdvice.of(wrong));
+    } else if (cause != null) {
+      Diagnostics.explain(output, null, () -> Advice.of(cause));
+    } else {
+      Diagnostics.explain(output, thrown.span(), () -> ErrorAdvice.of(interpreter, lobby, thrown));
+    }
+    lobby.failures().add(thrown);
   }
 
   /**

@@ -24,7 +24,7 @@ final class Explanation {
   private final ErrorStyle style;
   private final StringBuilder text = new StringBuilder();
   private final List<Place> places = new ArrayList<>();
-  private int margin;
+  private int margin = 1;
 
   private Explanation(ErrorStyle style) {
     this.style = style;

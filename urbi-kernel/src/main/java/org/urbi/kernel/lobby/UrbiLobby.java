@@ -33,6 +33,7 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
   private volatile Role role = Role.OWNER;
   private Budget budget = new Budget();
   private boolean connected = true;
+  private final EarlierFailures failures = new EarlierFailures();
 
   /** Labels what its code has detached from the connection. */
   private final TagState detachedTag = TagState.ofDetached();
@@ -52,6 +53,11 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
     if (connectionTag != null) {
       connectionTag.setOwnerLobby(this);
     }
+  }
+
+  /** What has failed in it, of which people are told as a cause. */
+  public EarlierFailures failures() {
+    return failures;
   }
 
   /** The tag of all the code that is executed for this lobby. */

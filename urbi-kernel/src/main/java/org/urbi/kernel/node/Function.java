@@ -1,6 +1,8 @@
 package org.urbi.kernel.node;
 
 import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.TagStop;
@@ -155,6 +157,19 @@ public final class Function extends Code {
   /** The text, for printing. */
   public Ast.Function source() {
     return body.source;
+  }
+
+  /** The names of its parameters, for people: {@code a, b = …, rest[]}; none for a lazy one. */
+  public String parameters() {
+    List<Ast.Formal> formals = body.source.formals();
+    return formals == null
+        ? ""
+        : formals.stream()
+            .map(each ->
+                each.name()
+                    + (each.defaultValue() == null ? "" : " = …")
+                    + (each.variadic() ? "[]" : ""))
+            .collect(Collectors.joining(", "));
   }
 
   /** Whether another function has captured the same variables and target. */

@@ -264,6 +264,8 @@ class TwoNodeTest {
         TwoNode node = start(settings(domain.domain(), Peer.prefix(environment), "node"))) {
       peer.say("silent /hangs");
       peer.expect("serving");
+      // A busy machine may take longer to tell of it than is waited for what need not be there.
+      while (!node.graph().join().services().containsKey("/hangs")) Thread.sleep(1);
       ServiceClient client = node.client("/hangs", null, true).join();
       CompletableFuture<UDictionary> answer = client.request(Templates.of(client.type().request()));
       peer.expect("asked");
@@ -278,6 +280,7 @@ class TwoNodeTest {
     try (Neighbourhood domain = new Neighbourhood();
         TwoNode node = start(settings(domain.domain(), "", "node"));
         HostileServer server = new HostileServer(domain)) {
+      while (!node.graph().join().services().containsKey("/bad")) Thread.sleep(1);
       ServiceClient client = node.client("/bad", null, true).join();
       CompletableFuture<UDictionary> answer = client.request(new UDictionary());
       CompletionException bad = assertThrows(CompletionException.class, answer::join);
