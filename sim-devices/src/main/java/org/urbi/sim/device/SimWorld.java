@@ -4,6 +4,7 @@ import static org.urbi.sim.SimulationException.ready;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -37,6 +38,9 @@ import urbi.UVar;
 public final class SimWorld extends UObject implements AutoCloseable {
   /** What it makes up for at a time, in seconds of simulated time, beyond two periods. */
   private static final double MAX_CATCH_UP = 0.5;
+
+  /** Of a scan. */
+  private static final int MOST_RAYS = 10_000;
 
   private static final double MICROSECONDS = 1e6;
   private static final double MILLISECONDS = 1e3;
@@ -87,6 +91,7 @@ public final class SimWorld extends UObject implements AutoCloseable {
         "move",
         "push",
         "picture",
+        "scan",
         "step",
         "whyNotNative");
     engine.setValue(read.physics().engine().description());
@@ -247,6 +252,8 @@ public final class SimWorld extends UObject implements AutoCloseable {
             all.put("right", robot.right().name());
             all.put("radius", robot.radius());
             all.put("track", robot.track());
+            Body base = robot.left().joint().first();
+            all.put("base", base == null ? "" : base.name());
           }
         });
     return all;
@@ -313,6 +320,35 @@ public final class SimWorld extends UObject implements AutoCloseable {
     SimulationException.finite(x + y + z + pitch + yaw, "picture");
     return new UImage(
         UImageFormat.IMAGE_RGB, width, height, renderer.render(world().scene(), eye, lens));
+  }
+
+  /**
+   * What a laser scanner measures that is mounted on a body, at a place of that: the distances, in
+   * metres, of all that does not belong to the same robot; infinite where there is nothing.
+   *
+   * @param from the angle of the first ray, to the left of the x axis, in radians; to: of the last
+   * @throws SimulationException if the numbers make no sense
+   */
+  public List<Double> scan(
+      String body,
+      double x,
+      double y,
+      double z,
+      double from,
+      double to,
+      int count,
+      double farthest) {
+    if (count < 1 || count > MOST_RAYS) {
+      throw new SimulationException("scan: 1 to " + MOST_RAYS + " rays expected, not " + count);
+    }
+    if (!(farthest > 0)) {
+      throw new SimulationException("scan: a range above 0 m expected, not " + farthest);
+    }
+    SimulationException.finite(x + y + z + from + to + farthest, "scan");
+    advance();
+    double[] distances =
+        world().scan(world().body(body), new Vec3(x, y, z), from, to, count, farthest);
+    return Arrays.stream(distances).boxed().toList();
   }
 
   /** Why the native engine cannot be used; empty if it can. */

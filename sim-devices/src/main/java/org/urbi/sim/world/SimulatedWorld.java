@@ -5,9 +5,11 @@ import static java.util.Objects.requireNonNull;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.urbi.sim.SimulationException;
 import org.urbi.sim.geometry.Pose;
@@ -186,6 +188,45 @@ public final class SimulatedWorld implements AutoCloseable {
         .map(RayHit::distance)
         .map(distance -> Math.max(distance, sensor.nearest()))
         .orElse(sensor.farthest());
+  }
+
+  /**
+   * What a scanner that turns about the z axis of a body measures: the distances, in metres, of
+   * what is not joined to that body; infinite where there is nothing.
+   *
+   * @param from the angle of the first ray, from the x axis, in radians; to: of the last one
+   */
+  public double[] scan(Body body, Vec3 place, double from, double to, int count, double farthest) {
+    Set<Body> own = joinedTo(body);
+    Pose pose = body.pose();
+    Vec3 start = pose.apply(place);
+    double[] distances = new double[count];
+    for (int i = 0; i < count; i++) {
+      double angle = count == 1 ? from : from + (to - from) * i / (count - 1);
+      Vec3 direction = pose.rotation().apply(new Vec3(Math.cos(angle), Math.sin(angle), 0));
+      distances[i] =
+          physics
+              .castRay(start, direction, farthest, seen -> !own.contains(seen))
+              .map(RayHit::distance)
+              .orElse(Double.POSITIVE_INFINITY);
+    }
+    return distances;
+  }
+
+  /** A body, and all that joints connect with it. */
+  private Set<Body> joinedTo(Body body) {
+    Set<Body> all = new LinkedHashSet<>(List.of(body));
+    boolean grows = true;
+    while (grows) {
+      grows = false;
+      for (Joint joint : joints.values()) {
+        Body first = joint.first();
+        if (first != null && (all.contains(first) || all.contains(joint.second()))) {
+          grows |= all.add(first) | all.add(joint.second());
+        }
+      }
+    }
+    return all;
   }
 
   /** Whether it touches something. */

@@ -48,6 +48,24 @@ class SimulatedWorldTest {
   }
 
   @Test
+  void scannerSeesWhatIsNotOfItsRobot() {
+    String text =
+        """
+        body base { at 0 0 1; mass 1; box { size 0.4 0.4 0.4 } }
+        body arm { at 0.5 0 1; mass 1; box { size 0.2 0.2 0.2 } }
+        hinge shoulder { of base arm; axis 0 0 1 }
+        body wall { at 2.1 0 1; box { size 0.2 9 2 } }
+        """;
+    try (SimulatedWorld world = WorldReader.read("scan.world", text, "ode4j")) {
+      double quarter = Math.PI / 2;
+      double[] seen = world.scan(world.body("base"), new Vec3(0, 0, 0), -quarter, quarter, 3, 5);
+      assertArrayEquals(
+          new double[] {Double.POSITIVE_INFINITY, 2, Double.POSITIVE_INFINITY}, seen, 1e-6);
+      assertEquals(2, world.scan(world.body("base"), new Vec3(0, 0, 0), 0, 9, 1, 5)[0], 1e-6);
+    }
+  }
+
+  @Test
   void driveGoesToItsPositionWithinItsSpeed() {
     try (SimulatedWorld world = cart()) {
       Drive yaw = world.drive("yaw");

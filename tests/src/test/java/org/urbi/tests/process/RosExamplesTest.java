@@ -1,0 +1,111 @@
+package org.urbi.tests.process;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.net.ServerSocket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.urbi.server.make.UmakeJava;
+import org.urbi.tests.process.JavaProcess.Setting;
+
+/** {@code examples/ros}, with Debian's roscore and nodes of rospy. */
+class RosExamplesTest {
+  private static final Path ROOT = Path.of("..").toAbsolutePath().normalize();
+  private static final String URBI = "org.urbi.server.cli.UrbiCommand";
+
+  @TempDir static Path folder;
+  private static int port;
+  private static Process core;
+  private static Setting root;
+
+  @BeforeAll
+  static void startMaster() throws IOException {
+    assumeTrue(
+        Stream.of("rospy", "nav_msgs", "sensor_msgs", "geometry_msgs")
+            .allMatch(each -> Files.isDirectory(Path.of("/usr/lib/python3/dist-packages", each))),
+        "there is no ROS 1 on this machine");
+    make("sim-devices", "sim.jar");
+    make("urbi-ros", "urbi/ros.jar");
+    try (ServerSocket socket = new ServerSocket(0)) {
+      port = socket.getLocalPort();
+    }
+    core = ros("/usr/bin/rosmaster", "--core", "-p", "" + port).start();
+    root =
+        Setting.in(ROOT)
+            .with("URBI_UOBJECT_PATH", folder.toString())
+            .with("ROS_MASTER_URI", "http://127.0.0.1:" + port);
+  }
+
+  private static void make(String module, String jar) throws IOException {
+    Path classes = ROOT.resolve(Path.of(module, "target", "classes"));
+    assertTrue(Files.isDirectory(classes), classes + " is built before");
+    Path file = folder.resolve(jar);
+    Files.createDirectories(file.getParent());
+    ByteArrayOutputStream output = new ByteArrayOutputStream();
+    PrintStream printer = new PrintStream(output, true, StandardCharsets.UTF_8);
+    String[] words = {"-q", classes.toString(), "-o", file.toString()};
+    int status = UmakeJava.run(words, printer, printer);
+    assertEquals("0 ", status + " " + output.toString(StandardCharsets.UTF_8));
+  }
+
+  private static ProcessBuilder ros(String... command) {
+    ProcessBuilder builder = new ProcessBuilder(command).directory(ROOT.toFile());
+    builder.environment().put("ROS_MASTER_URI", "http://127.0.0.1:" + port);
+    builder.environment().put("ROS_IP", "127.0.0.1");
+    builder.environment().put("ROS_LOG_DIR", folder.toString());
+    builder.redirectErrorStream(true).redirectOutput(folder.resolve("ros.txt").toFile());
+    return builder;
+  }
+
+  @AfterAll
+  static void endMaster() {
+    if (core != null) {
+      core.destroyForcibly();
+    }
+  }
+
+  @Test
+  void aNodeDrivesTheSimulatedRobot() throws Exception {
+    try (JavaProcess urbi =
+        JavaProcess.start(root, URBI, List.of("-q", "-i", "examples/ros/robot.u"))) {
+      urbi.awaitText("The robot is there");
+      Process pilot =
+          ros("/usr/bin/python3", "examples/ros/drive.py")
+              .redirectOutput(ProcessBuilder.Redirect.PIPE)
+              .start();
+      try {
+        String said = new String(pilot.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        String distance = said.replaceAll("(?s).*something at ([\\d.]+) m.*", "$1");
+        assertEquals(
+            """
+            an image of 320 x 240, rgb8, 230400 bytes
+            a scan of 181 rays, something at %s m
+            it went ahead
+            it came back
+            it stands
+            """
+                .formatted(distance),
+            said,
+            urbi::text);
+        assertTrue(Double.parseDouble(distance) < 4, distance);
+        urbi.awaitText("there is /pilot");
+      } finally {
+        pilot.destroyForcibly();
+      }
+      urbi.send("shutdown;\n");
+      assertEquals(0, urbi.awaitEnd(), urbi::text);
+    }
+  }
+}
