@@ -116,8 +116,7 @@ final class ErrorAdvice {
 
   private @Nullable String askedOf(String name, UrbiObject asked) {
     String type = typeName(asked);
-    String article = type.isEmpty() || "AEIOU".indexOf(type.charAt(0)) < 0 ? "a" : "an";
-    return type.isEmpty() ? null : Hint.ASKED_OF.text(name, article, type);
+    return type.isEmpty() ? null : Hint.ASKED_OF.text(name, Errors.article(type), type);
   }
 
   /** Whether {@code =} follows the place, and not {@code ==}. */

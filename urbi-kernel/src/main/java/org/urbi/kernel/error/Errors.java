@@ -181,6 +181,11 @@ public final class Errors {
             : Problem.ARGUMENTS_BETWEEN.text(routine, min, max, plural(max), given);
   }
 
+  /** {@code a} or {@code an}, as it stands before the name of a type. */
+  public static String article(String type) {
+    return !type.isEmpty() && "AEIOUaeiou".indexOf(type.charAt(0)) >= 0 ? "an" : "a";
+  }
+
   private static String plural(int count) {
     return count < 2 ? "" : "s";
   }

@@ -1,6 +1,5 @@
 package org.urbi.lang.advice;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -80,7 +79,8 @@ final class BracketAdvice {
     return new Advice(SyntaxHint.UNCLOSED.text(open.closer()), List.of(opened(around, open)));
   }
 
-  private static Note opened(Surroundings around, OpenBracket open) {
+  /** Where a bracket was opened. */
+  static Note opened(Surroundings around, OpenBracket open) {
     return new Note(around.span(open.token()), SyntaxHint.OPENED.text());
   }
 
@@ -124,23 +124,16 @@ final class BracketAdvice {
       return behindBlock(around, at);
     }
     int first = around.statement(at);
-    List<Advice> found = new ArrayList<>();
-    for (int i = at - 1; i >= first && found.isEmpty(); i--) {
+    for (int i = at - 1; i >= first; i--) {
       SyntaxHint hint = WITH_BRACES.get(around.type(i));
-      if (hint == SyntaxHint.BLOCK) {
-        found.add(Advice.of(hint.text(around.text(i), around.text(i))));
-      } else if (hint != null) {
-        found.add(Advice.of(hint.text()));
+      if (hint != null) {
+        return Advice.of(
+            hint == SyntaxHint.BLOCK ? hint.text(around.text(i), around.text(i)) : hint.text());
       }
     }
     OpenBracket open = around.innermost();
-    if (found.isEmpty()
-        && open != null
-        && open.mark() == '{'
-        && around.is(around.statement(at), UrbiscriptLexer.CASE)) {
-      found.add(Advice.of(SyntaxHint.CASE_COLON.text()));
-    }
-    return found.isEmpty() ? null : found.getFirst();
+    boolean inCase = open != null && open.mark() == '{' && around.is(first, UrbiscriptLexer.CASE);
+    return inCase ? Advice.of(SyntaxHint.CASE_COLON.text()) : null;
   }
 
   private static @Nullable Advice behindBlock(Surroundings around, int at) {

@@ -99,13 +99,12 @@ final class SeparatorAdvice {
     if (!around.is(around.at(), UrbiscriptLexer.SEMICOLON) || open == null || open.mark() == '{') {
       return null;
     }
-    List<Note> opened = List.of(new Note(around.span(open.token()), SyntaxHint.OPENED.text()));
     int next = around.at() + 1;
     boolean lineEnds = around.is(next, Token.EOF) || !around.sameLine(around.at(), next);
     return new Advice(
         lineEnds
             ? SyntaxHint.UNCLOSED.text(open.closer())
             : SyntaxHint.NO_SEMICOLON.text(open.mark()),
-        opened);
+        List.of(BracketAdvice.opened(around, open)));
   }
 }

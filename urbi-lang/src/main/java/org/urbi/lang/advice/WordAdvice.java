@@ -40,15 +40,15 @@ final class WordAdvice {
   /** Quotes of a word processor, umlauts, {@code 12abc}. */
   static @Nullable Advice characters(Surroundings around) {
     for (LexicalError issue : around.issues()) {
+      String source = around.span(issue).source().text();
+      String text = source.substring(issue.begin(), issue.end());
       switch (issue.problem()) {
         case INVALID_CHARACTER -> {
-          String rest = around.span(issue).source().text().substring(issue.begin());
           // The bytes of curved quotes; a back quote.
-          boolean quote = rest.startsWith("\u00E2\u0080") || rest.startsWith("`");
+          boolean quote = source.startsWith("\u00E2\u0080", issue.begin()) || text.startsWith("`");
           return Advice.of((quote ? SyntaxHint.QUOTES : SyntaxHint.ASCII).text());
         }
         case INVALID_NUMBER -> {
-          String text = around.span(issue).source().text().substring(issue.begin(), issue.end());
           return Advice.of(
               (text.matches("[0-9._]+(s|se|sec\\w*|m\\w+|h\\w+|d\\w+|u\\w*|n\\w*)")
                       ? SyntaxHint.UNITS
@@ -56,9 +56,8 @@ final class WordAdvice {
                   .text());
         }
         case RESERVED_WORD -> {
-          String word = around.span(issue).source().text().substring(issue.begin(), issue.end());
-          String meant = FOREIGN.get(word);
-          return meant == null ? null : Advice.of(SyntaxHint.NO_WORD.text(word, meant));
+          String meant = FOREIGN.get(text);
+          return meant == null ? null : Advice.of(SyntaxHint.NO_WORD.text(text, meant));
         }
         default -> {}
       }

@@ -285,7 +285,6 @@ public final class ExceptionTypes {
                 .interpreter()
                 .asString(frame, frame.interpreter().send(frame, expected, "type"));
     String shown = effective == null ? "" : frame.interpreter().asPrintable(frame, effective);
-    String article = "AEIOUaeiou".indexOf(type.charAt(0)) >= 0 ? "an" : "a";
-    return Problem.WRONG_TYPE.text(shown, article, type);
+    return Problem.WRONG_TYPE.text(shown, Errors.article(type), type);
   }
 }
