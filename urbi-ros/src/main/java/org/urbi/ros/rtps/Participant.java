@@ -122,8 +122,7 @@ public final class Participant implements AutoCloseable {
       EndpointInfo endpoint = endpoint(true, topic, type, qos, userData);
       Writer writer = new Writer(this, environment, endpoint, events);
       writers.put(endpoint.guid().entity(), writer);
-      discovery.publish(endpoint);
-      matching.add(writer.endpoint());
+      opened(writer.endpoint());
       discovery.liveliness().added(endpoint);
       return writer;
     } finally {
@@ -144,8 +143,7 @@ public final class Participant implements AutoCloseable {
       EndpointInfo endpoint = endpoint(false, topic, type, qos, userData);
       Reader reader = new Reader(this, environment, endpoint, events);
       readers.put(endpoint.guid().entity(), reader);
-      discovery.publish(endpoint);
-      matching.add(reader.endpoint());
+      opened(reader.endpoint());
       return reader;
     } finally {
       reactor.unlock();
@@ -167,16 +165,18 @@ public final class Participant implements AutoCloseable {
         guid, isWriter, topic, type, qos, userData, List.of(), false, List.of());
   }
 
-  void closed(Writer writer) {
-    writers.remove(writer.guid().entity());
-    matching.remove(writer.endpoint());
-    discovery.withdraw(writer.info());
+  private void opened(LocalEndpoint endpoint) {
+    discovery.publish(endpoint.info());
+    matching.add(endpoint);
   }
 
-  void closed(Reader reader) {
-    readers.remove(reader.guid().entity());
-    matching.remove(reader.endpoint());
-    discovery.withdraw(reader.info());
+  /** A writer or reader of its own is closed, and others are told; with the lock. */
+  void closed(LocalEndpoint endpoint) {
+    int entity = endpoint.info().guid().entity();
+    writers.remove(entity);
+    readers.remove(entity);
+    matching.remove(endpoint);
+    discovery.withdraw(endpoint.info());
   }
 
   Routes routes() {

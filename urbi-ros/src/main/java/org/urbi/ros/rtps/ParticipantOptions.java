@@ -2,6 +2,7 @@ package org.urbi.ros.rtps;
 
 import java.net.InetAddress;
 import java.time.Duration;
+import java.util.function.Consumer;
 
 /**
  * How a participant behaves.
@@ -61,77 +62,27 @@ public record ParticipantOptions(
 
   /** The same, called so. */
   public ParticipantOptions withName(String text) {
-    return new ParticipantOptions(
-        domain,
-        address,
-        text,
-        userData,
-        lease,
-        fragmentSize,
-        largestSample,
-        memory,
-        participants,
-        endpoints);
+    return with(draft -> draft.name = text);
   }
 
   /** The same with that data for others to see. */
   public ParticipantOptions withUserData(byte[] bytes) {
-    return new ParticipantOptions(
-        domain,
-        address,
-        name,
-        bytes,
-        lease,
-        fragmentSize,
-        largestSample,
-        memory,
-        participants,
-        endpoints);
+    return with(draft -> draft.userData = bytes);
   }
 
   /** The same at that address. */
   public ParticipantOptions withAddress(InetAddress where) {
-    return new ParticipantOptions(
-        domain,
-        where,
-        name,
-        userData,
-        lease,
-        fragmentSize,
-        largestSample,
-        memory,
-        participants,
-        endpoints);
+    return with(draft -> draft.address = where);
   }
 
   /** The same which others forget after that time. */
   public ParticipantOptions withLease(Duration time) {
-    return new ParticipantOptions(
-        domain,
-        address,
-        name,
-        userData,
-        time,
-        fragmentSize,
-        largestSample,
-        memory,
-        participants,
-        endpoints);
+    return with(draft -> draft.lease = time);
   }
 
   /** The same with fragments of so many bytes. */
   public ParticipantOptions withFragmentSize(int bytes) {
-    return new ParticipantOptions(
-        domain,
-        address,
-        name,
-        userData,
-        lease,
-        bytes,
-        largestSample,
-        memory,
-        participants,
-        endpoints);
+    return with(draft -> draft.fragmentSize = bytes);
   }
 
   /**
@@ -139,22 +90,64 @@ public record ParticipantOptions(
    * many.
    */
   public ParticipantOptions withMemory(int sample, long bytes) {
-    return new ParticipantOptions(
-        domain,
-        address,
-        name,
-        userData,
-        lease,
-        fragmentSize,
-        sample,
-        bytes,
-        participants,
-        endpoints);
+    return with(draft -> {
+      draft.largestSample = sample;
+      draft.memory = bytes;
+    });
   }
 
   /** The same that knows at most so many others, with so many writers and readers each. */
   public ParticipantOptions withLimits(int others, int each) {
-    return new ParticipantOptions(
-        domain, address, name, userData, lease, fragmentSize, largestSample, memory, others, each);
+    return with(draft -> {
+      draft.participants = others;
+      draft.endpoints = each;
+    });
+  }
+
+  private ParticipantOptions with(Consumer<Draft> change) {
+    Draft draft = new Draft(this);
+    change.accept(draft);
+    return draft.options();
+  }
+
+  /** Options that are being changed. */
+  private static final class Draft {
+    private final int domain;
+    private InetAddress address;
+    private String name;
+    private byte[] userData;
+    private Duration lease;
+    private int fragmentSize;
+    private int largestSample;
+    private long memory;
+    private int participants;
+    private int endpoints;
+
+    Draft(ParticipantOptions from) {
+      domain = from.domain;
+      address = from.address;
+      name = from.name;
+      userData = from.userData;
+      lease = from.lease;
+      fragmentSize = from.fragmentSize;
+      largestSample = from.largestSample;
+      memory = from.memory;
+      participants = from.participants;
+      endpoints = from.endpoints;
+    }
+
+    ParticipantOptions options() {
+      return new ParticipantOptions(
+          domain,
+          address,
+          name,
+          userData,
+          lease,
+          fragmentSize,
+          largestSample,
+          memory,
+          participants,
+          endpoints);
+    }
   }
 }

@@ -115,7 +115,7 @@ public final class Reader implements AutoCloseable {
       livelinessTimer.cancel();
       deadlineTimer.cancel();
       queue.clear();
-      participant.closed(this);
+      participant.closed(endpoint);
     } finally {
       reactor.unlock();
     }

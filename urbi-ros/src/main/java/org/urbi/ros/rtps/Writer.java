@@ -161,7 +161,7 @@ public final class Writer implements AutoCloseable {
       closed = true;
       protocol.close();
       roomCondition.signalAll();
-      participant.closed(this);
+      participant.closed(endpoint);
     } finally {
       reactor.unlock();
     }
