@@ -63,10 +63,6 @@ public final class RemoteContext implements UContext, AutoCloseable {
   private final PendingRequests requests = new PendingRequests();
   private final ThreadPool threads = new ThreadPool("urbi-remote-function-");
   private final RemoteTimers timers = new RemoteTimers(dispatcher);
-  private final Map<String, UClass> classes = new ConcurrentHashMap<>();
-  private final Map<String, UObject> objects = new ConcurrentHashMap<>();
-  private final Map<String, String> failures = new ConcurrentHashMap<>();
-  private final Map<String, UObjectHub> hubs = new ConcurrentHashMap<>();
   private final Map<Integer, RemoteSlot> slots = new ConcurrentHashMap<>();
   private final AtomicInteger lastSlot = new AtomicInteger();
   private final AtomicReference<String> end = new AtomicReference<>();
@@ -79,6 +75,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
   private final FailureLog failureLog = new FailureLog(Log::error);
   private final SlowCallMonitor turn = new SlowCallMonitor(this::complain);
   private final RemoteFunctions functions = new RemoteFunctions(this, failureLog, turn);
+  private final OwnObjects objects = new OwnObjects(this, functions, failureLog);
   private final ConnectionMonitor watch;
   private final RemoteDatagrams datagrams;
 
@@ -224,7 +221,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
         String name = frame.text();
         int number = frame.size();
         later(() -> {
-          make(className, name);
+          objects.make(className, name);
           functions.result(number, null);
         });
       }
@@ -302,7 +299,7 @@ public final class RemoteContext implements UContext, AutoCloseable {
 
   /** Why an object is not there, or else that. */
   String failure(String object, String otherwise) {
-    return failures.getOrDefault(object, otherwise);
+    return objects.failure(object, otherwise);
   }
 
   /** Tells people of what nobody waits for. */
@@ -328,20 +325,12 @@ public final class RemoteContext implements UContext, AutoCloseable {
 
   @Override
   public void start(UClass type) {
-    classes.put(type.name(), type);
-    inTurn(
-        "the constructor of " + type.name(),
-        () -> {
-          ask((out, number) -> out.begin(Frame.CLASS).size(number).text(type.name()).end());
-          type.create(type.name());
-          // What the constructor has bound is there for everybody when this returns.
-          return ask((out, number) -> out.begin(Frame.FENCE).size(number).end());
-        });
+    objects.start(type);
   }
 
   @Override
   public void startHub(UHubClass type) {
-    inTurn("the constructor of " + type.name(), () -> hubs.put(type.name(), type.create()));
+    objects.start(type);
   }
 
   interface Construction<T> {
@@ -376,69 +365,33 @@ public final class RemoteContext implements UContext, AutoCloseable {
     }
   }
 
-  private void make(String className, String name) {
-    UClass type = classes.get(className);
-    try {
-      if (type == null) {
-        throw new IllegalStateException("no class " + className);
-      }
-      turn.begin("the constructor of " + name);
-      try {
-        type.create(name);
-      } finally {
-        turn.end();
-      }
-    } catch (Throwable e) {
-      failureLog.log(className, e);
-      failures.put(name, "exception caught while making a " + className + ": " + Failure.text(e));
-      objects.remove(name);
-      functions.forget(name);
-    }
-  }
-
   private void objectRemoved(String name) {
-    failures.remove(name);
-    UObject object = objects.get(name);
-    if (object != null) {
-      object.clean();
-      if (endsWithLastObject && objects.isEmpty()) {
-        end(NO_OBJECT);
-      }
+    if (objects.destroyed(name) && endsWithLastObject) {
+      end(NO_OBJECT);
     }
   }
 
   @Override
   public String attach(UObject object, @Nullable String name) {
-    String known = name;
-    if (known == null) {
-      String className = object.getUClass().name();
-      classes.putIfAbsent(className, object.getUClass());
-      known =
-          ask((out, number) -> out.begin(Frame.ATTACH).size(number).text(className).end())
-              .stringValue();
-    }
-    objects.put(known, object);
-    return known;
+    return objects.add(object, name);
   }
 
   @Override
   public void detach(UObject object) {
-    String name = object.get__name();
-    if (objects.remove(name, object)) {
-      functions.forget(name);
+    if (objects.remove(object)) {
       timers.end(object);
-      send(out -> out.begin(Frame.DETACH).text(name).end());
+      send(out -> out.begin(Frame.DETACH).text(object.get__name()).end());
     }
   }
 
   @Override
   public @Nullable UObject getUObject(String name) {
-    return objects.get(name);
+    return objects.object(name);
   }
 
   @Override
   public @Nullable UObjectHub getUObjectHub(String name) {
-    return hubs.get(name);
+    return objects.hub(name);
   }
 
   // ------------------------------------------------------------------ functions
