@@ -6,6 +6,7 @@ import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -13,6 +14,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.urbi.tests.TestTimeout;
 
 /**
@@ -23,13 +26,7 @@ import org.urbi.tests.TestTimeout;
 final class JavaProcess implements AutoCloseable {
   private static final String SERIAL = "-XX:+UseSerialGC";
 
-  /** What {@code scripts/launch.sh} gives a server instead. */
-  private static final List<String> COLLECTOR_OF_SERVERS =
-      List.of(
-          "-XX:+UseG1GC",
-          "-XX:MaxGCPauseMillis=10",
-          "-XX:+UnlockExperimentalVMOptions",
-          "-XX:G1NewSizePercent=2");
+  private static final List<String> COLLECTOR_OF_SERVERS = collectorOfServers();
 
   private static final List<String> FLAGS =
       List.of(SERIAL, "-XX:TieredStopAtLevel=1", "-Durbi.stdin.terminal=false");
@@ -45,6 +42,20 @@ final class JavaProcess implements AutoCloseable {
   private final List<String> lines = new ArrayList<>();
   private final List<Thread> readers = new ArrayList<>();
   private int open = 2;
+
+  /** What the launcher gives a server instead of the serial one. */
+  private static List<String> collectorOfServers() {
+    try {
+      String launcher = Files.readString(Path.of("..", "scripts", "launch.sh"));
+      Matcher flags = Pattern.compile("collector=\"(.*?)\"").matcher(launcher);
+      if (!flags.find()) {
+        throw new IllegalStateException("scripts/launch.sh names no collector for servers");
+      }
+      return List.of(flags.group(1).split(" "));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
 
   private JavaProcess(String name, ProcessBuilder builder) throws IOException {
     this.name = name;
