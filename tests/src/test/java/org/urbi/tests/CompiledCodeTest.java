@@ -154,6 +154,41 @@ class CompiledCodeTest {
             for (var i : 40) { for (var j : 3) { for (var k : 2) { if (i * j * k == 70) i.nowhere } } };
             """),
         Map.entry(
+            "entries of dictionaries and elements of lists are counted",
+            """
+            function count(d, keys) {
+              for (var k : keys) { if (d.has(k)) d[k] += 1 else d[k] = 1 };
+              for (var k : keys) { d[k]++; echo(d[k] -= 0.5) };
+              d
+            }|;
+            count([=>], ["a", "b", "a", 1, 1, -0, 0]); count([=>], [nil]); count([=>], [[1], [1]]);
+            function bump(l, n) { for (var i : n) { l[i % 3] += i; l[-1]--; l[i] = l[i] ** 2 }; l }|;
+            bump([1, 2, 3], 3); bump([1, 2, 3], 4); bump(["a", "b", "c"], 1); bump("abc", 1);
+            bump([0 => 1, 1 => 2], 2); bump([0 => 1, -1 => 1, 1 => 2], 2); count([=>], ["x"])["y"] += 1;
+            var told = [=>]|; at (told.elementAdded?) echo("added"); at (told.elementChanged?) echo("changed");
+            count(told, ["a", "a"]); sleep(0)|;
+            class Sums: Dictionary { function '[]='(k, v) { echo("set " + k); v } }|;
+            count(Sums.new(), ["a"]);
+            var plain = Dictionary.getSlotValue("[]=")|;
+            function swapped(d) {
+              for (var i : 6) {
+                d["k"] += i; if (i == 2) Dictionary.'[]=' = function(k, v) { echo("mine") };
+                if (i == 4) Dictionary.'[]=' = lobby.getSlotValue("plain")
+              };
+              d
+            }|;
+            swapped(["k" => 0]); swapped(["k" => 0]);
+            var watched = ["n" => 0]|; at (watched["n"] > 5) echo("more than 5");
+            function add(d, n) { for (var i : n) d["n"] += 1 }|; add(watched, 4); add(watched, 4);
+            """),
+        Map.entry(
+            "a function is called first where the stack is nearly exhausted",
+            """
+            function first(n) { var sum = 0; for| (var i : 3) { sum += i * n }; sum }|;
+            function down(n) { try { down(n + 1) } catch (var e) { first(1) } }|;
+            down(0); first(2); down(0);
+            """),
+        Map.entry(
             "conditions see what compiled functions read",
             """
             var x = 0|; var o = Object.new|; var o.y = 0|;

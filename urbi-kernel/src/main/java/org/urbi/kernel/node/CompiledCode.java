@@ -451,6 +451,23 @@ public abstract class CompiledCode extends FrameAccess {
         : null;
   }
 
+  /**
+   * Sets the value of a key; false if the key or dictionary is another than expected, such as one
+   * with slots of its own, which may be events that tell of it.
+   */
+  protected static boolean setEntry(
+      UrbiObject target, UrbiObject key, UrbiObject value, Frame frame) {
+    if (target instanceof UrbiDictionary dictionary
+        && DictionaryKey.isPlain(key)
+        && dictionary.shape() == frame.interpreter.values().dictionaryProto.cloneShape()
+        && frame.job.isOwner()) {
+      dictionary.modify().put(DictionaryKey.of(frame, key), value);
+      dictionary.noteContentChange();
+      return true;
+    }
+    return false;
+  }
+
   private static int place(double index, int size) {
     int place = (int) index;
     if (place != index || place >= size) {

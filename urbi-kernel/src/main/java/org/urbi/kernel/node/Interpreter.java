@@ -200,6 +200,7 @@ public final class Interpreter {
     shorten(values.listProto, "size", Shortcut.SIZE_OF_LIST);
     shorten(values.stringProto, "size", Shortcut.SIZE_OF_TEXT);
     shorten(values.dictionaryProto, "[]", Shortcut.ENTRY);
+    shorten(values.dictionaryProto, "[]=", Shortcut.SET_ENTRY);
     shorten(values.dictionaryProto, "has", Shortcut.HAS_ENTRY);
     identity = values.object.lookup(symbols.equals);
     difference = values.nil.lookup(world.symbol("!="));

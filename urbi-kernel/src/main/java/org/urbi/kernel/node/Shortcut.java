@@ -14,6 +14,8 @@ public enum Shortcut {
   SIZE_OF_TEXT,
   /** {@code dictionary[key]}. */
   ENTRY,
+  /** {@code dictionary[key] = value}. */
+  SET_ENTRY,
   /** {@code dictionary.has(key)}. */
   HAS_ENTRY
 }

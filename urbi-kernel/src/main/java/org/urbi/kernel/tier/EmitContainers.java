@@ -9,18 +9,22 @@ import java.lang.classfile.Label;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.CompoundAssignment;
+import org.urbi.kernel.node.KnownSlot;
 import org.urbi.kernel.node.Literals;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Shortcut;
+import org.urbi.kernel.node.SlotLookup;
 import org.urbi.kernel.object.UrbiCode;
 
-/** Emits what functions of the library do with lists, without a call. */
+/** Emits what functions of the library do with lists and dictionaries, without a call. */
 final class EmitContainers {
   private final Emitter to;
+  private final EmitSlots slots;
   private final Unit unit;
 
-  EmitContainers(Emitter to, Unit unit) {
+  EmitContainers(Emitter to, EmitSlots slots, Unit unit) {
     this.to = to;
+    this.slots = slots;
     this.unit = unit;
   }
 
@@ -37,7 +41,7 @@ final class EmitContainers {
         switch (known) {
           case SIZE_OF_LIST, SIZE_OF_TEXT -> 0;
           case ELEMENT, APPEND, ENTRY, HAS_ENTRY -> 1;
-          case SET_ELEMENT -> 2;
+          case SET_ELEMENT, SET_ENTRY -> 2;
         };
     return wanted == arguments ? known : null;
   }
@@ -58,6 +62,16 @@ final class EmitContainers {
         to.code.aload(target).dload(index).aload(result.object());
         to.frame();
         to.help("setElement", CD_boolean, Names.OBJECT, CD_double, Names.OBJECT, Names.FRAME);
+        to.code.ifeq(otherwise);
+      }
+      case SET_ENTRY -> {
+        to.load(arguments.getLast());
+        to.code.astore(result.object());
+        to.code.aload(target);
+        to.load(arguments.getFirst());
+        to.code.aload(result.object());
+        to.frame();
+        to.help("setEntry", CD_boolean, Names.OBJECT, Names.OBJECT, Names.OBJECT, Names.FRAME);
         to.code.ifeq(otherwise);
       }
       case APPEND -> {
@@ -123,28 +137,73 @@ final class EmitContainers {
           to.notVoid(given);
           to.load(given);
           Value index = to.storedObject();
-          to.code.aload(target.object()).aload(index.object());
-          to.frame();
-          to.constant(assignment, Names.COUNTING);
-          to.help("before", Names.OBJECT, Names.OBJECT, Names.OBJECT, Names.FRAME, Names.COUNTING);
-          Value before = to.storedObject();
-          to.afterOthers();
+          Value before = before(assignment, element, target, index);
           to.load(to.arithmetic().combined(assignment, before));
           Value after = to.storedObject();
-          to.code.aload(target.object()).aload(index.object()).aload(after.object());
-          to.frame();
-          to.constant(assignment, Names.COUNTING);
-          to.help(
-              "write",
-              CD_void,
-              Names.OBJECT,
-              Names.OBJECT,
-              Names.OBJECT,
-              Names.FRAME,
-              Names.COUNTING);
-          to.afterOthers();
+          write(assignment, element, target, index, after);
           results[0] = assignment.operand() == null ? before : after;
         });
     return results[0];
+  }
+
+  private Value before(
+      CompoundAssignment assignment,
+      CompoundAssignment.Element element,
+      Value target,
+      Value index) {
+    Value before = Value.ofObject(to.newObject());
+    Label over = to.code.newLabel();
+    shortcuts(element.get(), element, target, List.of(index), before, over);
+    to.code.aload(target.object()).aload(index.object());
+    to.frame();
+    to.constant(assignment, Names.COUNTING);
+    to.help("before", Names.OBJECT, Names.OBJECT, Names.OBJECT, Names.FRAME, Names.COUNTING);
+    to.code.astore(before.object());
+    to.afterOthers();
+    to.code.labelBinding(over);
+    return before;
+  }
+
+  private void write(
+      CompoundAssignment assignment,
+      CompoundAssignment.Element element,
+      Value target,
+      Value index,
+      Value after) {
+    Label over = to.code.newLabel();
+    Value written = Value.ofObject(to.newObject());
+    shortcuts(element.set(), element, target, List.of(index, after), written, over);
+    to.code.aload(target.object()).aload(index.object()).aload(after.object());
+    to.frame();
+    to.constant(assignment, Names.COUNTING);
+    to.help(
+        "write", CD_void, Names.OBJECT, Names.OBJECT, Names.OBJECT, Names.FRAME, Names.COUNTING);
+    to.afterOthers();
+    to.code.labelBinding(over);
+  }
+
+  /** Emits the shortcuts for what has been found until now; jumps when one has done it. */
+  private void shortcuts(
+      SlotLookup lookup,
+      CompoundAssignment.Element element,
+      Value target,
+      List<Value> arguments,
+      Value result,
+      Label done) {
+    boolean some = false;
+    for (KnownSlot place : slots.places(lookup, element.target())) {
+      Shortcut shortcut = shortcut(place.code(), arguments.size());
+      if (shortcut != null) {
+        Label next = to.code.newLabel();
+        slots.check(place, target.object(), next);
+        take(shortcut, target.object(), arguments, result, next);
+        to.code.goto_(done);
+        to.code.labelBinding(next);
+        some = true;
+      }
+    }
+    if (some) {
+      slots.missed();
+    }
   }
 }

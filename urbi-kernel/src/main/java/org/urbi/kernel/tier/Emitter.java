@@ -54,7 +54,7 @@ final class Emitter extends CodeWriter {
     this.assignments = new EmitVariables(this);
     this.statements = new EmitStatements(this);
     this.slots = new EmitSlots(this, unit);
-    this.containers = new EmitContainers(this, unit);
+    this.containers = new EmitContainers(this, slots, unit);
     this.messages = new EmitMessages(this, slots, containers, unit);
     this.loops = new EmitLoops(this);
   }

@@ -11,10 +11,6 @@ import java.lang.constant.ClassDesc;
 import java.lang.constant.ConstantDescs;
 import java.lang.constant.MethodTypeDesc;
 import java.lang.invoke.MethodHandles;
-import java.lang.ref.ReferenceQueue;
-import java.lang.ref.WeakReference;
-import java.util.HashSet;
-import java.util.Set;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.log.KernelLog;
@@ -58,23 +54,11 @@ public final class Tier implements CodeCompiler {
   private static final MethodTypeDesc CONSTRUCTOR =
       MethodTypeDesc.of(ConstantDescs.CD_void, Names.MISSES);
 
-  /** Compiled code that somebody may still use, and how long its class is. */
-  private static final class InUse extends WeakReference<CompiledCode> {
-    final int bytes;
-
-    InUse(CompiledCode compiled, int bytes, ReferenceQueue<CompiledCode> forgotten) {
-      super(compiled, forgotten);
-      this.bytes = bytes;
-    }
-  }
-
   private final World world;
   private final int threshold;
   private final @Nullable Doubt doubt;
   private final KernelLog log;
-  private final ReferenceQueue<CompiledCode> forgotten = new ReferenceQueue<>();
-  private final Set<InUse> inUse = new HashSet<>();
-  private long bytesInUse;
+  private final ClassesInUse inUse = new ClassesInUse(MOST_IN_USE);
 
   /** Asks loaded classes what they extend; otherwise their files would be read. */
   private final ClassFile files =
@@ -187,7 +171,7 @@ public final class Tier implements CodeCompiler {
    * stack is nearly exhausted, or a class cannot be loaded because the process has no file
    * descriptors left. Such a class is missing from then on.
    */
-  private @Nullable CompiledCode attempt(Supplier<@Nullable CompiledCode> work) {
+  @Nullable CompiledCode attempt(Supplier<@Nullable CompiledCode> work) {
     CompiledCode compiled = null;
     if (!broken) {
       try {
@@ -217,7 +201,7 @@ public final class Tier implements CodeCompiler {
   }
 
   private @Nullable CompiledCode compile(Unit unit, Emission emission) {
-    return unit.locals() > MOST_LOCALS || !hasRoom() ? null : emit(unit, emission);
+    return unit.locals() > MOST_LOCALS || !inUse.hasRoom() ? null : emit(unit, emission);
   }
 
   private @Nullable CompiledCode emit(Unit unit, Emission emission) {
@@ -235,8 +219,7 @@ public final class Tier implements CodeCompiler {
     }
     CompiledCode compiled = instance(emitted, unit);
     bytes += emitted.length;
-    bytesInUse += emitted.length;
-    inUse.add(new InUse(compiled, emitted.length, forgotten));
+    inUse.add(compiled, emitted.length);
     return compiled;
   }
 
@@ -250,15 +233,6 @@ public final class Tier implements CodeCompiler {
               method.findAttribute(Attributes.code()).map(CodeAttribute::codeLength).orElse(0));
     }
     return longest;
-  }
-
-  private boolean hasRoom() {
-    for (var gone = forgotten.poll(); gone != null; gone = forgotten.poll()) {
-      if (gone instanceof InUse code && inUse.remove(code)) {
-        bytesInUse -= code.bytes;
-      }
-    }
-    return bytesInUse < MOST_IN_USE;
   }
 
   private static void construct(CodeBuilder code) {

@@ -26,6 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.Kernel;
+import org.urbi.kernel.KernelBuilder;
 import org.urbi.kernel.journal.Entry;
 import org.urbi.kernel.journal.RecordingException;
 import org.urbi.kernel.journal.RecordingReader;
@@ -172,10 +173,17 @@ class RecordedRunTest {
   private record Replayed(Map<Integer, String> shown, int status, String difference) {}
 
   private static Replayed replay(Path recording) {
+    return replay(recording, UnaryOperator.identity());
+  }
+
+  private static Replayed replay(Path recording, UnaryOperator<KernelBuilder> settings) {
     Map<Integer, Console> consoles = new TreeMap<>();
     Kernel kernel =
-        Kernel.builder()
-            .replay(recording, number -> consoles.computeIfAbsent(number, n -> new Console()))
+        settings
+            .apply(
+                Kernel.builder()
+                    .replay(
+                        recording, number -> consoles.computeIfAbsent(number, n -> new Console())))
             .start();
     int status = kernel.awaitTermination();
     Map<Integer, String> shown = new TreeMap<>();
@@ -213,6 +221,10 @@ class RecordedRunTest {
     assertNull(replayed.difference());
     assertEquals(shown, replayed.shown());
     assertEquals(5, replayed.status());
+    // Compiled code or not makes no difference.
+    for (int threshold : new int[] {0, 1, 20}) {
+      assertEquals(replayed, replay(recording, kernel -> kernel.tier(threshold)));
+    }
 
     Replayed other =
         replay(
