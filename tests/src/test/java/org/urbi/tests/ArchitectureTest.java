@@ -136,6 +136,15 @@ class ArchitectureTest {
           "urbi");
 
   @ArchTest
+  static final ArchRule rosBridgeDependsOnTheGraph =
+      dependsOnlyOn(
+          "org.urbi.ros.bridge..",
+          "org.urbi.ros.graph..",
+          "org.urbi.ros.message..",
+          "org.urbi.ros.time",
+          "urbi");
+
+  @ArchTest
   static final ArchRule nothingOfRosDependsOnItsObjects =
       noClasses()
           .that()

@@ -80,6 +80,7 @@ public final class Ros extends UObject implements AutoCloseable {
     bind("__watch", this::watch);
     bind("Topic", () -> UValue.slotName("RosTopic"));
     bind("Service", () -> UValue.slotName("RosService"));
+    bind("Bridge", () -> UValue.slotName("RosBridge"));
   }
 
   /** The one of this kernel, for its topics and services. */

@@ -177,6 +177,16 @@ class EitherTest {
           """);
       refused(kernel, "asks.request([=>]);", "/never has not answered within 200 ms");
       refused(kernel, "asks.patience = 0| asks.request([=>]);", "patience: seconds, more than 0");
+      kernel.eval("var Global.bridge = Ros.Bridge.new|;");
+      refused(kernel, "bridge.listen(70000);", "port: 0 to 65535 expected");
+      refused(kernel, "bridge.host = \"0.0.0.0\"| bridge.listen(0);", "set a token");
+      refused(kernel, "bridge.token = \"brief\"| bridge.listen(0);", "16 characters at least");
+      refused(kernel, "bridge.origins = 1| bridge.listen(0);", "origins: a List expected");
+      kernel.eval("bridge.host = \"localhost\"| bridge.token = \"\"| bridge.origins = [];");
+      assertTrue(kernel.eval("bridge.listen(0) > 0", boolean.class));
+      refused(kernel, "bridge.listen(0);", "listens already");
+      kernel.eval("bridge.close;");
+      assertTrue(kernel.eval("bridge.port == 0 && bridge.clients == 0", boolean.class));
       kernel.eval("Ros.version = 1;");
       assertEquals("2.0", String.valueOf(kernel.eval("Ros.version;")));
     }

@@ -1,0 +1,14 @@
+package org.urbi.ros.bridge;
+
+/** What a client sends, and cannot be done. The message says to people what to do. */
+class BridgeException extends RuntimeException {
+  BridgeException(String message) {
+    super(message);
+  }
+
+  /** It is a message for people, who do not want to know where in this module it was thrown. */
+  @Override
+  public synchronized Throwable fillInStackTrace() {
+    return this;
+  }
+}

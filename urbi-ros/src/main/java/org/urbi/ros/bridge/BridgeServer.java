@@ -1,0 +1,183 @@
+package org.urbi.ros.bridge;
+
+import java.io.BufferedInputStream;
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
+import org.urbi.ros.graph.Node;
+import org.urbi.ros.graph.RosException;
+
+/**
+ * Listens for clients of rosbridge. The protocol of the WebSocket is here, and not of a library:
+ * the module needs nothing but the JDK, wherever it runs.
+ */
+public final class BridgeServer implements AutoCloseable {
+  private static final int MOST = 64;
+  private static final int SHORTEST_TOKEN = 16;
+
+  /** Milliseconds for a whole request. */
+  private static final int PATIENCE = 10_000;
+
+  /** After a wrong token. */
+  private static final Duration PAUSE = Duration.ofSeconds(1);
+
+  private final Node node;
+  private final ServerSocket server;
+  private final Set<String> origins;
+  private final String token;
+  private final Consumer<String> people;
+  private final Set<Socket> clients = ConcurrentHashMap.newKeySet();
+
+  private BridgeServer(
+      Node node, ServerSocket server, Set<String> origins, String token, Consumer<String> people) {
+    this.node = node;
+    this.server = server;
+    this.origins = origins;
+    this.token = token;
+    this.people = people;
+  }
+
+  /**
+   * Begins to listen.
+   *
+   * @param host the address of this machine; other machines reach any but the loopback ones
+   * @param port 0 for any that is free
+   * @param origins of which pages may connect besides those of this machine: {@code
+   *     https://robot.example}
+   * @param token what clients show; empty: they need not
+   * @param people are told what is refused, by threads of the server
+   * @throws RosException if that cannot be
+   */
+  public static BridgeServer open(
+      Node node,
+      String host,
+      int port,
+      Set<String> origins,
+      String token,
+      Consumer<String> people) {
+    try {
+      InetAddress address = InetAddress.getByName(host);
+      if (token.isEmpty() && !address.isLoopbackAddress()) {
+        throw new RosException(
+            "whoever reaches " + host + " could do everything: set a token, or host to localhost");
+      }
+      if (!token.isEmpty() && token.length() < SHORTEST_TOKEN) {
+        throw new RosException("token: " + SHORTEST_TOKEN + " characters at least expected");
+      }
+      ServerSocket socket = new ServerSocket();
+      socket.setReuseAddress(true);
+      socket.bind(new InetSocketAddress(address, port));
+      BridgeServer made = new BridgeServer(node, socket, Set.copyOf(origins), token, people);
+      Thread.ofPlatform().daemon().name("urbi-ros-bridge").start(made::accept);
+      return made;
+    } catch (IOException | IllegalArgumentException e) {
+      throw new RosException("no bridge at " + host + ":" + port + ": " + e.getMessage(), e);
+    }
+  }
+
+  public int port() {
+    return server.getLocalPort();
+  }
+
+  /** How many clients are connected. */
+  public int clients() {
+    return clients.size();
+  }
+
+  private void accept() {
+    while (!server.isClosed()) {
+      try {
+        Socket socket = server.accept();
+        clients.add(socket);
+        Thread.ofVirtual().name("urbi-ros-bridge-in").start(() -> serve(socket));
+      } catch (IOException e) {
+        if (!server.isClosed()) {
+          people.accept("rosbridge: " + e.getMessage());
+          pause();
+        }
+      }
+    }
+  }
+
+  private static void pause() {
+    try {
+      Thread.sleep(PAUSE);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private void serve(Socket socket) {
+    try (socket) {
+      socket.setTcpNoDelay(true);
+      socket.setSoTimeout(PATIENCE);
+      InputStream in = new BufferedInputStream(socket.getInputStream(), 1 << 16);
+      OutputStream out = new BufferedOutputStream(socket.getOutputStream(), 1 << 16);
+      if (isLetIn(in, out, socket)) {
+        new BridgeClient(node, new WebSocket(socket, in, out)).run();
+      }
+    } catch (IOException e) {
+      // It has gone, or was let go: it knows.
+    } catch (RuntimeException | Error e) {
+      people.accept("rosbridge: internal error: " + e);
+      throw e;
+    } finally {
+      clients.remove(socket);
+      if (server.isClosed()) {
+        clients.forEach(BridgeServer::end);
+      }
+    }
+  }
+
+  private boolean isLetIn(InputStream in, OutputStream out, Socket socket) throws IOException {
+    String answer;
+    boolean good = false;
+    try {
+      Handshake request = Handshake.read(in);
+      request.check(origins, token);
+      if (clients.size() > MOST) {
+        throw new BridgeException("503 Service Unavailable");
+      }
+      answer = request.accepted();
+      good = true;
+    } catch (BridgeException e) {
+      String status = String.valueOf(e.getMessage());
+      people.accept("rosbridge: refused " + socket.getInetAddress() + ": " + status);
+      if (status.startsWith("401")) {
+        pause();
+      }
+      answer = Handshake.refused(status);
+    }
+    out.write(answer.getBytes(StandardCharsets.ISO_8859_1));
+    out.flush();
+    return good;
+  }
+
+  private static void end(Socket socket) {
+    try {
+      socket.close();
+    } catch (IOException e) {
+      // It is closed, or will be.
+    }
+  }
+
+  @Override
+  public void close() {
+    try {
+      server.close();
+    } catch (IOException e) {
+      people.accept("rosbridge: " + e.getMessage());
+    }
+    clients.forEach(BridgeServer::end);
+  }
+}

@@ -1,0 +1,345 @@
+package org.urbi.ros.bridge;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.BufferedReader;
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.net.Socket;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.LinkedBlockingQueue;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.urbi.ros.graph.Publisher;
+import org.urbi.ros.graph.Qos;
+import org.urbi.ros.graph.RosException;
+import org.urbi.ros.graph.ServiceClient;
+import org.urbi.ros.message.MessageType;
+import org.urbi.ros.message.ServiceType;
+import org.urbi.ros.message.Templates;
+import org.urbi.ros.rtps.Neighbourhood;
+import org.urbi.ros.two.TwoNode;
+import org.urbi.ros.two.TwoSettings;
+
+/** A node of ROS 2, its clients of rosbridge, and those who are none. */
+class BridgeTest {
+  private static final Path PEERS = Path.of("../.build/ros-peers").toAbsolutePath().normalize();
+  private static final Path ORACLES = Path.of("src/test/oracles").toAbsolutePath();
+  private static final String KEY = "dGhlIHNhbXBsZSBub25jZQ==";
+  private static final String TOKEN = "a token that is long enough";
+  private static final BlockingQueue<String> told = new LinkedBlockingQueue<>();
+  private static final BlockingQueue<String> said = new LinkedBlockingQueue<>();
+  private static Neighbourhood domain;
+  private static TwoNode node;
+  private static ServiceType setBool;
+  private static BridgeServer bridge;
+  private static BridgeServer guarded;
+
+  @BeforeAll
+  static void open() throws IOException {
+    domain = new Neighbourhood();
+    Map<String, String> environment = Map.of("ROS_DOMAIN_ID", "" + domain.domain());
+    node = TwoNode.start(TwoSettings.of(environment, "bridge", Map.of()), told::add);
+    bridge = BridgeServer.open(node, "localhost", 0, Set.of("https://good.example"), "", told::add);
+    guarded = BridgeServer.open(node, "localhost", 0, Set.of(), TOKEN, told::add);
+    MessageType string = node.definitions().message("std_msgs/String");
+    Publisher chatter =
+        node.advertise("/chatter", string, Qos.LATCHED, new Publisher.Listener() {});
+    chatter.publish(Templates.of(string).with("data", "hel\"lo\n\u00e4\u20ac"));
+    setBool = node.definitions().service("std_srvs/SetBool");
+    node.serve(
+        "/flip",
+        setBool,
+        request ->
+            CompletableFuture.completedFuture(
+                Templates.of(setBool.response())
+                    .with("success", request.get("data").doubleValue() == 0)
+                    .with("message", "flipped")));
+    node.subscribe(
+        "/said", string, Qos.DEFAULT, message -> said.add(message.get("data").stringValue()));
+  }
+
+  @AfterAll
+  static void close() throws IOException {
+    bridge.close();
+    guarded.close();
+    node.close();
+    domain.close();
+  }
+
+  // ------------------------------------------------------------------ those who are meant
+
+  private static void talks(String... command) throws Exception {
+    assumeTrue(Files.exists(Path.of(command[0])), "no client: scripts/ros-peers.sh gets it");
+    Process client =
+        new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT).start();
+    try (BufferedReader lines = client.inputReader(StandardCharsets.UTF_8)) {
+      List<String> all = new ArrayList<>();
+      while (all.isEmpty() || !all.getLast().equals("ready")) {
+        String line = lines.readLine();
+        assertTrue(line != null, all::toString);
+        all.add(line);
+      }
+      assertEquals("topic std_msgs/msg/String", all.get(0));
+      assertEquals("services true", all.get(1).toLowerCase(java.util.Locale.ROOT));
+      assertEquals("none hel\"lo", all.get(2));
+      assertEquals("png hel\"lo", all.get(4));
+      assertEquals("\u00e4\u20ac", all.get(5));
+      assertEquals("flip {\"success\":false,\"message\":\"flipped\"}", all.get(6));
+      assertTrue(
+          all.get(7).contains("date: std_srvs/srv/SetBool_Request has no such field"),
+          all::toString);
+      assertEquals("by a page", said.take());
+      try (ServiceClient page = node.client("/page", setBool, false).join()) {
+        assertEquals(
+            "a page",
+            page.request(Templates.of(setBool.request()).with("data", true))
+                .join()
+                .get("message")
+                .stringValue());
+      }
+    } finally {
+      client.destroyForcibly().waitFor();
+    }
+    while (bridge.clients() > 0) {
+      Thread.sleep(10);
+    }
+  }
+
+  @Test
+  void roslib() throws Exception {
+    Path library = PEERS.resolve("roslib");
+    assumeTrue(Files.exists(library), "no roslib: scripts/ros-peers.sh gets it");
+    talks("/usr/bin/node", ORACLES.resolve("page.mjs").toString(), library.toString(), port());
+  }
+
+  @Test
+  void roslibpy() throws Exception {
+    talks(PEERS + "/bridge/bin/python", ORACLES.resolve("page.py").toString(), port());
+  }
+
+  private static String port() {
+    return String.valueOf(bridge.port());
+  }
+
+  // ------------------------------------------------------------------ those who are not
+
+  /** A client that sends what it likes. */
+  private static final class Raw implements AutoCloseable {
+    final Socket socket;
+    final DataInputStream in;
+    final OutputStream out;
+
+    Raw(BridgeServer server) throws IOException {
+      socket = new Socket("localhost", server.port());
+      in = new DataInputStream(socket.getInputStream());
+      out = socket.getOutputStream();
+    }
+
+    /** The status with which a request is answered. */
+    String request(String target, String... headers) throws IOException {
+      StringBuilder text = new StringBuilder("GET " + target + " HTTP/1.1\r\nHost: localhost\r\n");
+      for (String each : headers) {
+        text.append(each).append("\r\n");
+      }
+      out.write(text.append("\r\n").toString().getBytes(StandardCharsets.ISO_8859_1));
+      StringBuilder answer = new StringBuilder();
+      while (answer.indexOf("\r\n\r\n") < 0) {
+        answer.append((char) in.readByte());
+      }
+      return answer.substring(9, 12);
+    }
+
+    String upgrade(String target, String... more) throws IOException {
+      List<String> headers = new ArrayList<>(List.of(more));
+      headers.addAll(
+          List.of(
+              "Upgrade: websocket",
+              "Connection: keep-alive, Upgrade",
+              "Sec-WebSocket-Version: 13",
+              "Sec-WebSocket-Key: " + KEY));
+      return request(target, headers.toArray(String[]::new));
+    }
+
+    void frame(int first, long length, byte[] payload) throws IOException {
+      out.write(
+          ByteBuffer.allocate(14 + payload.length)
+              .put((byte) first)
+              .put((byte) 0xFF)
+              .putLong(length)
+              .putInt(0)
+              .put(payload)
+              .array());
+    }
+
+    void text(String text) throws IOException {
+      byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+      frame(0x81, bytes.length, bytes);
+    }
+
+    /** The next message; of a good-bye the status. */
+    String answer() throws IOException {
+      int kind = in.readUnsignedByte() & 0xF;
+      int length = in.readUnsignedByte();
+      length =
+          length == 126 ? in.readUnsignedShort() : length == 127 ? (int) in.readLong() : length;
+      byte[] payload = in.readNBytes(length);
+      return kind == 8
+          ? "closed " + ByteBuffer.wrap(payload).getShort()
+          : new String(payload, StandardCharsets.UTF_8);
+    }
+
+    @Override
+    public void close() throws IOException {
+      socket.close();
+    }
+  }
+
+  private static void isAnswered(String text, String... parts) throws IOException {
+    try (Raw client = new Raw(bridge)) {
+      assertEquals("101", client.upgrade("/"));
+      client.text(text);
+      String answer = client.answer();
+      for (String part : parts) {
+        assertTrue(answer.contains(part), answer);
+      }
+    }
+  }
+
+  @Test
+  void whoIsLetIn() throws IOException {
+    for (String origin : List.of("https://evil.example", "null", "http://localhost.evil.example")) {
+      try (Raw client = new Raw(bridge)) {
+        assertEquals("403", client.upgrade("/", "Origin: " + origin));
+      }
+    }
+    for (String origin :
+        List.of("https://good.example", "http://localhost:8080", "http://127.0.0.1")) {
+      try (Raw client = new Raw(bridge)) {
+        assertEquals("101", client.upgrade("/", "Origin: " + origin));
+      }
+    }
+    try (Raw client = new Raw(bridge)) {
+      assertEquals("426", client.request("/"));
+    }
+    try (Raw client = new Raw(bridge)) {
+      client.out.write("1 + 2;\r\n\r\n".getBytes(StandardCharsets.UTF_8));
+      assertEquals("HTTP/1.1 400", new String(client.in.readNBytes(12), StandardCharsets.UTF_8));
+    }
+    try (Raw client = new Raw(guarded)) {
+      assertEquals("401", client.upgrade("/?token=wrong"));
+    }
+    try (Raw client = new Raw(guarded)) {
+      assertEquals("101", client.upgrade("/", "Authorization: Bearer " + TOKEN));
+    }
+    assertThrows(
+        RosException.class, () -> BridgeServer.open(node, "0.0.0.0", 0, Set.of(), "", told::add));
+    assertThrows(
+        RosException.class,
+        () -> BridgeServer.open(node, "localhost", 0, Set.of(), "short", told::add));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        "{\"op\":\"fly\",\"id\":7}|fly: there is no such operation|\"id\":7",
+        "{}|'op' is missing|error",
+        "[1]|no JSON at character|error",
+        "{\"op\":|a value expected|error",
+        "{\"op\":\"publish\"}|publish: 'topic' is missing|error",
+        "{\"op\":\"publish\",\"topic\":\"/nowhere\",\"msg\":{}}|there is no topic /nowhere|error",
+        "{\"op\":\"advertise\",\"topic\":\"/a b\",\"type\":\"std_msgs/String\"}|invalid name|error",
+        "{\"op\":\"advertise\",\"topic\":\"/a\",\"type\":\"std_msgs/Strong\"}|no type std_msgs/|error",
+        "{\"op\":\"unsubscribe\",\"topic\":\"/a\"}|/a is not subscribed|error",
+        "{\"op\":\"call_service\",\"service\":\"/rosapi/fly\",\"id\":\"x\"}|no service /rosapi/fly|\"result\":false",
+        "{\"op\":\"call_service\",\"service\":\"/flip\",\"args\":[true,1]}|1 arguments expected|\"result\":false",
+        "{\"op\":\"call_service\",\"service\":\"/flip\",\"args\":[\"x\"]}|data: a number expected|\"result\":false",
+        "{\"op\":\"call_service\",\"service\":\"/flip\",\"args\":[false]}|flipped|\"result\":true",
+        "{\"op\":\"service_response\",\"id\":\"x\"}|nobody waits|error",
+        "{\"op\":\"set_level\",\"level\":\"loud\"}|info, warning, error, none|error",
+        "{\"op\":\"fragment\",\"id\":\"f\",\"num\":3,\"total\":2}|'num' below 'total'|error",
+        "{\"op\":\"fragment\",\"id\":\"f\",\"num\":0,\"total\":1,\"data\":\"{}\"}|'op' is missing|error",
+      })
+  void whatIsWrongIsAnswered(String text, String first, String second) throws IOException {
+    isAnswered(text, first, second);
+  }
+
+  @Test
+  void nestingHasAnEnd() throws IOException {
+    isAnswered("{\"op\":" + "[".repeat(100_000), "levels");
+  }
+
+  private static void isLetGo(int status, int first, long length, byte[] payload)
+      throws IOException {
+    try (Raw client = new Raw(bridge)) {
+      client.upgrade("/");
+      client.frame(first, length, payload);
+      assertEquals("closed " + status, client.answer());
+    }
+  }
+
+  @Test
+  void framesThatAreNoneAreRefused() throws IOException {
+    isLetGo(1009, 0x81, 1L << 40, new byte[0]);
+    isLetGo(1002, 0x81, -1, new byte[0]);
+    isLetGo(1002, 0xC1, 0, new byte[0]);
+    isLetGo(1002, 0x80, 0, new byte[0]);
+    isLetGo(1003, 0x82, 0, new byte[0]);
+    isLetGo(1007, 0x81, 1, new byte[] {(byte) 0xFF});
+    isLetGo(1002, 0x89, 200, new byte[200]);
+    try (Raw client = new Raw(bridge)) {
+      client.upgrade("/");
+      client.out.write(new byte[] {(byte) 0x81, 1, 'x'});
+      assertEquals("closed 1002", client.answer());
+    }
+  }
+
+  @Test
+  void whoGoesInTheMiddleLeavesNothing() throws Exception {
+    try (Raw client = new Raw(bridge)) {
+      client.upgrade("/");
+      client.text(
+          "{\"op\":\"advertise_service\",\"service\":\"/gone\",\"type\":\"std_srvs/SetBool\"}");
+      client.frame(0x81, 1000, new byte[10]);
+      while (!node.graph().join().services().containsKey("/gone")) {
+        Thread.sleep(10);
+      }
+    }
+    while (bridge.clients() > 0 || node.graph().join().services().containsKey("/gone")) {
+      Thread.sleep(10);
+    }
+  }
+
+  @Test
+  void whoDoesNotReadIsLetGo() throws Exception {
+    try (Raw client = new Raw(bridge)) {
+      client.upgrade("/");
+      byte[] flood = "{\"op\":\"x\"}".getBytes(StandardCharsets.UTF_8);
+      assertThrows(
+          IOException.class,
+          () -> {
+            while (true) {
+              client.frame(0x81, flood.length, flood);
+            }
+          });
+    }
+  }
+}

@@ -1,0 +1,29 @@
+// What a web page does with roslib: argv are its folder and the port.
+const { Ros, Topic, Service } = await import(process.argv[2] + '/node_modules/roslib/dist/RosLib.js');
+const say = (...words) => console.log(...words);
+const ros = new Ros({ url: 'ws://127.0.0.1:' + process.argv[3] });
+ros.on('error', (error) => say('error', String(error)));
+await new Promise((done) => ros.on('connection', done));
+const { topics, types } = await new Promise((done, failed) => ros.getTopics(done, failed));
+say('topic', types[topics.indexOf('/chatter')]);
+say('services', (await new Promise((done, failed) => ros.getServices(done, failed))).includes('/flip'));
+for (const compression of ['none', 'png']) {
+  const chatter = new Topic({ ros, name: '/chatter', messageType: 'std_msgs/String', compression, queue_length: 1, throttle_rate: 10 });
+  const heard = await new Promise((done) => chatter.subscribe(done));
+  say(compression, heard.data);
+  chatter.unsubscribe();
+}
+const flip = new Service({ ros, name: '/flip', serviceType: 'std_srvs/SetBool' });
+say('flip', JSON.stringify(await new Promise((done, failed) => flip.callService({ data: true }, done, failed))));
+await new Promise((done, failed) => flip.callService({ date: true }, done, failed)).catch((error) => say(String(error)));
+const offered = new Service({ ros, name: '/page', serviceType: 'std_srvs/SetBool' });
+offered.advertise((request, response) => {
+  response.success = request.data;
+  response.message = 'a page';
+  return true;
+});
+const said = new Topic({ ros, name: '/said', messageType: 'std_msgs/String' });
+said.advertise();
+said.publish({ data: 'by a page' });
+say('ready');
+process.stdin.on('data', () => process.exit(0));
