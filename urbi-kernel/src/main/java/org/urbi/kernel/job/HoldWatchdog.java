@@ -10,7 +10,8 @@ import org.urbi.kernel.time.Clock;
 
 /**
  * Watches from another thread whether a job holds the kernel for too long without letting others
- * run, or allocates more memory meanwhile than its budget allows, and ends that job. If the job
+ * run, or allocates more memory meanwhile than its budget allows, and ends that job. Memory is
+ * measured by {@link MemoryMeter}, too, which code that only waits for Java never asks. If the job
  * waits inside the Java code of a component, that thread is interrupted, too.
  *
  * <p>Code that gets no processor holds nothing: once half of the limit has passed, only the
@@ -56,10 +57,10 @@ public final class HoldWatchdog {
   private volatile long heldSince;
   private boolean started;
 
-  // These are for its own thread alone.
+  /** The turn whose job was ended last. */
+  private volatile long toldTurn = -1;
 
-  /** Whether the job of this turn was ended. */
-  private boolean told;
+  // These are for its own thread alone.
 
   /**
    * Whether the component that it was executing then, or began to execute since, was interrupted.
@@ -88,7 +89,7 @@ public final class HoldWatchdog {
   @FunctionalInterface
   public interface Listener {
     /**
-     * Called on the watchdog's thread.
+     * Called on the watchdog's thread or the kernel thread.
      *
      * @param component the component function that it executes, or null
      * @param limit how long it was allowed to hold the kernel, in nanoseconds; for {@link
@@ -132,10 +133,20 @@ public final class HoldWatchdog {
     watchFromNowOn();
   }
 
-  /** From now on it looks how much is allocated. */
+  /** From now on it looks how much is allocated, and so does the kernel thread. */
   void limitMemory() {
-    memoryLimited = true;
-    pause = Math.min(pause, MEMORY_PAUSE);
+    if (!memoryLimited) {
+      memoryLimited = true;
+      pause = Math.min(pause, MEMORY_PAUSE);
+      scheduler.interruptions().measure(new MemoryMeter(gauges.allocated, this));
+    }
+  }
+
+  /** On the kernel thread: the running job, whose turn has that number, has allocated too much. */
+  void endGreedy(Job job, long turn, long limit) {
+    if (toldTurn != turn) {
+      end(job, turn, StopReason.GREEDY, limit);
+    }
   }
 
   private synchronized void watchFromNowOn() {
@@ -191,23 +202,20 @@ public final class HoldWatchdog {
     if (seen != heldTurn || job == null || seen != scheduler.turn()) {
       heldSince = now;
       heldTurn = seen;
-      told = false;
       interrupted = false;
       processorTimeAtHalf = UNKNOWN;
       if (memoryLimited) {
         allocatedBefore = gauges.allocated.getAsLong();
       }
-    } else if (!told) {
+    } else if (toldTurn != seen) {
       long memory = memoryLimited ? memoryFor(job) : Budget.UNLIMITED;
       if (memory != Budget.UNLIMITED && gauges.allocated.getAsLong() - allocatedBefore > memory) {
-        told = true;
         end(job, seen, StopReason.GREEDY, memory);
         return;
       }
       long most = job.budget().holdLimit(limit);
       long allowed = hurried ? Math.min(most, limit / HURRY) : most;
       if (isOverdue(job, now - heldSince, allowed, most)) {
-        told = true;
         end(job, seen, StopReason.OVERDUE, allowed);
       }
     } else if (!interrupted) {
@@ -216,7 +224,7 @@ public final class HoldWatchdog {
   }
 
   /** What the turn of a job may allocate: in a crowd there must be something left for others. */
-  private long memoryFor(Job job) {
+  long memoryFor(Job job) {
     long most = job.budget().limit(Resource.MEMORY);
     return most == Budget.UNLIMITED
         ? most
@@ -242,6 +250,7 @@ public final class HoldWatchdog {
 
   /** Ends the turn of that number, which is that job's. */
   private void end(Job job, long turn, StopReason why, long allowed) {
+    toldTurn = turn;
     String component = job.componentCode().function();
     scheduler.interruptions().requestOverdue(turn, why);
     interruptComponent(job, turn);

@@ -43,10 +43,14 @@ public final class Interruptions {
   private final AtomicLong overdueTurn = new AtomicLong(NONE);
   private volatile StopReason overdueReason = StopReason.OVERDUE;
   private volatile Runnable changed = () -> {};
+  private volatile @Nullable MemoryMeter memory;
 
   // The following fields belong to the kernel thread: the code that is being ended at present.
   private long endingTurn = NONE;
   private StopReason ending = StopReason.NONE;
+
+  /** What the running job allocates is counted, in its checks. */
+  private boolean metered;
 
   /** The turn of a detached job that noticed a request of its client, and when. */
   private long askedTurn = NONE;
@@ -96,6 +100,11 @@ public final class Interruptions {
     announce();
   }
 
+  /** From now on the memory that jobs allocate is counted in their checks. */
+  void measure(MemoryMeter meter) {
+    memory = meter;
+  }
+
   /** Sets a listener that is called, on any thread, when {@link #arePending} may have changed. */
   public void whenChanged(Runnable listener) {
     changed = listener;
@@ -103,8 +112,8 @@ public final class Interruptions {
   }
 
   /**
-   * Whether there may be a request, or checks are being counted for a recording. Code asks this in
-   * each turn of a loop, and at each call.
+   * Whether there may be a request, or checks are being counted, for a recording or for the memory
+   * that is allocated. Code asks this in each turn of a loop, and at each call.
    */
   public boolean arePending() {
     return wanted;
@@ -122,8 +131,26 @@ public final class Interruptions {
     limitFailure = failure;
   }
 
+  /** The turn of a job begins. */
+  void beginTurnOf(Job job) {
+    if (memory != null) {
+      boolean limited = MemoryMeter.isFor(job);
+      if (limited != metered) {
+        metered = limited;
+        update();
+      }
+    }
+  }
+
   /** Throws if the running job must end. */
   void check(Job job) {
+    MemoryMeter meter = memory;
+    if (metered && meter != null) {
+      meter.check(job, turns.getAsLong());
+      if (!counted && !isRequested()) {
+        return;
+      }
+    }
     StopReason decided = decide(job.lobby(), job.scope().isDetached());
     if (decided == StopReason.REQUESTED) {
       throw TagStop.interruption();
@@ -248,11 +275,15 @@ public final class Interruptions {
   }
 
   private void update() {
-    wanted = counted;
-    if (all || endingTurn != NONE || overdueTurn.get() != NONE || !lobbies.isEmpty()) {
+    wanted = counted || metered;
+    if (isRequested()) {
       // There are other requests, or one has arrived in the meantime.
       wanted = true;
     }
     changed.run();
+  }
+
+  private boolean isRequested() {
+    return all || endingTurn != NONE || overdueTurn.get() != NONE || !lobbies.isEmpty();
   }
 }

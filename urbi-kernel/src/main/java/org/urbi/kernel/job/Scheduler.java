@@ -623,6 +623,7 @@ public final class Scheduler {
     beginTurn();
     VarHandle.storeStoreFence();
     running = job;
+    interruptions.beginTurnOf(job);
     meter.turnOf(job.budget());
   }
 

@@ -127,6 +127,57 @@ class HoldWatchdogTest {
     assertEquals(List.of(), told);
   }
 
+  /**
+   * A job that allocates so much between two checks, and how many of these it has until it ends.
+   */
+  private int checksUntilItEnds(long bytes, long limit) {
+    int[] checks = {0};
+    watch.limitMemory();
+    loop.scheduler.budgetOf(loop.object()).setLimit(Resource.MEMORY, limit);
+    loop.start(job ->
+        assertThrows(
+            TagStop.class,
+            () -> {
+              while (checks[0] < 10_000) {
+                allocated += bytes;
+                job.checkInterrupted();
+                checks[0]++;
+              }
+            }));
+    loop.run();
+    assertEquals(1, told.size());
+    return checks[0];
+  }
+
+  @Test
+  void theKernelThreadNoticesByItselfWhatAJobAllocates() {
+    int checks = checksUntilItEnds(100, 100_000);
+    assertTrue(checks > 1000 && checks < 1200, () -> checks + " checks");
+  }
+
+  @Test
+  void theMoreIsAllocatedTheSoonerTheKernelThreadLooks() {
+    int checks = checksUntilItEnds(50_000, 100_000);
+    assertTrue(checks < 20, () -> checks + " checks");
+  }
+
+  @Test
+  void theKernelThreadCountsEachTurnAlone() {
+    watch.limitMemory();
+    loop.scheduler.budgetOf(loop.object()).setLimit(Resource.MEMORY, 1000);
+    loop.start(job -> {
+      for (int i = 1; i <= 1000; i++) {
+        allocated += 20;
+        job.checkInterrupted();
+        if (i % 40 == 0) {
+          loop.scheduler.beginTurn();
+        }
+      }
+    });
+    loop.run();
+    assertEquals(List.of(), told);
+  }
+
   /** However many there are, they cannot fill it. */
   @Test
   void aTurnTakesOnlyAPartOfTheMemoryThatIsFree() {

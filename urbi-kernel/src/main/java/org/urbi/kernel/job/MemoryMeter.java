@@ -1,0 +1,87 @@
+package org.urbi.kernel.job;
+
+import java.util.function.LongSupplier;
+import org.urbi.kernel.budget.Budget;
+import org.urbi.kernel.budget.Resource;
+
+/**
+ * Counts on the kernel thread what the running job allocates without letting others run, where its
+ * budget limits that. Another thread would notice too late: in a millisecond some megabytes are
+ * filled. To count costs as much as a hundred checks, so most checks only count themselves; the
+ * more has been allocated between two of them, the sooner the next one looks.
+ */
+final class MemoryMeter {
+  /** So many checks of a turn cost nothing: most turns have no more. */
+  private static final int FREE_CHECKS = 16;
+
+  /** Never more checks than these between two looks. */
+  private static final long MOST_CHECKS = 256;
+
+  /** It looks at least so many times before the limit, if code goes on allocating as it does. */
+  private static final int LOOKS = 8;
+
+  private final LongSupplier allocated;
+  private final HoldWatchdog watch;
+  private long turn = -1;
+  private boolean begun;
+
+  /** How many checks are left until it looks. */
+  private long left;
+
+  /** How many checks there were from the last look until the next one. */
+  private long checks;
+
+  /** What had been allocated when the turn was first looked at, and at the last look. */
+  private long before;
+
+  private long seen;
+
+  /**
+   * @param allocated how many bytes the kernel thread has allocated
+   * @param watch ends who exceeds the limit
+   */
+  MemoryMeter(LongSupplier allocated, HoldWatchdog watch) {
+    this.allocated = allocated;
+    this.watch = watch;
+  }
+
+  /** Whether the budget of a job has a limit. */
+  static boolean isFor(Job job) {
+    return job.budget().limit(Resource.MEMORY) != Budget.UNLIMITED;
+  }
+
+  /** The job, whose turn has that number, checks whether it must end. */
+  void check(Job job, long number) {
+    if (number != turn) {
+      turn = number;
+      begun = false;
+      left = FREE_CHECKS;
+    } else if (--left <= 0) {
+      look(job);
+    }
+  }
+
+  private void look(Job job) {
+    long now = allocated.getAsLong();
+    if (begun) {
+      long used = now - before;
+      long limit = job.budget().limit(Resource.MEMORY);
+      if (used > limit / LOOKS) {
+        // How much is free is not asked in each short turn.
+        limit = watch.memoryFor(job);
+        if (used > limit) {
+          watch.endGreedy(job, turn, limit);
+        }
+      }
+      long room = Math.max(0, limit - used) / LOOKS;
+      long each = Math.max(1, (now - seen) / checks);
+      checks = Math.clamp(room / each, 1, Math.min(2 * checks, MOST_CHECKS));
+    } else {
+      begun = true;
+      before = now;
+      checks = 1;
+    }
+    seen = now;
+    left = checks;
+  }
+}
