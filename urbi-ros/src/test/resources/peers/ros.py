@@ -3,6 +3,7 @@
 import sys
 import time
 
+import guard  # noqa: F401
 import rclpy
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from std_msgs.msg import String
