@@ -24,7 +24,7 @@ build_if_needed() {
 start() {
   class_path "$root/$dist"
   cp=$cp:$root/bench/target/classes
-  for jar in "$root/$dist"/uobjects/*.jar "$root"/bench/target/lib/*.jar; do
+  for jar in "$root/$dist"/uobjects/*.jar "$root/$dist"/uobjects/urbi/*.jar "$root"/bench/target/lib/*.jar; do
     cp=$cp:$jar
   done
   # shellcheck disable=SC2086
