@@ -11,6 +11,9 @@ import org.urbi.kernel.tag.UrbiTag;
 final class UrbiLogger extends UrbiTag {
   private static final int WIDTH = 23;
 
+  /** How deep messages are indented at most: more would hide them. */
+  private static final int DEEPEST = 32;
+
   /** The indentation, shared by all the loggers of a kernel. */
   static final class Depth {
     private int value;
@@ -63,7 +66,7 @@ final class UrbiLogger extends UrbiTag {
         + name
         + " ".repeat(room - before)
         + "] "
-        + "  ".repeat(depth.value)
+        + "  ".repeat(Math.min(depth.value, DEEPEST))
         + message;
   }
 
@@ -71,8 +74,9 @@ final class UrbiLogger extends UrbiTag {
     depth.value++;
   }
 
+  /** Ends an {@link #indent}, if there is one: code may ask for it too often. */
   void unindent() {
-    depth.value--;
+    depth.value = Math.max(0, depth.value - 1);
   }
 
   @Override
