@@ -175,10 +175,15 @@ class ArchitectureTest {
           .that()
           .resideInAPackage("org.urbi..")
           .and()
-          .resideOutsideOfPackages("org.urbi.server.net..", "org.urbi.sim.page..")
+          .resideOutsideOfPackages(
+              "org.urbi.server.net..", "org.urbi.server.studio..", "org.urbi.sim.page..")
           .should()
           .dependOnClassesThat()
           .resideInAPackage("io.netty..");
+
+  @ArchTest
+  static final ArchRule jacksonIsUsedInTheStudioOnly =
+      onlyIn("org.urbi.server.studio..", "com.fasterxml..");
 
   @ArchTest
   static final ArchRule jlineIsUsedInTheConsoleOnly =
@@ -437,6 +442,7 @@ class ArchitectureTest {
               ".tag",
               ".compile",
               ".lobby",
+              ".observe",
               ".variable",
               ".uobject",
               ".remote",

@@ -2,6 +2,9 @@ package org.urbi.kernel;
 
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import org.urbi.kernel.observe.Look;
+import org.urbi.kernel.observe.Steering;
+import org.urbi.kernel.observe.View;
 import org.urbi.kernel.trust.Role;
 
 /**
@@ -69,4 +72,25 @@ public interface Connection {
    *     lobby has closed
    */
   CompletableFuture<List<String>> complete(String text);
+
+  /**
+   * Looks at the jobs and tags of the kernel, for people. The first look begins to measure the
+   * jobs, until {@link #lookNoMore} or the end of the connection.
+   *
+   * @return done as soon as the kernel has time; exceptionally when the connection has closed
+   */
+  CompletableFuture<View> look(Look wanted);
+
+  /** Nobody looks any longer. */
+  void lookNoMore();
+
+  /**
+   * Controls a job or a tag, as far as the role of the lobby allows.
+   *
+   * @param tag whether it is a tag
+   * @param target the number of the job or tag
+   * @return why it cannot be done, empty when it was; as soon as the kernel has time, exceptionally
+   *     when the connection has closed
+   */
+  CompletableFuture<String> steer(Steering.Action action, boolean tag, long target);
 }

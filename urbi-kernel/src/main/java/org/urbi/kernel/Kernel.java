@@ -40,6 +40,7 @@ import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.CorePrototypes;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.World;
+import org.urbi.kernel.observe.Steering;
 import org.urbi.kernel.outside.Outside;
 import org.urbi.kernel.remote.AnswerPoller;
 import org.urbi.kernel.remote.IsolatedModules;
@@ -73,6 +74,7 @@ public final class Kernel implements AutoCloseable {
   private final KernelLobbies lobbies;
   private final LeftBehind leftBehind;
   private final KernelLifecycle life;
+  private final Steering steering;
 
   /** The recording that this kernel replays, or null. */
   private final @Nullable Replay replay;
@@ -113,6 +115,7 @@ public final class Kernel implements AutoCloseable {
       interpreter.setCompiler(new Tier(world, builder.tierThreshold, builder.tierDoubt, log));
     }
     scheduler.whenQuiet(this::endIfNothingCanWakeIt);
+    this.steering = new Steering(scheduler, world.values().voidObject);
     this.uobjects = new PluggedContext(interpreter, builder.moduleSearchPath, outside, log);
     uobjects
         .modules()
@@ -388,6 +391,10 @@ public final class Kernel implements AutoCloseable {
 
   OutOfBandControl outOfBand() {
     return outOfBand;
+  }
+
+  Steering steering() {
+    return steering;
   }
 
   KernelMemory memory() {

@@ -23,6 +23,9 @@ import org.urbi.kernel.memory.Evictable;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Receiver;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.observe.Look;
+import org.urbi.kernel.observe.Steering;
+import org.urbi.kernel.observe.View;
 import org.urbi.kernel.trust.Role;
 
 /** A connection: what others ask of it are messages, the rest runs on the kernel thread. */
@@ -35,6 +38,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   private final AtomicInteger questions = new AtomicInteger();
   private final Map<Integer, CompletableFuture<List<String>>> completions =
       new ConcurrentHashMap<>();
+  private final ConnectionView view;
   private volatile boolean incomplete;
   private volatile @Nullable UrbiLobby lobby;
   private String limits = "";
@@ -54,6 +58,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     this.number = number;
     this.client = client;
     this.holdsTime = holdsTime;
+    this.view = new ConnectionView(kernel, number);
   }
 
   // ------------------------------------------------------------------ from any thread
@@ -167,6 +172,21 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     return names;
   }
 
+  @Override
+  public CompletableFuture<View> look(Look wanted) {
+    return view.look(wanted);
+  }
+
+  @Override
+  public void lookNoMore() {
+    view.lookNoMore();
+  }
+
+  @Override
+  public CompletableFuture<String> steer(Steering.Action action, boolean tag, long target) {
+    return view.steer(action, tag, target);
+  }
+
   // ------------------------------------------------------------------ on the kernel thread
 
   void open(Message.ConnectionOpened opened) {
@@ -233,6 +253,14 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
       tell(failed.error());
     } else if (message instanceof Message.CompletionRequested asked) {
       complete(asked.question(), asked.text());
+    } else if (finished) {
+      view.close();
+    } else if (message instanceof Message.LookedAt looked) {
+      view.take(looked);
+    } else if (message instanceof Message.LookEnded) {
+      view.endLook();
+    } else if (message instanceof Message.Steered steered) {
+      view.take(steered, lobby());
     } else {
       throw new IllegalArgumentException(message.toString());
     }
@@ -420,6 +448,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
 
   private void leave() {
     releaseTime();
+    view.close();
     pending.set(0);
     UrbiLobby own = lobby;
     if (own != null) {

@@ -324,7 +324,10 @@ public enum Problem {
   INTERRUPTED_HOLDER(LINE, "interrupted: {job} held the kernel for {time} s"),
   INTERRUPTED_LOBBY(LINE, "interrupted: {lobby}"),
   NO_SUCH_LOBBY(LINE, "no such lobby: {lobby}; there are {others}"),
-  MAY_NOT_INTERRUPT(LINE, "to interrupt other lobbies needs the role owner");
+  MAY_NOT_INTERRUPT(LINE, "to interrupt other lobbies needs the role owner"),
+  NO_SUCH_JOB(LINE, "no such job any more: {number}"),
+  NO_SUCH_TAG(LINE, "no such tag any more: {number}"),
+  BLOCKS_JOB(LINE, "a job can be stopped and frozen; only a tag can be blocked");
 
   private final ProblemKind kind;
   private final Template template;

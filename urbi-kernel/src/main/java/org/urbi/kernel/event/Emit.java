@@ -2,6 +2,7 @@ package org.urbi.kernel.event;
 
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.job.Job;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
@@ -67,7 +68,8 @@ public final class Emit extends Node implements CallSite {
     long lasts = Durations.nanoseconds(frame, duration);
     Emission emission = emitted.trigger(frame.job(), false, payload);
     try {
-      frame.job().sleepUntil(frame.job().scheduler().deadline(lasts));
+      Job job = frame.job();
+      job.at(frame, this).sleepUntil(job.scheduler().deadline(lasts));
     } finally {
       emission.end(frame.job());
     }

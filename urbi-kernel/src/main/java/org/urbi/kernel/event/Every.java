@@ -67,9 +67,9 @@ public final class Every extends Node {
           due = now(job);
         }
         if (due > now(job)) {
-          job.sleepUntil(due + job.timeShift());
+          job.at(frame, this).sleepUntil(due + job.timeShift());
         } else if (!overlapping) {
-          job.yieldNow();
+          job.at(frame, this).yieldNow();
         }
       }
       begun = now(job);

@@ -4,6 +4,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Timers;
+import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Truth;
@@ -37,9 +38,9 @@ public final class WaitUntil extends Node {
     return frame.interpreter().values().voidObject;
   }
 
-  private static void await(Frame frame, Condition.WhenEmitted condition, long hold) {
+  private void await(Frame frame, Condition.WhenEmitted condition, long hold) {
     UrbiEvent source = EventLookup.event(frame, condition.event());
-    var waiting = new ForEvent(frame, condition.filter(), hold);
+    var waiting = new ForEvent(frame, this, condition.filter(), hold);
     source.subscribe(waiting, frame.job());
     try {
       waiting.await();
@@ -51,8 +52,8 @@ public final class WaitUntil extends Node {
     }
   }
 
-  private static void await(Frame frame, Condition.WhenTrue condition, long hold) {
-    var waiting = new ForExpression(frame, condition.expression(), hold);
+  private void await(Frame frame, Condition.WhenTrue condition, long hold) {
+    var waiting = new ForExpression(frame, this, condition.expression(), hold);
     try {
       waiting.watch.begin(frame.job());
       waiting.await();
@@ -68,12 +69,16 @@ public final class WaitUntil extends Node {
   private abstract static class Waiting {
     final Frame frame;
     private final Job job;
+    private final Node place;
+    private final Wait what;
     private final long hold;
     private Timers.@Nullable Timer timer;
     private boolean done;
 
-    Waiting(Frame frame, long hold) {
+    Waiting(Frame frame, Node place, Wait what, long hold) {
       this.frame = frame;
+      this.place = place;
+      this.what = what;
       this.job = frame.job();
       this.hold = hold;
     }
@@ -105,7 +110,7 @@ public final class WaitUntil extends Node {
 
     void await() {
       while (!done) {
-        job.waitForWake();
+        job.at(frame, place).waitForWake(what);
       }
     }
 
@@ -118,8 +123,8 @@ public final class WaitUntil extends Node {
   private static final class ForExpression extends Waiting implements ExpressionWatcher.Listener {
     private final ExpressionWatcher watch;
 
-    ForExpression(Frame frame, Node expression, long hold) {
-      super(frame, hold);
+    ForExpression(Frame frame, Node place, Node expression, long hold) {
+      super(frame, place, Wait.CONDITION, hold);
       watch = new ExpressionWatcher(frame, expression, this);
     }
 
@@ -138,8 +143,8 @@ public final class WaitUntil extends Node {
     private final EventFilter filter;
     private final UrbiObject lobby;
 
-    ForEvent(Frame frame, EventFilter filter, long hold) {
-      super(frame, hold);
+    ForEvent(Frame frame, Node place, EventFilter filter, long hold) {
+      super(frame, place, Wait.EVENT, hold);
       this.filter = filter;
       lobby = frame.job().lobby();
     }

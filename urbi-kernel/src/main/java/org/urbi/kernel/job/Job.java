@@ -9,10 +9,12 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.Dependencies;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.trust.Role;
 import org.urbi.kernel.trust.RoleHolder;
+import org.urbi.lang.source.Span;
 
 /**
  * A light thread of urbiscript (manual, "Job"). Its stack is that of a virtual thread which the
@@ -63,6 +65,14 @@ public final class Job implements Runnable {
   private State state = State.RUNNABLE;
   private @Nullable ControlFlowException injected;
   private Timers.@Nullable Timer timer;
+  private Wait wait = Wait.TURN;
+  private @Nullable Place place;
+  private @Nullable Located where;
+  private final long starter;
+  private long ran;
+  private long waker;
+  private int tracers;
+  private boolean frozenAlone;
   private int frozenDepth;
   private boolean heldByFreeze;
   private long frozenSince;
@@ -116,11 +126,13 @@ public final class Job implements Runnable {
     this.interruptions = scheduler.interruptions();
     this.body = body;
     this.number = scheduler.nextNumber();
+    Job creator = scheduler.running();
+    this.starter = creator == null ? 0 : creator.number;
     this.prefix = prefix;
     this.lobby = lobby;
     this.role = RoleHolder.roleOf(lobby);
     this.budget = scheduler.budgetOf(lobby);
-    this.surplus = !isAdmitted(scheduler.running());
+    this.surplus = !isAdmitted(creator);
     this.scope = scope;
     this.group = group;
     this.timeShift = timeShift;
@@ -129,7 +141,6 @@ public final class Job implements Runnable {
     this.frozenDepth = scope.frozenDepth();
     this.frozenSince = scheduler.now();
     scope.add(this);
-    Job creator = scheduler.running();
     if (creator != null && creator.observer != null) {
       observer = creator.observer.forChild();
     }
@@ -157,8 +168,10 @@ public final class Job implements Runnable {
     return scheduler;
   }
 
-  /** A number that no other job or tag of the kernel has. */
-  long number() {
+  /**
+   * A number that no other job of the kernel has; jobs that were started later have greater ones.
+   */
+  public long number() {
     return number;
   }
 
@@ -245,6 +258,95 @@ public final class Job implements Runnable {
 
   public State state() {
     return state;
+  }
+
+  // ------------------------------------------------------------------ for those who look
+
+  /** Code of a job that has called other code. */
+  public interface Place {
+    /** The calls that lead to the code, innermost first. */
+    List<UrbiException.Call> backtrace();
+  }
+
+  /** What was written somewhere. */
+  @FunctionalInterface
+  public interface Located {
+    /** Where it was written; null when nobody knows. */
+    @Nullable Span span();
+  }
+
+  /** The number of the job that was running when this one was started; 0 when there was none. */
+  public long starter() {
+    return starter;
+  }
+
+  /** What it waits for. */
+  public Wait waitsFor() {
+    return wait;
+  }
+
+  /** The code in which it lets others run; null when it runs, and when nobody has said. */
+  public @Nullable Place place() {
+    return place;
+  }
+
+  /** What of that code it executes. */
+  public @Nullable Located where() {
+    return where;
+  }
+
+  /** When it goes on, in nanoseconds of the scheduler; -1 unless it waits for a time. */
+  public long deadline() {
+    return timer == null ? -1 : timer.deadline();
+  }
+
+  /**
+   * Says where the job is about to let others run, until it goes on.
+   *
+   * @param code where it is
+   * @param what of that code it executes; null when nobody knows
+   * @return this job
+   */
+  public Job at(Place code, @Nullable Located what) {
+    place = code;
+    where = what;
+    return this;
+  }
+
+  /** How long its turns have lasted while somebody looked, in nanoseconds. */
+  public long ran() {
+    return ran;
+  }
+
+  void charge(long nanoseconds) {
+    ran += nanoseconds;
+  }
+
+  /** Who has made it runnable: the number of a job; 0 for the time, or something outside. */
+  long waker() {
+    return waker;
+  }
+
+  void wokenBy(long job) {
+    waker = job;
+  }
+
+  /** Whether its turns are kept, because somebody looks at them. */
+  boolean isTraced() {
+    return tracers > 0;
+  }
+
+  /**
+   * One more wants to see its turns; to be called between {@link Scheduler#beginObservation} and
+   * its end.
+   */
+  public void beginTrace() {
+    tracers++;
+  }
+
+  /** Ends one {@link #beginTrace}. */
+  public void endTrace() {
+    tracers--;
   }
 
   public boolean isFrozen() {
@@ -393,12 +495,24 @@ public final class Job implements Runnable {
     }
   }
 
-  /** The separator {@code ;}: lets the others run, if there are any. */
+  /** Lets the others run, if there are any; from code that is nowhere in a source. */
   public void yield() {
+    this.yield(null, null);
+  }
+
+  /**
+   * The separator {@code ;}: lets the others run, if there are any.
+   *
+   * @param code where it is
+   * @param next what of that code it executes next, or has executed last
+   */
+  public void yield(@Nullable Place code, @Nullable Located next) {
     if ((nonInterruptible | Double.doubleToRawLongBits(priority)) != 0 && mustContinue()) {
       checkInjected();
       checkInterrupted();
     } else if (scheduler.hasOthers()) {
+      place = code;
+      where = next;
       yieldNow();
     } else {
       checkInjected();
@@ -454,6 +568,7 @@ public final class Job implements Runnable {
     }
     timer = scheduler.timers().addUncounted(deadline, this::onTimer);
     state = State.SLEEPING;
+    wait = Wait.TIME;
     switchOut();
   }
 
@@ -468,10 +583,21 @@ public final class Job implements Runnable {
    * @throws RuntimeException in non-interruptible code
    */
   public void waitForWake() {
+    waitForWake(Wait.ANOTHER);
+  }
+
+  /**
+   * Waits until somebody calls {@link #wake}.
+   *
+   * @param what for what, for those who look
+   * @throws RuntimeException in non-interruptible code
+   */
+  public void waitForWake(Wait what) {
     if (nonInterruptible > 0) {
       throw scheduler.refusal(Problem.WAITS_UNINTERRUPTIBLE);
     }
     state = State.WAITING;
+    wait = what;
     switchOut();
   }
 
@@ -495,6 +621,9 @@ public final class Job implements Runnable {
       }
       scheduler.world().tracker = tracker;
       state = State.RUNNING;
+      wait = Wait.TURN;
+      place = null;
+      where = null;
     }
     checkInjected();
   }
@@ -536,6 +665,7 @@ public final class Job implements Runnable {
    * @return the scope to give to {@link #leave}
    */
   public TagScope enter(TagState tag) {
+    scheduler.number(tag);
     TagScope entered = new TagScope(tag, scope, this);
     moveTo(entered);
     return entered;
@@ -552,6 +682,7 @@ public final class Job implements Runnable {
 
   /** A scope under a tag, for other jobs; to be {@linkplain TagScope#end ended}. */
   public TagScope branch(TagState tag, TagScope around) {
+    scheduler.number(tag);
     return new TagScope(tag, around, null);
   }
 
@@ -559,7 +690,7 @@ public final class Job implements Runnable {
     scope.remove(this);
     other.add(this);
     scope = other;
-    int depth = other.frozenDepth();
+    int depth = other.frozenDepth() + (frozenAlone ? 1 : 0);
     if (depth > 0 && frozenDepth == 0) {
       frozenSince = scheduler.now();
     }
@@ -570,6 +701,22 @@ public final class Job implements Runnable {
   public void waitWhileFrozen() {
     if (frozenDepth > 0) {
       yieldNow();
+    }
+  }
+
+  /** Suspends this job alone, whatever its tags do, until {@link #unfreezeAlone}. */
+  public void freezeAlone() {
+    if (!frozenAlone) {
+      frozenAlone = true;
+      freeze();
+    }
+  }
+
+  /** Ends what {@link #freezeAlone} has begun. */
+  public void unfreezeAlone() {
+    if (frozenAlone) {
+      frozenAlone = false;
+      unfreeze();
     }
   }
 

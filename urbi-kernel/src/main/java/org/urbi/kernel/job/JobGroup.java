@@ -50,7 +50,7 @@ public final class JobGroup {
       throw parent.scheduler().refusal(Problem.DEPENDS_UNINTERRUPTIBLE);
     }
     while (!live.isEmpty() && failure == null) {
-      parent.waitForWake();
+      parent.waitForWake(Wait.JOBS);
     }
     if (failure != null) {
       throw rethrown(failure);

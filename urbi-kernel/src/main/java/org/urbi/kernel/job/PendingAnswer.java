@@ -12,13 +12,19 @@ import org.urbi.kernel.message.Receiver;
 public final class PendingAnswer implements Receiver {
   private final Scheduler scheduler;
   private final Job job;
+  private final Wait of;
   private final int number;
   private @Nullable Outcome outcome;
   private boolean abandoned;
 
-  /** Begins to wait; in the job. */
-  public PendingAnswer(Job job) {
+  /**
+   * Begins to wait; in the job.
+   *
+   * @param of whose result it is, for those who look
+   */
+  public PendingAnswer(Job job, Wait of) {
     this.job = job;
+    this.of = of;
     scheduler = job.scheduler();
     number = scheduler.inbox().register(this);
     scheduler.pace().begin();
@@ -48,7 +54,7 @@ public final class PendingAnswer implements Receiver {
   public Outcome await() {
     try {
       while (outcome == null) {
-        job.waitForWake();
+        job.waitForWake(of);
       }
     } finally {
       abandon();

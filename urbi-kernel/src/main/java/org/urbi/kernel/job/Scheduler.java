@@ -62,6 +62,8 @@ public final class Scheduler {
   private final Timers timers = new Timers(this::admitTimer);
   private final Budget common = new Budget();
   private final UsageMeter meter;
+  private @Nullable TurnMeter turnMeter;
+  private int observers;
   private final SimulationPace pace;
   private Runnable whenQuiet = () -> {};
   private final Interruptions interruptions;
@@ -88,6 +90,7 @@ public final class Scheduler {
   private boolean stopped;
   private volatile boolean over;
   private long sequence;
+  private long tagSequence;
   private final CycleStatistics statistics = new CycleStatistics();
 
   /**
@@ -193,6 +196,39 @@ public final class Scheduler {
   /** How long ticks take. */
   public CycleStatistics statistics() {
     return statistics;
+  }
+
+  /** From now on somebody looks at the jobs: the {@linkplain Job#ran turns} are measured. */
+  public void beginObservation() {
+    if (observers++ == 0) {
+      turnMeter = new TurnMeter(machine);
+    }
+  }
+
+  /** Ends one {@link #beginObservation}. */
+  public void endObservation() {
+    if (--observers == 0) {
+      turnMeter = null;
+    }
+  }
+
+  /**
+   * The turns of the traced jobs that have been kept.
+   *
+   * @param from the number of the first one that is wanted
+   */
+  public List<Turn> turns(long from) {
+    return turnMeter == null ? List.of() : turnMeter.turns(from);
+  }
+
+  /** The number that the next turn of a traced job gets. */
+  public long nextTurn() {
+    return turnMeter == null ? 0 : turnMeter.next();
+  }
+
+  /** The time of the machine, for measurements that the run does not depend on; nanoseconds. */
+  public long machineTime() {
+    return machine.now();
   }
 
   /** Measures what the jobs of each lobby use. */
@@ -340,8 +376,19 @@ public final class Scheduler {
     return ++sequence;
   }
 
+  /** Gives a tag its number, if it has none yet: the order in which code has entered tags. */
+  void number(TagState tag) {
+    if (tag.number() == 0) {
+      tag.setNumber(++tagSequence);
+    }
+  }
+
   void enqueue(Job job) {
     yields.endGrant();
+    if (turnMeter != null) {
+      Job waker = running;
+      job.wokenBy(waker == null ? 0 : waker.number());
+    }
     runnable.add(job);
   }
 
@@ -612,6 +659,13 @@ public final class Scheduler {
     }
     running = null;
     beginTurn();
+    endTurn();
+  }
+
+  private void endTurn() {
+    if (turnMeter != null) {
+      turnMeter.turnOf(null);
+    }
   }
 
   /**
@@ -625,6 +679,9 @@ public final class Scheduler {
     running = job;
     interruptions.beginTurnOf(job);
     meter.turnOf(job.budget());
+    if (turnMeter != null) {
+      turnMeter.turnOf(job);
+    }
   }
 
   private void runBehind() {
@@ -637,6 +694,7 @@ public final class Scheduler {
       }
     }
     running = null;
+    endTurn();
   }
 
   private void runEndOfTick() {

@@ -2,7 +2,9 @@ package org.urbi.kernel.job;
 
 import static java.util.Objects.requireNonNull;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -207,6 +209,18 @@ public final class TagScope {
     for (TagScope scope : inner) {
       scope.collect(all);
     }
+  }
+
+  /** The tag of that number, on this scope or below it; null if there is none. */
+  public @Nullable TagState tag(long number) {
+    Deque<TagScope> left = new ArrayDeque<>();
+    for (TagScope scope = this; scope != null; scope = left.poll()) {
+      if (scope.tag.number() == number) {
+        return scope.tag;
+      }
+      left.addAll(scope.inner);
+    }
+    return null;
   }
 
   /** The surrounding tags, innermost first. */

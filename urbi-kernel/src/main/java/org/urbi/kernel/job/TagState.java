@@ -18,6 +18,7 @@ public final class TagState {
   private @Nullable UrbiObject blockedValue;
 
   private final boolean detached;
+  private long number;
 
   /** A tag that no code can name. */
   public TagState() {
@@ -49,6 +50,15 @@ public final class TagState {
   /** The urbiscript object of this tag, or null. */
   public @Nullable UrbiObject owner() {
     return owner;
+  }
+
+  /** A number that no other tag of the kernel has; 0 until code enters it. */
+  public long number() {
+    return number;
+  }
+
+  void setNumber(long given) {
+    number = given;
   }
 
   /** Whether code is under this tag that has not been left, or anything that it has left there. */

@@ -40,6 +40,9 @@ public final class EntryCodec {
     add(30, Message.RoleGranted.class);
     add(31, Message.Evicted.class);
     add(32, Message.HungUp.class);
+    add(33, Message.LookedAt.class);
+    add(34, Message.LookEnded.class);
+    add(35, Message.Steered.class);
     add(40, Message.RemoteOpened.class);
     add(41, Message.RemoteFrame.class);
     add(42, Message.RemoteCongested.class);

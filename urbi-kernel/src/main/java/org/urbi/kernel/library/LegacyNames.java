@@ -51,6 +51,7 @@ final class LegacyNames {
     add(type(types, "Enumeration"), "values", values.list(List.of()));
     // The server says so when it listens.
     add(type(types, "System"), "listenPort", values.number(-1));
+    add(type(types, "System"), "studio", values.nil);
     add(type(types, "Global"), "FunctionProfile", type(types, "Profile.Function"));
   }
 

@@ -12,6 +12,7 @@ import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.TagStop;
+import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
@@ -282,7 +283,7 @@ public final class Shell {
         shell.setDaemon(true);
         listener.starving(true);
         try {
-          shell.waitForWake();
+          shell.waitForWake(Wait.INPUT);
         } finally {
           waiting = false;
           shell.setDaemon(false);
@@ -342,12 +343,12 @@ public final class Shell {
   private void awaitJobs(Job shell) {
     while (!closed && listener.stays()) {
       shell.setDaemon(true);
-      shell.waitForWake();
+      shell.waitForWake(Wait.JOBS);
     }
     shell.setDaemon(false);
     while (!closed && !lobby.connectionTag().state().isIdle()) {
       lobby.connectionTag().state().onIdle(shell::wake);
-      shell.waitForWake();
+      shell.waitForWake(Wait.JOBS);
     }
   }
 

@@ -106,6 +106,24 @@ public sealed interface Message {
   /** A client asks for the completions of a text. */
   record CompletionRequested(int to, int question, String text) implements Message {}
 
+  /**
+   * Somebody looks at the jobs and tags. What is wanted is kept under the number of the question.
+   */
+  record LookedAt(int to, int question) implements Message {}
+
+  /** Somebody looks no longer. */
+  record LookEnded(int to) implements Message {}
+
+  /**
+   * Somebody controls a job or a tag.
+   *
+   * @param action its name in urbiscript
+   * @param tag whether it is a tag
+   * @param target the number of the job or tag
+   */
+  record Steered(int to, int question, String action, boolean tag, long target)
+      implements Message {}
+
   // ------------------------------------------------------------------ remote processes
 
   /**

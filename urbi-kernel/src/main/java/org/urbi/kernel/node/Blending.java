@@ -11,6 +11,7 @@ import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.TagState;
 import org.urbi.kernel.job.TagStop;
+import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.object.BlendMode;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
@@ -85,7 +86,7 @@ public final class Blending {
     boolean came = false;
     try {
       while (!motions.isEmpty() || waiting.iterator().next() != job) {
-        job.waitForWake();
+        job.waitForWake(Wait.SIGNAL);
       }
       came = true;
     } finally {

@@ -141,6 +141,7 @@ public final class ForEach extends Node implements CallSite {
         for (long i = 0; i < count; i++) {
           group.start(frame, body, variable, values.number(i), this, entry);
         }
+        frame.job.at(frame, this);
         group.join();
       }
       return values.voidObject;
@@ -162,7 +163,7 @@ public final class ForEach extends Node implements CallSite {
           return value;
         }
         if (flavor == Flavor.SEMICOLON) {
-          frame.job.yield();
+          frame.job.yield(frame, this);
         } else {
           frame.job.checkInterrupted();
         }
@@ -188,6 +189,7 @@ public final class ForEach extends Node implements CallSite {
         for (UrbiObject element : elements) {
           group.start(frame, body, variable, element, this, entry);
         }
+        frame.job.at(frame, this);
         group.join();
       }
       return values.voidObject;
@@ -209,7 +211,7 @@ public final class ForEach extends Node implements CallSite {
         if (flavor != Flavor.SEMICOLON) {
           frame.job.checkInterrupted();
         } else if (i < last) {
-          frame.job.yield();
+          frame.job.yield(frame, this);
         }
         if (++turn >= limit || turns.isWanted()) {
           compiled = turns.compile(this, frame, turn);

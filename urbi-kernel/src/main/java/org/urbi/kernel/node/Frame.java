@@ -11,7 +11,7 @@ import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
 /** One activation of a function: its variables, its target, and who called it. */
-public final class Frame {
+public final class Frame implements Job.Place {
   /** The jump that ended a statement list. */
   enum Completion {
     BREAK,
@@ -328,6 +328,7 @@ public final class Frame {
    * The calls in progress, innermost first. Of a runaway recursion only both ends are listed, with
    * the number of calls between them.
    */
+  @Override
   public List<UrbiException.Call> backtrace() {
     List<UrbiException.Call> calls = new ArrayList<>();
     ArrayDeque<CallSite> outermost = new ArrayDeque<>();

@@ -103,7 +103,7 @@ abstract class FrameAccess extends Node {
 
   protected static void yield(Job job, Frame frame, @Nullable Node at) {
     try {
-      job.yield();
+      job.yield(frame, at);
     } catch (UrbiException e) {
       throw located(e, frame, at);
     }

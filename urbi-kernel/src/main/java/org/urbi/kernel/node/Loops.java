@@ -111,7 +111,7 @@ public final class Loops {
             step.execute(frame);
           }
           if (yields) {
-            frame.job.yield();
+            frame.job.yield(frame, this);
           } else {
             frame.job.checkInterrupted();
           }
@@ -168,13 +168,14 @@ public final class Loops {
           }
           while (condition == null || condition.test(frame)) {
             group.start(frame, body);
-            frame.job.yield();
+            frame.job.yield(frame, this);
             if (step != null) {
               step.execute(frame);
             }
           }
           return nothing;
         });
+        frame.job.at(frame, this);
         group.join();
       } catch (NonLocalExit.Break leave) {
         // One of the turns has ended the whole loop.

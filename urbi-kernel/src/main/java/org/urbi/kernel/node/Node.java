@@ -1,12 +1,13 @@
 package org.urbi.kernel.node;
 
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.job.Job;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Source;
 import org.urbi.lang.source.Span;
 
 /** A node of executable code. */
-public abstract class Node {
+public abstract class Node implements Job.Located {
   private static final Span NOWHERE =
       new Span(new Source("", 1, new Source.Line(0, null, 1)), 0, 0);
 
@@ -27,6 +28,7 @@ public abstract class Node {
   }
 
   /** Where it was written. */
+  @Override
   public final Span span() {
     return span;
   }

@@ -17,11 +17,21 @@ public final class PermissionCheck {
 
   /** Whether a job may change an object: its slots, its prototypes, its content. */
   static boolean allowsChange(Job job, UrbiObject target) {
-    if (job.isOwner()) {
+    return allowsChange(job.role(), job.lobby(), target);
+  }
+
+  /** Whether code of that role, which runs for that lobby, may change an object. */
+  public static boolean allowsChange(Role role, UrbiObject lobby, UrbiObject target) {
+    if (role == Role.OWNER) {
       return true;
     }
     UrbiObject ownerLobby = target.ownerLobby();
-    return ownerLobby == null ? job.role() == Role.USER : ownerLobby == job.lobby();
+    return ownerLobby == null ? role == Role.USER : ownerLobby == lobby;
+  }
+
+  /** Whether code of that role, which runs for that lobby, may change a job. */
+  public static boolean allowsChange(Role role, UrbiObject lobby, Job target) {
+    return role == Role.OWNER || target.lobby() == lobby;
   }
 
   /**
@@ -44,7 +54,7 @@ public final class PermissionCheck {
 
   /** Refuses to change a job, unless it runs for the lobby of the caller. */
   public static void checkChange(Frame caller, String routine, Job target) {
-    if (!caller.job.isOwner() && target.lobby() != caller.job.lobby()) {
+    if (!allowsChange(caller.job.role(), caller.job.lobby(), target)) {
       throw refused(caller, routine, Problem.CHANGES_JOB, Role.OWNER);
     }
   }

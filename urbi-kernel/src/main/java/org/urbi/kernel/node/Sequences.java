@@ -62,7 +62,7 @@ public final class Sequences {
           return value;
         }
         if (yieldsAfter[i]) {
-          frame.job.yield();
+          frame.job.yield(frame, statements[i + 1]);
         }
       }
       return statements[last].execute(frame);
@@ -84,6 +84,7 @@ public final class Sequences {
         for (Node statement : statements) {
           group.start(frame, statement);
         }
+        frame.job.at(frame, this);
         group.join();
       } catch (UrbiException e) {
         throw frame.located(e, span());
@@ -104,7 +105,7 @@ public final class Sequences {
     @Override
     public UrbiObject execute(Frame frame) {
       requireNonNull(frame.background, "code with a comma has one around").start(frame, statement);
-      frame.job.yield();
+      frame.job.yield(frame, this);
       return frame.interpreter.values().voidObject;
     }
   }
@@ -125,6 +126,7 @@ public final class Sequences {
         frame.background = group;
         UrbiObject value = group.guard(() -> body.execute(frame));
         if (frame.completion == null) {
+          frame.job.at(frame, this);
           group.join();
         }
         return value;

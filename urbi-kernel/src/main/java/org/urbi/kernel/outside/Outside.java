@@ -21,6 +21,7 @@ import org.urbi.kernel.job.Inbox;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.PendingAnswer;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.message.Outcome;
 import org.urbi.kernel.trust.Role;
@@ -226,7 +227,7 @@ public final class Outside implements Closeable {
   }
 
   private <T> @Nullable T outcome(Job job, Callable<T> work, int spins) throws IOException {
-    PendingAnswer answer = new PendingAnswer(job);
+    PendingAnswer answer = new PendingAnswer(job, Wait.FILE);
     AtomicReference<Outcome> early = new AtomicReference<>();
     Confinement allowed = confinement();
     start(() -> {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Wait;
 
 /** Jobs that wait for something to become true; on the kernel thread. */
 final class WaitingJobs {
@@ -15,7 +16,7 @@ final class WaitingJobs {
     while (!condition.getAsBoolean()) {
       jobs.add(job);
       try {
-        job.waitForWake();
+        job.waitForWake(Wait.FILE);
       } finally {
         jobs.remove(job);
       }

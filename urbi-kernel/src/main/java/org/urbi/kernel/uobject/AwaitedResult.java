@@ -6,6 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.PendingAnswer;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.message.Outcome;
 
 /** A result that a job waits for while others run. */
@@ -16,7 +17,7 @@ final class AwaitedResult {
 
   AwaitedResult(Job job) {
     scheduler = job.scheduler();
-    answer = new PendingAnswer(job);
+    answer = new PendingAnswer(job, Wait.COMPONENT);
   }
 
   /**

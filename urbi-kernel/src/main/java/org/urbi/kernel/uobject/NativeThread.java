@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.KernelThreadPin;
+import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.message.Outcome;
 import urbi.UContext;
 
@@ -143,7 +144,7 @@ final class NativeThread {
       call.waiting = frame.job();
       try {
         while (calls.peek() != call) {
-          frame.job().waitForWake();
+          frame.job().waitForWake(Wait.COMPONENT);
         }
       } finally {
         call.waiting = null;

@@ -3,6 +3,7 @@ package org.urbi.kernel.uobject;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.PendingAnswer;
+import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.message.Outcome;
 import org.urbi.kernel.node.Frame;
 import urbi.UCallback;
@@ -23,7 +24,7 @@ final class ThreadedCall {
   static @Nullable Object await(
       PluggedContext context, Frame caller, UCallback callback, Object[] arguments)
       throws Throwable {
-    PendingAnswer answer = new PendingAnswer(caller.job());
+    PendingAnswer answer = new PendingAnswer(caller.job(), Wait.COMPONENT);
     Runnable call = () -> answer.post(run(callback, arguments));
     if (!caller.job().scheduler().attempt(() -> callback.execute(context, call))) {
       answer.arrived(new Outcome(null, null));

@@ -17,6 +17,7 @@ import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.Timers;
+import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.lobby.Diagnostics;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.node.CallSite;
@@ -418,7 +419,7 @@ public final class UrbiUVar extends UrbiObject {
                 });
     try {
       while (reader.value == null && !reader.late) {
-        job.waitForWake();
+        job.waitForWake(Wait.COMPONENT);
       }
       return reader.value == null ? world().values().nil : reader.value;
     } finally {

@@ -18,7 +18,7 @@ class PendingAnswerTest {
   @Test
   void theJobWaitsUntilItIsThereWhileTheOthersGoOn() {
     loop.start(job -> {
-      PendingAnswer answer = new PendingAnswer(job);
+      PendingAnswer answer = new PendingAnswer(job, Wait.FILE);
       assertTrue(loop.scheduler.pace().isReal());
       loop.start(other -> {
         loop.say("other");
@@ -34,7 +34,7 @@ class PendingAnswerTest {
   @Test
   void itComesFromAnotherThread() {
     loop.start(job -> {
-      PendingAnswer answer = new PendingAnswer(job);
+      PendingAnswer answer = new PendingAnswer(job, Wait.FILE);
       Thread.ofPlatform().start(() -> answer.post(outcome));
       assertSame(outcome, answer.await());
       loop.say("answered");
@@ -45,7 +45,7 @@ class PendingAnswerTest {
   @Test
   void whatIsThereIsNotWaitedFor() {
     loop.start(job -> {
-      PendingAnswer answer = new PendingAnswer(job);
+      PendingAnswer answer = new PendingAnswer(job, Wait.FILE);
       answer.arrived(outcome);
       long turn = loop.scheduler.turn();
       assertSame(outcome, answer.await());
@@ -58,7 +58,7 @@ class PendingAnswerTest {
   @Test
   void itComesOnce() {
     loop.start(job -> {
-      PendingAnswer answer = new PendingAnswer(job);
+      PendingAnswer answer = new PendingAnswer(job, Wait.FILE);
       answer.post(outcome);
       answer.post(new Outcome("again", null));
       assertSame(outcome, answer.await());
@@ -75,7 +75,7 @@ class PendingAnswerTest {
   @Test
   void whoDoesNotWaitAnyMoreIsNotWoken() {
     loop.start(job -> {
-      PendingAnswer answer = new PendingAnswer(job);
+      PendingAnswer answer = new PendingAnswer(job, Wait.FILE);
       answer.abandon();
       loop.start(other -> {
         answer.take(new Message.Answer(0, outcome));
@@ -92,7 +92,7 @@ class PendingAnswerTest {
   @Test
   void whoIsStoppedWhileItWaitsIsNotWokenLater() {
     loop.start(job -> {
-      PendingAnswer answer = new PendingAnswer(job);
+      PendingAnswer answer = new PendingAnswer(job, Wait.FILE);
       loop.start(other -> job.terminate());
       try {
         answer.await();

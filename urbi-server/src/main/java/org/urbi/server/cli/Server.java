@@ -24,6 +24,7 @@ import org.urbi.server.net.ConsoleServer;
 import org.urbi.server.net.Limits;
 import org.urbi.server.options.Failure;
 import org.urbi.server.source.SourceText;
+import org.urbi.server.studio.StudioServer;
 import urbi.ServerConnection;
 
 /** One run of {@code urbi}: starts the kernel and its connections, and ends them. */
@@ -94,12 +95,14 @@ final class Server {
             .start();
     kernel = started;
     ConsoleServer network = null;
+    StudioServer studio = null;
     watch(started);
     try {
       startFiles.loadRos(started, err, System.getenv());
       startFiles.loadGlobal(started, err);
       network = settings.keepsServing() ? listen() : null;
       listening = network;
+      studio = settings.hasStudio() ? openStudio() : null;
       if (network != null) {
         // Beside the start, which it would delay.
         Thread.ofPlatform().daemon().name("urbi-heap").start(ServerHeap::keepRoom);
@@ -116,6 +119,9 @@ final class Server {
       if (network != null) {
         network.close();
         removePortFile();
+      }
+      if (studio != null) {
+        studio.close();
       }
       LocalConsole local = console;
       if (local != null) {
@@ -266,6 +272,30 @@ final class Server {
     } catch (Failure e) {
       server.close();
       throw e;
+    }
+  }
+
+  private StudioServer openStudio() {
+    InetSocketAddress address = new InetSocketAddress(settings.host(), settings.studio());
+    if (address.isUnresolved()) {
+      throw Failure.of("unknown host: " + settings.host());
+    }
+    String warning = settings.access().checkAddress(address);
+    if (warning != null && !settings.hasPort()) {
+      settings.trace().log(warning);
+    }
+    try {
+      StudioServer studio =
+          new StudioServer(
+              address,
+              client -> kernel().connect(client, false),
+              settings.access().accessPolicy(),
+              settings.trace());
+      kernel().evalAsync("System.studio = \"" + studio.url() + "\"|");
+      settings.trace().log("studio: " + studio.url());
+      return studio;
+    } catch (IOException e) {
+      throw Failure.of(e.getMessage() + "; --studio=0 takes any free port");
     }
   }
 

@@ -21,6 +21,7 @@ import org.urbi.server.trust.AccessOptions;
  * @param errors how the console tells of errors
  * @param port where to listen; 0 for any, {@link #NO_PORT} for nowhere
  * @param portFile where to write the port's number, or null
+ * @param studio the port of the studio; 0 for any, {@link #NO_PORT} without it
  * @param socket where to listen besides
  * @param maxConnections how many clients there may be at a time; 0: any number
  * @param maxOutput how many bytes may wait for all clients together; 0: the default
@@ -46,6 +47,7 @@ record Settings(
     String host,
     int port,
     @Nullable Path portFile,
+    int studio,
     SocketOptions socket,
     AccessOptions access,
     @Nullable String record,
@@ -59,6 +61,9 @@ record Settings(
     String program) {
   static final int NO_PORT = -1;
 
+  /** The port of the studio, unless another one is given. */
+  static final int STUDIO_PORT = 54080;
+
   /** What the console reads after the code in the options. */
   enum Input {
     /** Nothing. */
@@ -67,6 +72,10 @@ record Settings(
     STREAM,
     /** The standard input, as a session: by a user who may interrupt it. */
     SESSION
+  }
+
+  boolean hasStudio() {
+    return studio != NO_PORT;
   }
 
   boolean hasPort() {
@@ -83,6 +92,6 @@ record Settings(
 
   /** Whether something may still happen once the console's lobby has nothing to do. */
   boolean keepsServing() {
-    return hasPort() || socket.file() != null;
+    return hasPort() || socket.file() != null || hasStudio();
   }
 }

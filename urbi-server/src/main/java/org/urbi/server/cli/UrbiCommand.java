@@ -124,7 +124,14 @@ public final class UrbiCommand {
             "Serve so many clients at a time; 0 (the default): any number.",
             "--max-connections")
         .option(
-            "FILE", "Write the number of the port to FILE once it is open.", "-w", "--port-file");
+            "FILE", "Write the number of the port to FILE once it is open.", "-w", "--port-file")
+        .optional(
+            "PORT",
+            String.valueOf(Settings.STUDIO_PORT),
+            "Serve the studio, for browsers, on PORT (default: "
+                + Settings.STUDIO_PORT
+                + "; 0 takes any free one).",
+            "--studio");
     SocketOptions.declare(program);
     AccessOptions.declare(program)
         .option("FILE", "Record the run to FILE, so that it can be replayed.", "--record")
@@ -159,7 +166,7 @@ public final class UrbiCommand {
     }
     int port = arguments.number("--port", Settings.NO_PORT, Settings.NO_PORT, MAX_PORT);
     SocketOptions socket = SocketOptions.of(arguments);
-    if (!serves(port, socket)) {
+    if (!serves(port, socket, arguments)) {
       return new Server(settings(arguments, port, socket, err), out, err, () -> {}).run();
     }
     PrintStream before = System.err;
@@ -175,8 +182,8 @@ public final class UrbiCommand {
     }
   }
 
-  private static boolean serves(int port, SocketOptions socket) {
-    return port != Settings.NO_PORT || socket.file() != null;
+  private static boolean serves(int port, SocketOptions socket, Arguments arguments) {
+    return port != Settings.NO_PORT || socket.file() != null || arguments.has("--studio");
   }
 
   private Settings settings(
@@ -185,13 +192,14 @@ public final class UrbiCommand {
     if (port == Settings.NO_PORT && arguments.has("--port-file")) {
       throw Failure.usage("--port-file needs --port (--port 0 takes any free one)");
     }
-    boolean serves = serves(port, socket);
+    boolean serves = serves(port, socket, arguments);
     Settings.Input input = Settings.Input.NONE;
     if (arguments.has("--interactive")
         || rest.isEmpty()
             && inputs.isEmpty()
             && modules.isEmpty()
             && !arguments.has("--port")
+            && !arguments.has("--studio")
             && socket.file() == null) {
       input = Settings.Input.SESSION;
     } else if (!rest.isEmpty() && !Terminal.isStandardInput()) {
@@ -223,6 +231,7 @@ public final class UrbiCommand {
         arguments.value("--host", "127.0.0.1"),
         port,
         portFile == null ? null : Path.of(portFile),
+        arguments.number("--studio", Settings.NO_PORT, 0, MAX_PORT),
         socket,
         AccessOptions.of(arguments),
         arguments.value("--record"),

@@ -28,7 +28,7 @@ import org.urbi.server.trust.ServerIdentity;
  * from then on it looks like one without TLS: its {@code close_notify} is the end of its stream. An
  * end without that may be anybody's doing, and is a loss of the connection.
  */
-final class TlsGate extends ChannelInboundHandlerAdapter {
+public final class TlsGate extends ChannelInboundHandlerAdapter {
   /** With TLS 1.2 a client that ends its stream could not be answered any more. */
   private static final String VERSION = "TLSv1.3";
 
@@ -53,7 +53,7 @@ final class TlsGate extends ChannelInboundHandlerAdapter {
    *
    * @throws SSLException if the JDK cannot use that identity
    */
-  static SslContext context(ServerIdentity identity) throws SSLException {
+  public static SslContext context(ServerIdentity identity) throws SSLException {
     return SslContextBuilder.forServer(
             identity.key(), identity.chain().toArray(X509Certificate[]::new))
         .sslProvider(SslProvider.JDK)

@@ -51,10 +51,13 @@ final class FastParser {
     boolean attached = end < word.length();
     String value = null;
     if (option.hasValue()) {
-      if (!attached && !words.hasNext()) {
+      if (!attached && option.implied() == null && !words.hasNext()) {
         return false;
       }
-      value = attached ? word.substring(equals == end ? end + 1 : end) : words.next();
+      value =
+          attached
+              ? word.substring(equals == end ? end + 1 : end)
+              : option.implied() == null ? words.next() : option.implied();
     } else if (attached) {
       return false;
     }

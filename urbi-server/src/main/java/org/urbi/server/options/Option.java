@@ -9,10 +9,15 @@ import org.jspecify.annotations.Nullable;
  *
  * @param names with their dashes, at least one
  * @param label what stands for its value in the help, or null if it has none
+ * @param implied the value of an option that was given without one, or null if it needs one
  * @param taker takes each value in the order of the command line
  */
 record Option(
-    List<String> names, @Nullable String label, String description, Consumer<String> taker) {
+    List<String> names,
+    @Nullable String label,
+    @Nullable String implied,
+    String description,
+    Consumer<String> taker) {
   boolean hasValue() {
     return label != null;
   }

@@ -67,11 +67,13 @@ final class PicocliParser {
         OptionSpec.builder(option.names().toArray(String[]::new)).description(option.description());
     if (option.hasValue()) {
       builder
-          .arity("1")
+          .arity(option.implied() == null ? "1" : "0..1")
           .type(String.class)
           .paramLabel(option.label())
           .parameterConsumer((values, self, command) -> {
-            if (values.isEmpty()) {
+            String implied = option.implied();
+            boolean isGiven = !values.isEmpty() && (implied == null || isNumber(values.peek()));
+            if (!isGiven && implied == null) {
               throw new ParameterException(
                   command.commandLine(),
                   "Missing required parameter for option '%s' (%s)"
@@ -79,10 +81,15 @@ final class PicocliParser {
             }
             requireNonNull(reading, "it is being read")
                 .options()
-                .add(new ParsedCommandLine.Occurrence(option, values.pop()));
+                .add(new ParsedCommandLine.Occurrence(option, isGiven ? values.pop() : implied));
           });
     }
     return builder.build();
+  }
+
+  /** Only a number can be the value of an option that need not have one. */
+  private static boolean isNumber(String word) {
+    return word.chars().allMatch(Character::isDigit);
   }
 
   /**

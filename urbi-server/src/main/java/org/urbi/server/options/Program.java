@@ -30,7 +30,7 @@ public final class Program {
 
   /** Adds an option without a value. */
   public Program flag(String description, String... names) {
-    options.add(new Option(List.of(names), null, description, value -> {}));
+    options.add(new Option(List.of(names), null, null, description, value -> {}));
     return this;
   }
 
@@ -41,7 +41,17 @@ public final class Program {
 
   /** Adds an option that may be repeated; its values are taken in the order of the command line. */
   public Program each(String label, String description, Consumer<String> taker, String... names) {
-    options.add(new Option(List.of(names), label, description, taker));
+    options.add(new Option(List.of(names), label, null, description, taker));
+    return this;
+  }
+
+  /**
+   * Adds an option whose value may be left out; it follows a {@code =}.
+   *
+   * @param implied the value when it is left out
+   */
+  public Program optional(String label, String implied, String description, String... names) {
+    options.add(new Option(List.of(names), label, implied, description, value -> {}));
     return this;
   }
 

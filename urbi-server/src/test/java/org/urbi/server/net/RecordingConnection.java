@@ -4,6 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.urbi.kernel.Connection;
+import org.urbi.kernel.observe.Look;
+import org.urbi.kernel.observe.Steering;
+import org.urbi.kernel.observe.View;
 import org.urbi.kernel.trust.Role;
 
 /** A lobby that only notes what is done to it, and has as much unread input as a test wants. */
@@ -63,6 +66,21 @@ final class RecordingConnection implements Connection {
 
   @Override
   public CompletableFuture<List<String>> complete(String text) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  public CompletableFuture<View> look(Look wanted) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  public void lookNoMore() {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  public CompletableFuture<String> steer(Steering.Action action, boolean tag, long target) {
     throw new UnsupportedOperationException();
   }
 

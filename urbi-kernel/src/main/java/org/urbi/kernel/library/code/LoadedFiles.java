@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Wait;
 
 /** Which source files one kernel has loaded, or is loading (manual, "System": requireFile). */
 public final class LoadedFiles {
@@ -75,7 +76,7 @@ public final class LoadedFiles {
     while (loading != null && !waitsFor(loading.loader, job)) {
       loading.waiting.add(job);
       try {
-        job.waitForWake();
+        job.waitForWake(Wait.FILE);
       } finally {
         loading.waiting.remove(job);
       }

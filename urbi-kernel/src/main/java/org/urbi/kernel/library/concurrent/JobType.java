@@ -11,6 +11,7 @@ import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.JobLocal;
 import org.urbi.kernel.job.TagState;
+import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.library.code.StackFrames;
 import org.urbi.kernel.library.lobby.LobbyType;
 import org.urbi.kernel.lobby.Output;
@@ -127,7 +128,7 @@ public final class JobType {
         });
     while (!over[0]) {
       WaitingCall.note(frame, site);
-      waiting.waitForWake();
+      waiting.waitForWake(Wait.JOBS);
     }
   }
 

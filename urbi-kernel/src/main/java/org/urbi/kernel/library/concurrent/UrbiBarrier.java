@@ -3,6 +3,7 @@ package org.urbi.kernel.library.concurrent;
 import java.util.ArrayDeque;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -35,7 +36,7 @@ final class UrbiBarrier extends UrbiObject {
     queue.add(waiting);
     try {
       while (waiting.received == null) {
-        job.waitForWake();
+        job.waitForWake(Wait.SIGNAL);
       }
       return waiting.received;
     } finally {

@@ -3,6 +3,7 @@ package org.urbi.kernel.library.concurrent;
 import java.util.ArrayDeque;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
@@ -40,7 +41,7 @@ final class UrbiMutex extends UrbiTag {
     queue.add(job);
     try {
       while (owner != job) {
-        job.waitForWake();
+        job.waitForWake(Wait.LOCK);
       }
     } catch (RuntimeException stopped) {
       queue.remove(job);

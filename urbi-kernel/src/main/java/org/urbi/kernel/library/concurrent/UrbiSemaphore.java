@@ -3,6 +3,7 @@ package org.urbi.kernel.library.concurrent;
 import java.util.LinkedHashSet;
 import java.util.Set;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -46,7 +47,7 @@ final class UrbiSemaphore extends UrbiObject {
     boolean entered = false;
     try {
       while (!ticket.granted) {
-        job.waitForWake();
+        job.waitForWake(Wait.LOCK);
       }
       entered = true;
     } finally {

@@ -6,6 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -35,7 +36,7 @@ final class UrbiSubscriber extends UrbiObject {
     waiting.add(job);
     try {
       while (values.isEmpty()) {
-        job.waitForWake();
+        job.waitForWake(Wait.SIGNAL);
       }
     } finally {
       waiting.remove(job);

@@ -19,6 +19,7 @@ public record WaitingCall(CallSite site, Frame caller) {
   /** Notes that the running job is about to wait in a function called at that site. */
   public static void note(Frame caller, CallSite site) {
     LATEST.set(caller.job(), new WaitingCall(site, caller));
+    caller.job().at(caller, site::calledSpan);
   }
 
   /** The calls that are going on in a job, innermost first. */

@@ -5,6 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -94,7 +95,7 @@ final class UrbiIoService extends UrbiObject {
         if (over[0]) {
           return;
         }
-        job.waitForWake();
+        job.waitForWake(Wait.FILE);
       }
     } finally {
       polling.remove(job);

@@ -11,6 +11,7 @@ import org.urbi.builtins.UrbiType;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.event.Durations;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.library.concurrent.ControlType;
 import org.urbi.kernel.library.concurrent.JobType;
 import org.urbi.kernel.library.concurrent.WaitingCall;
@@ -35,7 +36,7 @@ final class SystemType {
     Job job = frame.job();
     WaitingCall.note(frame, site);
     if (duration == null || duration == Double.POSITIVE_INFINITY) {
-      job.waitForWake();
+      job.waitForWake(Wait.TIME);
       return;
     }
     // A deadline in the past is due now.

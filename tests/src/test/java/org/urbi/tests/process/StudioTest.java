@@ -1,0 +1,140 @@
+package org.urbi.tests.process;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.urbi.tests.process.JavaProcess.Setting;
+
+/** The studio as its user meets it: a real server, in a real browser. */
+class StudioTest {
+  private static final Path ROOT = Path.of("..").toAbsolutePath().normalize();
+  private static final String URBI = "org.urbi.server.cli.UrbiCommand";
+  private static final String ADDRESS = "studio: ";
+
+  private static final String PROGRAM =
+      """
+      var Global.n = 0|;
+      counting: every (10ms) { n++ },
+      waiting: waituntil (n < 0),
+      function Global.rest() { sleep(1h) }|;
+      resting: rest(),
+      many: for& (3000) sleep(1h),
+      """;
+
+  /** JavaScript that finds the row of the job whose code begins like that. */
+  private static String row(String code) {
+    return "[...document.querySelectorAll('.row')]"
+        + ".find(row => row.querySelector('.code').textContent.startsWith('"
+        + code
+        + "'))";
+  }
+
+  private static String button(String of, String name) {
+    return "[..." + of + ".querySelectorAll('button')].find(b => b.textContent === '" + name + "')";
+  }
+
+  private static String tag(String name) {
+    return "document.querySelector('[data-tag=" + name + "]')";
+  }
+
+  @Test
+  void jobsAreSeenAndSteeredInABrowser(@TempDir Path folder) throws Exception {
+    Path program = Files.writeString(folder.resolve("program.u"), PROGRAM);
+    List<String> words = List.of("-q", "--studio=0", "-i", "-f", program.toString());
+    try (Browser browser = Browser.start(folder);
+        JavaProcess urbi = JavaProcess.start(Setting.in(ROOT), URBI, words)) {
+      String line = urbi.awaitText(ADDRESS);
+      String address = line.substring(line.indexOf(ADDRESS) + ADDRESS.length());
+      assertTrue(address.matches("http://localhost:\\d+/"), address);
+      browser.open(address);
+      seesJobs(browser);
+      seesLanes(browser);
+      seesCalls(browser);
+      steersJobs(browser, urbi);
+      usesKeysAlone(browser);
+      urbi.send("System.studio;\n");
+      urbi.awaitText("\"" + address + "\"");
+      urbi.send("shutdown;\n");
+      String state = "return document.querySelector('#connection').dataset.state";
+      browser.await("the loss of the connection", state, "lost"::equals);
+      assertEquals(0, urbi.awaitEnd(), urbi::text);
+      assertTrue(!urbi.text().contains("internal error"), urbi::text);
+    }
+  }
+
+  private static void seesJobs(Browser browser) throws Exception {
+    String state = ".querySelector('.state').textContent";
+    String event = "return " + row("waituntil") + "?" + state;
+    browser.await("the job that waits", event, "condition"::equals);
+    browser.await("the one that counts", "return " + row("every") + "?" + state, "time"::equals);
+    String count =
+        "return Number(document.querySelector('#count').textContent.replace(/\\D/g, ''))";
+    browser.await("all jobs", count, text -> Integer.parseInt(text) > 3000);
+    String rows = browser.evaluate("return document.querySelectorAll('.row').length");
+    assertTrue(Integer.parseInt(rows) < 100, rows + " rows of 3000 jobs are in the document");
+    assertEquals("true", browser.evaluate("return document.body.scrollWidth <= innerWidth"));
+  }
+
+  private static void seesLanes(Browser browser) throws Exception {
+    browser.await(
+        "the turns of the job that counts",
+        """
+        const canvas = document.querySelector('#lanes');
+        const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+        return new Set(new Uint32Array(pixels.buffer)).size;
+        """,
+        colours -> Integer.parseInt(colours) > 3);
+  }
+
+  private static void seesCalls(Browser browser) throws Exception {
+    browser.evaluate(row("sleep(1h)") + ".click()");
+    browser.await(
+        "where it is",
+        "return document.querySelector('#job').textContent",
+        text ->
+            text.contains("function Global.rest() { sleep(1h) }")
+                && text.contains("resting: rest(),")
+                && text.contains("program.u:4."));
+  }
+
+  private static void steersJobs(Browser browser, JavaProcess urbi) throws Exception {
+    browser.evaluate(button("document.querySelector('#job')", "Stop") + ".click()");
+    String detail = "return document.querySelector('#job').textContent";
+    browser.await("the end of the job", detail, text -> text.contains("has ended"));
+    browser.evaluate(button(tag("counting"), "Freeze") + ".click()");
+    browser.await(
+        "the tag", "return " + tag("counting") + ".textContent", t -> t.contains("frozen"));
+    urbi.send("var a = n| sleep(50ms)| [a == n];\n");
+    urbi.awaitText("[true]");
+    browser.evaluate(button(tag("counting"), "Unfreeze") + ".click()");
+    urbi.send("waituntil (n > a) | [a < n, 1];\n");
+    urbi.awaitText("[true, 1]");
+    browser.evaluate(button(tag("counting"), "Block") + ".click()");
+    browser.await(
+        "the tag", "return " + tag("counting") + ".textContent", t -> t.contains("blocked"));
+    browser.evaluate(button(tag("many"), "Stop") + ".click()");
+    String count =
+        "return Number(document.querySelector('#count').textContent.replace(/\\D/g, ''))";
+    browser.await("the end of many jobs", count, text -> Integer.parseInt(text) < 20);
+  }
+
+  private static void usesKeysAlone(Browser browser) throws Exception {
+    String press =
+        "document.querySelector('#list').dispatchEvent(new KeyboardEvent('keydown', {key: '%s'}));";
+    browser.evaluate(press.formatted("Home") + press.formatted("ArrowDown"));
+    String selected =
+        "return document.querySelector('[aria-selected=true]')?.getAttribute('aria-level')";
+    assertEquals("2", browser.evaluate(selected));
+    browser.evaluate(
+        "document.querySelector('#filter').value = 'waituntil';"
+            + "document.querySelector('#filter').dispatchEvent(new Event('input'))");
+    browser.await("the filter", "return !!" + row("waituntil"), "true"::equals);
+    browser.evaluate(row("waituntil") + ".click();" + press.formatted("s"));
+    browser.await("the end of the job", "return !!" + row("waituntil"), "false"::equals);
+  }
+}

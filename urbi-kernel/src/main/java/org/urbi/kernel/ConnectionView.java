@@ -1,0 +1,109 @@
+package org.urbi.kernel;
+
+import static java.util.Objects.requireNonNull;
+
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.lobby.UrbiLobby;
+import org.urbi.kernel.message.Message;
+import org.urbi.kernel.observe.Look;
+import org.urbi.kernel.observe.Steering;
+import org.urbi.kernel.observe.View;
+import org.urbi.kernel.observe.Watch;
+
+/** What the client of a connection sees of the kernel, and does to its jobs and tags. */
+final class ConnectionView {
+  private record Question(Look wanted, CompletableFuture<View> answer) {}
+
+  private final Kernel kernel;
+  private final int number;
+  private final AtomicInteger questions = new AtomicInteger();
+  private final Map<Integer, Question> looks = new ConcurrentHashMap<>();
+  private final Map<Integer, CompletableFuture<String>> steerings = new ConcurrentHashMap<>();
+  private volatile boolean closed;
+  private @Nullable Watch watch;
+
+  /**
+   * @param number of the connection
+   */
+  ConnectionView(Kernel kernel, int number) {
+    this.kernel = kernel;
+    this.number = number;
+  }
+
+  // ------------------------------------------------------------------ from any thread
+
+  CompletableFuture<View> look(Look wanted) {
+    Question asked = new Question(wanted, new CompletableFuture<>());
+    int question = questions.incrementAndGet();
+    looks.put(question, asked);
+    kernel.inbox().post(new Message.LookedAt(number, question));
+    cancelIfClosed();
+    return asked.answer();
+  }
+
+  void lookNoMore() {
+    kernel.inbox().post(new Message.LookEnded(number));
+  }
+
+  CompletableFuture<String> steer(Steering.Action action, boolean tag, long target) {
+    CompletableFuture<String> answer = new CompletableFuture<>();
+    int question = questions.incrementAndGet();
+    steerings.put(question, answer);
+    kernel.inbox().post(new Message.Steered(number, question, action.text(), tag, target));
+    cancelIfClosed();
+    return answer;
+  }
+
+  private void cancelIfClosed() {
+    if (closed) {
+      looks.values().forEach(each -> each.answer().cancel(false));
+      steerings.values().forEach(each -> each.cancel(false));
+      looks.clear();
+      steerings.clear();
+    }
+  }
+
+  // ------------------------------------------------------------------ on the kernel thread
+
+  /** In a replay nobody has asked, and nobody is told. */
+  void take(Message.LookedAt message) {
+    Question asked = looks.remove(message.question());
+    if (asked != null) {
+      if (watch == null) {
+        watch = new Watch(kernel.scheduler());
+      }
+      asked.answer().complete(watch.look(asked.wanted()));
+    }
+  }
+
+  void take(Message.Steered message, UrbiLobby by) {
+    Steering.Action action =
+        requireNonNull(Steering.Action.of(message.action()), "it was sent by its name");
+    String failure =
+        message.tag()
+            ? kernel.steering().steerTag(by, action, message.target())
+            : kernel.steering().steerJob(by, action, message.target());
+    CompletableFuture<String> answer = steerings.remove(message.question());
+    if (answer != null) {
+      answer.complete(failure);
+    }
+  }
+
+  void endLook() {
+    if (watch != null) {
+      watch.end();
+      watch = null;
+    }
+  }
+
+  /** The connection is closed. */
+  void close() {
+    closed = true;
+    endLook();
+    cancelIfClosed();
+  }
+}

@@ -1,0 +1,19 @@
+package org.urbi.kernel.observe;
+
+import java.util.List;
+
+/**
+ * What somebody wants to see.
+ *
+ * @param selected the number of the job whose calls are wanted; 0 for none
+ * @param traced the numbers of the jobs whose turns are wanted; those beyond {@link #MOST_TRACED}
+ *     are passed over
+ */
+public record Look(long selected, List<Long> traced) {
+  /** The turns of how many jobs can be had at a time. */
+  public static final int MOST_TRACED = 64;
+
+  public Look {
+    traced = traced.stream().distinct().limit(MOST_TRACED).toList();
+  }
+}

@@ -1,0 +1,32 @@
+package org.urbi.kernel.observe;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.job.Turn;
+
+/**
+ * What has changed since somebody looked last. One view is about a limited number of jobs: several
+ * make a round over all of them.
+ *
+ * @param machine the time of the machine, in nanoseconds
+ * @param time of the kernel, in nanoseconds since its start
+ * @param total how many jobs there are
+ * @param jobs that are new, or have changed
+ * @param gone the numbers of the jobs that have ended
+ * @param tags that are new, or have changed
+ * @param tagsGone the numbers of the tags under which there is nothing any more
+ * @param turns of the traced jobs
+ * @param detail of the selected job, at the end of a round; null if there is none
+ * @param complete whether it is the end of a round
+ */
+public record View(
+    long machine,
+    long time,
+    int total,
+    List<JobRow> jobs,
+    List<Long> gone,
+    List<TagRow> tags,
+    List<Long> tagsGone,
+    List<Turn> turns,
+    @Nullable JobDetail detail,
+    boolean complete) {}

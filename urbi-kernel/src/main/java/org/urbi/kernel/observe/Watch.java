@@ -1,0 +1,155 @@
+package org.urbi.kernel.observe;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.job.Turn;
+import org.urbi.lang.source.Span;
+
+/**
+ * One who looks at the jobs and tags of a kernel, and is told what has changed. To look takes a
+ * limited time: of very many jobs a part each time. On the kernel thread, between the turns.
+ */
+public final class Watch {
+  /** How many jobs are looked at in one tick. */
+  private static final int JOBS_AT_ONCE = 500;
+
+  private static final double SECOND = 1e9;
+
+  private final Scheduler scheduler;
+  private final SeenTags tags = new SeenTags();
+  private List<SeenJob> seen = new ArrayList<>();
+  private List<SeenJob> seenNow = new ArrayList<>();
+  private List<Job> round = List.of();
+  private int next;
+  private int known;
+  private List<Job> traced = List.of();
+  private long nextTurn;
+
+  /** Begins to look; to be {@linkplain #end ended}. */
+  public Watch(Scheduler scheduler) {
+    this.scheduler = scheduler;
+    scheduler.beginObservation();
+    nextTurn = scheduler.nextTurn();
+  }
+
+  /** Looks no longer. */
+  public void end() {
+    traced.forEach(Job::endTrace);
+    traced = List.of();
+    round = List.of();
+    scheduler.endObservation();
+  }
+
+  /** What has changed since the last look. */
+  public View look(Look wanted) {
+    long now = scheduler.machineTime();
+    if (next == round.size()) {
+      begin(wanted);
+    }
+    List<JobRow> changed = new ArrayList<>();
+    List<Long> gone = new ArrayList<>();
+    int end = Math.min(next + JOBS_AT_ONCE, round.size());
+    for (; next < end; next++) {
+      Job job = round.get(next);
+      if (job.state() != Job.State.ENDED) {
+        SeenJob one = find(job, gone, now);
+        if (one.update(job, tags, now)) {
+          changed.add(one.row(job));
+        }
+        seenNow.add(one);
+      }
+    }
+    boolean complete = next == round.size();
+    if (complete) {
+      for (; known < seen.size(); known++) {
+        gone.add(seen.get(known).number());
+      }
+      seen = seenNow;
+    }
+    return new View(
+        now,
+        scheduler.now(),
+        round.size(),
+        changed,
+        gone,
+        tags.changes(complete),
+        complete ? tags.gone() : List.of(),
+        turns(),
+        complete ? detail(wanted.selected()) : null,
+        complete);
+  }
+
+  private void begin(Look wanted) {
+    round = scheduler.jobs();
+    next = 0;
+    known = 0;
+    seenNow = new ArrayList<>(round.size());
+    traced.forEach(Job::endTrace);
+    traced = wanted.traced().stream().map(this::job).filter(job -> job != null).toList();
+    traced.forEach(Job::beginTrace);
+  }
+
+  /** What is known of a job. Both lists are in the order of the numbers. */
+  private SeenJob find(Job job, List<Long> gone, long now) {
+    while (known < seen.size() && seen.get(known).number() < job.number()) {
+      gone.add(seen.get(known++).number());
+    }
+    boolean is = known < seen.size() && seen.get(known).number() == job.number();
+    return is ? seen.get(known++) : new SeenJob(job, now);
+  }
+
+  /** The job of that number in this round; null if there is none. */
+  private @Nullable Job job(long number) {
+    int low = 0;
+    int high = round.size() - 1;
+    while (low <= high) {
+      int middle = (low + high) >>> 1;
+      Job found = round.get(middle);
+      if (found.number() == number) {
+        return found;
+      } else if (found.number() < number) {
+        low = middle + 1;
+      } else {
+        high = middle - 1;
+      }
+    }
+    return null;
+  }
+
+  private List<Turn> turns() {
+    if (traced.isEmpty()) {
+      nextTurn = scheduler.nextTurn();
+      return List.of();
+    }
+    List<Turn> turns = scheduler.turns(nextTurn);
+    nextTurn = scheduler.nextTurn();
+    return turns;
+  }
+
+  private @Nullable JobDetail detail(long number) {
+    Job job = job(number);
+    if (job == null || job.state() == Job.State.ENDED) {
+      return null;
+    }
+    List<JobDetail.Call> calls = new ArrayList<>();
+    Job.Located where = job.where();
+    Span span = where == null ? null : where.span();
+    if (span != null) {
+      calls.add(new JobDetail.Call("", Written.place(span), Written.line(span)));
+    }
+    Job.Place place = job.place();
+    if (place != null) {
+      place
+          .backtrace()
+          .forEach(call ->
+              calls.add(
+                  new JobDetail.Call(
+                      call.name(), Written.place(call.span()), Written.line(call.span()))));
+    }
+    double left = job.deadline() < 0 ? -1 : (job.deadline() - scheduler.now()) / SECOND;
+    return new JobDetail(number, left, calls);
+  }
+}

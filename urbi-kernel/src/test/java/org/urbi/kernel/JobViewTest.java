@@ -1,0 +1,275 @@
+package org.urbi.kernel;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.CancellationException;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.urbi.kernel.job.Turn;
+import org.urbi.kernel.job.Wait;
+import org.urbi.kernel.observe.JobRow;
+import org.urbi.kernel.observe.Look;
+import org.urbi.kernel.observe.Steering.Action;
+import org.urbi.kernel.observe.TagRow;
+import org.urbi.kernel.observe.View;
+import org.urbi.kernel.trust.Role;
+
+/** Somebody looks at the jobs and tags of a running kernel, and controls them. */
+class JobViewTest {
+  /** Whoever was connected in a run that is replayed. */
+  private static final Client SILENT =
+      new Client() {
+        @Override
+        public void output(String bytes) {}
+
+        @Override
+        public void closed() {}
+      };
+
+  private Kernel kernel;
+  private TestClient program;
+  private Viewer owner;
+
+  /** Puts together what has been told. */
+  private static final class Viewer {
+    private final TestClient client;
+    private final Map<Long, JobRow> jobs = new TreeMap<>();
+    private final Map<Long, TagRow> tags = new TreeMap<>();
+    private View last;
+    private int changes;
+
+    Viewer(Kernel kernel, Role role) {
+      client = new TestClient(kernel, role);
+    }
+
+    /** A round over all jobs. */
+    Viewer look(Look wanted) {
+      changes = 0;
+      do {
+        last = client.connection().look(wanted).join();
+        assertTrue(last.jobs().size() <= 500, "a limited number in one tick");
+        last.jobs().forEach(row -> jobs.put(row.number(), row));
+        last.gone().forEach(jobs::remove);
+        last.tags().forEach(row -> tags.put(row.number(), row));
+        last.tagsGone().forEach(tags::remove);
+        changes += last.jobs().size() + last.gone().size();
+      } while (!last.complete());
+      return this;
+    }
+
+    Viewer look() {
+      return look(new Look(0, List.of()));
+    }
+
+    JobRow await(Predicate<JobRow> wanted) {
+      while (true) {
+        for (JobRow row : look().jobs.values()) {
+          if (wanted.test(row)) {
+            return row;
+          }
+        }
+      }
+    }
+
+    TagRow tag(String name) {
+      return look().tags.values().stream()
+          .filter(row -> row.name().equals(name))
+          .findFirst()
+          .orElseThrow();
+    }
+
+    JobRow under(String tag) {
+      long number = tag(tag).number();
+      return await(row -> row.tags().contains(number));
+    }
+
+    String steer(Action action, boolean tag, long target) {
+      return client.connection().steer(action, tag, target).join();
+    }
+  }
+
+  @BeforeEach
+  void start() {
+    kernel = Kernel.builder().log(line -> {}).start();
+    program = new TestClient(kernel, Role.OWNER);
+    owner = new Viewer(kernel, Role.OWNER);
+  }
+
+  @AfterEach
+  void stop() {
+    assertEquals("3", program.say("1 + 2;"));
+    kernel.close();
+  }
+
+  @Test
+  void tellsWhatJobsWaitForAndWhere() {
+    program.say(
+        """
+        var Global.e = Event.new|; var Global.x = 0|; var Global.m = Mutex.new|;
+        myTime: sleep(1h),
+        myPeriod: every (1h) 1,
+        myEvent: waituntil (e?),
+        myCondition: waituntil (x == 1),
+        myFile: { var p = Process.new("cat", []); p.run(); p.join() },
+        m: sleep(1h),
+        myLock: { sleep(1ms); m: 1 },
+        myBoth: { sleep(1h) & sleep(1h) },
+        myBusy: loop { 1 },
+        """);
+    assertEquals("time", owner.under("myTime").waits());
+    long file = owner.tag("myFile").number();
+    owner.await(row -> row.tags().contains(file) && row.waits().equals("file"));
+    assertEquals("time", owner.under("myPeriod").waits());
+    assertEquals("event", owner.under("myEvent").waits());
+    assertEquals("condition", owner.under("myCondition").waits());
+    long lock = owner.tag("myLock").number();
+    owner.await(row -> row.tags().contains(lock) && row.waits().equals("lock"));
+    long both = owner.tag("myBoth").number();
+    JobRow parent = owner.await(row -> row.tags().contains(both) && row.waits().equals("jobs"));
+    assertEquals(
+        2, owner.jobs.values().stream().filter(row -> row.starter() == parent.number()).count());
+    JobRow busy = owner.under("myBusy");
+    assertEquals("running", busy.waits());
+    owner.await(row -> row.number() == busy.number() && row.share() > 100);
+    assertTrue(owner.under("myEvent").place().matches("\\d+\\.\\d+-\\d+"), busy.place());
+    assertTrue(busy.lobby().startsWith("Lobby_"), busy.lobby());
+  }
+
+  @Test
+  void showsCallsWithTheirLines() {
+    program.say(
+        """
+        function Global.outer() { inner() }|;
+        function Global.inner() { sleep(1h) }|;
+        deep: outer(),
+        """);
+    JobRow job = owner.under("deep");
+    owner.look(new Look(job.number(), List.of()));
+    assertNotNull(owner.last.detail());
+    assertTrue(owner.last.detail().left() > 3000, "it waits for an hour");
+    List<String> names = owner.last.detail().calls().stream().map(call -> call.name()).toList();
+    assertTrue(names.containsAll(List.of("inner", "outer")), names.toString());
+    assertTrue(
+        owner.last.detail().calls().getFirst().line().contains("sleep(1h)"),
+        owner.last.detail().toString());
+  }
+
+  @Test
+  void turnsOfTracedJobsAreKept() {
+    program.say("ticks: every| (1ms) { 1 },");
+    JobRow job = owner.under("ticks");
+    Look wanted = new Look(0, List.of(job.number()));
+    List<Turn> turns;
+    do {
+      turns = owner.look(wanted).last.turns();
+    } while (turns.stream().noneMatch(turn -> turn.before() == Wait.TIME));
+    for (Turn turn : turns) {
+      assertEquals(job.number(), turn.job());
+      // A turn that is late is followed by the next one at once.
+      assertEquals(turn.before() == Wait.TIME ? 0 : job.number(), turn.waker());
+      assertTrue(turn.begin() <= turn.end());
+    }
+  }
+
+  @Test
+  void onlyChangesAreToldOfManyJobs() {
+    program.say("many: for& (10000) { sleep(1h) },");
+    long many = owner.tag("many").number();
+    while (owner.look().jobs.values().stream().filter(r -> r.tags().contains(many)).count()
+        < 10_001) {
+      // They are still being started.
+    }
+    owner.look();
+    assertTrue(owner.look().changes < 20, () -> owner.changes + " changes of sleeping jobs");
+    program.say("many.stop;");
+    assertTrue(owner.look().jobs.size() < 20, () -> owner.jobs.size() + " jobs are left");
+  }
+
+  @Test
+  void tagsAndJobsAreControlled() {
+    program.say("var Global.n = 0|; count: every (1ms) { n++ }, other: sleep(1h),");
+    TagRow count = owner.tag("count");
+    assertEquals("", owner.steer(Action.FREEZE, true, count.number()));
+    assertTrue(owner.tag("count").frozen());
+    assertTrue(owner.under("count").frozen());
+    String before = program.say("n;");
+    assertEquals(before, program.say("sleep(20ms); n;"));
+    assertEquals("", owner.steer(Action.UNFREEZE, true, count.number()));
+    program.say("waituntil (n > " + before + ");");
+    assertEquals("", owner.steer(Action.BLOCK, true, count.number()));
+    assertTrue(owner.tag("count").blocked(), "it can be unblocked although nothing is under it");
+    assertEquals("nothing", program.say("count: echo(1); echo(\"nothing\");").substring(4));
+    assertEquals("", owner.steer(Action.UNBLOCK, true, count.number()));
+    assertEquals("*** 1", program.say("count: echo(1);"));
+    JobRow other = owner.under("other");
+    assertEquals("", owner.steer(Action.FREEZE, false, other.number()));
+    owner.await(row -> row.number() == other.number() && row.frozen());
+    assertEquals("", owner.steer(Action.UNFREEZE, false, other.number()));
+    assertEquals("", owner.steer(Action.STOP, false, other.number()));
+    while (owner.look().jobs.containsKey(other.number())) {
+      // It ends when its turn comes.
+    }
+    assertEquals(
+        "no such job any more: " + other.number(), owner.steer(Action.STOP, false, other.number()));
+    assertEquals("no such tag any more: 123456", owner.steer(Action.STOP, true, 123_456));
+    assertEquals(
+        "a job can be stopped and frozen; only a tag can be blocked",
+        owner.steer(Action.BLOCK, false, owner.await(row -> true).number()));
+  }
+
+  @Test
+  void observersSeeAndCannotChange() {
+    program.say("mine: sleep(1h),");
+    Viewer observer = new Viewer(kernel, Role.OBSERVER);
+    JobRow job = observer.under("mine");
+    for (Action action : List.of(Action.STOP, Action.FREEZE, Action.UNFREEZE)) {
+      String refused = observer.steer(action, false, job.number());
+      assertTrue(refused.contains("needs the role owner"), refused);
+    }
+    for (Action action : Action.values()) {
+      String refused = observer.steer(action, true, observer.tag("mine").number());
+      assertTrue(refused.contains("needs the role user"), refused);
+    }
+    assertEquals(job, owner.under("mine"));
+  }
+
+  @Test
+  void closedConnectionsAnswerNobody() {
+    Viewer gone = new Viewer(kernel, Role.OWNER);
+    gone.look().client.connection().close();
+    while (!"closed".equals(gone.client.next())) {
+      // What it was told before.
+    }
+    assertThrows(CancellationException.class, gone::look);
+  }
+
+  @Test
+  void recordedRunContainsWhatWasDone(@TempDir Path folder) {
+    Path recording = folder.resolve("run");
+    try (Kernel recorded = Kernel.builder().log(line -> {}).record(recording).start()) {
+      TestClient coder = new TestClient(recorded, Role.OWNER);
+      coder.say("var Global.n = 0|; at (n > 100) echo(\"far\"); count: every (1ms) { n++ },");
+      Viewer viewer = new Viewer(recorded, Role.OWNER);
+      TagRow count = viewer.tag("count");
+      viewer.steer(Action.FREEZE, true, count.number());
+      coder.say("sleep(5ms); echo(n);");
+      viewer.steer(Action.UNFREEZE, true, count.number());
+      coder.say("sleep(5ms);");
+      viewer.steer(Action.STOP, true, count.number());
+      coder.say("echo(n); echo(System.cycle);");
+    }
+    Kernel replayed = Kernel.builder().log(line -> {}).replay(recording, number -> SILENT).start();
+    replayed.awaitTermination();
+    assertEquals(null, replayed.replayDifference());
+  }
+}

@@ -1,0 +1,157 @@
+package org.urbi.server.studio;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.io.StringWriter;
+import java.io.UncheckedIOException;
+import java.util.List;
+import org.urbi.kernel.job.Turn;
+import org.urbi.kernel.observe.JobDetail;
+import org.urbi.kernel.observe.JobRow;
+import org.urbi.kernel.observe.TagRow;
+import org.urbi.kernel.observe.View;
+
+/** What a browser is told, as JSON. */
+final class Answer {
+  private static final JsonFactory JSON = new JsonFactory();
+  private static final double MILLISECOND = 1e6;
+
+  @FunctionalInterface
+  private interface Content {
+    void write(JsonGenerator out) throws IOException;
+  }
+
+  private Answer() {}
+
+  /** The first thing that a browser is told. */
+  static String hello(String role, String version) {
+    return object(
+        "hello",
+        out -> {
+          out.writeStringField("role", role);
+          out.writeStringField("version", version);
+        });
+  }
+
+  /**
+   * Some text for people: an {@code error}, the reason for which it was {@code refused}, {@code
+   * output}.
+   */
+  static String text(String type, String text) {
+    return object(type, out -> out.writeStringField("text", text));
+  }
+
+  /** What became of a request: an error, or nothing when all went well. */
+  static String done(long id, String error) {
+    return object(
+        "done",
+        out -> {
+          out.writeNumberField("id", id);
+          out.writeStringField("error", error);
+        });
+  }
+
+  /** What has changed. Times are in milliseconds. */
+  static String view(View view) {
+    return object(
+        "view",
+        out -> {
+          out.writeNumberField("machine", view.machine() / MILLISECOND);
+          out.writeNumberField("time", view.time() / MILLISECOND);
+          out.writeNumberField("total", view.total());
+          out.writeBooleanField("complete", view.complete());
+          out.writeArrayFieldStart("jobs");
+          for (JobRow job : view.jobs()) {
+            write(out, job);
+          }
+          out.writeEndArray();
+          write(out, "gone", view.gone());
+          out.writeArrayFieldStart("tags");
+          for (TagRow tag : view.tags()) {
+            out.writeStartObject();
+            out.writeNumberField("number", tag.number());
+            out.writeStringField("name", tag.name());
+            out.writeBooleanField("frozen", tag.frozen());
+            out.writeBooleanField("blocked", tag.blocked());
+            out.writeEndObject();
+          }
+          out.writeEndArray();
+          write(out, "tagsGone", view.tagsGone());
+          out.writeArrayFieldStart("turns");
+          for (Turn turn : view.turns()) {
+            write(out, turn);
+          }
+          out.writeEndArray();
+          JobDetail detail = view.detail();
+          if (detail != null) {
+            out.writeFieldName("detail");
+            write(out, detail);
+          }
+        });
+  }
+
+  private static void write(JsonGenerator out, JobRow job) throws IOException {
+    out.writeStartObject();
+    out.writeNumberField("number", job.number());
+    out.writeStringField("name", job.name());
+    out.writeNumberField("starter", job.starter());
+    out.writeStringField("lobby", job.lobby());
+    out.writeStringField("waits", job.waits());
+    out.writeBooleanField("frozen", job.frozen());
+    out.writeStringField("place", job.place());
+    out.writeStringField("code", job.code());
+    write(out, "tags", job.tags());
+    out.writeNumberField("share", job.share());
+    out.writeEndObject();
+  }
+
+  /** A turn, as a list: there are very many of them. */
+  private static void write(JsonGenerator out, Turn turn) throws IOException {
+    out.writeStartArray();
+    out.writeNumber(turn.job());
+    out.writeNumber(turn.waker());
+    out.writeNumber(turn.begin() / MILLISECOND);
+    out.writeNumber(turn.end() / MILLISECOND);
+    out.writeString(turn.before().text());
+    out.writeNumber(turn.ended() ? 1 : 0);
+    out.writeEndArray();
+  }
+
+  private static void write(JsonGenerator out, JobDetail detail) throws IOException {
+    out.writeStartObject();
+    out.writeNumberField("number", detail.number());
+    out.writeNumberField("left", detail.left());
+    out.writeArrayFieldStart("calls");
+    for (JobDetail.Call call : detail.calls()) {
+      out.writeStartObject();
+      out.writeStringField("name", call.name());
+      out.writeStringField("place", call.place());
+      out.writeStringField("line", call.line());
+      out.writeEndObject();
+    }
+    out.writeEndArray();
+    out.writeEndObject();
+  }
+
+  private static void write(JsonGenerator out, String name, List<Long> numbers) throws IOException {
+    out.writeArrayFieldStart(name);
+    for (long number : numbers) {
+      out.writeNumber(number);
+    }
+    out.writeEndArray();
+  }
+
+  private static String object(String type, Content content) {
+    StringWriter text = new StringWriter();
+    try (JsonGenerator out = JSON.createGenerator(text)) {
+      out.writeStartObject();
+      out.writeStringField("type", type);
+      content.write(out);
+      out.writeEndObject();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return text.toString();
+  }
+}

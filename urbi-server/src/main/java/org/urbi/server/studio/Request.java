@@ -1,0 +1,141 @@
+package org.urbi.server.studio;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonToken;
+import com.fasterxml.jackson.core.StreamReadConstraints;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.observe.Steering;
+
+/** What a browser asks for. */
+sealed interface Request {
+  /** How many bytes a request may have. */
+  int LONGEST = 1 << 13;
+
+  /** Which job is selected, and whose turns are shown, from now on. */
+  record Interest(long selected, List<Long> traced) implements Request {}
+
+  /**
+   * A job or a tag is to be controlled.
+   *
+   * @param id by which the browser knows the answer
+   */
+  record Steer(long id, Steering.Action action, boolean tag, long target) implements Request {}
+
+  /**
+   * Reads a request.
+   *
+   * @throws BadRequest if it is none
+   */
+  static Request read(String text) throws BadRequest {
+    Fields fields = new Fields(text);
+    return switch (fields.text("type")) {
+      case "interest" -> new Interest(fields.number("selected"), fields.numbers("traced"));
+      case "steer" -> {
+        Steering.Action action = Steering.Action.of(fields.text("action"));
+        if (action == null) {
+          throw new BadRequest("action: stop, freeze, unfreeze, block or unblock expected");
+        }
+        String kind = fields.text("kind");
+        if (!kind.equals("job") && !kind.equals("tag")) {
+          throw new BadRequest("kind: job or tag expected");
+        }
+        yield new Steer(fields.number("id"), action, kind.equals("tag"), fields.number("target"));
+      }
+      default -> throw new BadRequest("type: interest or steer expected");
+    };
+  }
+
+  /** The fields of a JSON object. */
+  final class Fields {
+    private static final int DEEPEST = 4;
+    private static final int LONGEST_NUMBER = 20;
+
+    private static final JsonFactory JSON =
+        JsonFactory.builder()
+            .streamReadConstraints(
+                StreamReadConstraints.builder()
+                    .maxNestingDepth(DEEPEST)
+                    .maxNumberLength(LONGEST_NUMBER)
+                    .maxStringLength(LONGEST)
+                    .build())
+            .build();
+
+    private final Map<String, Object> values = new HashMap<>();
+
+    Fields(String text) throws BadRequest {
+      try (JsonParser parser = JSON.createParser(text)) {
+        if (parser.nextToken() != JsonToken.START_OBJECT) {
+          throw new BadRequest("a JSON object expected");
+        }
+        while (parser.nextToken() != JsonToken.END_OBJECT) {
+          String name = parser.currentName();
+          Object value = value(parser);
+          if (value != null) {
+            values.put(name, value);
+          }
+        }
+        if (parser.nextToken() != null) {
+          throw new BadRequest("one JSON object expected, not more");
+        }
+      } catch (IOException e) {
+        throw new BadRequest(
+            "no JSON: " + String.valueOf(e.getMessage()).lines().findFirst().orElse(""));
+      }
+    }
+
+    private static @Nullable Object value(JsonParser parser) throws IOException {
+      return switch (parser.nextToken()) {
+        case VALUE_STRING -> parser.getText();
+        case VALUE_NUMBER_INT -> parser.getLongValue();
+        case START_ARRAY -> {
+          List<Object> elements = new ArrayList<>();
+          for (JsonToken token = parser.nextToken();
+              token != JsonToken.END_ARRAY;
+              token = parser.nextToken()) {
+            elements.add(token == JsonToken.VALUE_NUMBER_INT ? parser.getLongValue() : token);
+          }
+          yield elements;
+        }
+        case START_OBJECT -> {
+          parser.skipChildren();
+          yield null;
+        }
+        default -> null;
+      };
+    }
+
+    String text(String name) throws BadRequest {
+      if (values.get(name) instanceof String text) {
+        return text;
+      }
+      throw new BadRequest(name + ": a string expected");
+    }
+
+    long number(String name) throws BadRequest {
+      if (values.get(name) instanceof Long number) {
+        return number;
+      }
+      throw new BadRequest(name + ": a whole number expected");
+    }
+
+    List<Long> numbers(String name) throws BadRequest {
+      List<Long> numbers = new ArrayList<>();
+      if (values.get(name) instanceof List<?> elements) {
+        for (Object element : elements) {
+          if (!(element instanceof Long number)) {
+            throw new BadRequest(name + ": whole numbers expected");
+          }
+          numbers.add(number);
+        }
+        return numbers;
+      }
+      throw new BadRequest(name + ": a list of whole numbers expected");
+    }
+  }
+}

@@ -1,0 +1,132 @@
+package org.urbi.server.studio;
+
+import io.netty.buffer.ByteBuf;
+import io.netty.buffer.Unpooled;
+import io.netty.channel.ChannelFutureListener;
+import io.netty.channel.ChannelHandlerContext;
+import io.netty.channel.SimpleChannelInboundHandler;
+import io.netty.handler.codec.http.DefaultFullHttpResponse;
+import io.netty.handler.codec.http.FullHttpRequest;
+import io.netty.handler.codec.http.FullHttpResponse;
+import io.netty.handler.codec.http.HttpHeaderNames;
+import io.netty.handler.codec.http.HttpHeaders;
+import io.netty.handler.codec.http.HttpMethod;
+import io.netty.handler.codec.http.HttpResponseStatus;
+import io.netty.handler.codec.http.HttpUtil;
+import io.netty.handler.codec.http.HttpVersion;
+import io.netty.handler.codec.http.QueryStringDecoder;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Map;
+import java.util.regex.Pattern;
+
+/**
+ * Serves the files of the studio, which hold no secret, and passes on requests for the stream.
+ * Pages of other sites in the same browser get neither: a request must come from this page, and on
+ * this machine name it.
+ */
+final class StudioFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
+  /** The path of the stream. */
+  static final String STREAM = "/stream";
+
+  private static final Pattern THIS_MACHINE =
+      Pattern.compile("(localhost|127(\\.\\d+){3}|\\[::1\\])(:\\d+)?", Pattern.CASE_INSENSITIVE);
+
+  private static final String SCRIPT = "text/javascript; charset=utf-8";
+
+  /** The files, and what they are. */
+  private static final Map<String, String> TYPES =
+      Map.of(
+          "index.html", "text/html; charset=utf-8",
+          "studio.css", "text/css; charset=utf-8",
+          "studio.js", SCRIPT,
+          "stream.js", SCRIPT,
+          "jobs.js", SCRIPT,
+          "joblist.js", SCRIPT,
+          "lanes.js", SCRIPT,
+          "side.js", SCRIPT);
+
+  private final boolean local;
+  private final String scheme;
+
+  /**
+   * @param local whether it is for this machine only
+   * @param tls whether it is served by TLS
+   */
+  StudioFiles(boolean local, boolean tls) {
+    this.local = local;
+    this.scheme = tls ? "https://" : "http://";
+  }
+
+  @Override
+  protected void channelRead0(ChannelHandlerContext context, FullHttpRequest request)
+      throws IOException {
+    String path = new QueryStringDecoder(request.uri()).path();
+    String file = path.equals("/") ? "index.html" : path.substring(Math.min(1, path.length()));
+    if (!request.decoderResult().isSuccess()) {
+      answer(context, request, HttpResponseStatus.BAD_REQUEST);
+    } else if (!isForUs(request.headers())) {
+      answer(context, request, HttpResponseStatus.FORBIDDEN);
+    } else if (path.equals(STREAM)) {
+      // Neither is there for long: the next handler replaces all of HTTP.
+      context.fireChannelRead(request.retain());
+      context.pipeline().remove(this);
+    } else if (!TYPES.containsKey(file)) {
+      answer(context, request, HttpResponseStatus.NOT_FOUND);
+    } else if (request.method() != HttpMethod.GET && request.method() != HttpMethod.HEAD) {
+      answer(context, request, HttpResponseStatus.METHOD_NOT_ALLOWED);
+    } else {
+      try (InputStream content = StudioFiles.class.getResourceAsStream(file)) {
+        if (content == null) {
+          // Packed without its files: the browser says so, instead of showing nothing.
+          answer(context, request, HttpResponseStatus.INTERNAL_SERVER_ERROR);
+        } else {
+          answer(context, request, HttpResponseStatus.OK, TYPES.get(file), content.readAllBytes());
+        }
+      }
+    }
+  }
+
+  private boolean isForUs(HttpHeaders headers) {
+    String host = headers.get(HttpHeaderNames.HOST, "");
+    String origin = headers.get(HttpHeaderNames.ORIGIN);
+    return (!local || THIS_MACHINE.matcher(host).matches())
+        && (origin == null || origin.equalsIgnoreCase(scheme + host));
+  }
+
+  private static void answer(
+      ChannelHandlerContext context, FullHttpRequest request, HttpResponseStatus status) {
+    byte[] text = (status + "\n").getBytes(StandardCharsets.US_ASCII);
+    answer(context, request, status, "text/plain; charset=us-ascii", text);
+  }
+
+  private static void answer(
+      ChannelHandlerContext context,
+      FullHttpRequest request,
+      HttpResponseStatus status,
+      String type,
+      byte[] content) {
+    boolean head = request.method() == HttpMethod.HEAD;
+    ByteBuf body = head ? Unpooled.EMPTY_BUFFER : Unpooled.wrappedBuffer(content);
+    FullHttpResponse response = new DefaultFullHttpResponse(HttpVersion.HTTP_1_1, status, body);
+    boolean goesOn = HttpUtil.isKeepAlive(request) && status == HttpResponseStatus.OK;
+    HttpUtil.setKeepAlive(response, goesOn);
+    response
+        .headers()
+        .set(HttpHeaderNames.CONTENT_TYPE, type)
+        .set(HttpHeaderNames.CONTENT_LENGTH, content.length)
+        .set(HttpHeaderNames.CACHE_CONTROL, "no-cache")
+        .set("x-content-type-options", "nosniff")
+        .set("referrer-policy", "no-referrer")
+        .set(
+            HttpHeaderNames.CONTENT_SECURITY_POLICY,
+            "default-src 'self'; img-src 'self' data:; base-uri 'none'; form-action 'none';"
+                + " frame-ancestors 'none'");
+    if (goesOn) {
+      context.writeAndFlush(response);
+    } else {
+      context.writeAndFlush(response).addListener(ChannelFutureListener.CLOSE);
+    }
+  }
+}

@@ -1,0 +1,118 @@
+// Beside the list: the selected job with its calls, and the tags.
+import { Jobs } from "./jobs.js";
+
+const MOST_TAGS = 200;
+
+const make = (tag, text = "", properties = {}) => {
+  const made = document.createElement(tag);
+  made.textContent = text;
+  return Object.assign(made, properties);
+};
+
+// Puts other content into an element, unless it is what is there: a click must not miss a button.
+function put(host, state, content) {
+  const text = JSON.stringify(state);
+  if (host.dataset.state === text) return;
+  host.dataset.state = text;
+  const focused = host.contains(document.activeElement) ? document.activeElement.dataset.act : null;
+  host.replaceChildren(...content());
+  if (focused) host.querySelector(`[data-act="${focused}"]`)?.focus();
+}
+
+export class Side {
+  constructor(detail, tags, jobs, steer, filter) {
+    this.detail = detail;
+    this.tags = tags;
+    this.jobs = jobs;
+    this.steer = steer;
+    this.filter = filter;
+    this.mayChange = true;
+  }
+
+  button(text, action, kind, target, label, danger) {
+    const made = make("button", text, { type: "button", disabled: !this.mayChange, title: label });
+    made.setAttribute("aria-label", label);
+    made.dataset.act = `${kind} ${target} ${text}`;
+    if (danger) made.className = "danger";
+    made.addEventListener("click", () => this.steer(action, kind, target));
+    return made;
+  }
+
+  showJob(number, detail) {
+    const job = this.jobs.rows.get(number);
+    if (!job) {
+      const text = number ? "This job has ended." : "Choose a job: by a click, or with the arrow keys.";
+      put(this.detail, [text], () => [
+        make("p", text, { className: "hint" }),
+        make("p", "s or Delete stops it, f freezes it, ← and → close and open what it has started.", { className: "hint" }),
+      ]);
+      return;
+    }
+    const own = detail?.number === number ? detail : null;
+    const kind = Jobs.kind(job);
+    const left = own && own.left >= 0 ? ` (${own.left < 10 ? own.left.toFixed(1) : Math.round(own.left)} s more)` : "";
+    const starter = this.jobs.rows.get(job.starter);
+    const facts = [
+      ["name", job.name],
+      [kind === "running" || kind === "frozen" ? "is" : "waits for", kind + left],
+      ["started by", starter ? `${starter.name}: ${starter.code}` : "code that has ended"],
+      ["lobby", job.lobby],
+      ["tags", this.jobs.tagNames(job).join(", ") || "none"],
+    ];
+    put(this.detail, [facts, own?.calls, this.mayChange, job.frozen], () => {
+      const buttons = make("div", "", { className: "buttons" });
+      buttons.append(
+        this.button("Stop", "stop", "job", number, `Stop ${job.name}`, true),
+        job.frozen
+          ? this.button("Unfreeze", "unfreeze", "job", number, `Let ${job.name} go on`)
+          : this.button("Freeze", "freeze", "job", number, `Suspend ${job.name}`),
+      );
+      const list = make("dl", "", { className: "facts" });
+      for (const [name, value] of facts) list.append(make("dt", name), make("dd", value));
+      const calls = make("ol", "", { className: "calls" });
+      for (const call of own?.calls ?? []) {
+        const item = make("li");
+        const where = make("div", "", { className: "where" });
+        where.append(make("span", call.place || "not in a file"), make("span", call.name));
+        item.append(where, make("pre", call.line));
+        calls.append(item);
+      }
+      return [buttons, list, calls];
+    });
+  }
+
+  showTags() {
+    const count = new Map();
+    for (const job of this.jobs.rows.values()) for (const tag of job.tags) count.set(tag, (count.get(tag) ?? 0) + 1);
+    const all = [...this.jobs.tags.values()].sort((a, b) => a.number - b.number);
+    const shown = all.slice(0, MOST_TAGS).map((tag) => ({ ...tag, jobs: count.get(tag.number) ?? 0 }));
+    put(this.tags, [shown, all.length, this.mayChange], () => {
+      const items = shown.map((tag) => this.tagItem(tag));
+      if (all.length > MOST_TAGS) items.push(make("li", `and ${all.length - MOST_TAGS} more`, { className: "hint" }));
+      return items.length ? items : [make("li", "No code is under a tag.", { className: "hint" })];
+    });
+  }
+
+  tagItem(tag) {
+    const item = make("li");
+    item.dataset.tag = tag.name;
+    const name = make("button", tag.name, { type: "button", className: "tagname", title: `Show the jobs under ${tag.name}` });
+    name.dataset.act = `show ${tag.number}`;
+    name.addEventListener("click", () => this.filter(tag.name));
+    item.append(name);
+    for (const state of ["frozen", "blocked"]) {
+      if (tag[state]) item.append(make("span", state, { className: "badge" }));
+    }
+    item.append(
+      make("span", tag.jobs ? `${tag.jobs} ${tag.jobs === 1 ? "job" : "jobs"}` : "", { className: "of" }),
+      this.button("Stop", "stop", "tag", tag.number, `Stop the tag ${tag.name}`, true),
+      tag.frozen
+        ? this.button("Unfreeze", "unfreeze", "tag", tag.number, `Unfreeze the tag ${tag.name}`)
+        : this.button("Freeze", "freeze", "tag", tag.number, `Freeze the tag ${tag.name}`),
+      tag.blocked
+        ? this.button("Unblock", "unblock", "tag", tag.number, `Unblock the tag ${tag.name}`)
+        : this.button("Block", "block", "tag", tag.number, `Block the tag ${tag.name}`, true),
+    );
+    return item;
+  }
+}

@@ -1,0 +1,297 @@
+package org.urbi.server.studio;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.WebSocket;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.urbi.kernel.Kernel;
+import org.urbi.kernel.trust.Role;
+import org.urbi.server.Trace;
+import org.urbi.server.trust.AccessPolicy;
+import org.urbi.server.trust.Tokens;
+
+/** What browsers, and others that come to the studio's port, are answered. */
+class StudioServerTest {
+  private static final Trace SILENT =
+      new Trace(
+          Trace.Level.NONE,
+          new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8));
+
+  private static Kernel kernel;
+  private static StudioServer studio;
+
+  @BeforeAll
+  static void start() throws IOException {
+    kernel = Kernel.builder().log(line -> {}).start();
+    studio = serve(AccessPolicy.ALL);
+  }
+
+  @AfterAll
+  static void stop() {
+    assertEquals(3.0, kernel.eval("1 + 2"));
+    studio.close();
+    kernel.close();
+  }
+
+  private static StudioServer serve(AccessPolicy policy) throws IOException {
+    return new StudioServer(
+        new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
+        client -> kernel.connect(client, false),
+        policy,
+        SILENT);
+  }
+
+  /** A browser's end of the stream. */
+  private static final class Page implements WebSocket.Listener, AutoCloseable {
+    private final LinkedBlockingQueue<String> heard = new LinkedBlockingQueue<>();
+    private final StringBuilder part = new StringBuilder();
+    private final WebSocket socket;
+
+    Page(StudioServer studio, String query) {
+      URI address = URI.create("ws://localhost:" + studio.port() + "/stream" + query);
+      socket = HttpClient.newHttpClient().newWebSocketBuilder().buildAsync(address, this).join();
+    }
+
+    @Override
+    public CompletionStage<?> onText(WebSocket from, CharSequence data, boolean last) {
+      part.append(data);
+      if (last) {
+        heard.add(part.toString());
+        part.setLength(0);
+      }
+      from.request(1);
+      return null;
+    }
+
+    @Override
+    public CompletionStage<?> onClose(WebSocket from, int status, String reason) {
+      heard.add("closed");
+      return null;
+    }
+
+    @Override
+    public void onError(WebSocket from, Throwable error) {
+      heard.add("closed");
+    }
+
+    void send(String text) {
+      socket.sendText(text, true).join();
+    }
+
+    String await(Predicate<String> wanted) throws InterruptedException {
+      while (true) {
+        String message = heard.take();
+        if (wanted.test(message)) {
+          return message;
+        }
+        assertFalse(message.equals("closed"), "closed before it came");
+      }
+    }
+
+    String await(String part) throws InterruptedException {
+      return await(message -> message.contains(part));
+    }
+
+    @Override
+    public void close() {
+      socket.abort();
+    }
+  }
+
+  /** What is answered to some bytes, until the connection is closed. */
+  private static String answer(String request) throws IOException {
+    try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), studio.port())) {
+      socket.getOutputStream().write(request.getBytes(StandardCharsets.ISO_8859_1));
+      return new String(socket.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    }
+  }
+
+  private static String get(String path, String... headers) throws IOException {
+    return answer(
+        "GET "
+            + path
+            + " HTTP/1.1\r\nConnection: close\r\n"
+            + String.join("\r\n", headers)
+            + "\r\n\r\n");
+  }
+
+  private static final String HOST = "Host: localhost";
+
+  private static final String[] UPGRADE = {
+    HOST,
+    "Upgrade: websocket",
+    "Sec-WebSocket-Version: 13",
+    "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==",
+    "Origin: http://elsewhere.example"
+  };
+
+  @Test
+  void pagesAreServedAndNothingElse() throws Exception {
+    String page = get("/", HOST);
+    assertTrue(page.startsWith("HTTP/1.1 200 OK"), page);
+    assertTrue(page.contains("default-src 'self'") && page.contains("nosniff"), page);
+    assertTrue(page.contains("<title>Urbi studio</title>"), page);
+    for (String file :
+        List.of(
+            "studio.css",
+            "studio.js",
+            "stream.js",
+            "jobs.js",
+            "joblist.js",
+            "lanes.js",
+            "side.js")) {
+      assertTrue(page.contains(file) || get("/" + file, HOST).startsWith("HTTP/1.1 200"), file);
+    }
+    for (String path :
+        List.of("/Viewer.class", "/../net/x", "/%2e%2e/banner", "//etc/passwd", "/stream/../x")) {
+      assertTrue(get(path, HOST).matches("(?s)HTTP/1.1 40[0-9].*"), path);
+    }
+    assertTrue(answer("POST / HTTP/1.1\r\nHost: localhost\r\n\r\n").startsWith("HTTP/1.1 405"));
+    assertTrue(answer("nonsense\r\n\r\n").startsWith("HTTP/1.1 400"));
+    assertTrue(get("/", HOST, "X: " + "x".repeat(20_000)).startsWith("HTTP/1.1 400"));
+  }
+
+  @Test
+  void pagesOfOtherSitesAreRefused() throws Exception {
+    assertTrue(get("/", "Host: elsewhere.example").startsWith("HTTP/1.1 403"));
+    assertTrue(get("/", HOST, "Origin: http://elsewhere.example").startsWith("HTTP/1.1 403"));
+    assertTrue(get("/", "X: 1").startsWith("HTTP/1.1 403"));
+    assertTrue(get("/stream", UPGRADE).startsWith("HTTP/1.1 403"));
+  }
+
+  @Test
+  void whatMakesNoSenseIsAnsweredAndDoesNothing() throws Exception {
+    try (Page page = new Page(studio, "")) {
+      page.await("\"hello\"");
+      List<List<String>> mistakes =
+          List.of(
+              List.of("{", "no JSON: "),
+              List.of("[1]", "a JSON object expected"),
+              List.of("{\"type\":1}", "type: a string expected"),
+              List.of("{\"type\":\"dance\"}", "type: interest or steer expected"),
+              List.of("{\"type\":\"interest\",\"selected\":\"x\"}", "selected: a whole number"),
+              List.of(
+                  "{\"type\":\"interest\",\"selected\":0,\"traced\":[\"x\"]}",
+                  "traced: whole numbers expected"),
+              List.of("{\"type\":\"steer\",\"action\":\"kill\"}", "action: stop, freeze"),
+              List.of(
+                  "{\"type\":\"steer\",\"action\":\"stop\",\"kind\":\"cat\"}", "kind: job or tag"),
+              List.of("[".repeat(1000), "a JSON object expected"),
+              List.of("{\"a\":" + "[".repeat(1000), "no JSON: "),
+              List.of("{\"a\":" + "9".repeat(100) + "}", "no JSON: "),
+              List.of("{\"type\":\"interest\"} {}", "one JSON object expected"));
+      for (List<String> mistake : mistakes) {
+        page.send(mistake.getFirst());
+        String error = page.await("\"error\",");
+        assertTrue(error.contains(mistake.getLast()), mistake.getFirst() + " -> " + error);
+      }
+      page.send(
+          "{\"type\":\"steer\",\"id\":7,\"action\":\"stop\",\"kind\":\"job\",\"target\":99999}");
+      assertEquals(
+          "{\"type\":\"done\",\"id\":7,\"error\":\"no such job any more: 99999\"}",
+          page.await("\"done\""));
+    }
+  }
+
+  @Test
+  void floodsAndLongMessagesEndOnlyTheirOwnConnection() throws Exception {
+    try (Page good = new Page(studio, "");
+        Page bad = new Page(studio, "");
+        Page longWinded = new Page(studio, "")) {
+      bad.await("\"hello\"");
+      try {
+        for (int i = 0; i < 500; i++) {
+          bad.send("{}");
+        }
+      } catch (RuntimeException e) {
+        // It has been closed meanwhile.
+      }
+      bad.await("too many requests");
+      longWinded.await("\"hello\"");
+      longWinded.send("x".repeat(Request.LONGEST + 1));
+      longWinded.await("closed"::equals);
+      good.heard.clear();
+      good.await("\"complete\":true");
+    }
+  }
+
+  @Test
+  void halfRequestsAndSlowReadersLockNobodyOut() throws Exception {
+    List<Socket> halves = new ArrayList<>();
+    try (Page page = new Page(studio, "");
+        Socket slow = new Socket(InetAddress.getLoopbackAddress(), studio.port())) {
+      for (int i = 0; i < 20; i++) {
+        Socket half = new Socket(InetAddress.getLoopbackAddress(), studio.port());
+        half.getOutputStream().write("GET / HT".getBytes(StandardCharsets.ISO_8859_1));
+        halves.add(half);
+      }
+      String upgrade =
+          "GET /stream HTTP/1.1\r\nConnection: Upgrade\r\n"
+              + String.join("\r\n", UPGRADE)
+              + "\r\n\r\n";
+      // It never reads what it is sent.
+      slow.getOutputStream()
+          .write(
+              upgrade
+                  .replace("Origin: http://elsewhere.example\r\n", "")
+                  .getBytes(StandardCharsets.ISO_8859_1));
+      for (int i = 0; i < 5; i++) {
+        kernel.eval("many: for& (2000) sleep(100ms)");
+      }
+      page.heard.clear();
+      page.await("\"complete\":true");
+      assertTrue(get("/", HOST).startsWith("HTTP/1.1 200"));
+    } finally {
+      for (Socket half : halves) {
+        half.close();
+      }
+    }
+  }
+
+  @Test
+  void tokensGiveRoles() throws Exception {
+    Tokens tokens = Tokens.single("0123456789abcdef", Role.OBSERVER, "visitor");
+    try (StudioServer guarded = serve(new AccessPolicy(tokens, null));
+        Page without = new Page(guarded, "")) {
+      assertTrue(guarded.url().endsWith("/?token=TOKEN"), guarded.url());
+      assertTrue(without.await("\"refused\"").contains("put ?token=TOKEN behind the address"));
+      without.await("closed"::equals);
+      try (Page observer = new Page(guarded, "?token=0123456789abcdef")) {
+        assertTrue(observer.await("\"hello\"").contains("\"role\":\"observer\""));
+        kernel.eval("guarded: detach(sleep(1h))|");
+        String view = observer.await("\"name\":\"guarded\"");
+        String number = view.replaceFirst("(?s).*\"number\":(\\d+),\"name\":\"guarded\".*", "$1");
+        observer.send(
+            "{\"type\":\"steer\",\"id\":1,\"action\":\"stop\",\"kind\":\"tag\",\"target\":"
+                + number
+                + "}");
+        assertTrue(observer.await("\"done\"").contains("needs the role user"));
+        kernel.eval("guarded.stop");
+      }
+      try (Page wrong = new Page(guarded, "?token=fedcba9876543210")) {
+        assertTrue(wrong.await("\"refused\"").contains("wrong token"));
+      }
+      try (Page hasty = new Page(guarded, "?token=0123456789abcdef")) {
+        assertTrue(hasty.await("\"refused\"").contains("after a wrong token, no other one for"));
+      }
+    }
+  }
+}
