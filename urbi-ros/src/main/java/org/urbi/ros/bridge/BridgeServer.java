@@ -25,7 +25,7 @@ public final class BridgeServer implements AutoCloseable {
   private static final int MOST = 64;
   private static final int SHORTEST_TOKEN = 16;
 
-  /** Milliseconds for a whole request. */
+  /** Milliseconds that a request may pause. */
   private static final int PATIENCE = 10_000;
 
   /** After a wrong token. */
