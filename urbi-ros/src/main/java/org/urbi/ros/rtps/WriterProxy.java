@@ -27,12 +27,6 @@ final class WriterProxy {
    */
   private static final int GREETINGS = 3;
 
-  /** So many heartbeats in a row are not from before what has come. */
-  private static final int OVERTAKEN = 2;
-
-  /** So many heartbeats in a row are not for a reader of which nothing has been heard. */
-  private static final int INTRODUCTIONS = 20;
-
   /** How many samples may come too early. */
   private static final int AHEAD = 4096;
 
@@ -71,10 +65,9 @@ final class WriterProxy {
   private long asked;
   private long askedFrom;
   private long lastAlive = SteadyClock.nanoseconds();
-  private int goneBack;
+  private boolean hasGoneBack;
   private boolean isAlive = true;
   private long goneBackCount;
-  private long heartbeats;
 
   WriterProxy(
       Environment environment,
@@ -324,29 +317,21 @@ final class WriterProxy {
   }
 
   /**
-   * Whether the writer has fewer samples than it had, twice in a row, and counts its heartbeats
-   * anew: then it is another one with the same name, whose participant died unheard, and all begins
-   * anew. (Once may be a datagram that was overtaken. And a writer that does not know yet that this
-   * reader has something goes on to tell it where it begins, as if nothing had been written since.)
+   * Whether the writer has fewer samples than it had, twice in a row: then it is another one with
+   * the same name, whose participant died unheard, and all begins anew. (Once may be a datagram
+   * that was overtaken.)
    */
   private boolean hasRestarted(Submessage.Heartbeat heartbeat) {
     boolean back = isKnown && heartbeat.last() < expected - 1;
-    if (!back) {
-      goneBack = 0;
-      heartbeats = heartbeat.count();
-      return false;
-    }
-    boolean later = goneBack == 0 || heartbeat.count() > goneBackCount;
+    boolean again = back && hasGoneBack && heartbeat.count() > goneBackCount;
+    hasGoneBack = back;
     goneBackCount = heartbeat.count();
-    goneBack = later ? goneBack + 1 : 1;
-    boolean anew = heartbeat.count() <= heartbeats;
-    if (goneBack < (anew ? OVERTAKEN : INTRODUCTIONS)) return true;
+    if (!again) return back;
     sink.restarted(writer);
     forgetAll();
     expected = fromBeginning || !keepsOld ? heartbeat.first() : heartbeat.last() + 1;
     announced = heartbeat.last();
-    goneBack = 0;
-    heartbeats = heartbeat.count();
+    hasGoneBack = false;
     return false;
   }
 

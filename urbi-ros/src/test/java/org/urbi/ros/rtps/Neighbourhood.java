@@ -15,7 +15,6 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadLocalRandom;
-import java.util.function.UnaryOperator;
 
 /**
  * Participants of one domain, which no other test uses at the time, and what is told about them.
@@ -71,12 +70,11 @@ public final class Neighbourhood implements AutoCloseable {
     return open(options(), prefix(), new Link(0, 0));
   }
 
-  Participant open(UnaryOperator<DatagramSink> link) throws IOException {
+  Participant open(Link link) throws IOException {
     return open(options(), prefix(), link);
   }
 
-  Participant open(ParticipantOptions options, GuidPrefix prefix, UnaryOperator<DatagramSink> link)
-      throws IOException {
+  Participant open(ParticipantOptions options, GuidPrefix prefix, Link link) throws IOException {
     Participant participant = Participant.open(options, new Listener(), prefix, link);
     participants.add(participant);
     return participant;
