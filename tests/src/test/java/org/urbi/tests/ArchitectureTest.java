@@ -109,7 +109,10 @@ class ArchitectureTest {
           .resideInAPackage("urbi.remote..");
 
   @ArchTest
-  static final ArchRule simulationDependsOnTheSdkOnly = dependsOnlyOn("org.urbi.sim..", "urbi");
+  static final ArchRule simulationDependsOnTheSdkAndItsPage =
+      dependsOnlyOn("org.urbi.sim..", "org.urbi.web", "urbi");
+
+  @ArchTest static final ArchRule pagesDependOnNothingElse = dependsOnlyOn("org.urbi.web");
 
   @ArchTest static final ArchRule rosDependsOnTheSdkOnly = dependsOnlyOn("org.urbi.ros..", "urbi");
 
@@ -170,13 +173,16 @@ class ArchitectureTest {
   static final ArchRule antlrIsUsedInTheLanguageOnly = onlyIn("org.urbi.lang..", "org.antlr..");
 
   @ArchTest
-  static final ArchRule nettyIsUsedInTheNetworkAndThePageOnly =
+  static final ArchRule nettyIsUsedInTheNetworkAndForPagesOnly =
       noClasses()
           .that()
           .resideInAPackage("org.urbi..")
           .and()
           .resideOutsideOfPackages(
-              "org.urbi.server.net..", "org.urbi.server.studio..", "org.urbi.sim.page..")
+              "org.urbi.server.net..",
+              "org.urbi.server.studio..",
+              "org.urbi.sim.page..",
+              "org.urbi.web")
           .should()
           .dependOnClassesThat()
           .resideInAPackage("io.netty..");

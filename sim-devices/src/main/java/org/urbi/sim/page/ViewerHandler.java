@@ -2,19 +2,12 @@ package org.urbi.sim.page;
 
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.SimpleChannelInboundHandler;
-import io.netty.handler.codec.http.websocketx.PingWebSocketFrame;
 import io.netty.handler.codec.http.websocketx.WebSocketFrame;
 import io.netty.handler.codec.http.websocketx.WebSocketServerProtocolHandler.HandshakeComplete;
-import io.netty.handler.timeout.IdleStateEvent;
 
-/**
- * One WebSocket connection. After the handshake it becomes a viewer. A silent connection gets a
- * ping, and is closed if it does not answer.
- */
+/** One WebSocket connection. After the handshake it becomes a viewer. */
 final class ViewerHandler extends SimpleChannelInboundHandler<WebSocketFrame> {
   private final Viewers viewers;
-  private boolean viewing;
-  private boolean asked;
 
   ViewerHandler(Viewers viewers) {
     this.viewers = viewers;
@@ -22,26 +15,15 @@ final class ViewerHandler extends SimpleChannelInboundHandler<WebSocketFrame> {
 
   @Override
   protected void channelRead0(ChannelHandlerContext context, WebSocketFrame frame) {
-    // Pongs, and what else a browser may say: it is there.
-    asked = false;
+    // Pongs, and what else a browser may say: nobody waits for it.
   }
 
   @Override
   public void userEventTriggered(ChannelHandlerContext context, Object event) {
-    switch (event) {
-      case HandshakeComplete done -> {
-        viewing = true;
-        viewers.add(context.channel());
-      }
-      case IdleStateEvent idle -> {
-        if (!viewing || asked) {
-          context.close();
-        } else {
-          asked = true;
-          context.writeAndFlush(new PingWebSocketFrame());
-        }
-      }
-      default -> context.fireUserEventTriggered(event);
+    if (event instanceof HandshakeComplete) {
+      viewers.add(context.channel());
+    } else {
+      context.fireUserEventTriggered(event);
     }
   }
 

@@ -5,11 +5,8 @@ import io.netty.channel.Channel;
 import io.netty.channel.group.ChannelGroup;
 import io.netty.channel.group.DefaultChannelGroup;
 import io.netty.handler.codec.http.websocketx.BinaryWebSocketFrame;
-import io.netty.handler.codec.http.websocketx.CloseWebSocketFrame;
 import io.netty.handler.codec.http.websocketx.TextWebSocketFrame;
-import io.netty.handler.codec.http.websocketx.WebSocketCloseStatus;
 import io.netty.util.concurrent.EventExecutor;
-import io.netty.util.concurrent.Future;
 import java.util.Map;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
@@ -28,11 +25,9 @@ final class Viewers {
   /** Moments in a second, at most. */
   private static final int RATE = 30;
 
-  private static final int MAX_CONNECTIONS = 64;
   private static final int QUALITY = 80;
 
   private final EventExecutor thread;
-  private final ChannelGroup connections;
   private final ChannelGroup viewers;
   private final AtomicBoolean waiting = new AtomicBoolean();
   private volatile String setting;
@@ -43,7 +38,6 @@ final class Viewers {
   Viewers(EventExecutor thread, String setting) {
     this.thread = thread;
     this.setting = setting;
-    connections = new DefaultChannelGroup(thread);
     viewers = new DefaultChannelGroup(thread);
   }
 
@@ -59,15 +53,6 @@ final class Viewers {
 
   boolean isWaiting() {
     return waiting.get();
-  }
-
-  /** A connection; beyond what is reasonable it is closed. */
-  void connected(Channel channel) {
-    if (connections.size() >= MAX_CONNECTIONS) {
-      channel.close();
-    } else {
-      connections.add(channel);
-    }
   }
 
   /** A browser looks from now on; it is sent what there is. */
@@ -94,14 +79,6 @@ final class Viewers {
       moment = null;
       image = null;
       viewers.writeAndFlush(new TextWebSocketFrame(other));
-    });
-  }
-
-  /** Says goodbye to all, and closes their connections. */
-  Future<?> close() {
-    return thread.submit(() -> {
-      viewers.writeAndFlush(new CloseWebSocketFrame(WebSocketCloseStatus.ENDPOINT_UNAVAILABLE));
-      connections.close();
     });
   }
 

@@ -1,4 +1,4 @@
-package org.urbi.sim.page;
+package org.urbi.web;
 
 import io.netty.buffer.ByteBuf;
 import io.netty.buffer.Unpooled;
@@ -22,33 +22,33 @@ import java.util.Map;
 import java.util.regex.Pattern;
 
 /**
- * Serves the files of the page, and passes on requests for the stream. Pages of other sites in the
- * same browser get neither: a request must name this machine and come from this page.
+ * Serves the files of a page, which hold no secret, and passes on requests for the stream. Pages of
+ * other sites in the same browser get neither: a request must come from this page, and on this
+ * machine name it.
  */
 final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
-  /** The path of the stream of moments. */
+  /** The path of the stream. */
   static final String STREAM = "/stream";
 
   private static final Pattern THIS_MACHINE =
       Pattern.compile("(localhost|127(\\.\\d+){3}|\\[::1\\])(:\\d+)?", Pattern.CASE_INSENSITIVE);
 
-  /** For each path the file, and what it is. */
+  /** By the end of its name, what a file is. */
   private static final Map<String, String> TYPES =
-      Map.of(
-          "index.html", "text/html; charset=utf-8",
-          "page.css", "text/css; charset=utf-8",
-          "page.js", "text/javascript; charset=utf-8",
-          "camera.js", "text/javascript; charset=utf-8",
-          "scene.js", "text/javascript; charset=utf-8",
-          "plots.js", "text/javascript; charset=utf-8");
+      Map.of("html", "text/html", "css", "text/css", "js", "text/javascript");
 
+  private final Page page;
   private final boolean local;
+  private final String scheme;
 
   /**
-   * @param local whether only this machine is served
+   * @param local whether it is for this machine only
+   * @param tls whether it is served by TLS
    */
-  PageFiles(boolean local) {
+  PageFiles(Page page, boolean local, boolean tls) {
+    this.page = page;
     this.local = local;
+    this.scheme = tls ? "https://" : "http://";
   }
 
   @Override
@@ -61,18 +61,21 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
     } else if (!isForUs(request.headers())) {
       answer(context, request, HttpResponseStatus.FORBIDDEN);
     } else if (path.equals(STREAM)) {
+      // Neither is there for long: the next handler replaces all of HTTP.
       context.fireChannelRead(request.retain());
-    } else if (!TYPES.containsKey(file)) {
+      context.pipeline().remove(this);
+    } else if (!page.files().contains(file)) {
       answer(context, request, HttpResponseStatus.NOT_FOUND);
     } else if (request.method() != HttpMethod.GET && request.method() != HttpMethod.HEAD) {
       answer(context, request, HttpResponseStatus.METHOD_NOT_ALLOWED);
     } else {
-      try (InputStream content = PageFiles.class.getResourceAsStream(file)) {
+      try (InputStream content = page.home().getResourceAsStream(file)) {
         if (content == null) {
           // Packed without its files: the browser says so, instead of showing nothing.
           answer(context, request, HttpResponseStatus.INTERNAL_SERVER_ERROR);
         } else {
-          answer(context, request, HttpResponseStatus.OK, TYPES.get(file), content.readAllBytes());
+          String type = TYPES.get(file.substring(file.lastIndexOf('.') + 1)) + "; charset=utf-8";
+          answer(context, request, HttpResponseStatus.OK, type, content.readAllBytes());
         }
       }
     }
@@ -82,7 +85,7 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
     String host = headers.get(HttpHeaderNames.HOST, "");
     String origin = headers.get(HttpHeaderNames.ORIGIN);
     return (!local || THIS_MACHINE.matcher(host).matches())
-        && (origin == null || origin.equalsIgnoreCase("http://" + host));
+        && (origin == null || origin.equalsIgnoreCase(scheme + host));
   }
 
   private static void answer(
@@ -108,9 +111,11 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
         .set(HttpHeaderNames.CONTENT_LENGTH, content.length)
         .set(HttpHeaderNames.CACHE_CONTROL, "no-cache")
         .set("x-content-type-options", "nosniff")
+        .set("referrer-policy", "no-referrer")
         .set(
             HttpHeaderNames.CONTENT_SECURITY_POLICY,
-            "default-src 'self'; img-src 'self' data:; frame-ancestors 'none'");
+            "default-src 'self'; img-src 'self' data:; base-uri 'none'; form-action 'none';"
+                + " frame-ancestors 'none'");
     if (goesOn) {
       context.writeAndFlush(response);
     } else {

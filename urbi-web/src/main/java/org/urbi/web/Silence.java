@@ -1,23 +1,21 @@
-package org.urbi.server.studio;
+package org.urbi.web;
 
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.handler.codec.http.websocketx.PingWebSocketFrame;
-import io.netty.handler.codec.http.websocketx.WebSocketServerProtocolHandler;
 import io.netty.handler.timeout.IdleState;
 import io.netty.handler.timeout.IdleStateEvent;
 import io.netty.handler.timeout.IdleStateHandler;
 
 /**
- * Closes connections from which nothing comes: half a request, or a browser that does not answer
- * when it is asked whether it is still there.
+ * Closes connections from which nothing whole comes: half a request, however slowly it grows, or a
+ * browser that does not answer when it is asked whether it is still there. It stands behind what
+ * makes requests and frames of bytes.
  */
 final class Silence extends IdleStateHandler {
-  private static final int SECONDS = 10;
-
   private boolean asked;
 
-  Silence() {
-    super(SECONDS, 0, 0);
+  Silence(int seconds) {
+    super(seconds, 0, 0);
   }
 
   @Override
@@ -28,13 +26,10 @@ final class Silence extends IdleStateHandler {
 
   @Override
   protected void channelIdle(ChannelHandlerContext context, IdleStateEvent event) {
-    boolean isStream =
-        context.pipeline().get(WebSocketServerProtocolHandler.class) != null
-            && context.pipeline().get(StudioFiles.class) == null;
     if (event.state() != IdleState.READER_IDLE) {
       return;
     }
-    if (asked || !isStream) {
+    if (asked || !PagePort.isStream(context.channel())) {
       context.close();
     } else {
       asked = true;

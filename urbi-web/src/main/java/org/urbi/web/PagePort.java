@@ -1,0 +1,181 @@
+package org.urbi.web;
+
+import io.netty.bootstrap.ServerBootstrap;
+import io.netty.channel.Channel;
+import io.netty.channel.ChannelFuture;
+import io.netty.channel.ChannelHandler;
+import io.netty.channel.ChannelInitializer;
+import io.netty.channel.ChannelOption;
+import io.netty.channel.EventLoop;
+import io.netty.channel.EventLoopGroup;
+import io.netty.channel.MultiThreadIoEventLoopGroup;
+import io.netty.channel.group.ChannelGroup;
+import io.netty.channel.group.DefaultChannelGroup;
+import io.netty.channel.nio.NioIoHandler;
+import io.netty.channel.socket.SocketChannel;
+import io.netty.channel.socket.nio.NioServerSocketChannel;
+import io.netty.handler.codec.http.HttpObjectAggregator;
+import io.netty.handler.codec.http.HttpServerCodec;
+import io.netty.handler.codec.http.websocketx.CloseWebSocketFrame;
+import io.netty.handler.codec.http.websocketx.WebSocketCloseStatus;
+import io.netty.handler.codec.http.websocketx.WebSocketServerProtocolConfig;
+import io.netty.handler.codec.http.websocketx.WebSocketServerProtocolHandler;
+import io.netty.handler.ssl.SslContext;
+import io.netty.util.concurrent.DefaultThreadFactory;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+
+/** Where browsers get a page and its stream, with one thread for all of them. */
+public final class PagePort implements AutoCloseable {
+  private static final int MAX_CONNECTIONS = 64;
+  private static final int MAX_REQUEST = 1 << 13;
+  private static final int HANDSHAKE_MILLISECONDS = 5000;
+  private static final int CLOSE_SECONDS = 2;
+
+  private final EventLoopGroup thread;
+  private final ChannelGroup connections;
+  private @Nullable Channel listening;
+  private String scheme = "http";
+  private String host = "";
+
+  /**
+   * Serves nobody before {@link #listen}.
+   *
+   * @param name of its thread
+   */
+  public PagePort(String name) {
+    thread =
+        new MultiThreadIoEventLoopGroup(
+            1, new DefaultThreadFactory(name, true), NioIoHandler.newFactory());
+    connections = new DefaultChannelGroup(thread.next());
+  }
+
+  /** The thread that serves all browsers. */
+  public EventLoop thread() {
+    return thread.next();
+  }
+
+  /**
+   * Begins to serve.
+   *
+   * @param address where; port 0 is any that is free
+   * @param tls with what the connections are encrypted, or {@code null}
+   * @param viewer makes what handles the WebSocket frames of a browser
+   * @throws IOException if it cannot listen there; then it is closed
+   */
+  public void listen(
+      InetSocketAddress address,
+      @Nullable SslContext tls,
+      Page page,
+      Supplier<ChannelHandler> viewer)
+      throws IOException {
+    scheme = tls == null ? "http" : "https";
+    host = address.getHostString();
+    boolean local = address.getAddress().isLoopbackAddress();
+    ChannelFuture opened =
+        new ServerBootstrap()
+            .group(thread)
+            .channel(NioServerSocketChannel.class)
+            .option(ChannelOption.SO_REUSEADDR, true)
+            .childOption(ChannelOption.TCP_NODELAY, true)
+            .childOption(ChannelOption.WRITE_BUFFER_WATER_MARK, page.backlog())
+            .childHandler(
+                new ChannelInitializer<SocketChannel>() {
+                  @Override
+                  protected void initChannel(SocketChannel channel) {
+                    if (connections.size() >= MAX_CONNECTIONS) {
+                      channel.close();
+                      return;
+                    }
+                    connections.add(channel);
+                    if (tls != null) {
+                      channel.pipeline().addLast(tls.newHandler(channel.alloc()));
+                    }
+                    serve(channel, page, new PageFiles(page, local, tls != null), viewer.get());
+                  }
+                })
+            .bind(address)
+            .awaitUninterruptibly();
+    if (!opened.isSuccess()) {
+      close();
+      throw new IOException(opened.cause().getMessage(), opened.cause());
+    }
+    listening = opened.channel();
+  }
+
+  /** Makes requests and frames of the bytes of a connection, and hands them on. */
+  static void serve(Channel channel, Page page, ChannelHandler files, ChannelHandler viewer) {
+    WebSocketServerProtocolConfig stream =
+        WebSocketServerProtocolConfig.newBuilder()
+            .websocketPath(PageFiles.STREAM)
+            .checkStartsWith(true)
+            .maxFramePayloadLength(page.longestMessage())
+            .handshakeTimeoutMillis(HANDSHAKE_MILLISECONDS)
+            .dropPongFrames(false)
+            .build();
+    channel
+        .pipeline()
+        .addLast(
+            new HttpServerCodec(),
+            new HttpObjectAggregator(MAX_REQUEST),
+            new Silence(page.silence()),
+            files,
+            new WebSocketServerProtocolHandler(stream),
+            viewer);
+  }
+
+  /** Whether a connection has become a stream: {@link PageFiles} has passed it on, and gone. */
+  static boolean isStream(Channel channel) {
+    return channel.pipeline().get(WebSocketServerProtocolHandler.class) != null
+        && channel.pipeline().get(PageFiles.class) == null;
+  }
+
+  private InetSocketAddress bound() {
+    if (listening == null) {
+      throw new IllegalStateException("nobody is served yet");
+    }
+    return (InetSocketAddress) listening.localAddress();
+  }
+
+  /** The port on which it listens. */
+  public int port() {
+    return bound().getPort();
+  }
+
+  /** What to give to a browser. */
+  public String url() {
+    InetAddress where = bound().getAddress();
+    String name =
+        where.isLoopbackAddress() || where.isAnyLocalAddress()
+            ? "localhost"
+            : host.contains(":") ? "[" + host + "]" : host;
+    return scheme + "://" + name + ":" + port() + "/";
+  }
+
+  /** Says goodbye to all browsers, and frees the port. */
+  @Override
+  public void close() {
+    if (thread.isShuttingDown()) {
+      return;
+    }
+    if (listening != null) {
+      listening.close().awaitUninterruptibly();
+    }
+    // A thread that is to end closes the connections first, and does nothing more for them.
+    thread().submit(this::sayGoodbye).awaitUninterruptibly(CLOSE_SECONDS, TimeUnit.SECONDS);
+    // The port is free when the thread has let go of the channel: somebody may want it at once.
+    thread
+        .shutdownGracefully(0, 1, TimeUnit.SECONDS)
+        .awaitUninterruptibly(CLOSE_SECONDS, TimeUnit.SECONDS);
+  }
+
+  private void sayGoodbye() {
+    connections.writeAndFlush(
+        new CloseWebSocketFrame(WebSocketCloseStatus.ENDPOINT_UNAVAILABLE), PagePort::isStream);
+    connections.close();
+  }
+}
