@@ -326,11 +326,13 @@ final class StatefulWriter {
     environment.message.begin(reader.guid.prefix());
     int to = reader.guid.entity();
     if (reader.start > 1) environment.message.gap(to, entity, 1, reader.start);
-    // As if nothing had been written since it came: then it knows what it has to wait for, whatever
-    // has been lost.
+    // First as if nothing had been written since it came: then it knows what it has to wait for,
+    // whatever has been lost. Then what there is: nobody is to believe that the writer begins anew.
     long last = reader.wantsAll ? sent : reader.start - 1;
-    environment.message.heartbeat(
-        to, entity, Math.min(history.first(), last + 1), last, ++heartbeatCount, false, false);
+    long first = Math.min(history.first(), last + 1);
+    boolean more = last < sent;
+    environment.message.heartbeat(to, entity, first, last, ++heartbeatCount, more, false);
+    if (more) heartbeat(to, false, false);
     environment.send(reader.address);
   }
 

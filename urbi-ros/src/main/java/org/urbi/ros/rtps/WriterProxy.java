@@ -27,6 +27,9 @@ final class WriterProxy {
    */
   private static final int GREETINGS = 3;
 
+  /** What was overtaken on its way comes within that time after what overtook it. */
+  private static final long OVERTAKEN = TimeUnit.MILLISECONDS.toNanos(5);
+
   /** How many samples may come too early. */
   private static final int AHEAD = 4096;
 
@@ -68,6 +71,7 @@ final class WriterProxy {
   private boolean hasGoneBack;
   private boolean isAlive = true;
   private long goneBackCount;
+  private long goneBackSince;
 
   WriterProxy(
       Environment environment,
@@ -317,16 +321,22 @@ final class WriterProxy {
   }
 
   /**
-   * Whether the writer has fewer samples than it had, twice in a row: then it is another one with
-   * the same name, whose participant died unheard, and all begins anew. (Once may be a datagram
-   * that was overtaken.)
+   * Whether the writer has fewer samples than it had, and says so again after some time without
+   * having said anything else: then it is another one with the same name, whose participant died
+   * unheard, and all begins anew. (What a datagram that was overtaken says comes at once, and a
+   * writer that tells where this reader begins says in the same datagram what there is.)
    */
   private boolean hasRestarted(Submessage.Heartbeat heartbeat) {
     boolean back = isKnown && heartbeat.last() < expected - 1;
-    boolean again = back && hasGoneBack && heartbeat.count() > goneBackCount;
-    hasGoneBack = back;
+    long now = SteadyClock.nanoseconds();
+    if (!back || !hasGoneBack || heartbeat.count() <= goneBackCount) {
+      if (back && !hasGoneBack) goneBackSince = now;
+      hasGoneBack = back;
+      goneBackCount = heartbeat.count();
+      return back;
+    }
     goneBackCount = heartbeat.count();
-    if (!again) return back;
+    if (now - goneBackSince < OVERTAKEN) return true;
     sink.restarted(writer);
     forgetAll();
     expected = fromBeginning || !keepsOld ? heartbeat.first() : heartbeat.last() + 1;

@@ -15,6 +15,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadLocalRandom;
+import java.util.function.UnaryOperator;
 
 /**
  * Participants of one domain, which no other test uses at the time, and what is told about them.
@@ -70,11 +71,12 @@ public final class Neighbourhood implements AutoCloseable {
     return open(options(), prefix(), new Link(0, 0));
   }
 
-  Participant open(Link link) throws IOException {
+  Participant open(UnaryOperator<DatagramSink> link) throws IOException {
     return open(options(), prefix(), link);
   }
 
-  Participant open(ParticipantOptions options, GuidPrefix prefix, Link link) throws IOException {
+  Participant open(ParticipantOptions options, GuidPrefix prefix, UnaryOperator<DatagramSink> link)
+      throws IOException {
     Participant participant = Participant.open(options, new Listener(), prefix, link);
     participants.add(participant);
     return participant;

@@ -10,6 +10,7 @@ import static org.urbi.ros.rtps.Neighbourhood.isPayload;
 import static org.urbi.ros.rtps.Neighbourhood.millis;
 import static org.urbi.ros.rtps.Neighbourhood.payload;
 
+import java.nio.ByteBuffer;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -251,6 +252,47 @@ class ParticipantTest {
           IllegalStateException.class,
           () -> guest.writer("rt/x", TYPE, ALL, NO_DATA, new Sending()));
       assertEquals(0, second.write(payload(1, 40)));
+    }
+  }
+
+  /** Whether a reader of the user's says there what it has; not one of discovery. */
+  private static boolean acknowledges(ByteBuffer datagram) {
+    boolean[] found = {false};
+    try {
+      MessageParser.parse(
+          datagram.duplicate(),
+          (source, submessage) ->
+              found[0] |=
+                  submessage instanceof Submessage.Acknowledgement(var reader, _, _, _, _)
+                      && (reader & 0xC0) == 0);
+    } catch (MalformedException e) {
+      throw new AssertionError(e);
+    }
+    return found[0];
+  }
+
+  /** It tells the reader where it begins, again and again: that is not a beginning anew. */
+  @Test
+  void aWriterThatHearsNothingOfItsReader() throws Exception {
+    try (Neighbourhood domain = new Neighbourhood()) {
+      Receiving receiving = new Receiving(true);
+      domain
+          .open(network ->
+              (datagram, to) -> {
+                if (!acknowledges(datagram)) network.send(datagram, to);
+              })
+          .reader("rt/x", TYPE, ALL, NO_DATA, receiving);
+      Sending sending = new Sending();
+      Writer writer = domain.open().writer("rt/x", TYPE, ALL, NO_DATA, sending);
+      sending.matched.await();
+      receiving.matched.await();
+      for (int i = 0; i < 3; i++) {
+        writer.write(payload(i, 40));
+        assertTrue(isPayload(receiving.samples.take().payload(), i, 40));
+      }
+      assertEquals(null, receiving.samples.poll(700, TimeUnit.MILLISECONDS));
+      writer.write(payload(3, 40));
+      assertTrue(isPayload(receiving.samples.take().payload(), 3, 40));
     }
   }
 
