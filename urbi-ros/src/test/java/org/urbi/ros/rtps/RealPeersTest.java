@@ -19,7 +19,9 @@ import org.urbi.ros.rtps.Neighbourhood.Sending;
  * std_msgs/String both ways.
  */
 class RealPeersTest {
-  private static final EndpointQos QOS = EndpointQos.reliable(1000);
+  /** All is kept: a peer that the machine lets wait for a moment would miss what is overwritten. */
+  private static final EndpointQos QOS = EndpointQos.reliable(EndpointQos.KEEP_ALL);
+
   private static final long LONG = TimeUnit.MINUTES.toNanos(5);
 
   /** As ROS 2 writes a string: after a header of four bytes, its length with the 0 that ends it. */
