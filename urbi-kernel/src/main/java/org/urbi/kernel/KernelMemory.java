@@ -97,10 +97,11 @@ final class KernelMemory implements MemoryUser {
     }
     Evictable before = remaining();
     if (before != null) {
-      // There may be no memory even for this: then nothing has changed, and it is tried again.
+      // There may be no memory even for this: then it is tried again. It is told first, because
+      // who has been closed is not found again.
+      tell("letting " + before.description() + " go");
       before.close();
       evicted.remove(before);
-      tell("letting " + before.description() + " go");
       return;
     }
     Evictable next = growth.next();
@@ -110,10 +111,10 @@ final class KernelMemory implements MemoryUser {
   }
 
   private void evict(Evictable next) {
+    tell("ending what is done for " + next.description());
     next.evict(Problem.MEMORY_EXHAUSTED.text());
     growth.evicted(next);
     evicted.add(next);
-    tell("ending what is done for " + next.description());
   }
 
   /** Whoever has held the kernel since somebody was last asked to give back memory. */

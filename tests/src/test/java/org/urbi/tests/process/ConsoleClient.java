@@ -1,6 +1,7 @@
 package org.urbi.tests.process;
 
 import java.io.BufferedReader;
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.net.InetAddress;
@@ -30,12 +31,12 @@ final class ConsoleClient implements AutoCloseable {
     socket.getOutputStream().flush();
   }
 
-  /** The next line; throws if none comes. */
+  /** The next line; throws if none comes, an {@link EOFException} if none can come any more. */
   String line() throws IOException {
     try {
       String line = in.readLine();
       if (line == null) {
-        throw new AssertionError("the server has closed the connection");
+        throw new EOFException("the server has closed the connection");
       }
       return line;
     } catch (SocketTimeoutException e) {

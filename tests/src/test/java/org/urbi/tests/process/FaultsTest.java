@@ -90,16 +90,19 @@ class FaultsTest {
     try {
       fillMemory(leak);
       return true;
-    } catch (IOException | AssertionError closed) {
+    } catch (IOException closed) {
       return false;
     }
   }
 
-  /** Until its jobs are ended for that. */
+  /**
+   * Until its jobs are ended for that, or the one that fills it fails by itself, because what it
+   * wanted next was not to be had.
+   */
   private static void fillMemory(ConsoleClient leak) throws IOException {
     leak.send("while| (true) l << \"x\" * 1000;\n");
     String line = leak.line();
-    while (!line.endsWith("!!! memory exhausted: the jobs of this lobby are ended")) {
+    while (!line.contains("!!! memory exhausted")) {
       line = leak.line();
     }
   }

@@ -7,6 +7,7 @@ import java.lang.invoke.VarHandle;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
@@ -48,6 +49,9 @@ public final class Scheduler {
 
   /** From when on a tick has taken long, in nanoseconds. */
   private static final long LONG_TICK = 10_000_000;
+
+  /** How long the kernel wants no memory after it got none, in nanoseconds. */
+  private static final long MEMORY_PAUSE = 20_000_000;
 
   /** How many turns the jobs get for ending when the kernel ends. */
   private static final int LAST_ROUNDS = 1000;
@@ -541,9 +545,11 @@ public final class Scheduler {
       try {
         tick();
       } catch (OutOfMemoryError e) {
-        // Whether there can be some again is seen elsewhere.
+        // Whether there can be some again is seen elsewhere, by a thread that gets no turn while
+        // one collection of garbage follows another: nothing is wanted for a moment.
         running = null;
         report(null, e);
+        LockSupport.parkNanos(this, MEMORY_PAUSE);
       }
     }
     for (Job job : jobs()) {

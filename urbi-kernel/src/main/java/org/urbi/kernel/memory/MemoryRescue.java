@@ -147,6 +147,8 @@ final class MemoryRescue {
     }
     if (most != null) {
       most.relieve();
+      // To end what is done takes some memory, too.
+      heap.releaseReserve();
       relieved = true;
       relievedAt = worked.getAsLong();
     }
