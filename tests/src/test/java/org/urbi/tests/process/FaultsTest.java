@@ -116,10 +116,14 @@ class FaultsTest {
         ConsoleClient leak = server.connect()) {
       busy.send("every (10ms) { var s = \"x\" * 100 },\n");
       leak.send("var l = []|\n");
-      fillMemory(leak);
-      judge.isAnswered("memory that was exhausted");
-      // It holds on to its list: it is let go as well, at once or when it goes on.
-      while (isOpenAfterFillingMemory(leak)) {}
+      try {
+        fillMemory(leak);
+        judge.isAnswered("memory that was exhausted");
+        // It holds on to its list: it is let go as well, at once or when it goes on.
+        while (isOpenAfterFillingMemory(leak)) {}
+      } catch (IOException | AssertionError e) {
+        throw new AssertionError(server.text(), e);
+      }
       server.awaitText("letting Lobby_");
       assertEquals(List.of(), busy.answers("2|;"));
       assertEquals(0, server.shutDown());
