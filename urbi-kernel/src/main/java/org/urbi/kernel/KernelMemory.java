@@ -10,6 +10,7 @@ import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.error.Problem;
+import org.urbi.kernel.job.KernelThreadPin;
 import org.urbi.kernel.job.UsageMeter;
 import org.urbi.kernel.log.KernelLog;
 import org.urbi.kernel.memory.Evictable;
@@ -65,6 +66,11 @@ final class KernelMemory implements MemoryUser {
 
   void remove(Evictable candidate) {
     candidates.remove(candidate);
+  }
+
+  @Override
+  public void prepare() {
+    KernelThreadPin.prepare();
   }
 
   @Override

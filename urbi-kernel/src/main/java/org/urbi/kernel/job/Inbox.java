@@ -90,6 +90,13 @@ public final class Inbox {
     return filled;
   }
 
+  /**
+   * Whether there was no memory for a message, which is to be taken again; on the kernel thread.
+   */
+  boolean isWanting() {
+    return !unfinished.isEmpty();
+  }
+
   // ------------------------------------------------------------------ on the kernel thread
 
   /** Registers a receiver and returns its new number. */

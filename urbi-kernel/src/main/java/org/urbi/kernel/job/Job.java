@@ -460,7 +460,7 @@ public final class Job implements Runnable {
       // The code was stopped: a quiet end.
     } catch (Throwable t) {
       failure = t;
-      scheduler.beginTurn();
+      scheduler.recover(t);
     }
     end(failure);
   }

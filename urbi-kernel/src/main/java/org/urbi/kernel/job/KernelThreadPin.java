@@ -37,11 +37,19 @@ public final class KernelThreadPin {
     }
   }
 
+  /** Links what pins: when memory is exhausted, it could not be linked any more. */
+  public static void prepare() {
+    pin();
+    unpin();
+  }
+
   /** Pins the running job to the kernel thread. */
   public static void pin() {
     if (PIN != null) {
       try {
         PIN.invokeExact();
+      } catch (RuntimeException | Error e) {
+        throw e;
       } catch (Throwable e) {
         throw new IllegalStateException(e);
       }
@@ -53,6 +61,8 @@ public final class KernelThreadPin {
     if (UNPIN != null) {
       try {
         UNPIN.invokeExact();
+      } catch (RuntimeException | Error e) {
+        throw e;
       } catch (Throwable e) {
         throw new IllegalStateException(e);
       }

@@ -7,7 +7,6 @@ import java.lang.invoke.VarHandle;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
@@ -50,9 +49,6 @@ public final class Scheduler {
   /** From when on a tick has taken long, in nanoseconds. */
   private static final long LONG_TICK = 10_000_000;
 
-  /** How long the kernel wants no memory after it got none, in nanoseconds. */
-  private static final long MEMORY_PAUSE = 20_000_000;
-
   /** How many turns the jobs get for ending when the kernel ends. */
   private static final int LAST_ROUNDS = 1000;
 
@@ -70,6 +66,7 @@ public final class Scheduler {
   private int observers;
   private final SimulationPace pace;
   private Runnable whenQuiet = () -> {};
+  private Runnable memoryRelief = () -> {};
   private final Interruptions interruptions;
   private final JobThread.Factory threads;
   private final RunQueue runnable;
@@ -276,6 +273,37 @@ public final class Scheduler {
     whenQuiet = action;
   }
 
+  /**
+   * Sets what waits until somebody has been asked to give back memory. To be called before the
+   * start.
+   */
+  public void setMemoryRelief(Runnable how) {
+    memoryRelief = how;
+  }
+
+  /** There was no memory for something: the kernel waits until somebody has been asked for some. */
+  public void awaitMemory() {
+    try {
+      KernelThreadPin.pin();
+      try {
+        memoryRelief.run();
+      } finally {
+        KernelThreadPin.unpin();
+      }
+    } catch (OutOfMemoryError e) {
+      // There is none for waiting, either: whoever has caught the first one goes on.
+      return;
+    }
+  }
+
+  /** The code of the running job has failed; whatever it does next is a new turn. */
+  public void recover(Throwable failure) {
+    if (failure instanceof OutOfMemoryError) {
+      awaitMemory();
+    }
+    beginTurn();
+  }
+
   /** Controls how simulated time passes while real activities go on. */
   public SimulationPace pace() {
     return pace;
@@ -410,7 +438,7 @@ public final class Scheduler {
       uncaught.accept(job, failure);
     } catch (OutOfMemoryError e) {
       // There is no memory to say so, but who waits for the end of the job must still learn of it.
-      return;
+      awaitMemory();
     }
   }
 
@@ -545,11 +573,9 @@ public final class Scheduler {
       try {
         tick();
       } catch (OutOfMemoryError e) {
-        // Whether there can be some again is seen elsewhere, by a thread that gets no turn while
-        // one collection of garbage follows another: nothing is wanted for a moment.
         running = null;
+        awaitMemory();
         report(null, e);
-        LockSupport.parkNanos(this, MEMORY_PAUSE);
       }
     }
     for (Job job : jobs()) {
@@ -584,6 +610,9 @@ public final class Scheduler {
       meter.turnOf(null);
     }
     inbox.take(clock, now);
+    if (inbox.isWanting()) {
+      awaitMemory();
+    }
     fireTimers();
     for (Job job = ahead.poll(); job != null; job = ahead.poll()) {
       runnable.addFirst(job);
@@ -708,6 +737,9 @@ public final class Scheduler {
       meter.turnOf(null);
     }
     endOfTick.run(failure -> report(null, failure));
+    if (!endOfTick.isEmpty()) {
+      awaitMemory();
+    }
   }
 
   private void idle() {

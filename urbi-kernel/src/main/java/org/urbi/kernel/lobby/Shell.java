@@ -417,7 +417,7 @@ public final class Shell {
       } catch (ControlFlowException unwinding) {
         // A return or break outside of functions and loops is ignored.
       } catch (Throwable failure) {
-        interpreter.scheduler().beginTurn();
+        interpreter.scheduler().recover(failure);
         interpreter.report(shell, failure);
       } finally {
         shell.leave(scope);

@@ -17,6 +17,9 @@ final class MemoryRescue {
   /** The time until the next lobby is ended, in nanoseconds. */
   private static final long NEXT_RELIEF = 1_000_000_000;
 
+  /** The same where memory was not enough for something, so that nobody could go on. */
+  private static final long URGENT_RELIEF = 100_000_000;
+
   /** How long freeing memory may take in all, in nanoseconds. */
   private static final long MAX_RELIEF = 20_000_000_000L;
 
@@ -79,17 +82,31 @@ final class MemoryRescue {
    * some memory to free more: a little was kept for that.
    */
   void rescue(MemoryUser[] users) {
-    try {
-      attempt(users);
-    } catch (Error e) {
-      heap.releaseReserve();
-      attemptAgain(users);
+    rescue(users, false);
+  }
+
+  /**
+   * To be called when there was no memory for something, and all garbage has been collected for it.
+   * If that has left much, too much was wanted, which is for those to bear who wanted it.
+   */
+  void failed(MemoryUser[] users) {
+    if (heap.isExhausted()) {
+      rescue(users, true);
     }
   }
 
-  private void attemptAgain(MemoryUser[] users) {
+  private void rescue(MemoryUser[] users, boolean urgent) {
     try {
-      attempt(users);
+      attempt(users, urgent);
+    } catch (Error e) {
+      heap.releaseReserve();
+      attemptAgain(users, urgent);
+    }
+  }
+
+  private void attemptAgain(MemoryUser[] users, boolean urgent) {
+    try {
+      attempt(users, urgent);
     } catch (Error e) {
       // There was no memory for it: it is tried again, as long as there is hope.
       if (began && isOver(worked.getAsLong())) {
@@ -98,7 +115,11 @@ final class MemoryRescue {
     }
   }
 
-  private void attempt(MemoryUser[] users) {
+  private void attempt(MemoryUser[] users, boolean urgent) {
+    if (urgent) {
+      // It is asked who has grown; nobody may have had a look since it began.
+      each(users, SCARCE);
+    }
     long now = worked.getAsLong();
     long before = collections;
     collections = heap.collections();
@@ -115,10 +136,12 @@ final class MemoryRescue {
       each(users, FULL);
     }
     if (isOver(now)) {
-      if (!isRelieved()) {
+      if (urgent || !isRelieved()) {
         giveUp(users);
       }
-    } else if (!relieved || now - relievedAt >= NEXT_RELIEF && !isRelieved()) {
+    } else if (!relieved
+        || now - relievedAt >= (urgent ? URGENT_RELIEF : NEXT_RELIEF)
+            && (urgent || !isRelieved())) {
       relieve(users);
     }
   }
@@ -146,9 +169,9 @@ final class MemoryRescue {
       }
     }
     if (most != null) {
-      most.relieve();
-      // To end what is done takes some memory, too.
+      // To ask somebody takes some memory, and so does ending what is done.
       heap.releaseReserve();
+      most.relieve();
       relieved = true;
       relievedAt = worked.getAsLong();
     }

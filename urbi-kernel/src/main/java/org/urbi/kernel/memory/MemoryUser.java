@@ -5,6 +5,9 @@ package org.urbi.kernel.memory;
  * of the {@link MemoryWatchdog}; when memory is exhausted they can make nothing.
  */
 public interface MemoryUser {
+  /** Loads what it needs when there is no memory to load it; once for all kernels. */
+  void prepare();
+
   /**
    * Says whether memory is scarce; several times a second. While it is, the growth of lobbies is
    * measured.

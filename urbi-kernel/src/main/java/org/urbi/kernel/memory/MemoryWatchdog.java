@@ -3,6 +3,7 @@ package org.urbi.kernel.memory;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.outside.HeapUsage;
+import org.urbi.kernel.time.Clock;
 import org.urbi.kernel.time.SystemClock;
 
 /**
@@ -13,10 +14,21 @@ import org.urbi.kernel.time.SystemClock;
 public final class MemoryWatchdog {
   private static final long PERIOD_MILLISECONDS = 250;
 
+  /** For how long somebody waits for it at most, in nanoseconds. */
+  private static final long PATIENCE = 2_000_000_000;
+
+  private static final long MILLISECOND = 1_000_000;
+
   private static final MemoryWatchdog OF_PROCESS = new MemoryWatchdog();
 
+  private final Clock clock = new SystemClock();
   private MemoryUser[] users = {};
   private @Nullable Thread thread;
+
+  /** How many times there was no memory for something, and how often that was looked at. */
+  private long wants;
+
+  private long seen;
 
   private MemoryWatchdog() {}
 
@@ -30,10 +42,38 @@ public final class MemoryWatchdog {
     OF_PROCESS.leave(user);
   }
 
+  /**
+   * Waits until somebody has been asked to give back memory; to be called when there was none for
+   * something. Each failing allocation has all garbage collected, which stops every thread and
+   * takes the lock of the heap: if whoever fails tried on, the thread that looks for memory would
+   * get no turn between one collection and the next.
+   */
+  public static void awaitRelief() {
+    OF_PROCESS.await();
+  }
+
+  private synchronized void await() {
+    long mine = ++wants;
+    notifyAll();
+    long end = clock.now() + PATIENCE;
+    boolean interrupted = false;
+    for (long left = PATIENCE;
+        thread != null && seen < mine && left > 0;
+        left = end - clock.now()) {
+      try {
+        wait(left / MILLISECOND + 1);
+      } catch (InterruptedException e) {
+        interrupted = true;
+      }
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
   private synchronized void join(MemoryUser user) {
     if (thread == null) {
       var heap = new HeapUsage();
-      var clock = new SystemClock();
       var worked = new WorkTime(clock, heap);
       var rescue = new MemoryRescue(clock, worked, heap);
       Thread made =
@@ -61,17 +101,36 @@ public final class MemoryWatchdog {
   private void watch(HeapUsage heap, WorkTime worked, MemoryRescue rescue) {
     boolean prepared = false;
     for (MemoryUser[] known = next(); known.length > 0; known = next()) {
+      long wanted = wanted();
       try {
         if (!prepared) {
           prepared = true;
           heap.prepare();
           worked.prepare();
+          known[0].prepare();
         }
-        look(rescue, known);
+        if (wanted > seen) {
+          rescue.failed(known);
+        } else {
+          look(rescue, known);
+        }
       } catch (Error e) {
         // It goes on: others need it, and there may be memory again.
         continue;
+      } finally {
+        looked(wanted);
       }
+    }
+  }
+
+  private synchronized long wanted() {
+    return wants;
+  }
+
+  private synchronized void looked(long wanted) {
+    if (wanted > seen) {
+      seen = wanted;
+      notifyAll();
     }
   }
 
@@ -84,9 +143,12 @@ public final class MemoryWatchdog {
     }
   }
 
-  /** Waits for the next period; returns at once, with nobody, when the last kernel has ended. */
+  /**
+   * Waits for the next period, or until there is no memory for something; returns at once, with
+   * nobody, when the last kernel has ended.
+   */
   private synchronized MemoryUser[] next() {
-    if (users.length > 0) {
+    if (users.length > 0 && wants == seen) {
       try {
         wait(PERIOD_MILLISECONDS);
       } catch (InterruptedException e) {
@@ -96,6 +158,7 @@ public final class MemoryWatchdog {
     }
     if (users.length == 0) {
       thread = null;
+      notifyAll();
     }
     return users;
   }

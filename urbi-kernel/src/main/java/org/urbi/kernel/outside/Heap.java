@@ -13,6 +13,12 @@ public interface Heap {
    */
   boolean isNearlyFull(long now);
 
+  /**
+   * Whether nearly no room is left, garbage included: what is asked when that has just been
+   * collected for somebody who got no memory. It takes none.
+   */
+  boolean isExhausted();
+
   /** Resets the measurement: memory is no longer scarce. */
   void forget();
 
@@ -25,9 +31,9 @@ public interface Heap {
   /** Collects garbage, which nobody else would do soon. */
   void collect();
 
-  /** Keeps a little memory for later, unless some is kept already. */
+  /** Keeps a little memory for later, several times, unless it is kept already. */
   void keepReserve();
 
-  /** Gives back what was kept: others may have taken all the rest. */
+  /** Gives back one part of what was kept: others may have taken all the rest. */
   void releaseReserve();
 }

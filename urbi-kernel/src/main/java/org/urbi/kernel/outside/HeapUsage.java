@@ -28,8 +28,11 @@ public final class HeapUsage implements Heap {
 
   private static final long MILLISECOND = 1_000_000;
 
-  /** How many bytes are kept for when there are none left… */
-  private static final int RESERVE = 2_000_000;
+  /** So many times memory is kept: somebody is asked, lets go of its jobs, then of its lobby. */
+  private static final int RESERVES = 4;
+
+  /** How many bytes are kept each time for when there are none left… */
+  private static final int RESERVE = 4_000_000;
 
   /** …but not more than one of so many parts of the heap. */
   private static final int RESERVE_PART = 64;
@@ -45,7 +48,7 @@ public final class HeapUsage implements Heap {
   private long windowBegan;
   private long collectedBefore;
   private boolean collecting;
-  private byte @Nullable [] reserve;
+  private final byte[] @Nullable [] reserves = new byte[RESERVES][];
 
   @Override
   public boolean isScarce() {
@@ -100,6 +103,11 @@ public final class HeapUsage implements Heap {
         || isCollecting(now);
   }
 
+  @Override
+  public boolean isExhausted() {
+    return free() < (1 - FULL) * Runtime.getRuntime().maxMemory();
+  }
+
   private boolean isCollecting(long now) {
     if (windowBegan == 0 || now - windowBegan > WINDOW) {
       long collected = collecting();
@@ -142,13 +150,21 @@ public final class HeapUsage implements Heap {
 
   @Override
   public void keepReserve() {
-    if (reserve == null) {
-      reserve = new byte[(int) Math.min(RESERVE, Runtime.getRuntime().maxMemory() / RESERVE_PART)];
+    for (int i = 0; i < RESERVES; i++) {
+      if (reserves[i] == null) {
+        reserves[i] =
+            new byte[(int) Math.min(RESERVE, Runtime.getRuntime().maxMemory() / RESERVE_PART)];
+      }
     }
   }
 
   @Override
   public void releaseReserve() {
-    reserve = null;
+    for (int i = 0; i < RESERVES; i++) {
+      if (reserves[i] != null) {
+        reserves[i] = null;
+        return;
+      }
+    }
   }
 }

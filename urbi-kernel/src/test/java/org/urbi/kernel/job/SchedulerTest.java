@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.Test;
+import org.urbi.kernel.message.Message;
 
 /** The tick loop: what a tick does, in which order; how it ends. */
 class SchedulerTest {
@@ -158,6 +159,7 @@ class SchedulerTest {
 
   @Test
   void theEndOfATickIsRepeatedUntilThereIsMemoryForIt() {
+    loop.scheduler.setMemoryRelief(() -> loop.say("asked"));
     int[] tries = {0};
     loop.scheduler.atEndOfTick(() -> {
       if (++tries[0] < 3) {
@@ -167,7 +169,7 @@ class SchedulerTest {
     });
     loop.scheduler.atEndOfTick(() -> loop.say("other"));
     loop.run();
-    assertEquals(List.of("other", "done"), loop.said);
+    assertEquals(List.of("other", "asked", "asked", "done"), loop.said);
     assertEquals(List.of(), loop.uncaught);
   }
 
@@ -340,6 +342,51 @@ class SchedulerTest {
       throw failure;
     });
     loop.start(job -> loop.say("job"));
+    assertThrows(AssertionError.class, loop::run);
+    assertEquals(List.of(failure), loop.uncaught);
+    assertTrue(loop.scheduler.isOver());
+  }
+
+  /** Whoever tried on at once would keep the one from its turn who can free memory. */
+  @Test
+  void whateverGotNoMemoryWaitsUntilSomebodyIsAskedForSome() {
+    OutOfMemoryError failure = new OutOfMemoryError();
+    loop.scheduler.setMemoryRelief(() -> loop.say("asked"));
+    loop.start(job -> {
+      loop.say("job");
+      throw failure;
+    });
+    int[] tries = {0};
+    int wanting =
+        loop.scheduler
+            .inbox()
+            .register(message -> {
+              loop.say("message");
+              if (tries[0]++ == 0) {
+                throw failure;
+              }
+            });
+    loop.scheduler.inbox().post(new Message.InputEnded(wanting));
+    loop.scheduler.whenQuiet(() -> {
+      loop.say("loop");
+      loop.scheduler.stop();
+      throw failure;
+    });
+    assertThrows(AssertionError.class, loop::run);
+    assertEquals(
+        List.of("message", "asked", "job", "asked", "message", "loop", "asked"), loop.said);
+    assertEquals(List.of(failure, failure), loop.uncaught);
+  }
+
+  @Test
+  void whereThereIsNoMemoryForWaitingEitherTheLoopGoesOn() {
+    OutOfMemoryError failure = new OutOfMemoryError();
+    loop.scheduler.setMemoryRelief(() -> {
+      throw failure;
+    });
+    loop.start(job -> {
+      throw failure;
+    });
     assertThrows(AssertionError.class, loop::run);
     assertEquals(List.of(failure), loop.uncaught);
     assertTrue(loop.scheduler.isOver());

@@ -28,6 +28,11 @@ final class GivenHeap implements Heap {
   }
 
   @Override
+  public boolean isExhausted() {
+    return full;
+  }
+
+  @Override
   public void forget() {}
 
   @Override

@@ -30,6 +30,7 @@ class MemoryRescueTest {
     private final String name;
     private final double grown;
     private int steps = 2;
+    private boolean measured;
 
     Kernel(String name, double grown) {
       this.name = name;
@@ -37,12 +38,17 @@ class MemoryRescueTest {
     }
 
     @Override
-    public void memoryScarce(boolean scarce) {}
+    public void prepare() {}
+
+    @Override
+    public void memoryScarce(boolean scarce) {
+      measured = scarce;
+    }
 
     @Override
     public double growth() {
       return switch (steps) {
-        case 2 -> grown;
+        case 2 -> measured ? grown : 0;
         case 1 -> Double.POSITIVE_INFINITY;
         default -> 0;
       };
@@ -200,5 +206,43 @@ class MemoryRescueTest {
         5.5 other exhausted
         """,
         events.toString());
+  }
+
+  private void fail(double seconds, MemoryUser... users) {
+    clock.advanceTo(clock.now() + (long) (seconds * SECOND));
+    rescue.failed(users);
+  }
+
+  /** It could not go on, and with it whoever else wants memory. */
+  @Test
+  void whoGotNoMemoryDoesNotWaitForTheNextLook() {
+    Kernel kernel = new Kernel("one", 10);
+    fail(0.125, kernel);
+    assertEquals("0.125 one full\n0.125 one ended\n", events.toString());
+    // What has been ended must have had some time to end.
+    fail(0.0625, kernel);
+    assertEquals("0.125 one full\n0.125 one ended\n", events.toString());
+    fail(0.0625, kernel);
+    assertEquals("0.125 one full\n0.125 one ended\n0.25 one gone\n", events.toString());
+    fail(4.25, kernel);
+    assertTrue(events.toString().endsWith("4.5 one exhausted\n"), events.toString());
+    assertEquals(0, heap.collections, "all garbage has been collected for the one who got none");
+  }
+
+  /** One who wants a thousand times more than there is has got none, too. */
+  @Test
+  void nobodyIsEndedBecauseSomebodyWantedTooMuch() {
+    heap.full = false;
+    fail(1, new Kernel("one", 10));
+    assertEquals("", events.toString());
+  }
+
+  @Test
+  void littleIsKeptForWhoeverLooksAfterAFailure() {
+    heap.reserved = true;
+    heap.exhausted = true;
+    fail(0.01, new Kernel("one", 10));
+    assertEquals("0.01 one full\n0.01 one ended\n", events.toString());
+    assertFalse(heap.reserved);
   }
 }
