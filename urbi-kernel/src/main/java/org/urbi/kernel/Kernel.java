@@ -126,7 +126,7 @@ public final class Kernel implements AutoCloseable {
       interpreter.limitDepth(builder.stackSize * CALLS_PER_KIBIBYTE);
     }
     var loadedFiles = new LoadedFiles();
-    var stackFrames = new StackFrames(loadedFiles);
+    var stackFrames = new StackFrames(world, loadedFiles);
     Library.install(interpreter, tables(builder, loadedFiles, stackFrames), stackFrames);
     embedding = new Embedding(interpreter, builder.output, this::isStopping);
     memory.add(embedding.evictable());

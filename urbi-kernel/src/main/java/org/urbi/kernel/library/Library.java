@@ -10,7 +10,6 @@ import java.util.Map;
 import org.urbi.kernel.builtin.BuiltinTable;
 import org.urbi.kernel.builtin.Primitive;
 import org.urbi.kernel.error.UrbiException;
-import org.urbi.kernel.library.code.LocationType;
 import org.urbi.kernel.library.code.ScriptCode;
 import org.urbi.kernel.library.code.StackFrames;
 import org.urbi.kernel.library.concurrent.EventType;
@@ -257,9 +256,9 @@ public final class Library {
     addMessage(frame, value);
     if (exception.isLocated()) {
       if (exception.span() != null) {
-        OwnSlots.put(value, "location", LocationType.make(world, exception.span()));
+        OwnSlots.put(value, "location", stackFrames.locations().location(exception.span()));
       }
-      OwnSlots.put(value, "backtrace", stackFrames.list(world, exception.backtrace()));
+      OwnSlots.put(value, "backtrace", stackFrames.list(exception.backtrace()));
     }
   }
 

@@ -11,7 +11,7 @@ public final class CallMessageNode extends Node {
 
   @Override
   public UrbiObject execute(Frame frame) {
-    return CallMessages.of(frame);
+    return frame.interpreter.callMessages().of(frame);
   }
 
   /** The body of a function that asks for its call message: one for each call. */
@@ -27,7 +27,7 @@ public final class CallMessageNode extends Node {
 
     @Override
     public UrbiObject execute(Frame frame) {
-      place.declare(frame, CallMessages.of(frame));
+      place.declare(frame, frame.interpreter.callMessages().of(frame));
       return body.execute(frame);
     }
   }

@@ -2,15 +2,35 @@ package org.urbi.kernel.node;
 
 import static java.util.Objects.requireNonNullElse;
 
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.object.Elements;
 import org.urbi.kernel.object.Shape;
+import org.urbi.kernel.object.SlotNames;
+import org.urbi.kernel.object.Symbol;
+import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
 
 /** Call messages and unevaluated arguments (manual, "CallMessage" and "Lazy"). */
 public final class CallMessages {
-  private CallMessages() {}
+  private final SlotNames slots;
+  private final SlotLookup args;
+  private final SlotLookup eval;
+
+  CallMessages(World world) {
+    Symbol arguments = world.symbol("args");
+    slots =
+        new SlotNames(
+            world.symbol("target"),
+            world.symbol("sender"),
+            world.symbol("code"),
+            world.symbol("message"),
+            arguments);
+    args = new SlotLookup(world, arguments);
+    eval = new SlotLookup(world, world.symbol("eval"));
+  }
 
   /** An argument that has not been evaluated yet. */
   public static final class Lazy extends UrbiObject {
@@ -50,10 +70,8 @@ public final class CallMessages {
   }
 
   /** The call message of the function that runs in a frame. */
-  static UrbiObject of(Frame frame) {
+  UrbiObject of(Frame frame) {
     Interpreter interpreter = frame.interpreter;
-    var world = interpreter.world();
-    UrbiObject message = interpreter.prototypes.callMessage.cloned();
     var arguments = new Elements(0);
     if (frame.site != null && frame.caller != null) {
       for (Node node : frame.site.argumentNodes()) {
@@ -63,14 +81,26 @@ public final class CallMessages {
                 new Argument(node, frame.caller, frame.job.lobby())));
       }
     }
-    message.addSlot(world.symbol("target"), frame.self);
-    message.addSlot(world.symbol("sender"), frame.caller == null ? frame.self : frame.caller.self);
-    message.addSlot(
-        world.symbol("code"), frame.function == null ? interpreter.values().nil : frame.function);
-    message.addSlot(
-        world.symbol("message"),
-        interpreter.values().string(requireNonNullElse(frame.calledAs(), "")));
-    message.addSlot(world.symbol("args"), interpreter.values().listOf(arguments));
-    return message;
+    return interpreter.prototypes.callMessage.clonedWith(
+        slots,
+        frame.self,
+        frame.caller == null ? frame.self : frame.caller.self,
+        frame.function == null ? interpreter.values().nil : frame.function,
+        interpreter.values().string(requireNonNullElse(frame.calledAs(), "")),
+        interpreter.values().listOf(arguments));
+  }
+
+  /** The arguments of a call message; none if somebody has replaced their list. */
+  public List<UrbiObject> arguments(Frame frame, UrbiObject message) {
+    UrbiObject found = args.find(frame, message);
+    if (found == null) {
+      throw frame.interpreter.errors().lookup(message, args.name().name());
+    }
+    return found instanceof UrbiList list ? list.elements() : List.of();
+  }
+
+  /** The value of an argument, each time anew. */
+  public UrbiObject evaluate(Frame frame, UrbiObject argument) {
+    return frame.interpreter.send(frame, argument, eval);
   }
 }

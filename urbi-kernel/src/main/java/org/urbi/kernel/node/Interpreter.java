@@ -53,6 +53,7 @@ public final class Interpreter {
   private final Scheduler scheduler;
   private final Errors errors;
   private final CoreSymbols symbols;
+  private final CallMessages callMessages;
   private final Map<Symbol, UrbiObject> numberOperators = new LinkedHashMap<>();
   private @Nullable UrbiObject equalityOfNumbers;
   private @Nullable UrbiObject equalityOfStrings;
@@ -85,6 +86,7 @@ public final class Interpreter {
     this.scheduler = scheduler;
     this.errors = errors;
     this.symbols = new CoreSymbols(world);
+    this.callMessages = new CallMessages(world);
     this.prototypes = prototypes;
     this.maximumDepth = scheduler.maximumDepth();
     scheduler.setRefusals(errors::scheduling);
@@ -111,6 +113,11 @@ public final class Interpreter {
   /** The names that the interpreter itself looks up. */
   public CoreSymbols symbols() {
     return symbols;
+  }
+
+  /** Makes call messages, and reads them. */
+  public CallMessages callMessages() {
+    return callMessages;
   }
 
   /** The prototypes of objects that the interpreter creates, other than everyday values. */
@@ -221,9 +228,14 @@ public final class Interpreter {
     return shortcuts.get(code);
   }
 
-  /** Whether {@code ==} or {@code !=} of an object only asks whether it is the same object. */
-  boolean comparesIdentity(Frame frame, UrbiObject found, SlotLookup equality, UrbiObject left) {
-    return found == identity || found == difference && equality.find(frame, left) == identity;
+  /**
+   * Whether {@code ==} or {@code !=} of an object only asks whether it is the same object.
+   *
+   * @param found the operator
+   * @param equality {@code ==} of that object
+   */
+  boolean comparesIdentity(UrbiObject found, @Nullable UrbiObject equality) {
+    return found == identity || found == difference && equality == identity;
   }
 
   /** Whether that is {@code ==} or {@code !=} of strings. */

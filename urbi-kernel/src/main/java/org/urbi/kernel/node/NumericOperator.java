@@ -7,6 +7,7 @@ import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
 import org.urbi.kernel.object.Values;
+import org.urbi.kernel.object.World;
 import org.urbi.lang.source.Span;
 
 /**
@@ -37,7 +38,9 @@ public final class NumericOperator extends Node {
   private final Values values;
   private final Symbol name;
   private final @Nullable UrbiObject original;
-  private final SlotLookup equality;
+  private final Symbol equality;
+  private final EqualityCache objects;
+  private final EqualityCache texts;
   private int intactEpoch = -1;
 
   /** The index of the left operand if it is a plain local variable, or -1. */
@@ -63,8 +66,9 @@ public final class NumericOperator extends Node {
     this.message = message;
     this.name = message.name();
     this.values = values;
-    this.equality =
-        new SlotLookup(values.floatProto.world(), values.floatProto.world().symbol("=="));
+    this.equality = values.floatProto.world().symbol("==");
+    this.objects = new EqualityCache(name, equality);
+    this.texts = new EqualityCache(name, equality);
     this.original = original;
     this.local = left instanceof Variables.Local variable ? variable.index() : -1;
     this.literal =
@@ -137,15 +141,37 @@ public final class NumericOperator extends Node {
 
   /** Whether the operator is one of the library by which any objects, or strings, are compared. */
   boolean equates(Frame frame, UrbiObject left) {
-    if (kind < EQUAL || frame.interpreter.world().tracker != null) {
+    World world = frame.interpreter.world();
+    if (kind < EQUAL || world.tracker != null || world.profiled) {
       return false;
     }
-    UrbiObject found = message.find(frame, left);
-    return found != null
-        && !frame.interpreter.world().profiled
-        && (left instanceof UrbiString
+    EqualityCache cache = left instanceof UrbiString ? texts : objects;
+    return cache.has(left.shape()) || finds(frame, left, cache);
+  }
+
+  private boolean finds(Frame frame, UrbiObject left, EqualityCache cache) {
+    UrbiObject found = stored(left, name);
+    if (found == null) {
+      return false;
+    }
+    boolean equates =
+        left instanceof UrbiString
             ? frame.interpreter.comparesText(found)
-            : frame.interpreter.comparesIdentity(frame, found, equality, left));
+            : frame.interpreter.comparesIdentity(found, stored(left, equality));
+    if (equates) {
+      cache.add(frame.interpreter.world(), left.shape());
+    }
+    return equates;
+  }
+
+  /** The value of a slot, or null if there is none, or a getter. */
+  private static @Nullable UrbiObject stored(UrbiObject target, Symbol name) {
+    UrbiObject holder = target.locate(name);
+    if (holder == null) {
+      return null;
+    }
+    int index = holder.shape().indexOf(name);
+    return holder.shape().readSpecial(index) ? null : holder.slotAt(index);
   }
 
   private boolean isSame(Frame frame, UrbiObject left) {

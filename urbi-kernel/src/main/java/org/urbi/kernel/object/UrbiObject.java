@@ -112,12 +112,8 @@ public class UrbiObject {
   }
 
   /** A new object whose only prototype is this one, and which has these slots from the start. */
-  public final UrbiObject clonedWith(Symbol[] names, UrbiObject... values) {
-    Shape filled = cloneShape();
-    for (Symbol name : names) {
-      filled = filled.with(name);
-    }
-    UrbiObject made = new UrbiObject(filled);
+  public final UrbiObject clonedWith(SlotNames names, UrbiObject... values) {
+    UrbiObject made = new UrbiObject(names.in(cloneShape()));
     made.storage().slots = values;
     return made;
   }

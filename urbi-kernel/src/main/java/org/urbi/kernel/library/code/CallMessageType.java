@@ -14,7 +14,6 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiFloat;
-import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
@@ -31,7 +30,7 @@ final class CallMessageType {
   }
 
   private static List<UrbiObject> arguments(Frame frame, UrbiObject self) {
-    return slot(frame, self, "args") instanceof UrbiList list ? list.elements() : List.of();
+    return frame.interpreter().callMessages().arguments(frame, self);
   }
 
   @Builtin(doc = "The number of arguments.")
@@ -43,7 +42,7 @@ final class CallMessageType {
       value = {"evalArgAt", "argAt"},
       doc = "Evaluates the argument at that index; each time anew.")
   static UrbiObject evalArgAt(Frame frame, CallSite site, UrbiObject self, UrbiFloat index) {
-    return frame.interpreter().send(frame, argument(frame, site, self, index), "eval");
+    return frame.interpreter().callMessages().evaluate(frame, argument(frame, site, self, index));
   }
 
   private static UrbiObject argument(Frame frame, CallSite site, UrbiObject self, UrbiFloat index) {
@@ -64,7 +63,7 @@ final class CallMessageType {
   static List<UrbiObject> evalArgs(Frame frame, CallSite site, UrbiObject self) {
     List<UrbiObject> values = new ArrayList<>();
     for (UrbiObject argument : arguments(frame, self)) {
-      UrbiObject value = frame.interpreter().send(frame, argument, "eval");
+      UrbiObject value = frame.interpreter().callMessages().evaluate(frame, argument);
       if (value == frame.interpreter().values().voidObject) {
         throw frame.error(site, Problem.VOID_ARGUMENT);
       }

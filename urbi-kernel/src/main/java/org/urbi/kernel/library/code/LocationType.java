@@ -9,11 +9,8 @@ import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
-import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
-import org.urbi.kernel.object.World;
 import org.urbi.lang.source.Location;
-import org.urbi.lang.source.Span;
 
 /** Pieces of files, from a position to another one (manual, "Location"). */
 @UrbiType(
@@ -22,17 +19,6 @@ import org.urbi.lang.source.Span;
     needs = Permission.NOTHING)
 public final class LocationType {
   private LocationType() {}
-
-  /** The location of a piece of source text. */
-  public static UrbiObject make(World world, Span span) {
-    Location place = span.location();
-    return world
-        .prototype("Location")
-        .clonedWith(
-            new Symbol[] {world.symbol("begin"), world.symbol("end")},
-            PositionType.make(world, place.file(), place.line(), place.column()),
-            PositionType.make(world, place.file(), place.endLine(), place.endColumn()));
-  }
 
   private static UrbiObject copy(Frame frame, CallSite site, int place, UrbiObject position) {
     if (!position.isA(position.world().prototype("Position"))) {
@@ -50,7 +36,7 @@ public final class LocationType {
       UrbiObject self,
       @Optional @Nullable UrbiObject begin,
       @Optional @Nullable UrbiObject end) {
-    UrbiObject from = begin == null ? PositionType.make(self.world(), null, 1, 1) : begin;
+    UrbiObject from = begin == null ? new Locations(self.world()).position(null, 1, 1) : begin;
     OwnSlots.put(self, "begin", copy(frame, site, 1, from));
     OwnSlots.put(self, "end", copy(frame, site, end == null ? 1 : 2, end == null ? from : end));
   }

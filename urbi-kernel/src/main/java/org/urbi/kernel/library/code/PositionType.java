@@ -9,7 +9,6 @@ import org.urbi.kernel.library.file.UrbiPath;
 import org.urbi.kernel.library.value.OwnSlots;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
-import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.UrbiString;
@@ -34,21 +33,6 @@ public final class PositionType {
     OwnSlots.put(self, "file", file);
     OwnSlots.put(self, "line", self.world().values().number(line));
     OwnSlots.put(self, "column", self.world().values().number(column));
-  }
-
-  /**
-   * A position.
-   *
-   * @param file null when there is none
-   */
-  public static UrbiObject make(World world, @Nullable String file, int line, int column) {
-    return world
-        .prototype("Position")
-        .clonedWith(
-            new Symbol[] {world.symbol("file"), world.symbol("line"), world.symbol("column")},
-            file == null ? world.values().nil : ((UrbiPath) world.prototype("Path")).sibling(file),
-            world.values().number(line),
-            world.values().number(column));
   }
 
   /** The number of the line, or of the column. */

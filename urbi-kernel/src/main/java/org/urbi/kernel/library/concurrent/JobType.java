@@ -158,7 +158,7 @@ public final class JobType {
 
   @Builtin(doc = "The calls that are going on in the job, innermost first.")
   UrbiObject backtrace(Frame frame, UrbiJob self) {
-    return stackFrames.list(self.world(), calls(frame, self));
+    return stackFrames.list(calls(frame, self));
   }
 
   @Builtin(doc = "Tells the state of the job: its status, its tags, its calls.")

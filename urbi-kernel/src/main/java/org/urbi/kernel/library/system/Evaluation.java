@@ -5,7 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.error.UrbiException;
-import org.urbi.kernel.library.code.LocationType;
+import org.urbi.kernel.library.code.Locations;
 import org.urbi.kernel.library.concurrent.ControlType;
 import org.urbi.kernel.library.lobby.Warnings;
 import org.urbi.kernel.library.value.OwnSlots;
@@ -58,7 +58,7 @@ public final class Evaluation {
       OwnSlots.put(
           exception.value(),
           "location",
-          LocationType.make(frame.interpreter().world(), site.calledSpan()));
+          new Locations(frame.interpreter().world()).location(site.calledSpan()));
     }
     return exception;
   }

@@ -9,7 +9,7 @@ import org.urbi.builtins.UrbiTypePart;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.CycleStatistics;
 import org.urbi.kernel.job.Job;
-import org.urbi.kernel.library.code.PositionType;
+import org.urbi.kernel.library.code.Locations;
 import org.urbi.kernel.library.code.UrbiProfile;
 import org.urbi.kernel.library.concurrent.JobType;
 import org.urbi.kernel.library.concurrent.TagType;
@@ -144,7 +144,7 @@ final class SystemJobs {
       return self.world().prototype("Position");
     }
     Location place = site.calledSpan().location();
-    return PositionType.make(self.world(), place.file(), place.line(), place.column());
+    return new Locations(self.world()).position(place.file(), place.line(), place.column());
   }
 
   @Builtin(

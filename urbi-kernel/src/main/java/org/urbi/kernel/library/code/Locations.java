@@ -1,0 +1,48 @@
+package org.urbi.kernel.library.code;
+
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.library.file.UrbiPath;
+import org.urbi.kernel.object.SlotNames;
+import org.urbi.kernel.object.UrbiObject;
+import org.urbi.kernel.object.World;
+import org.urbi.lang.source.Location;
+import org.urbi.lang.source.Span;
+
+/** Makes pieces of source text, and positions in it, as urbiscript sees them. */
+public final class Locations {
+  private final World world;
+  private final SlotNames ofPosition;
+  private final SlotNames ofLocation;
+
+  public Locations(World world) {
+    this.world = world;
+    ofPosition = new SlotNames(world.symbol("file"), world.symbol("line"), world.symbol("column"));
+    ofLocation = new SlotNames(world.symbol("begin"), world.symbol("end"));
+  }
+
+  /** The location of a piece of source text. */
+  public UrbiObject location(Span span) {
+    Location place = span.location();
+    return world
+        .prototype("Location")
+        .clonedWith(
+            ofLocation,
+            position(place.file(), place.line(), place.column()),
+            position(place.file(), place.endLine(), place.endColumn()));
+  }
+
+  /**
+   * A position.
+   *
+   * @param file null when there is none
+   */
+  public UrbiObject position(@Nullable String file, int line, int column) {
+    return world
+        .prototype("Position")
+        .clonedWith(
+            ofPosition,
+            file == null ? world.values().nil : ((UrbiPath) world.prototype("Path")).sibling(file),
+            world.values().number(line),
+            world.values().number(column));
+  }
+}
