@@ -63,7 +63,8 @@ final class KernelRequests {
         hold.add(request::perform);
       }
       if (over) {
-        throw ended();
+        // Unless that has been done already: it may be what the kernel has ended for.
+        future.completeExceptionally(ended());
       }
       return future.get();
     } catch (InterruptedException e) {
