@@ -48,7 +48,7 @@ final class HoldLimit {
       return errors.limit(
           Problem.BUDGET_EXHAUSTED, job.budget().limit(Resource.MEMORY), Resource.MEMORY.unit());
     }
-    return errors.limit(Problem.HELD_TOO_LONG, described(job, job.componentCode().function()));
+    return errors.limit(Problem.HELD_TOO_LONG, described(job, job.component()));
   }
 
   /** Called on the watchdog's thread, so it reads nothing but names. */

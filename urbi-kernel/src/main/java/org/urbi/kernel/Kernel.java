@@ -164,7 +164,7 @@ public final class Kernel implements AutoCloseable {
     // A replayed kernel does what the recorded one has done, and hears of nothing else.
     if (!journal.isReplay()) {
       MemoryWatchdog.add(memory);
-      scheduler.setMemoryRelief(MemoryWatchdog::awaitRelief);
+      scheduler.memory().setRelief(MemoryWatchdog::awaitRelief);
     }
     scheduler.startLoop(this::ended);
     outOfBand.setWatch(HoldLimit.set(scheduler, interpreter.errors(), log, maxHold));

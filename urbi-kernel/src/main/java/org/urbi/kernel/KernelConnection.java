@@ -377,7 +377,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   public void starving(boolean begins) {
     if (begins && holdsTime && !ended) {
       holding = true;
-      kernel.scheduler().holdTime();
+      kernel.scheduler().time().hold();
     } else {
       releaseTime();
     }
@@ -386,7 +386,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   private void releaseTime() {
     if (holding) {
       holding = false;
-      kernel.scheduler().releaseTime();
+      kernel.scheduler().time().release();
     }
   }
 

@@ -73,8 +73,7 @@ final class OutOfBandControl {
     if (job == null) {
       return Problem.NOBODY_HOLDS.text();
     }
-    StringBuilder text =
-        new StringBuilder(HoldLimit.described(job, job.componentCode().function()));
+    StringBuilder text = new StringBuilder(HoldLimit.described(job, job.component()));
     StackTraceElement[] calls = job.stackTrace();
     for (int i = 0; i < Math.min(calls.length, MOST_CALLS); i++) {
       text.append("\n    at ").append(calls[i]);
@@ -111,7 +110,7 @@ final class OutOfBandControl {
     }
     String told =
         Problem.INTERRUPTED_HOLDER.text(
-            HoldLimit.described(job, job.componentCode().function()), held / 100_000_000 / 10.0);
+            HoldLimit.described(job, job.component()), held / 100_000_000 / 10.0);
     who.interrupt();
     return told;
   }

@@ -20,6 +20,7 @@ import org.urbi.kernel.error.ProblemKind;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.JobState;
 import org.urbi.kernel.job.TagStop;
 import org.urbi.kernel.job.Timers;
 import org.urbi.kernel.library.Library;
@@ -382,16 +383,16 @@ final class WrongCallKernel implements AutoCloseable {
         kernel.scheduler().timers().add(kernel.scheduler().now() + VIRTUAL_TIMEOUT, judge::wake);
     judge.waitForWake();
     timer.cancel();
-    if (worker.state() != Job.State.ENDED) {
+    if (worker.state() != JobState.ENDED) {
       worker.terminate();
-      for (int i = 0; i < TURNS_TO_END && worker.state() != Job.State.ENDED; i++) {
+      for (int i = 0; i < TURNS_TO_END && worker.state() != JobState.ENDED; i++) {
         judge.yieldNow();
       }
       // It may wait inside Java for what another thread has: a lock, a class that is being loaded.
-      for (int i = 0; i < WAITS_TO_END && worker.state() != Job.State.ENDED; i++) {
+      for (int i = 0; i < WAITS_TO_END && worker.state() != JobState.ENDED; i++) {
         judge.waitForWake();
       }
-      if (worker.state() != Job.State.ENDED) {
+      if (worker.state() != JobState.ENDED) {
         throw new Defect("cannot be stopped: " + call.source());
       }
     }

@@ -337,9 +337,9 @@ public final class Embedding {
   private void reviewTime() {
     boolean hold = running == 0 && waitingForEnd == 0;
     if (hold && !holdsTime) {
-      scheduler.holdTime();
+      scheduler.time().hold();
     } else if (!hold && holdsTime) {
-      scheduler.releaseTime();
+      scheduler.time().release();
     }
     holdsTime = hold;
   }

@@ -75,7 +75,9 @@ public final class AtEvent extends Node {
       if (!filter.acceptsAll()) {
         matched = matched.fork(emitter, false);
         Frame scene = matched;
-        if (!emitter.doFor(handler.lobby(), () -> filter.accepts(scene, emission.payload()))) {
+        if (!emitter
+            .onBehalf()
+            .doFor(handler.lobby(), () -> filter.accepts(scene, emission.payload()))) {
           return;
         }
       }

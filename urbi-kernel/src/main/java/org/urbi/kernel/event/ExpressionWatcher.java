@@ -59,7 +59,7 @@ final class ExpressionWatcher implements Dependencies.Watcher {
     world.tracker = sources;
     evaluator = job;
     try {
-      return job.doFor(lobby, () -> expression.execute(home.in(job)));
+      return job.onBehalf().doFor(lobby, () -> expression.execute(home.in(job)));
     } finally {
       evaluator = null;
       world.tracker = outer;

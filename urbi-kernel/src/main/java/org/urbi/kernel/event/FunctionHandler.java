@@ -100,8 +100,9 @@ public final class FunctionHandler implements Subscription, TagScope.Attachment 
   }
 
   private UrbiObject call(Job job, UrbiObject function, UrbiObject... arguments) {
-    return job.doFor(
-        lobby, () -> home.interpreter().call(home.in(job), function, home.self(), arguments));
+    return job.onBehalf()
+        .doFor(
+            lobby, () -> home.interpreter().call(home.in(job), function, home.self(), arguments));
   }
 
   @Override

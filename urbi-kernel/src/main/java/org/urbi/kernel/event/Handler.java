@@ -91,7 +91,7 @@ final class Handler {
         throw frame.interpreter().errors().scheduling(Problem.STACK_EXHAUSTED);
       }
       try {
-        trigger.doFor(lobby, () -> code.execute(frame.fork(trigger, false)));
+        trigger.onBehalf().doFor(lobby, () -> code.execute(frame.fork(trigger, false)));
       } finally {
         trigger.endSend();
       }

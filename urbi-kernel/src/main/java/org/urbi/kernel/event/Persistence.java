@@ -62,7 +62,8 @@ public final class Persistence implements ExpressionWatcher.Listener, TagScope.A
   private void set(Job job, boolean holds) {
     Frame frame = home.in(job);
     UrbiObject value = frame.interpreter().values().bool(holds);
-    job.doFor(lobby, () -> SlotUpdate.assign(frame, shown, shown.world().symbol("val"), value));
+    job.onBehalf()
+        .doFor(lobby, () -> SlotUpdate.assign(frame, shown, shown.world().symbol("val"), value));
   }
 
   private void cancel() {

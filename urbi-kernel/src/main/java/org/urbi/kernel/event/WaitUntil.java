@@ -154,7 +154,9 @@ public final class WaitUntil extends Node {
       // The pattern binds variables of the waiting code; only the first matching event binds them.
       if (!isDone()
           && !frame.job().isFrozen()
-          && emitter.doFor(lobby, () -> filter.accepts(frame.in(emitter), emission.payload()))) {
+          && emitter
+              .onBehalf()
+              .doFor(lobby, () -> filter.accepts(frame.in(emitter), emission.payload()))) {
         emission.note(this, this);
         holds();
       }

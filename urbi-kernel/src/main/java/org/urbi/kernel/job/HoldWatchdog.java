@@ -241,7 +241,7 @@ public final class HoldWatchdog {
     if (held < allowed) {
       return false;
     }
-    if (job.componentCode().function() != null || processorTimeAtHalf == UNKNOWN) {
+    if (job.component() != null || processorTimeAtHalf == UNKNOWN) {
       return held >= most;
     }
     return heldAtHalf + gauges.processorTime.getAsLong() - processorTimeAtHalf >= allowed
@@ -251,7 +251,7 @@ public final class HoldWatchdog {
   /** Ends the turn of that number, which is that job's. */
   private void end(Job job, long turn, StopReason why, long allowed) {
     toldTurn = turn;
-    String component = job.componentCode().function();
+    String component = job.component();
     scheduler.interruptions().requestOverdue(turn, why);
     interruptComponent(job, turn);
     listener.ended(job, component, why, allowed);
@@ -261,9 +261,9 @@ public final class HoldWatchdog {
    * What waits in Java code takes no notice of requests; it may have been called after one, too.
    */
   private void interruptComponent(Job job, long turn) {
-    if (job.componentCode().function() != null) {
+    if (job.component() != null) {
       interrupted = true;
-      job.componentCode().interrupt(turn);
+      job.interruptComponent(turn);
     }
   }
 }

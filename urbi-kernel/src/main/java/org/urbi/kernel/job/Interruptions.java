@@ -243,6 +243,26 @@ public final class Interruptions {
     update();
   }
 
+  /**
+   * To be called while an exception unwinds many calls, which takes long: lets others run if there
+   * are any.
+   */
+  public void yieldWhileUnwinding(Job job) {
+    if (job.nonInterruptible() > 0) {
+      return;
+    }
+    // The number of the turn changes even if nobody else runs, so the state of ending this job is
+    // carried over.
+    Termination termination = pause();
+    try {
+      if (job.scheduler().hasOthers()) {
+        job.yieldNow();
+      }
+    } finally {
+      resume(termination);
+    }
+  }
+
   /** The state of ending the running job. */
   record Termination(StopReason ending, long until, @Nullable RuntimeException failure) {}
 

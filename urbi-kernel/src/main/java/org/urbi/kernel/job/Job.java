@@ -1,20 +1,14 @@
 package org.urbi.kernel.job;
 
-import static java.util.Objects.requireNonNull;
-
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
-import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.object.Dependencies;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.trust.Role;
-import org.urbi.kernel.trust.RoleHolder;
-import org.urbi.lang.source.Span;
 
 /**
  * A light thread of urbiscript (manual, "Job"). Its stack is that of a virtual thread which the
@@ -29,78 +23,37 @@ public final class Job implements Runnable {
     void run(Job job);
   }
 
-  /** The states of a job. */
-  public enum State {
-    RUNNABLE("running"),
-    RUNNING("running"),
-    WAITING("waiting"),
-    SLEEPING("sleeping"),
-    ENDED("terminated");
-
-    private final String text;
-
-    State(String text) {
-      this.text = text;
-    }
-
-    /** As the manual names it. */
-    public String text() {
-      return text;
-    }
-  }
-
   private final Scheduler scheduler;
   private final Interruptions interruptions;
   private final Body body;
   private final long number;
   private final String prefix;
-  private UrbiObject lobby;
-  private Role role;
-  private final Budget budget;
+  private final OnBehalf onBehalf;
   private final boolean surplus;
   private final @Nullable JobGroup group;
   private final JobThread thread;
   private boolean daemon;
   private TagScope scope;
-  private State state = State.RUNNABLE;
+  private JobState state = JobState.RUNNABLE;
   private @Nullable ControlFlowException injected;
-  private Timers.@Nullable Timer timer;
+  private final JobTime time;
   private Wait wait = Wait.TURN;
   private @Nullable Place place;
   private @Nullable Located where;
   private final long starter;
-  private long ran;
-  private long waker;
-  private int tracers;
-  private boolean frozenAlone;
-  private int frozenDepth;
-  private boolean heldByFreeze;
-  private long frozenSince;
-  private long sleepLeft;
-  private long timeShift;
   private @Nullable List<Runnable> endListeners;
 
   /** The values of the {@linkplain JobLocal variables} that were set for this job. */
   JobLocal.@Nullable Entry locals;
 
-  /** Measures what a job does. */
-  public interface Observer {
-    /** The job lets others run. */
-    void switchedOut();
+  /** What is measured of it; null while nobody has looked. */
+  TurnMeter.@Nullable Measures measures;
 
-    /** It is the job's turn again. */
-    void switchedIn();
-
-    /** The observer of a job that this one starts. */
-    Observer forChild();
-  }
-
-  private @Nullable Observer observer;
+  private @Nullable JobObserver observer;
   private int nestedSends;
-  private int redefinitions;
   private int nonInterruptible;
   private double priority;
-  private final ComponentCode componentCode;
+  private @Nullable ComponentCode componentCode;
 
   /** Its place among the jobs that can run. */
   final JobList.Link turn = new JobList.Link(this);
@@ -111,8 +64,8 @@ public final class Job implements Runnable {
   /** Its place among the jobs of its scope. */
   final JobList.Link scoped = new JobList.Link(this);
 
-  /** Its place among the jobs of its group. */
-  final JobList.Link grouped = new JobList.Link(this);
+  /** Its place among the jobs of its group; null if it is in none. */
+  final JobList.@Nullable Link grouped;
 
   Job(
       Scheduler scheduler,
@@ -129,17 +82,13 @@ public final class Job implements Runnable {
     Job creator = scheduler.running();
     this.starter = creator == null ? 0 : creator.number;
     this.prefix = prefix;
-    this.lobby = lobby;
-    this.role = RoleHolder.roleOf(lobby);
-    this.budget = scheduler.budgetOf(lobby);
-    this.surplus = !isAdmitted(creator);
+    this.onBehalf = new OnBehalf(scheduler, lobby);
+    this.surplus = !onBehalf.admit(creator);
     this.scope = scope;
     this.group = group;
-    this.timeShift = timeShift;
+    this.grouped = group == null ? null : new JobList.Link(this);
     this.thread = scheduler.newThread(this);
-    this.componentCode = new ComponentCode(this, thread);
-    this.frozenDepth = scope.frozenDepth();
-    this.frozenSince = scheduler.now();
+    this.time = new JobTime(this, scope.frozenDepth(), timeShift);
     scope.add(this);
     if (creator != null && creator.observer != null) {
       observer = creator.observer.forChild();
@@ -147,19 +96,6 @@ public final class Job implements Runnable {
     if (creator != null) {
       priority = creator.priority;
     }
-  }
-
-  /**
-   * If the lobby has too many jobs, the exception is thrown in the job that starts this one. If
-   * that job belongs to another lobby, or there is none, the new job gets the exception as soon as
-   * it runs.
-   */
-  private boolean isAdmitted(@Nullable Job creator) {
-    boolean admitted = budget.take(Resource.JOBS);
-    if (!admitted && creator != null && creator.budget == budget) {
-      throw refusal(Resource.JOBS);
-    }
-    return admitted;
   }
 
   // ------------------------------------------------------------------ what it is
@@ -181,66 +117,22 @@ public final class Job implements Runnable {
 
   /** The lobby for which the job runs, and to which its output goes. */
   public UrbiObject lobby() {
-    return lobby;
+    return onBehalf.lobby();
   }
 
-  /** From now on it runs for another lobby. */
-  public void runFor(UrbiObject other) {
-    lobby = other;
-    role = RoleHolder.roleOf(other);
-  }
-
-  /** What it may do: the role of its lobby. */
-  public Role role() {
-    return role;
+  /** What it may do, and use, for that lobby. */
+  public OnBehalf onBehalf() {
+    return onBehalf;
   }
 
   /** Whether it may do everything. */
   public boolean isOwner() {
-    return role == Role.OWNER;
+    return onBehalf.role() == Role.OWNER;
   }
 
   /** The budget that it uses: that of its first lobby. */
   public Budget budget() {
-    return budget;
-  }
-
-  /** Whose turn it is when it runs. */
-  Budget account() {
-    return budget.account();
-  }
-
-  /**
-   * Takes one unit of a limited resource of its lobby.
-   *
-   * @throws RuntimeException if that would be too much
-   */
-  public void take(Resource what) {
-    if (!budget.take(what)) {
-      throw refusal(what);
-    }
-  }
-
-  /** The exception for code that needs a resource when the budget is exhausted. */
-  public RuntimeException refusal(Resource what) {
-    return scheduler.refusal(Problem.BUDGET_EXHAUSTED, budget.limit(what), what.unit());
-  }
-
-  /**
-   * Runs an action on behalf of another lobby, if that lobby has other permissions than the job's
-   * own.
-   */
-  public <T> T doFor(UrbiObject other, Supplier<T> action) {
-    if (other == lobby || role == Role.OWNER && RoleHolder.roleOf(other) == Role.OWNER) {
-      return action.get();
-    }
-    UrbiObject own = lobby;
-    runFor(other);
-    try {
-      return action.get();
-    } finally {
-      runFor(own);
-    }
+    return onBehalf.budget();
   }
 
   /**
@@ -256,24 +148,11 @@ public final class Job implements Runnable {
     daemon = on;
   }
 
-  public State state() {
+  public JobState state() {
     return state;
   }
 
   // ------------------------------------------------------------------ for those who look
-
-  /** Code of a job that has called other code. */
-  public interface Place {
-    /** The calls that lead to the code, innermost first. */
-    List<UrbiException.Call> backtrace();
-  }
-
-  /** What was written somewhere. */
-  @FunctionalInterface
-  public interface Located {
-    /** Where it was written; null when nobody knows. */
-    @Nullable Span span();
-  }
 
   /** The number of the job that was running when this one was started; 0 when there was none. */
   public long starter() {
@@ -297,7 +176,7 @@ public final class Job implements Runnable {
 
   /** When it goes on, in nanoseconds of the scheduler; -1 unless it waits for a time. */
   public long deadline() {
-    return timer == null ? -1 : timer.deadline();
+    return time.deadline();
   }
 
   /**
@@ -313,49 +192,13 @@ public final class Job implements Runnable {
     return this;
   }
 
-  /** How long its turns have lasted while somebody looked, in nanoseconds. */
-  public long ran() {
-    return ran;
-  }
-
-  void charge(long nanoseconds) {
-    ran += nanoseconds;
-  }
-
-  /** Who has made it runnable: the number of a job; 0 for the time, or something outside. */
-  long waker() {
-    return waker;
-  }
-
-  void wokenBy(long job) {
-    waker = job;
-  }
-
-  /** Whether its turns are kept, because somebody looks at them. */
-  boolean isTraced() {
-    return tracers > 0;
-  }
-
-  /**
-   * One more wants to see its turns; to be called between {@link Scheduler#beginObservation} and
-   * its end.
-   */
-  public void beginTrace() {
-    tracers++;
-  }
-
-  /** Ends one {@link #beginTrace}. */
-  public void endTrace() {
-    tracers--;
-  }
-
   public boolean isFrozen() {
-    return frozenDepth > 0;
+    return time.isFrozen();
   }
 
   /** Whether it does not wait for anything, not even to be unfrozen. */
   public boolean canRun() {
-    return frozenDepth == 0 && (state == State.RUNNABLE || state == State.RUNNING);
+    return !time.isFrozen() && (state == JobState.RUNNABLE || state == JobState.RUNNING);
   }
 
   /** The scope of the innermost tagged code that it executes. */
@@ -365,18 +208,18 @@ public final class Job implements Runnable {
 
   /** How many nanoseconds it has been frozen in all. */
   public long timeShift() {
-    return timeShift;
+    return time.shift();
   }
 
   // ------------------------------------------------------------------ how it runs
 
   /** Who measures what this job does; usually null. */
-  public @Nullable Observer observer() {
+  public @Nullable JobObserver observer() {
     return observer;
   }
 
   /** Sets the observer of this job; null for none. */
-  public void observe(@Nullable Observer by) {
+  public void observe(@Nullable JobObserver by) {
     observer = by;
   }
 
@@ -397,21 +240,6 @@ public final class Job implements Runnable {
   /** Ends what {@link #beginSend} has begun. */
   public void endSend() {
     nestedSends--;
-  }
-
-  /** The number of surrounding scopes in which slots may be redefined. */
-  public int redefinitions() {
-    return redefinitions;
-  }
-
-  /** Allows slots to be redefined from now on. */
-  public void allowRedefinition() {
-    redefinitions++;
-  }
-
-  /** Leaves scopes in which slots may be redefined, until only that many remain. */
-  public void endRedefinitions(int before) {
-    redefinitions = Math.min(redefinitions, before);
   }
 
   /** The number of surrounding scopes that no other job may interrupt. */
@@ -450,27 +278,28 @@ public final class Job implements Runnable {
   public void run() {
     Throwable failure = null;
     try {
-      state = State.RUNNING;
+      state = JobState.RUNNING;
       checkInjected();
       if (surplus) {
-        throw refusal(Resource.JOBS);
+        throw onBehalf.refusal(Resource.JOBS);
       }
       body.run(this);
     } catch (TagStop stop) {
       // The code was stopped: a quiet end.
     } catch (Throwable t) {
       failure = t;
-      scheduler.recover(t);
+      scheduler.memory().recover(t);
+      scheduler.beginTurn();
     }
     end(failure);
   }
 
   private void end(@Nullable Throwable failure) {
-    state = State.ENDED;
+    state = JobState.ENDED;
     injected = null;
     scope.remove(this);
     if (!surplus) {
-      budget.giveBack(Resource.JOBS);
+      onBehalf.budget().giveBack(Resource.JOBS);
     }
     scheduler.ended(this);
     if (group != null) {
@@ -485,7 +314,7 @@ public final class Job implements Runnable {
 
   /** Runs something when the job has ended; at once when it has already. */
   public void onEnd(Runnable listener) {
-    if (state == State.ENDED) {
+    if (state == JobState.ENDED) {
       listener.run();
     } else {
       if (endListeners == null) {
@@ -522,7 +351,7 @@ public final class Job implements Runnable {
   /** Lets everybody else who can run do so. */
   public void yieldNow() {
     if (nonInterruptible > 0) {
-      if (frozenDepth > 0) {
+      if (time.isFrozen()) {
         throw scheduler.refusal(Problem.WAITS_UNINTERRUPTIBLE);
       }
       checkInjected();
@@ -530,26 +359,6 @@ public final class Job implements Runnable {
     }
     scheduler.enqueue(this);
     switchOut();
-  }
-
-  /**
-   * To be called while an exception unwinds many calls, which takes long: lets others run if there
-   * are any.
-   */
-  public void yieldWhileUnwinding() {
-    if (nonInterruptible > 0) {
-      return;
-    }
-    // The number of the turn changes even if nobody else runs, so the state of ending this job is
-    // carried over.
-    Interruptions.Termination termination = scheduler.interruptions().pause();
-    try {
-      if (scheduler.hasOthers()) {
-        yieldNow();
-      }
-    } finally {
-      scheduler.interruptions().resume(termination);
-    }
   }
 
   /** Whether nobody else may run now. */
@@ -566,15 +375,10 @@ public final class Job implements Runnable {
     if (nonInterruptible > 0) {
       throw scheduler.refusal(Problem.SLEEPS_UNINTERRUPTIBLE);
     }
-    timer = scheduler.timers().addUncounted(deadline, this::onTimer);
-    state = State.SLEEPING;
+    time.sleepUntil(deadline);
+    state = JobState.SLEEPING;
     wait = Wait.TIME;
     switchOut();
-  }
-
-  private void onTimer() {
-    timer = null;
-    makeRunnable();
   }
 
   /**
@@ -596,7 +400,7 @@ public final class Job implements Runnable {
     if (nonInterruptible > 0) {
       throw scheduler.refusal(Problem.WAITS_UNINTERRUPTIBLE);
     }
-    state = State.WAITING;
+    state = JobState.WAITING;
     wait = what;
     switchOut();
   }
@@ -613,14 +417,14 @@ public final class Job implements Runnable {
     } catch (Throwable failure) {
       // It goes on running, so nothing must wake it.
       scheduler.dequeue(this);
-      cancelTimer();
+      time.endSleep();
       throw failure;
     } finally {
       if (observer != null) {
         observer.switchedIn();
       }
       scheduler.world().tracker = tracker;
-      state = State.RUNNING;
+      state = JobState.RUNNING;
       wait = Wait.TURN;
       place = null;
       where = null;
@@ -647,9 +451,28 @@ public final class Job implements Runnable {
     }
   }
 
-  /** The Java code of components that this job executes. */
+  /** The Java code of components that this job executes; in the job. */
   public ComponentCode componentCode() {
-    return componentCode;
+    ComponentCode code = componentCode;
+    if (code == null) {
+      code = new ComponentCode(this, thread);
+      componentCode = code;
+    }
+    return code;
+  }
+
+  /** The component function that it executes; null if it executes none. From any thread. */
+  public @Nullable String component() {
+    ComponentCode code = componentCode;
+    return code == null ? null : code.function();
+  }
+
+  /** Interrupts such a function if it waits, and that turn still lasts; from any thread. */
+  void interruptComponent(long turn) {
+    ComponentCode code = componentCode;
+    if (code != null) {
+      code.interrupt(turn);
+    }
   }
 
   /** The Java calls that it is executing; called from another thread. */
@@ -680,98 +503,50 @@ public final class Job implements Runnable {
     }
   }
 
-  /** A scope under a tag, for other jobs; to be {@linkplain TagScope#end ended}. */
-  public TagScope branch(TagState tag, TagScope around) {
-    scheduler.number(tag);
-    return new TagScope(tag, around, null);
-  }
-
   private void moveTo(TagScope other) {
     scope.remove(this);
     other.add(this);
     scope = other;
-    int depth = other.frozenDepth() + (frozenAlone ? 1 : 0);
-    if (depth > 0 && frozenDepth == 0) {
-      frozenSince = scheduler.now();
-    }
-    frozenDepth = depth;
+    time.moveUnder(other.frozenDepth());
   }
 
   /** Suspends this job if it has just been frozen, by itself or by the code it entered. */
   public void waitWhileFrozen() {
-    if (frozenDepth > 0) {
+    if (time.isFrozen()) {
       yieldNow();
     }
   }
 
   /** Suspends this job alone, whatever its tags do, until {@link #unfreezeAlone}. */
   public void freezeAlone() {
-    if (!frozenAlone) {
-      frozenAlone = true;
-      freeze();
-    }
+    time.freezeAlone();
   }
 
   /** Ends what {@link #freezeAlone} has begun. */
   public void unfreezeAlone() {
-    if (frozenAlone) {
-      frozenAlone = false;
-      unfreeze();
-    }
+    time.unfreezeAlone();
   }
 
   void freeze() {
-    if (frozenDepth++ == 0) {
-      frozenSince = scheduler.now();
-      if (timer != null) {
-        sleepLeft = timer.deadline() - frozenSince;
-        timer.cancel();
-      }
-    }
+    time.freeze();
   }
 
   void unfreeze() {
-    if (--frozenDepth == 0) {
-      timeShift += scheduler.now() - frozenSince;
-      if (state == State.SLEEPING) {
-        timer =
-            scheduler.timers().moved(runningTimer(), scheduler.now() + sleepLeft, this::onTimer);
-      } else if (heldByFreeze) {
-        heldByFreeze = false;
-        scheduler.enqueue(this);
-      }
-    }
-  }
-
-  private Timers.Timer runningTimer() {
-    return requireNonNull(timer, "who sleeps has one");
+    time.unfreeze();
   }
 
   // ------------------------------------------------------------------ from the outside
 
   /** Ends its wait. */
   public void wake() {
-    if (state == State.WAITING) {
+    if (state == JobState.WAITING) {
       makeRunnable();
     }
   }
 
-  /**
-   * The thread of the job waits inside Java, for instance for a lock that another thread holds.
-   * That takes real time, which simulated time must not outrun.
-   */
-  void waitsInJava() {
-    scheduler.pace().begin();
-  }
-
-  /** The JDK lets the thread of this job continue. */
-  void wakeFromOutside() {
-    scheduler.pace().end();
-    scheduler.enqueue(this);
-  }
-
-  private void makeRunnable() {
-    state = State.RUNNABLE;
+  /** It waits no longer. */
+  void makeRunnable() {
+    state = JobState.RUNNABLE;
     scheduler.enqueue(this);
   }
 
@@ -780,37 +555,18 @@ public final class Job implements Runnable {
    * #checkInjected}. Of two stops the outer one wins.
    */
   void inject(ControlFlowException unwinding) {
-    if (state == State.ENDED) {
+    if (state == JobState.ENDED) {
       return;
     }
-    if (injected == null || isOuter(unwinding)) {
+    if (injected == null || unwinding instanceof TagStop stop && stop.isOuter(injected)) {
       injected = unwinding;
     }
-    if (state == State.SLEEPING || state == State.WAITING) {
+    if (state == JobState.SLEEPING || state == JobState.WAITING) {
       makeRunnable();
-    } else if (heldByFreeze) {
-      heldByFreeze = false;
+    } else if (time.release()) {
       scheduler.enqueue(this);
     }
-    cancelTimer();
-  }
-
-  private void cancelTimer() {
-    Timers.Timer sleep = timer;
-    if (sleep != null) {
-      timer = null;
-      sleep.cancel();
-    }
-  }
-
-  private boolean isOuter(ControlFlowException unwinding) {
-    if (!(unwinding instanceof TagStop stop)) {
-      return false;
-    }
-    if (stop.scope() == null || !(injected instanceof TagStop known)) {
-      return true;
-    }
-    return known.scope() != null && stop.scope().depth() < known.scope().depth();
+    time.endSleep();
   }
 
   /** Drops a failure reported by that group, for which nobody waits any more. */
@@ -827,11 +583,11 @@ public final class Job implements Runnable {
 
   /** The turn of the job; called by the tick loop alone. */
   void resume() {
-    if (state == State.ENDED) {
+    if (state == JobState.ENDED) {
       return;
     }
-    if (frozenDepth > 0 && injected == null) {
-      heldByFreeze = true;
+    if (time.isFrozen() && injected == null) {
+      time.hold();
       return;
     }
     thread.resume();

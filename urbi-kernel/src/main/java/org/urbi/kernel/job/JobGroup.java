@@ -1,5 +1,7 @@
 package org.urbi.kernel.job;
 
+import static java.util.Objects.requireNonNull;
+
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 
@@ -21,12 +23,16 @@ public final class JobGroup {
   /** Starts a job under the tags of the parent; it runs when its turn comes. */
   public Job start(Job.Body body) {
     Job job = parent.scheduler().start(parent, this, body);
-    live.add(job.grouped);
+    live.add(linkOf(job));
     return job;
   }
 
+  private static JobList.Link linkOf(Job child) {
+    return requireNonNull(child.grouped, "it was started in a group");
+  }
+
   void childEnded(Job child, @Nullable Throwable thrown) {
-    child.grouped.leave();
+    linkOf(child).leave();
     if (left) {
       return;
     }

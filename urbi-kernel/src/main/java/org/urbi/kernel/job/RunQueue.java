@@ -266,7 +266,7 @@ final class RunQueue {
     if (!rushing) {
       return together;
     }
-    if (current != nobody && job.account() == last) {
+    if (current != nobody && job.onBehalf().account() == last) {
       return current.jobs;
     }
     try {
@@ -277,7 +277,7 @@ final class RunQueue {
   }
 
   private Share shareFor(Job job) {
-    Share share = shareOf(job.account());
+    Share share = shareOf(job.onBehalf().account());
     if (!share.active) {
       served.add(share);
       share.active = true;
@@ -350,7 +350,7 @@ final class RunQueue {
   @Nullable Job next() {
     Job job = rushing ? nextInRush() : nextOfAll();
     // Between rounds nobody is remembered: a budget leads to its client, who may have gone.
-    last = job == null ? null : job.account();
+    last = job == null ? null : job.onBehalf().account();
     return job;
   }
 
@@ -441,7 +441,7 @@ final class RunQueue {
         ++jobs % JOBS_PER_LOOK == 0
             || rushing
             || slow
-            || next.account() != last
+            || next.onBehalf().account() != last
             || inbox.isFilled();
     boolean over = looks && last != null && isLate(clock.now());
     int found = over || counted ? journal.cutsRound(jobs, over ? verdict() : NOBODY) : NOBODY;
@@ -541,8 +541,8 @@ final class RunQueue {
     Budget before = null;
     JobList queue = together;
     for (Job job = together.first(); job != null; job = together.first()) {
-      if (job.account() != before) {
-        before = job.account();
+      if (job.onBehalf().account() != before) {
+        before = job.onBehalf().account();
         queue = queueFor(job);
         if (queue == together) {
           return;

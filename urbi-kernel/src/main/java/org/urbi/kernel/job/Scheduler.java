@@ -1,8 +1,5 @@
 package org.urbi.kernel.job;
 
-import static java.util.Objects.requireNonNull;
-
-import java.io.IOException;
 import java.lang.invoke.VarHandle;
 import java.util.ArrayList;
 import java.util.List;
@@ -19,7 +16,6 @@ import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.message.Message;
-import org.urbi.kernel.message.Outcome;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.time.Clock;
@@ -31,24 +27,6 @@ import org.urbi.kernel.time.SystemClock;
  * thread, the only one to touch urbiscript objects.
  */
 public final class Scheduler {
-  /** Simulated time moves on after jobs have been runnable in this many cycles in a row… */
-  private static final int BUSY_CYCLES = 1000;
-
-  /**
-   * …by a microsecond for each: otherwise a job that never waits would keep sleeping jobs asleep
-   * for ever.
-   */
-  private static final long BUSY_STEP = 1000L * BUSY_CYCLES;
-
-  /** The limit of jobs that start and run in one tick: they must not starve the others. */
-  private static final int BIRTHS_PER_TICK = 100_000;
-
-  /** The same for those started by jobs of that tick, which may be an endless chain. */
-  private static final int DESCENDANTS_PER_TICK = 1000;
-
-  /** From when on a tick has taken long, in nanoseconds. */
-  private static final long LONG_TICK = 10_000_000;
-
   /** How many turns the jobs get for ending when the kernel ends. */
   private static final int LAST_ROUNDS = 1000;
 
@@ -59,6 +37,7 @@ public final class Scheduler {
   private final Inbox inbox;
   private final Journal journal;
   private final boolean counted;
+  private final TickTime time;
   private final Timers timers = new Timers(this::admitTimer);
   private final Budget common = new Budget();
   private final UsageMeter meter;
@@ -66,13 +45,11 @@ public final class Scheduler {
   private int observers;
   private final SimulationPace pace;
   private Runnable whenQuiet = () -> {};
-  private Runnable memoryRelief = () -> {};
+  private final MemoryWait memory = new MemoryWait();
   private final Interruptions interruptions;
   private final JobThread.Factory threads;
   private final RunQueue runnable;
-  private final JobList ahead = new JobList();
-  private final JobList behind = new JobList();
-  private final JobList born = new JobList();
+  private final Newcomers newcomers;
   private final JobList jobs = new JobList();
   private final TagScope rootScope = new TagScope();
   private final EndOfTick endOfTick = new EndOfTick();
@@ -80,19 +57,12 @@ public final class Scheduler {
   private BiFunction<Problem, Object[], RuntimeException> refusals =
       (problem, places) -> new IllegalStateException(problem.text(places));
   private final AtomicLong turns = new AtomicLong();
-  private int births;
-  private int descendants;
   private final YieldCount yields = new YieldCount();
-  private long busyUntil = 1 + BUSY_CYCLES;
-  private long now;
-  private long cycle;
-  private int timeHolders;
   private @Nullable Job running;
   private boolean stopped;
   private volatile boolean over;
   private long sequence;
   private long tagSequence;
-  private final CycleStatistics statistics = new CycleStatistics();
 
   /**
    * @param journal records all input from outside
@@ -126,9 +96,11 @@ public final class Scheduler {
     this.interruptions = new Interruptions(this::turn, journal, machine);
     this.clock = clock;
     this.pace = new SimulationPace(clock, machine);
+    this.time = new TickTime(clock, journal, timers, yields, pace);
     this.meter = new UsageMeter(machine);
     this.threads = threads.factory(inbox);
     this.runnable = new RunQueue(clock, this.threads::processorTime, timers, inbox, journal);
+    this.newcomers = new Newcomers(runnable);
     this.uncaught = uncaught;
     inbox.register(Message.JOBS, this.threads::take);
   }
@@ -137,7 +109,12 @@ public final class Scheduler {
 
   /** The time of this tick, in nanoseconds since the kernel was started. */
   public long now() {
-    return now;
+    return time.now();
+  }
+
+  /** The time of the ticks, and their number. */
+  public TickTime time() {
+    return time;
   }
 
   World world() {
@@ -155,10 +132,7 @@ public final class Scheduler {
 
   /** The current time, which may be later than that of the tick; for measurements. */
   public long measure() {
-    if (!counted) {
-      return clock.now();
-    }
-    return query(clock::now);
+    return time.measure();
   }
 
   /**
@@ -167,23 +141,7 @@ public final class Scheduler {
    * wait.
    */
   public long deadline(long wait) {
-    long time = clock.isReal() ? measure() : now;
-    return (time - now < LONG_TICK ? now : time) + wait;
-  }
-
-  private <T> T query(Outcome.Work<T> work) {
-    try {
-      return requireNonNull(journal.query(work), "what is looked at is there");
-    } catch (IOException e) {
-      throw new IllegalStateException(e);
-    }
-  }
-
-  /**
-   * The number of ticks so far, including those that were skipped because only one job could run.
-   */
-  public long cycle() {
-    return cycle + yields.passed();
+    return time.deadline(wait);
   }
 
   public Inbox inbox() {
@@ -194,16 +152,12 @@ public final class Scheduler {
     return timers;
   }
 
-  /** How long ticks take. */
-  public CycleStatistics statistics() {
-    return statistics;
-  }
-
-  /** From now on somebody looks at the jobs: the {@linkplain Job#ran turns} are measured. */
-  public void beginObservation() {
-    if (observers++ == 0) {
-      turnMeter = new TurnMeter(machine);
-    }
+  /** From now on somebody looks at the jobs: their turns are measured. */
+  public TurnMeter beginObservation() {
+    TurnMeter measuring = turnMeter == null ? new TurnMeter(machine) : turnMeter;
+    turnMeter = measuring;
+    observers++;
+    return measuring;
   }
 
   /** Ends one {@link #beginObservation}. */
@@ -211,25 +165,6 @@ public final class Scheduler {
     if (--observers == 0) {
       turnMeter = null;
     }
-  }
-
-  /**
-   * The turns of the traced jobs that have been kept.
-   *
-   * @param from the number of the first one that is wanted
-   */
-  public List<Turn> turns(long from) {
-    return turnMeter == null ? List.of() : turnMeter.turns(from);
-  }
-
-  /** The number that the next turn of a traced job gets. */
-  public long nextTurn() {
-    return turnMeter == null ? 0 : turnMeter.next();
-  }
-
-  /** The time of the machine, for measurements that the run does not depend on; nanoseconds. */
-  public long machineTime() {
-    return machine.now();
   }
 
   /** Measures what the jobs of each lobby use. */
@@ -247,7 +182,7 @@ public final class Scheduler {
     if (running == null) {
       return common;
     }
-    running.take(Resource.TIMERS);
+    running.onBehalf().take(Resource.TIMERS);
     return running.budget();
   }
 
@@ -261,7 +196,7 @@ public final class Scheduler {
    * started, and the recorded result is returned.
    */
   public boolean attempt(BooleanSupplier beginning) {
-    return query(beginning::getAsBoolean);
+    return time.query(beginning::getAsBoolean);
   }
 
   /**
@@ -273,35 +208,9 @@ public final class Scheduler {
     whenQuiet = action;
   }
 
-  /**
-   * Sets what waits until somebody has been asked to give back memory. To be called before the
-   * start.
-   */
-  public void setMemoryRelief(Runnable how) {
-    memoryRelief = how;
-  }
-
-  /** There was no memory for something: the kernel waits until somebody has been asked for some. */
-  public void awaitMemory() {
-    try {
-      KernelThreadPin.pin();
-      try {
-        memoryRelief.run();
-      } finally {
-        KernelThreadPin.unpin();
-      }
-    } catch (OutOfMemoryError e) {
-      // There is none for waiting, either: whoever has caught the first one goes on.
-      return;
-    }
-  }
-
-  /** The code of the running job has failed; whatever it does next is a new turn. */
-  public void recover(Throwable failure) {
-    if (failure instanceof OutOfMemoryError) {
-      awaitMemory();
-    }
-    beginTurn();
+  /** Where there is no memory for something. */
+  public MemoryWait memory() {
+    return memory;
   }
 
   /** Controls how simulated time passes while real activities go on. */
@@ -374,7 +283,7 @@ public final class Scheduler {
     Job job = new Job(this, body, prefix, lobby, scope, null, shift);
     yields.endGrant();
     jobs.add(job.listed);
-    ahead.add(job.turn);
+    newcomers.addAhead(job);
     return job;
   }
 
@@ -383,7 +292,7 @@ public final class Scheduler {
     Job job = new Job(this, body, prefix, lobby, scope, null, 0);
     yields.endGrant();
     jobs.add(job.listed);
-    behind.add(job.turn);
+    newcomers.addBehind(job);
     return job;
   }
 
@@ -391,15 +300,7 @@ public final class Scheduler {
   private Job start(Job job) {
     yields.endGrant();
     jobs.add(job.listed);
-    if (running == null || births >= BIRTHS_PER_TICK || descendants >= DESCENDANTS_PER_TICK) {
-      runnable.add(job);
-    } else {
-      births++;
-      if (runnable.isFresh()) {
-        descendants++;
-      }
-      born.add(job.turn);
-    }
+    newcomers.add(job, running);
     return job;
   }
 
@@ -418,8 +319,7 @@ public final class Scheduler {
   void enqueue(Job job) {
     yields.endGrant();
     if (turnMeter != null) {
-      Job waker = running;
-      job.wokenBy(waker == null ? 0 : waker.number());
+      turnMeter.woken(job, running);
     }
     runnable.add(job);
   }
@@ -438,7 +338,7 @@ public final class Scheduler {
       uncaught.accept(job, failure);
     } catch (OutOfMemoryError e) {
       // There is no memory to say so, but who waits for the end of the job must still learn of it.
-      awaitMemory();
+      memory.await();
     }
   }
 
@@ -450,30 +350,16 @@ public final class Scheduler {
   private boolean looksForOthers() {
     yields.endGrant();
     if (!runnable.isEmpty()
-        || !born.isEmpty()
-        || !ahead.isEmpty()
-        || !behind.isEmpty()
+        || !newcomers.isEmpty()
         || ((inbox.isFilled() || counted)
             && journal.yieldsToMessages(yields.count(), inbox.isFilled()))
-        || (yields.isOver() && isTickDue())
-        || isBusyForLong()) {
+        || (yields.isOver() && time.isTickDue(!endOfTick.isEmpty()))
+        || time.isBusyForLong()) {
       yields.reset();
       return true;
     }
-    yields.grant(counted ? 0 : clock.isReal() ? Long.MAX_VALUE : busyUntil - cycle() - 1);
+    yields.grant(time.grant());
     return false;
-  }
-
-  /** Nobody can run, but timers may be due. Only where nobody counts, a tick may be left out. */
-  private boolean isTickDue() {
-    if (counted || !clock.isReal()) {
-      return true;
-    }
-    long time = clock.now();
-    boolean due = yields.look(time) || time >= timers.next() || !endOfTick.isEmpty();
-    yields.reset();
-    now = Math.max(now, time);
-    return due;
   }
 
   /** Whether there are others to run with at least that priority. */
@@ -559,22 +445,13 @@ public final class Scheduler {
     endOfTick.add(action);
   }
 
-  /** Holds simulated time, because more input is expected for the present moment. */
-  public void holdTime() {
-    timeHolders++;
-  }
-
-  public void releaseTime() {
-    timeHolders--;
-  }
-
   private void loop() {
     while (!stopped) {
       try {
         tick();
       } catch (OutOfMemoryError e) {
         running = null;
-        awaitMemory();
+        memory.await();
         report(null, e);
       }
     }
@@ -593,68 +470,42 @@ public final class Scheduler {
   }
 
   private void tick() {
-    // Input that was awaited while time was held could as well have arrived in the cycle before, so
-    // it does not start a new count.
-    boolean begins = clock.isReal() || timeHolders == 0;
-    if (begins) {
-      cycle++;
-    }
-    long before = now;
-    now = Math.max(now, journal.tick(Math.max(now, clock.now())));
+    time.beginTick();
     if (journal.isOver()) {
       stop();
       return;
     }
+    long now = time.now();
     yields.beginTick(now);
     if (inbox.isFilled() || timers.next() <= now) {
       meter.turnOf(null);
     }
     inbox.take(clock, now);
     if (inbox.isWanting()) {
-      awaitMemory();
+      memory.await();
     }
     fireTimers();
-    for (Job job = ahead.poll(); job != null; job = ahead.poll()) {
-      runnable.addFirst(job);
-    }
-    if (runnable.isEmpty() && behind.isEmpty()) {
+    newcomers.joinAhead();
+    if (runnable.isEmpty() && newcomers.behind() == 0) {
       meter.turnOf(null);
       runEndOfTick();
-      if (begins && !clock.isReal() && timers.next() == Long.MAX_VALUE) {
-        cycle--;
-      } else if (begins) {
-        statistics.add(now - before);
-      }
-      // Counted from the cycle that may find something first.
-      busyUntil = cycle() + (timeHolders == 0 ? 1 : 0) + BUSY_CYCLES;
+      time.endEmptyTick();
       if (!stopped && endOfTick.isEmpty()) {
         if (timers.next() == Long.MAX_VALUE && !inbox.isFilled() && !pace.isReal()) {
           whenQuiet.run();
         }
         if (!stopped && endOfTick.isEmpty()) {
-          idle();
+          time.idle(inbox);
         }
       }
       return;
     }
-    if (begins) {
-      statistics.add(now - before);
-    }
+    time.countTick();
     runOnce(false);
     runBehind();
     runEndOfTick();
-    inbox.pollIfDue(now);
-    if (timeHolders > 0) {
-      busyUntil = cycle() + BUSY_CYCLES;
-    } else if (isBusyForLong()) {
-      busyUntil = cycle() + BUSY_CYCLES;
-      clock.advanceTo(now + BUSY_STEP);
-    }
-  }
-
-  /** Whether simulated time must move on although jobs have been runnable all the time. */
-  private boolean isBusyForLong() {
-    return cycle() >= busyUntil && !clock.isReal();
+    inbox.pollIfDue(time.now());
+    time.endTick();
   }
 
   /** Runs an action that is not the code of a job: if it fails, the kernel continues. */
@@ -672,7 +523,7 @@ public final class Scheduler {
     do {
       failed = false;
       try {
-        timers.fire(now);
+        timers.fire(time.now());
       } catch (Throwable failure) {
         failed = true;
         report(null, failure);
@@ -681,16 +532,13 @@ public final class Scheduler {
   }
 
   private void runOnce(boolean last) {
-    births = 0;
-    descendants = 0;
+    newcomers.beginRound();
     runnable.beginRound(last);
     Job job;
     while ((last || !stopped) && (job = runnable.next()) != null) {
       beginTurnOf(job);
       job.resume();
-      for (Job child = born.pollLast(); child != null; child = born.pollLast()) {
-        runnable.addToRound(child);
-      }
+      newcomers.joinRound();
     }
     running = null;
     beginTurn();
@@ -721,12 +569,12 @@ public final class Scheduler {
 
   private void runBehind() {
     Job job;
-    for (int left = behind.size(); left > 0 && !stopped && (job = behind.poll()) != null; left--) {
+    for (int left = newcomers.behind();
+        left > 0 && !stopped && (job = newcomers.pollBehind()) != null;
+        left--) {
       beginTurnOf(job);
       job.resume();
-      for (Job child = born.poll(); child != null; child = born.poll()) {
-        runnable.add(child);
-      }
+      newcomers.joinQueue();
     }
     running = null;
     endTurn();
@@ -738,26 +586,7 @@ public final class Scheduler {
     }
     endOfTick.run(failure -> report(null, failure));
     if (!endOfTick.isEmpty()) {
-      awaitMemory();
-    }
-  }
-
-  private void idle() {
-    if (journal.isReplay()) {
-      return;
-    }
-    journal.idle();
-    long next = timers.next();
-    if (clock.isReal()) {
-      inbox.listen(next == Long.MAX_VALUE ? Long.MAX_VALUE : next - clock.now());
-    } else if (timeHolders > 0) {
-      inbox.await(Long.MAX_VALUE);
-    } else if (pace.isReal()) {
-      pace.idle(inbox, next);
-    } else if (next == Long.MAX_VALUE) {
-      inbox.await(Long.MAX_VALUE);
-    } else if (!inbox.isFilled()) {
-      clock.advanceTo(next);
+      memory.await();
     }
   }
 }

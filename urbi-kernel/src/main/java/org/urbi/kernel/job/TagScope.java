@@ -64,6 +64,12 @@ public final class TagScope {
     tag.scopes.add(this);
   }
 
+  /** A scope under a tag, for other jobs; to be {@linkplain #end ended}. */
+  public static TagScope branch(Scheduler scheduler, TagState tag, TagScope around) {
+    scheduler.number(tag);
+    return new TagScope(tag, around, null);
+  }
+
   public TagState tag() {
     return tag;
   }

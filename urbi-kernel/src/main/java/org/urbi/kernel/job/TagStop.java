@@ -39,6 +39,14 @@ public final class TagStop extends ControlFlowException {
     return scope;
   }
 
+  /** Whether it ends more than something else that is to unwind the same job. */
+  boolean isOuter(ControlFlowException other) {
+    if (scope == null || !(other instanceof TagStop known)) {
+      return true;
+    }
+    return known.scope != null && scope.depth() < known.scope.depth();
+  }
+
   /** The value that the stopped code returns. */
   public UrbiObject value() {
     return requireNonNull(value, "only what ends the whole job has none");

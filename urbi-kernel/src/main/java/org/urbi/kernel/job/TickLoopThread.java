@@ -94,7 +94,8 @@ final class TickLoopThread implements JobThread, Executor {
   /** Its wait in Java is over: it continues when its turn comes. */
   private void awaken() {
     continuation = own;
-    job.wakeFromOutside();
+    job.scheduler().pace().end();
+    job.scheduler().enqueue(job);
   }
 
   @Override
@@ -109,8 +110,9 @@ final class TickLoopThread implements JobThread, Executor {
     continuation = null;
     if (next != null) {
       next.run();
-      if (continuation == null && job.state() != Job.State.ENDED) {
-        job.waitsInJava();
+      if (continuation == null && job.state() != JobState.ENDED) {
+        // That takes real time, which simulated time must not outrun.
+        job.scheduler().pace().begin();
       }
     }
   }

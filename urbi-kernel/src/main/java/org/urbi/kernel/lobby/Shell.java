@@ -10,6 +10,7 @@ import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.JobState;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.TagStop;
 import org.urbi.kernel.job.Wait;
@@ -322,8 +323,8 @@ public final class Shell {
   }
 
   private void answerIfBlocked() {
-    Job.State state = job().state();
-    boolean blocked = busy && (state == Job.State.WAITING || state == Job.State.SLEEPING);
+    JobState state = job().state();
+    boolean blocked = busy && (state == JobState.WAITING || state == JobState.SLEEPING);
     if (blocked && !closed && messages != null && messages.hasAnswers()) {
       messages.answer();
       listener.consumed();
@@ -417,7 +418,8 @@ public final class Shell {
       } catch (ControlFlowException unwinding) {
         // A return or break outside of functions and loops is ignored.
       } catch (Throwable failure) {
-        interpreter.scheduler().recover(failure);
+        interpreter.scheduler().memory().recover(failure);
+        interpreter.scheduler().beginTurn();
         interpreter.report(shell, failure);
       } finally {
         shell.leave(scope);

@@ -73,7 +73,7 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
   public TagScope detachedScope(Job starter) {
     TagScope scope = detached;
     if (scope == null || scope.isOver()) {
-      scope = starter.branch(detachedTag, starter.scheduler().rootScope());
+      scope = TagScope.branch(starter.scheduler(), detachedTag, starter.scheduler().rootScope());
       detached = scope;
     }
     return scope;
@@ -121,7 +121,7 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
     role = other;
     for (Job job : jobs) {
       if (job.lobby() == this) {
-        job.runFor(this);
+        job.onBehalf().become(this);
       }
     }
   }

@@ -122,7 +122,7 @@ public final class Blending {
   }
 
   private UrbiObject blended(Frame frame, Job job, double value) {
-    long cycle = job.scheduler().cycle();
+    long cycle = job.scheduler().time().cycle();
     parts
         .entrySet()
         .removeIf(part -> part.getValue().cycle != cycle && !motions.containsKey(part.getKey()));

@@ -7,11 +7,12 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Place;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Span;
 
 /** One activation of a function: its variables, its target, and who called it. */
-public final class Frame implements Job.Place {
+public final class Frame implements Place {
   /** The jump that ended a statement list. */
   enum Completion {
     BREAK,

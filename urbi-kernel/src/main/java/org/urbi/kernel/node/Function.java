@@ -249,11 +249,11 @@ public final class Function extends Code {
   UrbiObject run(Frame caller, CallSite site, UrbiObject self, UrbiObject[] locals) {
     if (boundLobby != null && boundLobby != caller.job.lobby() && changesLobby(caller)) {
       UrbiObject lobby = caller.job.lobby();
-      caller.job.runFor(boundLobby);
+      caller.job.onBehalf().become(boundLobby);
       try {
         return runProfiled(caller, site, self, locals);
       } finally {
-        caller.job.runFor(lobby);
+        caller.job.onBehalf().become(lobby);
       }
     }
     return caller.interpreter.profiling
@@ -316,7 +316,7 @@ public final class Function extends Code {
         return exit.value();
       }
     } else if (isBreath(frame.depth)) {
-      frame.job.yieldWhileUnwinding();
+      frame.job.scheduler().interruptions().yieldWhileUnwinding(frame.job);
     }
     throw leaving;
   }

@@ -42,7 +42,9 @@ public final class LoopJobs {
 
   private TagScope scope(Job job) {
     if (scope == null) {
-      scope = job.branch(new TagState(), outer == null ? job.scope() : outer.scope(job));
+      scope =
+          TagScope.branch(
+              job.scheduler(), new TagState(), outer == null ? job.scope() : outer.scope(job));
     }
     return scope;
   }

@@ -1,13 +1,13 @@
 package org.urbi.kernel.node;
 
 import org.jspecify.annotations.Nullable;
-import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Located;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.lang.source.Source;
 import org.urbi.lang.source.Span;
 
 /** A node of executable code. */
-public abstract class Node implements Job.Located {
+public abstract class Node implements Located {
   private static final Span NOWHERE =
       new Span(new Source("", 1, new Source.Line(0, null, 1)), 0, 0);
 

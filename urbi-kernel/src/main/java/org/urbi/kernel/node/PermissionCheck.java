@@ -17,7 +17,7 @@ public final class PermissionCheck {
 
   /** Whether a job may change an object: its slots, its prototypes, its content. */
   static boolean allowsChange(Job job, UrbiObject target) {
-    return allowsChange(job.role(), job.lobby(), target);
+    return allowsChange(job.onBehalf().role(), job.lobby(), target);
   }
 
   /** Whether code of that role, which runs for that lobby, may change an object. */
@@ -54,21 +54,21 @@ public final class PermissionCheck {
 
   /** Refuses to change a job, unless it runs for the lobby of the caller. */
   public static void checkChange(Frame caller, String routine, Job target) {
-    if (!allowsChange(caller.job.role(), caller.job.lobby(), target)) {
+    if (!allowsChange(caller.job.onBehalf().role(), caller.job.lobby(), target)) {
       throw refused(caller, routine, Problem.CHANGES_JOB, Role.OWNER);
     }
   }
 
   /** Refuses what needs a higher role than the caller's. */
   public static void checkRole(Frame caller, String routine, Role least) {
-    if (caller.job.role().compareTo(least) < 0) {
+    if (caller.job.onBehalf().role().compareTo(least) < 0) {
       throw refused(caller, routine, Problem.NEEDS_ROLE, least);
     }
   }
 
   /** Makes a new object the observer's own: only that lobby may change it. */
   public static void claimForObserver(Frame maker, UrbiObject made) {
-    if (maker.job.role() == Role.OBSERVER && made.ownerLobby() == null) {
+    if (maker.job.onBehalf().role() == Role.OBSERVER && made.ownerLobby() == null) {
       made.setOwnerLobby(maker.job.lobby());
     }
   }
@@ -77,6 +77,6 @@ public final class PermissionCheck {
     return caller
         .interpreter
         .errors()
-        .primitive(routine, problem, needed.text(), caller.job.role().text());
+        .primitive(routine, problem, needed.text(), caller.job.onBehalf().role().text());
   }
 }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.JobObserver;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -116,7 +117,7 @@ public final class Profiler {
     @Override
     public UrbiObject execute(Frame frame) {
       Job job = frame.job;
-      Job.Observer before = job.observer();
+      JobObserver before = job.observer();
       Stack stack =
           before instanceof Stack going && going.profiler() == Profiler.this ? going : new Stack();
       job.observe(stack);
@@ -131,7 +132,7 @@ public final class Profiler {
   }
 
   /** The calls in progress in one job. */
-  public final class Stack implements Job.Observer {
+  public final class Stack implements JobObserver {
     private final ArrayDeque<Calls> going = new ArrayDeque<>();
     private long since = clock.measure();
 
@@ -178,7 +179,7 @@ public final class Profiler {
     }
 
     @Override
-    public Job.Observer forChild() {
+    public JobObserver forChild() {
       return new Stack();
     }
   }

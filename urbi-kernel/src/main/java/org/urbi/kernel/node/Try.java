@@ -64,7 +64,7 @@ public final class Try extends Node {
     } catch (StackOverflowError e) {
       return handle(frame, exhausted(frame, Problem.STACK_EXHAUSTED));
     } catch (OutOfMemoryError e) {
-      frame.interpreter.scheduler().awaitMemory();
+      frame.interpreter.scheduler().memory().await();
       return handle(frame, exhausted(frame, Problem.MEMORY_EXHAUSTED));
     }
     return elseClause == null || frame.completion != null ? value : elseClause.execute(frame);

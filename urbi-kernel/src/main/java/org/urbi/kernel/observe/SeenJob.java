@@ -3,6 +3,7 @@ package org.urbi.kernel.observe;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.Located;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.job.Wait;
 import org.urbi.kernel.lobby.UrbiLobby;
@@ -14,17 +15,17 @@ final class SeenJob {
   private final long number;
   private @Nullable Wait wait;
   private boolean frozen;
-  private Job.@Nullable Located where;
+  private @Nullable Located where;
   private @Nullable TagScope scope;
   private List<Long> tags = List.of();
   private long time;
   private long ran;
   private int share;
 
-  SeenJob(Job job, long now) {
+  SeenJob(Job job, long now, long ran) {
     number = job.number();
     time = now;
-    ran = job.ran();
+    this.ran = ran;
   }
 
   long number() {
@@ -35,10 +36,11 @@ final class SeenJob {
    * Looks at the job again.
    *
    * @param now the time of the machine, in nanoseconds
+   * @param runs how long its turns have lasted, in nanoseconds
    * @return whether something has changed, or this is the first look
    */
-  boolean update(Job job, SeenTags known, long now) {
-    int took = now > time ? (int) ((job.ran() - ran) * THOUSAND / (now - time)) : share;
+  boolean update(Job job, SeenTags known, long now, long runs) {
+    int took = now > time ? (int) ((runs - ran) * THOUSAND / (now - time)) : share;
     boolean same =
         wait == job.waitsFor()
             && frozen == job.isFrozen()
@@ -46,7 +48,7 @@ final class SeenJob {
             && scope == job.scope()
             && share == took;
     time = now;
-    ran = job.ran();
+    ran = runs;
     if (same) {
       return false;
     }

@@ -4,8 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.JobState;
+import org.urbi.kernel.job.Located;
+import org.urbi.kernel.job.Place;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.Turn;
+import org.urbi.kernel.job.TurnMeter;
 import org.urbi.lang.source.Span;
 
 /**
@@ -19,6 +23,7 @@ public final class Watch {
   private static final double SECOND = 1e9;
 
   private final Scheduler scheduler;
+  private final TurnMeter meter;
   private final SeenTags tags = new SeenTags();
   private List<SeenJob> seen = new ArrayList<>();
   private List<SeenJob> seenNow = new ArrayList<>();
@@ -31,13 +36,13 @@ public final class Watch {
   /** Begins to look; to be {@linkplain #end ended}. */
   public Watch(Scheduler scheduler) {
     this.scheduler = scheduler;
-    scheduler.beginObservation();
-    nextTurn = scheduler.nextTurn();
+    meter = scheduler.beginObservation();
+    nextTurn = meter.next();
   }
 
   /** Looks no longer. */
   public void end() {
-    traced.forEach(Job::endTrace);
+    traced.forEach(meter::endTrace);
     traced = List.of();
     round = List.of();
     scheduler.endObservation();
@@ -45,7 +50,7 @@ public final class Watch {
 
   /** What has changed since the last look. */
   public View look(Look wanted) {
-    long now = scheduler.machineTime();
+    long now = meter.now();
     if (next == round.size()) {
       begin(wanted);
     }
@@ -54,9 +59,9 @@ public final class Watch {
     int end = Math.min(next + JOBS_AT_ONCE, round.size());
     for (; next < end; next++) {
       Job job = round.get(next);
-      if (job.state() != Job.State.ENDED) {
+      if (job.state() != JobState.ENDED) {
         SeenJob one = find(job, gone, now);
-        if (one.update(job, tags, now)) {
+        if (one.update(job, tags, now, meter.ran(job))) {
           changed.add(one.row(job));
         }
         seenNow.add(one);
@@ -87,9 +92,9 @@ public final class Watch {
     next = 0;
     known = 0;
     seenNow = new ArrayList<>(round.size());
-    traced.forEach(Job::endTrace);
+    traced.forEach(meter::endTrace);
     traced = wanted.traced().stream().map(this::job).filter(job -> job != null).toList();
-    traced.forEach(Job::beginTrace);
+    traced.forEach(meter::beginTrace);
   }
 
   /** What is known of a job. Both lists are in the order of the numbers. */
@@ -98,7 +103,7 @@ public final class Watch {
       gone.add(seen.get(known++).number());
     }
     boolean is = known < seen.size() && seen.get(known).number() == job.number();
-    return is ? seen.get(known++) : new SeenJob(job, now);
+    return is ? seen.get(known++) : new SeenJob(job, now, meter.ran(job));
   }
 
   /** The job of that number in this round; null if there is none. */
@@ -121,26 +126,26 @@ public final class Watch {
 
   private List<Turn> turns() {
     if (traced.isEmpty()) {
-      nextTurn = scheduler.nextTurn();
+      nextTurn = meter.next();
       return List.of();
     }
-    List<Turn> turns = scheduler.turns(nextTurn);
-    nextTurn = scheduler.nextTurn();
+    List<Turn> turns = meter.turns(nextTurn);
+    nextTurn = meter.next();
     return turns;
   }
 
   private @Nullable JobDetail detail(long number) {
     Job job = job(number);
-    if (job == null || job.state() == Job.State.ENDED) {
+    if (job == null || job.state() == JobState.ENDED) {
       return null;
     }
     List<JobDetail.Call> calls = new ArrayList<>();
-    Job.Located where = job.where();
+    Located where = job.where();
     Span span = where == null ? null : where.span();
     if (span != null) {
       calls.add(new JobDetail.Call("", Written.place(span), Written.line(span)));
     }
-    Job.Place place = job.place();
+    Place place = job.place();
     if (place != null) {
       place
           .backtrace()

@@ -71,7 +71,7 @@ public final class Outside implements Closeable {
     if (running == null || running.isOwner()) {
       return confinement;
     }
-    return running.role() == Role.USER ? users : Confinement.total();
+    return running.onBehalf().role() == Role.USER ? users : Confinement.total();
   }
 
   /** Whether there is something that the kernel may not do. */

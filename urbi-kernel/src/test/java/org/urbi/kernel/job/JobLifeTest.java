@@ -50,11 +50,11 @@ class JobLifeTest {
     UrbiObject owner = loop.object();
     Job job = loop.idle(guest);
     assertSame(guest, job.lobby());
-    assertEquals(Role.OBSERVER, job.role());
+    assertEquals(Role.OBSERVER, job.onBehalf().role());
     assertFalse(job.isOwner());
-    job.runFor(owner);
+    job.onBehalf().become(owner);
     assertSame(owner, job.lobby());
-    assertEquals(Role.OWNER, job.role());
+    assertEquals(Role.OWNER, job.onBehalf().role());
     assertTrue(job.isOwner());
   }
 
@@ -63,24 +63,25 @@ class JobLifeTest {
     Guest guest = new Guest(loop.world);
     UrbiObject owner = loop.object();
     Job job = loop.idle(owner);
-    assertSame(guest, job.doFor(guest, job::lobby));
-    assertEquals(Role.OBSERVER, job.doFor(guest, job::role));
+    assertSame(guest, job.onBehalf().doFor(guest, job::lobby));
+    assertEquals(Role.OBSERVER, job.onBehalf().doFor(guest, job.onBehalf()::role));
     assertSame(owner, job.lobby());
     // Another lobby that may do everything makes no difference.
-    assertSame(owner, job.doFor(loop.object(), job::lobby));
-    job.runFor(guest);
-    assertSame(owner, job.doFor(owner, job::lobby));
-    assertSame(guest, job.doFor(guest, job::lobby));
+    assertSame(owner, job.onBehalf().doFor(loop.object(), job::lobby));
+    job.onBehalf().become(guest);
+    assertSame(owner, job.onBehalf().doFor(owner, job::lobby));
+    assertSame(guest, job.onBehalf().doFor(guest, job::lobby));
     Guest another = new Guest(loop.world);
-    assertSame(another, job.doFor(another, job::lobby));
+    assertSame(another, job.onBehalf().doFor(another, job::lobby));
     assertThrows(
         IllegalStateException.class,
         () ->
-            job.doFor(
-                owner,
-                () -> {
-                  throw new IllegalStateException();
-                }));
+            job.onBehalf()
+                .doFor(
+                    owner,
+                    () -> {
+                      throw new IllegalStateException();
+                    }));
     assertSame(guest, job.lobby());
     assertFalse(job.isOwner());
   }
@@ -106,20 +107,6 @@ class JobLifeTest {
   }
 
   @Test
-  void scopesOfRedefinitionsAreCounted() {
-    Job job = loop.idle(null);
-    assertEquals(0, job.redefinitions());
-    job.allowRedefinition();
-    job.allowRedefinition();
-    job.allowRedefinition();
-    assertEquals(3, job.redefinitions());
-    job.endRedefinitions(1);
-    assertEquals(1, job.redefinitions());
-    job.endRedefinitions(2);
-    assertEquals(1, job.redefinitions());
-  }
-
-  @Test
   void scopesThatNobodyInterruptsAreCounted() {
     Job job = loop.idle(null);
     job.refuseInterruption();
@@ -133,11 +120,11 @@ class JobLifeTest {
 
   @Test
   void whatAJobStartsHasItsPriorityAndTellsItsObserver() {
-    Job.Observer ofChildren = new Recorder("child");
+    JobObserver ofChildren = new Recorder("child");
     Recorder recorder =
         new Recorder("parent") {
           @Override
-          public Job.Observer forChild() {
+          public JobObserver forChild() {
             return ofChildren;
           }
         };
@@ -157,7 +144,7 @@ class JobLifeTest {
   }
 
   /** Says when the job lets others run. */
-  private class Recorder implements Job.Observer {
+  private class Recorder implements JobObserver {
     private final String name;
 
     Recorder(String name) {
@@ -175,7 +162,7 @@ class JobLifeTest {
     }
 
     @Override
-    public Job.Observer forChild() {
+    public JobObserver forChild() {
       return null;
     }
   }
@@ -186,28 +173,28 @@ class JobLifeTest {
   void aJobGoesThroughItsStates() {
     Job job =
         loop.start(self -> {
-          assertEquals(Job.State.RUNNING, self.state());
+          assertEquals(JobState.RUNNING, self.state());
           self.waitForWake();
-          assertEquals(Job.State.RUNNING, self.state());
+          assertEquals(JobState.RUNNING, self.state());
           self.sleepUntil(SECOND);
           self.yieldNow();
         });
     loop.start(other -> {
-      assertEquals(Job.State.WAITING, job.state());
+      assertEquals(JobState.WAITING, job.state());
       assertEquals("waiting", job.state().text());
       job.wake();
-      assertEquals(Job.State.RUNNABLE, job.state());
+      assertEquals(JobState.RUNNABLE, job.state());
       // That is no news for who does not wait.
       job.wake();
       other.yieldNow();
-      assertEquals(Job.State.SLEEPING, job.state());
+      assertEquals(JobState.SLEEPING, job.state());
       assertTrue(scheduler.jobs().contains(job));
       job.wake();
       other.sleepUntil(2 * SECOND);
-      assertEquals(Job.State.ENDED, job.state());
+      assertEquals(JobState.ENDED, job.state());
       assertFalse(scheduler.jobs().contains(job));
     });
-    assertEquals(Job.State.RUNNABLE, job.state());
+    assertEquals(JobState.RUNNABLE, job.state());
     loop.run();
     assertEquals(2 * SECOND, scheduler.now());
   }
@@ -251,7 +238,7 @@ class JobLifeTest {
     assertEquals(List.of("ended"), loop.run());
     job.terminate();
     job.resume();
-    assertEquals(Job.State.ENDED, job.state());
+    assertEquals(JobState.ENDED, job.state());
   }
 
   /** Between the moment when it is woken and its turn. */
@@ -283,7 +270,7 @@ class JobLifeTest {
         });
     loop.start(other -> {
       job.terminate();
-      assertEquals(Job.State.RUNNABLE, job.state());
+      assertEquals(JobState.RUNNABLE, job.state());
     });
     assertEquals(List.of("left"), loop.run());
   }

@@ -31,10 +31,10 @@ class JobTurnsTest {
   void whoIsAloneGoesOnAndTheTimePasses() {
     loop.start(self -> {
       long turn = scheduler.turn();
-      long cycle = scheduler.cycle();
+      long cycle = scheduler.time().cycle();
       self.yield();
       assertEquals(turn + 1, scheduler.turn());
-      assertEquals(cycle + 1, scheduler.cycle());
+      assertEquals(cycle + 1, scheduler.time().cycle());
     });
     loop.run();
   }
@@ -59,7 +59,7 @@ class JobTurnsTest {
       self.refuseInterruption();
       self.yield();
       self.yieldNow();
-      self.yieldWhileUnwinding();
+      loop.scheduler.interruptions().yieldWhileUnwinding(self);
       assertRefused(Problem.SLEEPS_UNINTERRUPTIBLE, () -> self.sleepUntil(SECOND));
       assertRefused(Problem.WAITS_UNINTERRUPTIBLE, self::waitForWake);
       TagState frozen = new TagState(null);
@@ -131,7 +131,7 @@ class JobTurnsTest {
         scheduler.rootScope(),
         "job",
         self -> {
-          self.yieldWhileUnwinding();
+          loop.scheduler.interruptions().yieldWhileUnwinding(self);
           loop.say("alone");
           interruptions.request(lobby);
           assertThrows(TagStop.class, self::checkInterrupted);
@@ -139,12 +139,12 @@ class JobTurnsTest {
             next.checkInterrupted();
             loop.say("other");
           });
-          self.yieldWhileUnwinding();
+          loop.scheduler.interruptions().yieldWhileUnwinding(self);
           loop.say("on");
           loop.machine.now += SECOND;
           assertThrows(TagStop.class, self::checkInterrupted);
           // Even if there is nobody else the turn is another one.
-          self.yieldWhileUnwinding();
+          loop.scheduler.interruptions().yieldWhileUnwinding(self);
           assertThrows(TagStop.class, self::checkInterrupted);
         });
     assertEquals(List.of("alone", "other", "on"), loop.run());
@@ -311,5 +311,42 @@ class JobTurnsTest {
     assertEquals(0, loop.start(child -> {}).timeShift());
     assertEquals(
         0, scheduler.startAhead(null, scheduler.rootScope(), "job", child -> {}).timeShift());
+  }
+
+  /** The time of a frozen job stands still, also if it was frozen before it began to sleep. */
+  @Test
+  void whoBeginsToSleepWhileFrozenSleepsOnceAndAsLong() {
+    Job sleeper =
+        loop.start(self -> {
+          self.freezeAlone();
+          self.sleepUntil(2 * SECOND);
+          loop.say("slept until " + scheduler.now() / SECOND);
+          self.waitForWake();
+          loop.say("woken at " + scheduler.now() / SECOND);
+        });
+    loop.start(self -> {
+      self.sleepUntil(SECOND);
+      sleeper.unfreezeAlone();
+      self.sleepUntil(10 * SECOND);
+      sleeper.wake();
+    });
+    assertEquals(List.of("slept until 3", "woken at 10"), loop.run());
+  }
+
+  @Test
+  void whoIsStoppedWhileItSleepsFrozenEnds() {
+    Job sleeper =
+        loop.start(self -> {
+          self.freezeAlone();
+          self.sleepUntil(2 * SECOND);
+          loop.say("slept");
+        });
+    loop.start(self -> {
+      self.sleepUntil(SECOND);
+      sleeper.terminate();
+      self.sleepUntil(5 * SECOND);
+      loop.say(sleeper.state().text());
+    });
+    assertEquals(List.of("terminated"), loop.run());
   }
 }

@@ -55,14 +55,14 @@ class SchedulerTest {
           loop.scheduler.rootScope(),
           "job",
           last -> {
-            loop.say("behind in tick " + loop.scheduler.cycle());
-            loop.start(child -> loop.say("child in tick " + loop.scheduler.cycle()));
+            loop.say("behind in tick " + loop.scheduler.time().cycle());
+            loop.start(child -> loop.say("child in tick " + loop.scheduler.time().cycle()));
           });
       loop.scheduler.startAhead(
           null,
           loop.scheduler.rootScope(),
           "job",
-          first -> loop.say("ahead in tick " + loop.scheduler.cycle()));
+          first -> loop.say("ahead in tick " + loop.scheduler.time().cycle()));
       job.yieldNow();
       loop.say("job");
     });
@@ -94,10 +94,10 @@ class SchedulerTest {
   void whoCanRunAgainDoesSoInTheNextTick() {
     loop.start(job -> {
       assertSame(job, loop.scheduler.running());
-      assertEquals(1, loop.scheduler.cycle());
+      assertEquals(1, loop.scheduler.time().cycle());
       long turn = loop.scheduler.turn();
       job.yieldNow();
-      assertEquals(2, loop.scheduler.cycle());
+      assertEquals(2, loop.scheduler.time().cycle());
       assertTrue(loop.scheduler.turn() > turn);
     });
     loop.run();
@@ -159,7 +159,7 @@ class SchedulerTest {
 
   @Test
   void theEndOfATickIsRepeatedUntilThereIsMemoryForIt() {
-    loop.scheduler.setMemoryRelief(() -> loop.say("asked"));
+    loop.scheduler.memory().setRelief(() -> loop.say("asked"));
     int[] tries = {0};
     loop.scheduler.atEndOfTick(() -> {
       if (++tries[0] < 3) {
@@ -187,7 +187,7 @@ class SchedulerTest {
   void theLengthsOfTheTicksAreKept() {
     loop.start(job -> job.sleepUntil(3 * SECOND));
     loop.run();
-    assertEquals(3, loop.scheduler.statistics().maximum());
+    assertEquals(3, loop.scheduler.time().statistics().maximum());
     assertEquals(3 * SECOND, loop.scheduler.now());
   }
 
@@ -215,17 +215,17 @@ class SchedulerTest {
   @Test
   void whoIsAloneHasATickOfItsOwnNowAndThen() {
     loop.start(job -> {
-      long cycle = loop.scheduler.cycle();
-      loop.scheduler.atEndOfTick(() -> loop.say("tick " + (loop.scheduler.cycle() - cycle)));
+      long cycle = loop.scheduler.time().cycle();
+      loop.scheduler.atEndOfTick(() -> loop.say("tick " + (loop.scheduler.time().cycle() - cycle)));
       for (int i = 1; i < 100; i++) {
         job.yield();
       }
-      assertEquals(99, loop.scheduler.cycle() - cycle);
+      assertEquals(99, loop.scheduler.time().cycle() - cycle);
       assertEquals(List.of(), loop.said);
       job.yield();
       assertEquals(List.of("tick 99"), loop.said);
-      assertEquals(100, loop.scheduler.cycle() - cycle);
-      loop.scheduler.atEndOfTick(() -> loop.say("tick " + (loop.scheduler.cycle() - cycle)));
+      assertEquals(100, loop.scheduler.time().cycle() - cycle);
+      loop.scheduler.atEndOfTick(() -> loop.say("tick " + (loop.scheduler.time().cycle() - cycle)));
       for (int i = 1; i < 100; i++) {
         job.yield();
       }
@@ -320,7 +320,7 @@ class SchedulerTest {
     loop.start(other -> loop.scheduler.stop());
     loop.run();
     assertEquals(1000, turns[0]);
-    assertFalse(job.state() == Job.State.ENDED);
+    assertFalse(job.state() == JobState.ENDED);
   }
 
   @Test
@@ -351,7 +351,7 @@ class SchedulerTest {
   @Test
   void whateverGotNoMemoryWaitsUntilSomebodyIsAskedForSome() {
     OutOfMemoryError failure = new OutOfMemoryError();
-    loop.scheduler.setMemoryRelief(() -> loop.say("asked"));
+    loop.scheduler.memory().setRelief(() -> loop.say("asked"));
     loop.start(job -> {
       loop.say("job");
       throw failure;
@@ -381,9 +381,11 @@ class SchedulerTest {
   @Test
   void whereThereIsNoMemoryForWaitingEitherTheLoopGoesOn() {
     OutOfMemoryError failure = new OutOfMemoryError();
-    loop.scheduler.setMemoryRelief(() -> {
-      throw failure;
-    });
+    loop.scheduler
+        .memory()
+        .setRelief(() -> {
+          throw failure;
+        });
     loop.start(job -> {
       throw failure;
     });

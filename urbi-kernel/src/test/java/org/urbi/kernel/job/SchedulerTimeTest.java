@@ -27,7 +27,7 @@ class SchedulerTimeTest {
     loop.start(job -> job.sleepUntil(3_600 * SECOND));
     loop.start(job -> {
       job.sleepUntil(SECOND);
-      loop.say("at " + loop.scheduler.now() / SECOND + " in tick " + loop.scheduler.cycle());
+      loop.say("at " + loop.scheduler.now() / SECOND + " in tick " + loop.scheduler.time().cycle());
     });
     assertEquals(List.of("at 1 in tick 3"), loop.run());
     assertEquals(3_600 * SECOND, loop.scheduler.now());
@@ -112,11 +112,11 @@ class SchedulerTimeTest {
             held.post(() -> {
               assertEquals(0, held.clock.now());
               held.say("message");
-              held.scheduler.releaseTime();
+              held.scheduler.time().release();
             });
           }
         };
-    held.scheduler.holdTime();
+    held.scheduler.time().hold();
     held.start(job -> {
       for (int tick = 0; tick < 1500; tick++) {
         job.yieldNow();
@@ -256,7 +256,7 @@ class SchedulerTimeTest {
         job.yield();
       }
       real.say("ticks " + ticks[0]);
-      real.say("cycles " + (real.scheduler.cycle() == yields[0] + 1));
+      real.say("cycles " + (real.scheduler.time().cycle() == yields[0] + 1));
       while (real.scheduler.now() < 3_000_000) {
         real.clock.now += 10_000;
         job.yield();

@@ -41,7 +41,7 @@ class TagScopeTest {
     assertSame(object, tag.owner());
     Job owner = jobUnder(root);
     assertSame(owner, new TagScope(tag, root, owner).owner());
-    TagScope branch = owner.branch(other, outer);
+    TagScope branch = TagScope.branch(owner.scheduler(), other, outer);
     assertSame(other, branch.tag());
     assertSame(outer, branch.parent());
     assertNull(branch.owner());

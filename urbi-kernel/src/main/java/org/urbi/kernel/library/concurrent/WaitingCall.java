@@ -5,6 +5,7 @@ import java.util.List;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.JobLocal;
+import org.urbi.kernel.job.JobState;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 
@@ -25,7 +26,7 @@ public record WaitingCall(CallSite site, Frame caller) {
   /** The calls that are going on in a job, innermost first. */
   static List<UrbiException.Call> backtrace(Job job) {
     List<UrbiException.Call> calls = new ArrayList<>();
-    if (LATEST.get(job) instanceof WaitingCall waiting && job.state() != Job.State.ENDED) {
+    if (LATEST.get(job) instanceof WaitingCall waiting && job.state() != JobState.ENDED) {
       calls.add(new UrbiException.Call(waiting.site.calledName(), waiting.site.calledSpan()));
       calls.addAll(waiting.caller.backtrace());
     }

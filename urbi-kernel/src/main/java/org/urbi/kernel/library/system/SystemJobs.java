@@ -20,6 +20,7 @@ import org.urbi.kernel.node.CodeCompiler;
 import org.urbi.kernel.node.DictionaryKey;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Profiler;
+import org.urbi.kernel.node.RedefinitionScope;
 import org.urbi.kernel.node.ScopeEnd;
 import org.urbi.kernel.object.UrbiDictionary;
 import org.urbi.kernel.object.UrbiObject;
@@ -74,8 +75,8 @@ final class SystemJobs {
           "How many cycles there were since resetStats, and how many seconds they took; nil right"
               + " after it.")
   static UrbiObject stats(Frame frame, UrbiObject self) {
-    CycleStatistics statistics = frame.job().scheduler().statistics();
-    long cycles = frame.job().scheduler().cycle() - statistics.since();
+    CycleStatistics statistics = frame.job().scheduler().time().statistics();
+    long cycles = frame.job().scheduler().time().cycle() - statistics.since();
     if (cycles == 0) {
       return frame.interpreter().values().nil;
     }
@@ -114,7 +115,7 @@ final class SystemJobs {
 
   @Builtin(doc = "Begins to count the cycles anew.", needs = Permission.OWNER)
   static void resetStats(Frame frame, UrbiObject self) {
-    frame.job().scheduler().statistics().reset(frame.job().scheduler().cycle());
+    frame.job().scheduler().time().statistics().reset(frame.job().scheduler().time().cycle());
   }
 
   @Builtin(doc = "A new tag that is stopped when the scope around the call is left.")
@@ -125,9 +126,9 @@ final class SystemJobs {
   @Builtin(doc = "Lets slots be defined again until the end of the scope.")
   static void redefinitionMode(Frame frame, CallSite site, UrbiObject self) {
     Job job = frame.job();
-    int before = job.redefinitions();
-    endWithFunction(frame, site, "redefinitionMode", () -> job.endRedefinitions(before));
-    job.allowRedefinition();
+    int before = RedefinitionScope.allowed(job);
+    endWithFunction(frame, site, "redefinitionMode", () -> RedefinitionScope.end(job, before));
+    RedefinitionScope.allow(job);
   }
 
   /** A scope ends what is asked for by its name; what has another name ends with the function. */

@@ -55,7 +55,7 @@ final class SystemType {
 
   @Builtin(doc = "The number of ticks since the server was started.")
   static double cycle(Frame frame, UrbiObject self) {
-    return frame.job().scheduler().cycle();
+    return frame.job().scheduler().time().cycle();
   }
 
   @Builtin(doc = "Ends the server.", needs = Permission.OWNER)

@@ -52,7 +52,7 @@ public final class Counting {
       throw caller.error(site, excess);
     }
     if (!caller.job().budget().allows(Resource.MEMORY, length * bytes)) {
-      throw caller.job().refusal(Resource.MEMORY);
+      throw caller.job().onBehalf().refusal(Resource.MEMORY);
     }
     return count;
   }
