@@ -367,6 +367,68 @@ class CompiledCodeTest {
             function seen(n) { var x = 0; at (x > n) echo("x" + x); x = 1; x += 1; x++; sleep(1ms); x }|; seen(1); seen(0);
             """),
         Map.entry(
+            "what is thrown is caught, passed on and tidied up after",
+            """
+            class E : Exception { var n = 0 }|; class Other : Exception {}|;
+            function f(n) {
+              if (n == 0) throw E.new; if (n == 1) throw 1; if (n == 2) missing; if (n == 3) throw [1, 2];
+              if (n == 4) f(4); if (n == 5) throw Other.new("other"); n
+            }|;
+            function g(n) {
+              var a = n; var log = [];
+              try { a += 1; log << "body"; a = f(n); log << "over" }
+              catch (var e if e.isA(E)) { a += 10; log << "E" }
+              catch (1) { a += 20; log << "one" }
+              catch ([var x, var y]) { a = x + y; log << "list" }
+              catch (var e if e.isA(Other)) { log << e.message; a = 7 }
+              else { log << "else"; a += 100 };
+              [a, log]
+            }|;
+            g(0); g(1); g(2); g(3); g(5); g(6); g("s"); g(nil); g(2); g(4);
+            function h(n) { var k = 0; try { try { k += 1; f(n); k += 2 } finally { k += 4; echo("k" + k) } } catch (var e) { k += 8 }; k }|;
+            for (var i : 7) h(i); h(0); h(6); h(4);
+            function only(n) { var k = n; try { k = f(n) } finally { echo(k) } }|; only(0); only(6); only(1); only(2);
+            function again(n) { try { f(n) } catch (var e) { try { f(1) } catch (1) { throw } } }|; again(0); again(5); again(6); again(2);
+            function rethrow(n) { try { f(n) } catch { throw } }|; rethrow(0); rethrow(1); rethrow(3); rethrow(5);
+            function nothing { throw }|; nothing; try { throw 3 } catch (var e) { nothing };
+            function inGuard(n) { try { f(n) } catch (var e if missing) { 1 } }|; inGuard(1); inGuard(1); inGuard(6);
+            function inPattern(n) { try { f(n) } catch (missing) { 1 } }|; inPattern(1); inPattern(6);
+            function inElse(n) { try { n } catch { "caught" } else { f(1) } }|; inElse(1); try { inElse(1) } catch (var e) { e };
+            function inFinally(n) { try { f(n) } finally { missing } }|; inFinally(0); inFinally(6);
+            """),
+        Map.entry(
+            "jumps leave what handles exceptions",
+            """
+            function out(n) { for (var i : 10) { try { if (i == n) return "returned" + i; throw i }
+              catch (var e) { if (e == 3) continue; if (e == 5) break; if (e == 4 && n == 6) return ["caught", e] } }; n }|;
+            out(0); out(2); out(4); out(6); out(9); out(7);
+            function bare(n) { for (var i : 4) { try { throw i } catch (var e) { if (i == n) break; if (i == 1) continue } }; throw }|;
+            bare(0); bare(1); bare(9);
+            function deep(n) { try { throw "outer" } catch (var o) { while (true) { try { throw n } catch (var e) { if (n == 1) break; return e } };
+              try { throw } catch (var x) { [o, x] } } }|; deep(1); deep(2); deep(1);
+            function last(n) { for (var i : 3) { try { if (i == n) continue; if (i == 2) break } finally { echo("f" + i) } }; "end" }|;
+            last(0); last(1); last(5); function ret(n) { try { return n } finally { echo("last " + n) } }|; ret(1); ret(2); ret(nil);
+            function each(l) { var sum = 0; l.each(closure (x) { try { if (x == 2) throw x; sum += x } catch (var e) { sum += 100 } }); sum }|;
+            each([1, 2, 3]); each([2, 2]); each([]);
+            function loops(n) { var i = 0; var c = 0; while (i < n) { i += 1; try { if (i % 3 == 0) throw i; c += 1 } catch (var e) { c += e } }; [i, c] }|;
+            loops(10); loops(20); loops(0);
+            """),
+        Map.entry(
+            "a stop goes through what handles exceptions",
+            """
+            var t = Tag.new|; var seen = []|;
+            function forEver(n) { try { try { while (true) { n += 1; sleep(1ms) } } catch (var e) { seen << e } finally { seen << "tidy"; sleep(1ms); seen << n } } finally { seen << "last" } }|;
+            t: forEver(1), sleep(5ms)| t.stop; sleep(3ms); seen.size; seen[0]; t: forEver(1), sleep(5ms)| t.stop; sleep(3ms); seen.size;
+            function stops(n) { t: { try { t.stop(n) } catch { "never" } finally { echo("tidied") } } }|; stops(3); stops(4); stops(5);
+            function frozen(n) { try { if (n) t.freeze; t: { n = 2 }; n } catch { 1 } finally { echo("over") } }|; frozen(false);
+            function deep(n) { try { deep(n + 1) } catch (var e if e.isA(Exception.Scheduling)) { n > 100 } }|; deep(0); deep(0);
+            function over(n) { var a = n; try { a += 1; missing; a = 0 } catch (var e) { throw [a] } }|; try { over(1) } catch ([var a]) { a }; try { over(2) } catch ([var a]) { a };
+            var w = Object.new|; var w.v = 1|;
+            function watched(n) { try { if (w.v > n) throw 1; 0 } catch (1) { w.v } }|; watched(0); watched(0); at (watched(1) == 2) echo("two"); w.v = 2|; sleep(1ms); w.v = 0|; sleep(1ms);
+            function lazy(n) { var a = n; try { function q { call.evalArgAt(0) }; q({ a += 1; if (a > 2) throw a; a }) } catch (var e) { [a, e] } }|; lazy(1); lazy(2); lazy(2);
+            function shared(n) { var a = n; var add = function () { a += 1; if (a > 2) throw a; a }; try { add() } catch (var e) { [a, e] } }|; shared(1); shared(2); shared(2);
+            """),
+        Map.entry(
             "errors have their places",
             """
             function f(a, b) {

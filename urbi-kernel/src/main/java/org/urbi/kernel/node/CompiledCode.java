@@ -195,6 +195,25 @@ public abstract class CompiledCode extends FrameAccess {
     }
   }
 
+  // ------------------------------------------------------------------ exceptions
+
+  /** What the clauses of a {@code try} get to see. */
+  protected static UrbiException caught(Throwable thrown, Frame frame, Try node) throws Throwable {
+    return node.caught(frame, thrown);
+  }
+
+  protected static boolean catches(UrbiException exception, Frame frame, Try.Clause clause) {
+    return clause.matches(frame, exception);
+  }
+
+  /** From now on that exception is being handled; returns the one that was. */
+  protected static @Nullable UrbiException handling(
+      @Nullable UrbiException exception, Frame frame) {
+    UrbiException outer = frame.caught;
+    frame.caught = exception;
+    return outer;
+  }
+
   // ------------------------------------------------------------------ jumps
 
   /** How the statement that has set the completion of the frame leaves a loop around it. */

@@ -14,7 +14,16 @@ public final class Try extends Node {
    * @param pattern null when it catches everything
    * @param guard may be null
    */
-  public record Clause(@Nullable Pattern pattern, @Nullable Node guard, Node body) {}
+  public record Clause(@Nullable Pattern pattern, @Nullable Node guard, Node body) {
+    /** Whether its pattern matches the exception; its guard has still to be asked. */
+    boolean matches(Frame frame, UrbiException exception) {
+      if (pattern == null) {
+        return true;
+      }
+      frame.interpreter.describe(frame, exception);
+      return pattern.matches(frame, exception.value());
+    }
+  }
 
   private final Node body;
   private final Clause[] clauses;
@@ -36,6 +45,22 @@ public final class Try extends Node {
     this.clauses = clauses;
     this.elseClause = elseClause;
     this.finallyClause = finallyClause;
+  }
+
+  public Node body() {
+    return body;
+  }
+
+  public Clause[] clauses() {
+    return clauses;
+  }
+
+  public @Nullable Node elseClause() {
+    return elseClause;
+  }
+
+  public @Nullable Node finallyClause() {
+    return finallyClause;
   }
 
   @Override
@@ -60,14 +85,26 @@ public final class Try extends Node {
     try {
       value = body.execute(frame);
     } catch (UrbiException e) {
-      return handle(frame, e);
-    } catch (StackOverflowError e) {
-      return handle(frame, exhausted(frame, Problem.STACK_EXHAUSTED));
-    } catch (OutOfMemoryError e) {
-      frame.interpreter.scheduler().memory().await();
-      return handle(frame, exhausted(frame, Problem.MEMORY_EXHAUSTED));
+      return handle(frame, caught(frame, e));
+    } catch (StackOverflowError | OutOfMemoryError e) {
+      return handle(frame, this.<Error>caught(frame, e));
     }
     return elseClause == null || frame.completion != null ? value : elseClause.execute(frame);
+  }
+
+  /** The exception that clauses get to see; whatever none may handle is thrown again. */
+  <T extends Throwable> UrbiException caught(Frame frame, T thrown) throws T {
+    if (thrown instanceof UrbiException exception && !exception.isUncatchable()) {
+      return exception;
+    }
+    if (thrown instanceof StackOverflowError) {
+      return exhausted(frame, Problem.STACK_EXHAUSTED);
+    }
+    if (thrown instanceof OutOfMemoryError) {
+      frame.interpreter.scheduler().memory().await();
+      return exhausted(frame, Problem.MEMORY_EXHAUSTED);
+    }
+    throw thrown;
   }
 
   private UrbiException exhausted(Frame frame, Problem problem) {
@@ -75,17 +112,8 @@ public final class Try extends Node {
   }
 
   private UrbiObject handle(Frame frame, UrbiException exception) {
-    if (exception.isUncatchable()) {
-      throw exception;
-    }
     for (Clause clause : clauses) {
-      if (clause.pattern != null) {
-        frame.interpreter.describe(frame, exception);
-        if (!clause.pattern.matches(frame, exception.value())) {
-          continue;
-        }
-      }
-      if (clause.guard != null && !clause.guard.test(frame)) {
+      if (!clause.matches(frame, exception) || clause.guard != null && !clause.guard.test(frame)) {
         continue;
       }
       UrbiException outer = frame.caught;

@@ -55,6 +55,11 @@ abstract class CodeWriter {
     place = around;
   }
 
+  /** Whether an error without a place gets one here. */
+  boolean isPlaced() {
+    return place != null;
+  }
+
   /** Pushes the node whose place an error has that has none; or null. */
   void place() {
     if (place == null) {

@@ -59,6 +59,11 @@ final class EmitLoops {
     return !around.isEmpty();
   }
 
+  /** How many loops are around what is being emitted. */
+  int around() {
+    return around.size();
+  }
+
   /** Whether there are exceptions that do not leave the function. */
   boolean isHandling() {
     return around.stream().anyMatch(Loop::handled);
@@ -313,12 +318,14 @@ final class EmitLoops {
   void leave(boolean breaks) {
     Loop loop = around.getFirst();
     Label target = breaks ? loop.broken() : loop.next();
+    to.tries().leave(around.size());
     // The Java machine verifies what follows, too.
     to.code.goto_(target);
   }
 
   /** Emits {@code return}. */
   void leaveFunction(Value value) {
+    to.tries().leave(0);
     for (Loop loop : around) {
       if (loop.jobs() >= 0) {
         end(loop, false);
@@ -345,6 +352,7 @@ final class EmitLoops {
     @Nullable Loop loop = around.peek();
     if (loop != null) {
       Label leaves = to.code.newLabel();
+      to.tries().leave(around.size());
       to.frame();
       to.help("leaving", CD_int, Names.FRAME);
       to.code.lookupswitch(

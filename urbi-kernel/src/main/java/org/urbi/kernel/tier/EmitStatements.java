@@ -11,6 +11,7 @@ import org.urbi.kernel.node.Matching;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Pattern;
 import org.urbi.kernel.node.Sequences;
+import org.urbi.kernel.node.Try;
 
 /** Emits sequences, conditionals and jumps. */
 final class EmitStatements {
@@ -45,6 +46,9 @@ final class EmitStatements {
     }
     if (node instanceof ForEach loop && EmitLoops.canCount(loop) && !loop.turns().isCompiled()) {
       return to.loops().value(loop);
+    }
+    if (node instanceof Try attempt && Survey.canEmit(attempt) && !to.isPlaced()) {
+      return to.tries().value(attempt);
     }
     if (node instanceof Jumps.Return jump && jump.isPlain()) {
       Value value = jump.value() == null ? to.voidValue() : to.operand(jump.value());

@@ -45,6 +45,7 @@ final class Emitter extends CodeWriter {
   private final EmitContainers containers;
   private final EmitMessages messages;
   private final EmitLoops loops;
+  private final EmitTry tries;
 
   private Emitter(CodeBuilder code, Unit unit) {
     super(code, unit);
@@ -57,6 +58,7 @@ final class Emitter extends CodeWriter {
     this.containers = new EmitContainers(this, slots, unit);
     this.messages = new EmitMessages(this, slots, containers, unit);
     this.loops = new EmitLoops(this);
+    this.tries = new EmitTry(this);
   }
 
   /** For a loop, whose variables are in the frame. */
@@ -108,6 +110,10 @@ final class Emitter extends CodeWriter {
 
   EmitLoops loops() {
     return loops;
+  }
+
+  EmitTry tries() {
+    return tries;
   }
 
   Survey survey() {
@@ -311,7 +317,7 @@ final class Emitter extends CodeWriter {
   }
 
   private boolean isGuarded() {
-    return unit.guarded() || loops.isHandling();
+    return unit.guarded() || loops.isHandling() || tries.isHandling();
   }
 
   /** Other code may have run: if it has unevaluated arguments of this one, it may have assigned. */

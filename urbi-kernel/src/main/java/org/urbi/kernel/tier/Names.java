@@ -1,6 +1,7 @@
 package org.urbi.kernel.tier;
 
 import java.lang.constant.ClassDesc;
+import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.node.CallSite;
@@ -18,6 +19,7 @@ import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.NumericOperator;
 import org.urbi.kernel.node.Pattern;
 import org.urbi.kernel.node.Slots;
+import org.urbi.kernel.node.Try;
 import org.urbi.kernel.node.Variables;
 import org.urbi.kernel.object.Dependencies;
 import org.urbi.kernel.object.Elements;
@@ -56,6 +58,9 @@ final class Names {
   static final ClassDesc SHAPE = of(Shape.class);
   static final ClassDesc SLOT_ASSIGNMENT = of(Slots.Assign.class);
   static final ClassDesc SYMBOL = of(Symbol.class);
+  static final ClassDesc CLAUSE = of(Try.Clause.class);
+  static final ClassDesc EXCEPTION = of(UrbiException.class);
+  static final ClassDesc TRY = of(Try.class);
   static final ClassDesc THROWABLE = of(Throwable.class);
   static final ClassDesc TRACKER = of(Dependencies.Tracker.class);
   static final ClassDesc CODE = of(UrbiCode.class);

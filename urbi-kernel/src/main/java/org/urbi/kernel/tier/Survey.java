@@ -15,6 +15,7 @@ import org.urbi.kernel.node.NumericOperator;
 import org.urbi.kernel.node.Pattern;
 import org.urbi.kernel.node.Sequences;
 import org.urbi.kernel.node.Slots;
+import org.urbi.kernel.node.Try;
 import org.urbi.kernel.node.Variables;
 
 /** What a piece of code does to the variables of its frame. */
@@ -23,6 +24,7 @@ final class Survey {
   private final BitSet inArguments = new BitSet();
   private final BitSet mentioned = new BitSet();
   private boolean hides;
+  private boolean jumps;
   private boolean closures;
   private boolean passes;
   private final BitSet assignedInArguments = new BitSet();
@@ -71,6 +73,32 @@ final class Survey {
   /** Whether {@code break} and {@code continue} may come out of it as exceptions. */
   boolean mayJump() {
     return hides || closures;
+  }
+
+  /**
+   * Whether that can be compiled: not if {@code finally} would have to be executed on the way of a
+   * jump.
+   */
+  static boolean canEmit(Try node) {
+    if (node.finallyClause() == null) {
+      return true;
+    }
+    Survey inside = new Survey();
+    inside.visitParts(node);
+    return !(inside.hides || inside.jumps);
+  }
+
+  private void visitParts(Try node) {
+    visit(node.body());
+    for (Try.Clause clause : node.clauses()) {
+      if (clause.pattern() != null) {
+        visit(clause.pattern());
+      }
+      visit(clause.guard());
+      visit(clause.body());
+    }
+    visit(node.elseClause());
+    visit(node.finallyClause());
   }
 
   /** Whether more is gained than an execution of the node takes. */
@@ -174,10 +202,15 @@ final class Survey {
         visit(each.body());
       }
       visit(choice.defaultCase());
+    } else if (node instanceof Try attempt && canEmit(attempt)) {
+      visitParts(attempt);
     } else if (node instanceof Jumps.Return jump && jump.isPlain()) {
+      jumps = true;
       visit(jump.value());
+    } else if (node instanceof Jumps.OfLoop jump && jump.isPlain()) {
+      jumps = true;
     } else {
-      return node instanceof Jumps.OfLoop jump && jump.isPlain();
+      return false;
     }
     return true;
   }
