@@ -54,6 +54,12 @@ class InterruptionTest {
         "begun; Regexp.new(\"^(a|a)*(a|a)*b$\").match(\"a\" * 40);",
         "var l = []; for| (var i: 300000) l << i.sin; begun; loop| l.sort;",
         "var l = []; for| (100000) l << \"zzz\"; begun; (\"ab\" * 1000000).split(l);",
+        // Texts of values and of exceptions that nobody has caught.
+        "var o = Object.new; function o.asString() { begun; loop| 1 }; o;",
+        "var o = Object.new; function o.asString() { begun; loop| 1 }; throw o;",
+        "var o = Object.new; function o.asString() { begun; loop sleep(10ms) }; o;",
+        "var o = Object.new; function o.asString() { begun; loop sleep(10ms) }; throw o;",
+        "var o = Object.new; function o.asString() { begun; loop| 1 }; {throw o},",
       })
   void theInterruptKeyEndsWhateverRuns(String program) throws Exception {
     kernel.define(

@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
+import org.urbi.kernel.job.TagState;
 import org.urbi.kernel.job.Timers;
 import org.urbi.kernel.lobby.Output;
 import org.urbi.kernel.lobby.Shell;
@@ -30,6 +31,9 @@ final class ProgramKernel implements AutoCloseable {
 
   /** How many turns the jobs of a client may take to end. */
   private static final int TURNS_TO_END = 20;
+
+  /** So many finally clauses, one in the other, may freeze what follows. */
+  private static final int CLAUSES = 20;
 
   /** Real: how long somebody waits before he looks. */
   private static final long WAIT_MS = 100;
@@ -188,13 +192,16 @@ final class ProgramKernel implements AutoCloseable {
       watcher.yieldNow();
       turns++;
     }
-    // What a finally clause does may take its time.
-    end = kernel.scheduler().now() + STAY;
-    timer = kernel.scheduler().timers().add(end, watcher::wake);
-    while (kernel.scheduler().now() < end && !jobsBesides(before).isEmpty() && !interrupted) {
-      watcher.waitForWake();
+    boolean tooLong = interrupted;
+    awaitEnd(watcher, before);
+    for (int i = 0; i < CLAUSES && unfreeze(before); i++) {
+      awaitEnd(watcher, before);
     }
-    timer.cancel();
+    if (lobby.hasDetached() && lobby.hasEnded()) {
+      // Only what it has detached from its connection (disown) is left, which is meant to go on.
+      lobby.endDetached(interpreter.values().voidObject);
+      awaitEnd(watcher, before);
+    }
     kernel.memory().remove(client);
     current = null;
     kernel.scheduler().interruptions().clear(lobby);
@@ -205,7 +212,39 @@ final class ProgramKernel implements AutoCloseable {
     } else if (!jobsBesides(before).isEmpty()) {
       defect = "jobs are left: " + jobsBesides(before);
     }
-    return new Outcome(output, defect, interrupted);
+    return new Outcome(output, defect, tooLong || interrupted);
+  }
+
+  /**
+   * What a finally clause does may take its time, also of a program that was interrupted. Then the
+   * time of the machine counts, too: whoever still holds the kernel is interrupted again.
+   */
+  private void awaitEnd(Job watcher, List<Job> before) {
+    long end = kernel.scheduler().now() + STAY;
+    Timers.Timer timer = kernel.scheduler().timers().add(end, watcher::wake);
+    while (kernel.scheduler().now() < end && !jobsBesides(before).isEmpty()) {
+      watcher.waitForWake();
+    }
+    timer.cancel();
+  }
+
+  /**
+   * A job that is stopped runs its finally clauses, and waits in them at frozen tags as anywhere
+   * else (manual, "Tag", {@code freeze}): for somebody who unfreezes these. That is done here, so
+   * that whatever is left then waits for something else.
+   *
+   * @return whether a job was frozen
+   */
+  private boolean unfreeze(List<Job> before) {
+    List<Job> frozen =
+        kernel.scheduler().jobs().stream()
+            .filter(job -> !before.contains(job) && job.isFrozen())
+            .toList();
+    for (Job job : frozen) {
+      job.unfreezeAlone();
+      job.scope().tags().forEach(TagState::unfreeze);
+    }
+    return !frozen.isEmpty();
   }
 
   /** Whoever fills the memory is ended, as with any client. */

@@ -295,6 +295,15 @@ class RolesTest {
   }
 
   @Test
+  void whatAUserCreatesWhenItEndsEndsAtOnce() {
+    String count = "sleep(10ms) | Lobby.instances.size;";
+    assertEquals("4", owner.say(count));
+    user.say("try { sleep(inf) } finally { Global.late = Lobby.create },");
+    user.connection().close();
+    assertEquals("3", owner.say(count));
+  }
+
+  @Test
   void onlyAnOwnerIsAnOperator() {
     assertTrue(user.connection().interrupt("").contains("needs the role owner"));
     assertTrue(observer.connection().interrupt("Lobby_1").contains("needs the role owner"));

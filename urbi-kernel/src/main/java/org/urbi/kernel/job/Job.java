@@ -305,7 +305,11 @@ public final class Job implements Runnable {
     if (group != null) {
       group.childEnded(this, failure);
     } else if (failure != null) {
-      scheduler.report(this, failure);
+      try {
+        scheduler.report(this, failure);
+      } catch (TagStop stop) {
+        // What was thrown tells of itself by code, which was ended as this job was to be.
+      }
     }
     if (endListeners != null) {
       endListeners.forEach(scheduler::attempt);

@@ -195,6 +195,11 @@ public final class Shell {
     }
   }
 
+  /** Whether all that the lobby does has been {@linkplain #close ended}. */
+  boolean isClosed() {
+    return closed;
+  }
+
   /** Ends all that the lobby does. If memory is wanting for that, it can be called again. */
   public void close() {
     closed = true;
@@ -308,7 +313,9 @@ public final class Shell {
     } else {
       MessageInput.Command order = (MessageInput.Command) step;
       inForeground(
-          shell, () -> order.perform(Frame.top(interpreter, shell, lobby, new FrameLayout())));
+          shell,
+          () -> order.perform(Frame.top(interpreter, shell, lobby, new FrameLayout())),
+          () -> {});
     }
     return true;
   }
@@ -392,8 +399,8 @@ public final class Shell {
     }
     inForeground(
         shell,
+        () -> runAndShow(shell, compiled),
         () -> {
-          runAndShow(shell, compiled);
           interpreter.statementOver(Frame.top(interpreter, shell, lobby, compiled.layout()));
           if (lobby.remoteObjects() != null && !textGoesOn) {
             lobby.remoteObjects().statementOver();
@@ -401,14 +408,21 @@ public final class Shell {
         });
   }
 
-  private void inForeground(Job shell, Runnable action) {
+  /**
+   * Executes a statement in the foreground.
+   *
+   * @param end what follows if no error has ended it
+   */
+  private void inForeground(Job shell, Runnable action, Runnable end) {
     busy = true;
     boolean interrupted = false;
     foregroundTag = newTag();
     try {
       TagScope scope = shell.enter(lobby.connectionTag().state());
       try {
-        action.run();
+        if (runsToEnd(shell, action)) {
+          end.run();
+        }
         shell.yield();
       } catch (TagStop stop) {
         if (closed) {
@@ -440,25 +454,38 @@ public final class Shell {
     Diagnostics.error(lobby.output(), FailureLog.text(failure));
   }
 
-  private void runAndShow(Job shell, Compilation.Compiled compiled) {
-    UrbiObject value = runForeground(shell, compiled);
-    if (isShown(value)) {
-      show(shell, compiled, value);
+  /**
+   * Runs something under the tag of the foreground, its errors included: whoever interrupts it ends
+   * also the code that tells what was thrown.
+   *
+   * @return whether no error has ended it
+   */
+  private boolean runsToEnd(Job shell, Runnable action) {
+    TagScope scope = shell.enter(foregroundTag.state());
+    try {
+      action.run();
+      return true;
+    } catch (TagStop stop) {
+      if (stop.scope() != scope) {
+        throw stop;
+      }
+      return true;
+    } catch (ControlFlowException unwinding) {
+      throw unwinding;
+    } catch (Throwable failure) {
+      interpreter.scheduler().beginTurn();
+      interpreter.report(shell, failure);
+      return false;
+    } finally {
+      shell.leave(scope);
     }
   }
 
-  private UrbiObject runForeground(Job shell, Compilation.Compiled compiled) {
+  private void runAndShow(Job shell, Compilation.Compiled compiled) {
     Frame frame = Frame.top(interpreter, shell, lobby, compiled.layout());
-    TagScope scope = shell.enter(foregroundTag.state());
-    try {
-      return compiled.code().execute(frame);
-    } catch (TagStop stop) {
-      if (stop.scope() == scope) {
-        return interpreter.values().voidObject;
-      }
-      throw stop;
-    } finally {
-      shell.leave(scope);
+    UrbiObject value = compiled.code().execute(frame);
+    if (isShown(value)) {
+      show(shell, compiled, value);
     }
   }
 

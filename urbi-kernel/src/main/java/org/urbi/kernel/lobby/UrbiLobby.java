@@ -187,9 +187,13 @@ public final class UrbiLobby extends UrbiObject implements RoleHolder, Budgeted 
     return made;
   }
 
-  /** From now on a lobby that its code has made ends with it. */
+  /** From now on a lobby that its code has made ends with it; at once if it has ended. */
   public void addCreated(UrbiLobby lobby) {
-    created.add(lobby);
+    if (hasShell() && shell().isClosed()) {
+      lobby.shell().close();
+    } else {
+      created.add(lobby);
+    }
   }
 
   /** Forgets a lobby that has ended. */

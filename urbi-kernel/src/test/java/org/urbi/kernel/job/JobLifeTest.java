@@ -230,6 +230,21 @@ class JobLifeTest {
     assertEquals(turn[0] + 1, turn[1], "what ends has a turn of its own");
   }
 
+  /** An exception tells of itself by code of the user, which may be ended. */
+  @Test
+  void whoWaitsForTheEndIsToldAlsoWhenTheReportIsStopped() {
+    Loop stopping =
+        new Loop((job, failure) -> {
+          throw TagStop.interruption();
+        });
+    Job job =
+        stopping.start(self -> {
+          throw new IllegalStateException("mine");
+        });
+    job.onEnd(() -> stopping.say("told"));
+    assertEquals(List.of("told"), stopping.run());
+  }
+
   @Test
   void aJobThatIsEndedBeforeItBeginsDoesNothing() {
     Job job = loop.start(self -> loop.say("never"));

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BiConsumer;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.journal.Journal;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.object.UrbiObject;
@@ -44,11 +46,29 @@ final class Loop {
     this(ManualClock.simulated(), journal, JobThreads.AUTO);
   }
 
+  /** What nobody has caught is told to somebody else. */
+  Loop(BiConsumer<Job, Throwable> told) {
+    this(ManualClock.simulated(), Journal.NONE, JobThreads.AUTO, told);
+  }
+
   private Loop(ManualClock clock, Journal journal, JobThreads threads) {
+    this(clock, journal, threads, null);
+  }
+
+  private Loop(
+      ManualClock clock,
+      Journal journal,
+      JobThreads threads,
+      @Nullable BiConsumer<Job, Throwable> told) {
     this.clock = clock;
     scheduler =
         new Scheduler(
-            world, clock, machine, journal, threads, (job, failure) -> uncaught.add(failure));
+            world,
+            clock,
+            machine,
+            journal,
+            threads,
+            told == null ? (job, failure) -> uncaught.add(failure) : told);
     scheduler.whenQuiet(scheduler::stop);
   }
 
