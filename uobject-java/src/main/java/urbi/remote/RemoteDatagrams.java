@@ -221,8 +221,7 @@ final class RemoteDatagrams implements AutoCloseable {
         session.probe();
         after(PROBE_MILLISECONDS, () -> probe(session));
       } else {
-        refused(
-            "datagrams do not get through to " + server.getHostAddress() + ":" + socket.getPort());
+        gaveUp("do not get through to " + server.getHostAddress() + ":" + socket.getPort());
       }
     }
 
@@ -286,11 +285,21 @@ final class RemoteDatagrams implements AutoCloseable {
 
     @Override
     public void broken() {
-      try {
-        context.sendNow(out -> out.begin(Frame.RTP_ACTIVE).octet(0).end());
-        refused("datagrams do not get through any more");
-      } catch (UClientException e) {
-        // There is no connection any more either.
+      gaveUp("do not get through any more");
+    }
+
+    /** Ends this agreement, but not one that has taken its place. */
+    private void gaveUp(String why) {
+      synchronized (RemoteDatagrams.this) {
+        if (path != this) {
+          return;
+        }
+        try {
+          context.sendNow(out -> out.begin(Frame.RTP_ACTIVE).octet(0).end());
+          refused("datagrams " + why);
+        } catch (UClientException e) {
+          // There is no connection any more either.
+        }
       }
     }
 

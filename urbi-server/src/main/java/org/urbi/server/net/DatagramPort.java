@@ -12,7 +12,9 @@ import io.netty.channel.SimpleChannelInboundHandler;
 import io.netty.channel.socket.DatagramPacket;
 import io.netty.channel.socket.nio.NioDatagramChannel;
 import java.net.InetSocketAddress;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -31,6 +33,8 @@ final class DatagramPort {
     void receive(byte[] datagram, InetSocketAddress sender);
   }
 
+  private record Request(Consumer<Channel> opened, Consumer<String> failed) {}
+
   private static final int MAX_SIZE = 1 << 16;
   private static final int BUFFER = 4 << 20;
 
@@ -38,6 +42,7 @@ final class DatagramPort {
   private final Supplier<InetSocketAddress> server;
   private final Trace trace;
   private final Map<Long, Receiver> receivers = new HashMap<>();
+  private final List<Request> waiting = new ArrayList<>();
   private @Nullable Channel channel;
   private long refused;
 
@@ -50,18 +55,24 @@ final class DatagramPort {
     this.trace = trace;
   }
 
-  /** Opens the port unless it is open, then calls one of the two. */
+  /**
+   * Opens the port unless it is open, then calls one of the two. Who asks while it is being opened
+   * is told in the order of asking: of a connection that asks again, the last request counts.
+   */
   void open(Consumer<Channel> opened, Consumer<String> failed) {
     if (channel != null) {
       opened.accept(channel);
       return;
     }
-    InetSocketAddress same = server.get();
-    InetSocketAddress any = new InetSocketAddress(same.getAddress(), 0);
-    bind(same, opened, refusal -> bind(any, opened, failed));
+    waiting.add(new Request(opened, failed));
+    if (waiting.size() == 1) {
+      InetSocketAddress same = server.get();
+      InetSocketAddress any = new InetSocketAddress(same.getAddress(), 0);
+      bind(same, refusal -> bind(any, this::failed));
+    }
   }
 
-  private void bind(InetSocketAddress where, Consumer<Channel> opened, Consumer<String> failed) {
+  private void bind(InetSocketAddress where, Consumer<Throwable> otherwise) {
     ChannelFuture bound =
         new Bootstrap()
             .group(loop)
@@ -72,17 +83,28 @@ final class DatagramPort {
             .handler(new Incoming())
             .bind(where);
     bound.addListener(done -> {
-      if (!done.isSuccess()) {
-        failed.accept("cannot take datagrams: " + done.cause().getMessage());
-      } else if (channel != null) {
-        bound.channel().close();
-        opened.accept(channel);
+      if (done.isSuccess()) {
+        opened(bound.channel());
       } else {
-        channel = bound.channel();
-        trace.debug("taking datagrams on " + channel.localAddress());
-        opened.accept(channel);
+        otherwise.accept(done.cause());
       }
     });
+  }
+
+  private void opened(Channel bound) {
+    channel = bound;
+    trace.debug("taking datagrams on " + bound.localAddress());
+    answer(each -> each.opened.accept(bound));
+  }
+
+  private void failed(Throwable cause) {
+    answer(each -> each.failed.accept("cannot take datagrams: " + cause.getMessage()));
+  }
+
+  private void answer(Consumer<Request> answer) {
+    List<Request> all = List.copyOf(waiting);
+    waiting.clear();
+    all.forEach(answer);
   }
 
   /** Sends datagrams with that token to a receiver from now on. */

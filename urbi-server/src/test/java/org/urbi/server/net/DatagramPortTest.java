@@ -1,0 +1,103 @@
+package org.urbi.server.net;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+
+import io.netty.channel.Channel;
+import io.netty.channel.MultiThreadIoEventLoopGroup;
+import io.netty.channel.nio.NioIoHandler;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
+import java.util.Map;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.LinkedBlockingQueue;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.urbi.server.Trace;
+
+class DatagramPortTest {
+  private static final InetAddress HERE = InetAddress.getLoopbackAddress();
+
+  private final MultiThreadIoEventLoopGroup loop =
+      new MultiThreadIoEventLoopGroup(1, NioIoHandler.newFactory());
+  private final BlockingQueue<String> answers = new LinkedBlockingQueue<>();
+  private final Map<String, Channel> channels = new ConcurrentHashMap<>();
+
+  @AfterEach
+  void stop() {
+    loop.shutdownGracefully();
+  }
+
+  private DatagramPort port(InetSocketAddress server) {
+    PrintStream nowhere =
+        new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
+    return new DatagramPort(loop, () -> server, new Trace(Trace.Level.NONE, nowhere));
+  }
+
+  private static int freePort() throws IOException {
+    try (DatagramSocket free = new DatagramSocket(0, HERE)) {
+      return free.getLocalPort();
+    }
+  }
+
+  private void open(DatagramPort port, String name, Runnable then) {
+    port.open(
+        channel -> {
+          channels.put(name, channel);
+          answers.add(name);
+          then.run();
+        },
+        why -> answers.add(name + ": " + why));
+  }
+
+  /** The last offer of a process counts, however close the offers follow one another. */
+  @Test
+  void whoAsksWhileItIsOpenedIsToldInOrder() throws Exception {
+    DatagramPort port = port(new InetSocketAddress(HERE, freePort()));
+    loop.execute(() -> {
+      open(port, "first", () -> loop.execute(() -> open(port, "third", () -> {})));
+      open(port, "second", () -> {});
+    });
+    assertEquals("first", answers.take());
+    assertEquals("second", answers.take());
+    assertEquals("third", answers.take());
+    assertSame(channels.get("first"), channels.get("second"));
+    assertSame(channels.get("first"), channels.get("third"));
+    port.close();
+  }
+
+  @Test
+  void takenPortIsReplacedByAnother() throws Exception {
+    try (DatagramSocket other = new DatagramSocket(0, HERE)) {
+      DatagramPort port = port(new InetSocketAddress(HERE, other.getLocalPort()));
+      loop.execute(() -> {
+        open(port, "first", () -> loop.execute(() -> open(port, "third", () -> {})));
+        open(port, "second", () -> {});
+      });
+      assertEquals("first", answers.take());
+      assertEquals("second", answers.take());
+      assertEquals("third", answers.take());
+      port.close();
+    }
+  }
+
+  /** An address of another machine: everybody is told, and who asks later is served again. */
+  @Test
+  void refusalIsToldToAllWhoWait() throws Exception {
+    DatagramPort port = port(new InetSocketAddress("192.0.2.1", 0));
+    loop.execute(() -> {
+      open(port, "first", () -> {});
+      open(port, "second", () -> {});
+    });
+    assertEquals("first: cannot take datagrams", answers.take().split(":? ?[A-Z]", 2)[0]);
+    assertEquals("second: cannot take datagrams", answers.take().split(":? ?[A-Z]", 2)[0]);
+    loop.execute(() -> open(port, "third", () -> {}));
+    assertEquals("third: cannot take datagrams", answers.take().split(":? ?[A-Z]", 2)[0]);
+  }
+}
