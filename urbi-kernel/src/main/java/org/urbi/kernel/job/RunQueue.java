@@ -30,7 +30,7 @@ import org.urbi.kernel.time.RandomNumbers;
  * first, and a thousand that need the same have equally many turns. In simulated time nobody waits,
  * and rounds are never cut.
  */
-final class RunQueue {
+class RunQueue {
   /** How long a round may take while others wait, in nanoseconds. */
   private static final long SLICE = 5_000_000;
 
@@ -175,7 +175,7 @@ final class RunQueue {
   private long floor;
 
   /** The jobs of one budget. */
-  private static final class Share {
+  static final class Share {
     final JobList jobs = new JobList();
     final long number;
 
@@ -286,7 +286,8 @@ final class RunQueue {
     return share;
   }
 
-  private Share shareOf(Budget budget) {
+  /** A test makes it fail for want of memory. */
+  Share shareOf(Budget budget) {
     return shares.computeIfAbsent(budget, known -> new Share(sharesMade++, floor + DEBIT));
   }
 

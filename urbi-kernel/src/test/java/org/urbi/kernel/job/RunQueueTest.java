@@ -3,6 +3,7 @@ package org.urbi.kernel.job;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.lang.ref.WeakReference;
@@ -11,6 +12,7 @@ import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Budgeted;
@@ -90,11 +92,20 @@ class RunQueueTest {
 
   private String rest(long milliseconds) {
     List<String> ran = new ArrayList<>();
+    turnsLeft(milliseconds, ran);
+    return String.join(" ", ran);
+  }
+
+  private void turns(long milliseconds, List<String> ran) {
+    queue.beginRound(false);
+    turnsLeft(milliseconds, ran);
+  }
+
+  private void turnsLeft(long milliseconds, List<String> ran) {
     for (Job job = queue.next(); job != null; job = queue.next()) {
       ran.add(names.get(job));
       clock.now += milliseconds * MILLISECOND;
     }
-    return String.join(" ", ran);
   }
 
   /** A crowd of one lobby, and one job of another, after the round that was cut short. */
@@ -251,6 +262,37 @@ class RunQueueTest {
     addMany("a", 2);
     add("b3");
     assertEquals("b1 b2 a1 a2 b3", round(0));
+  }
+
+  /**
+   * The lobbies stay together, each job keeps its turn, and later they have queues of their own.
+   */
+  @Test
+  void aRushWithoutMemoryForQueuesLosesNobody() {
+    var full = new AtomicBoolean(true);
+    queue =
+        new RunQueue(clock, () -> worked, timers, inbox, Journal.NONE) {
+          @Override
+          Share shareOf(Budget budget) {
+            if (full.get()) {
+              throw new OutOfMemoryError("a test has none");
+            }
+            return super.shareOf(budget);
+          }
+        };
+    addMany("a", 30);
+    add("b1");
+    List<String> ran = new ArrayList<>();
+    assertThrows(OutOfMemoryError.class, () -> turns(1, ran));
+    assertEquals(names("a", 1, 7), String.join(" ", ran));
+    add("a31");
+    assertEquals("", round(1));
+    assertThrows(OutOfMemoryError.class, () -> turns(1, ran));
+    assertEquals(names("a", 1, 12), String.join(" ", ran));
+    full.set(false);
+    assertEquals(names("a", 13, 17), round(1));
+    assertEquals("b1 " + names("a", 18, 31), round(0));
+    assertTrue(queue.isEmpty());
   }
 
   /** Those who can run again after the last round of a rush: the lobby that was first is first. */
