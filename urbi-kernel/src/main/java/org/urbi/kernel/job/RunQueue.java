@@ -350,8 +350,10 @@ class RunQueue {
   /** The next job of this round; null at its end. */
   @Nullable Job next() {
     Job job = rushing ? nextInRush() : nextOfAll();
-    // Between rounds nobody is remembered: a budget leads to its client, who may have gone.
-    last = job == null ? null : job.onBehalf().account();
+    if (job == null) {
+      // Between rounds nobody is remembered: a budget leads to its client, who may have gone.
+      last = null;
+    }
     return job;
   }
 
@@ -363,11 +365,13 @@ class RunQueue {
     if (first == null) {
       return null;
     }
-    if (isSliceOver(first)) {
+    Budget account = first.onBehalf().account();
+    if (isSliceOver(account)) {
       rush();
       return null;
     }
     left--;
+    last = account;
     return poll(together);
   }
 
@@ -378,9 +382,13 @@ class RunQueue {
       return null;
     }
     Job first = next.jobs.first();
-    if (first != null && isSliceOver(first)) {
-      judge();
-      return null;
+    if (first != null) {
+      Budget account = first.onBehalf().account();
+      if (isSliceOver(account)) {
+        judge();
+        return null;
+      }
+      last = account;
     }
     if (next != current) {
       endTurn();
@@ -433,17 +441,13 @@ class RunQueue {
     return freshRuns;
   }
 
-  /** Whether it is too late in this round for another job, which is not the first one. */
-  private boolean isSliceOver(Job next) {
+  /** Whether it is too late in this round for another job, of that budget; never for the first. */
+  private boolean isSliceOver(Budget next) {
     if (!cuttable) {
       return false;
     }
     boolean looks =
-        ++jobs % JOBS_PER_LOOK == 0
-            || rushing
-            || slow
-            || next.onBehalf().account() != last
-            || inbox.isFilled();
+        ++jobs % JOBS_PER_LOOK == 0 || rushing || slow || next != last || inbox.isFilled();
     boolean over = looks && last != null && isLate(clock.now());
     int found = over || counted ? journal.cutsRound(jobs, over ? verdict() : NOBODY) : NOBODY;
     if (found == NOBODY) {
