@@ -106,7 +106,13 @@ final class KernelMemory implements MemoryUser {
       // There may be no memory even for this: then it is tried again. It is told first, because
       // who has been closed is not found again.
       tell("letting " + before.description() + " go");
-      before.close();
+      try {
+        before.close();
+      } catch (RuntimeException e) {
+        // Unlike a want of memory, a defect remains: the next one is to be asked.
+        evicted.remove(before);
+        throw e;
+      }
       evicted.remove(before);
       return;
     }
@@ -118,7 +124,12 @@ final class KernelMemory implements MemoryUser {
 
   private void evict(Evictable next) {
     tell("ending what is done for " + next.description());
-    next.evict(Problem.MEMORY_EXHAUSTED.text());
+    try {
+      next.evict(Problem.MEMORY_EXHAUSTED.text());
+    } catch (RuntimeException e) {
+      growth.evicted(next);
+      throw e;
+    }
     growth.evicted(next);
     evicted.add(next);
   }

@@ -162,7 +162,7 @@ final class MemoryRescue {
     @Nullable MemoryUser most = null;
     double grown = 0;
     for (MemoryUser each : users) {
-      double growth = each.growth();
+      double growth = growthOf(each);
       if (growth > grown) {
         most = each;
         grown = growth;
@@ -171,9 +171,23 @@ final class MemoryRescue {
     if (most != null) {
       // To ask somebody takes some memory, and so does ending what is done.
       heap.releaseReserve();
-      most.relieve();
+      try {
+        most.relieve();
+      } catch (RuntimeException e) {
+        tell(e);
+      }
       relieved = true;
       relievedAt = worked.getAsLong();
+    }
+  }
+
+  /** Who cannot say it is not asked for anything. */
+  private static double growthOf(MemoryUser user) {
+    try {
+      return user.growth();
+    } catch (RuntimeException e) {
+      tell(e);
+      return 0;
     }
   }
 
@@ -186,6 +200,12 @@ final class MemoryRescue {
     each(users, EXHAUSTED);
   }
 
+  /** A defect of one of them, which the others must not suffer from. */
+  static void tell(RuntimeException defect) {
+    Thread own = Thread.currentThread();
+    own.getUncaughtExceptionHandler().uncaughtException(own, defect);
+  }
+
   /** Tells all of them, even if one fails. */
   private static void each(MemoryUser[] users, Consumer<MemoryUser> what) {
     Error fatal = null;
@@ -193,8 +213,7 @@ final class MemoryRescue {
       try {
         what.accept(user);
       } catch (RuntimeException e) {
-        Thread own = Thread.currentThread();
-        own.getUncaughtExceptionHandler().uncaughtException(own, e);
+        tell(e);
       } catch (Error e) {
         fatal = e;
       }

@@ -114,12 +114,23 @@ public final class MemoryWatchdog {
         } else {
           look(rescue, known);
         }
+      } catch (RuntimeException e) {
+        report(e);
       } catch (Error e) {
         // It goes on: others need it, and there may be memory again.
         continue;
       } finally {
         looked(wanted);
       }
+    }
+  }
+
+  /** It goes on after a defect, too, even if there is no memory to tell of it. */
+  private static void report(RuntimeException defect) {
+    try {
+      MemoryRescue.tell(defect);
+    } catch (RuntimeException | Error e) {
+      return;
     }
   }
 

@@ -168,6 +168,45 @@ class MemoryRescueTest {
     }
   }
 
+  /** Whoever fails when it is asked counts as asked, and the others are asked in their turn. */
+  @Test
+  void whoFailsToGiveBackMemoryDoesNotEndTheRescue() {
+    List<String> uncaught = new ArrayList<>();
+    Thread.currentThread()
+        .setUncaughtExceptionHandler((thread, thrown) -> uncaught.add(thrown.getMessage()));
+    try {
+      Kernel failing =
+          new Kernel("failing", 20) {
+            @Override
+            public void relieve() {
+              super.relieve();
+              throw new IllegalStateException("relieve");
+            }
+          };
+      Kernel dumb =
+          new Kernel("dumb", 30) {
+            @Override
+            public double growth() {
+              throw new IllegalStateException("growth");
+            }
+          };
+      run(2.25, failing, dumb, new Kernel("good", 10));
+      assertEquals(
+          """
+          0.25 failing full
+          0.25 dumb full
+          0.25 good full
+          0.25 failing ended
+          1.25 failing gone
+          2.25 good ended
+          """,
+          events.toString());
+      assertEquals(List.of("growth", "relieve", "growth", "relieve", "growth"), uncaught);
+    } finally {
+      Thread.currentThread().setUncaughtExceptionHandler(null);
+    }
+  }
+
   /** To look at the heap takes some memory, too. What was kept for that is kept again later. */
   @Test
   void littleIsKeptForTheRescue() {
