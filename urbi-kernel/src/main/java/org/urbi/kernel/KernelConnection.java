@@ -71,7 +71,12 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   @Override
   public void send(String bytes) {
     pending.addAndGet(bytes.length());
-    kernel.inbox().post(new Message.ConsoleBytes(number, bytes));
+    try {
+      kernel.inbox().post(new Message.ConsoleBytes(number, bytes));
+    } catch (OutOfMemoryError e) {
+      pending.addAndGet(-bytes.length());
+      throw e;
+    }
   }
 
   @Override

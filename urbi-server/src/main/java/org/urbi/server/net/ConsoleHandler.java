@@ -14,6 +14,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.log.FailureLog;
+import org.urbi.kernel.memory.MemoryWatchdog;
 import org.urbi.kernel.trust.Role;
 import org.urbi.server.Trace;
 
@@ -79,7 +80,7 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
     Connection lobby = over ? null : connection;
     try {
       if (lobby != null) {
-        lobby.send(bytes.toString(StandardCharsets.ISO_8859_1));
+        pass(bytes, lobby);
       }
     } finally {
       bytes.release();
@@ -87,6 +88,16 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
     if (lobby != null && lobby.pendingInput() > limits.input()) {
       context.channel().config().setAutoRead(false);
       inputConsumed();
+    }
+  }
+
+  /** A client does not pay for the memory that another one has filled: that one is ended first. */
+  private static void pass(ByteBuf bytes, Connection lobby) {
+    try {
+      lobby.send(bytes.toString(StandardCharsets.ISO_8859_1));
+    } catch (OutOfMemoryError e) {
+      MemoryWatchdog.awaitRelief();
+      lobby.send(bytes.toString(StandardCharsets.ISO_8859_1));
     }
   }
 

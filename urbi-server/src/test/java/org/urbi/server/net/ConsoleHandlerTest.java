@@ -74,6 +74,26 @@ class ConsoleHandlerTest {
   }
 
   @Test
+  void inputForWhichThereIsNoMemoryIsPassedOnWhenThereIs() {
+    EmbeddedChannel channel = new EmbeddedChannel(handler);
+    lobby.failures = 1;
+    channel.writeInbound(bytes("1;"));
+    channel.writeInbound(bytes("2;"));
+    assertEquals(List.of("send 1;", "send 2;"), lobby.calls);
+    assertTrue(channel.isOpen());
+  }
+
+  /** Then a part of it would be lost, so nothing of the rest may be executed. */
+  @Test
+  void clientForWhoseInputThereNeverIsMemoryIsDisconnected() {
+    EmbeddedChannel channel = new EmbeddedChannel(handler);
+    lobby.failures = 2;
+    channel.writeInbound(bytes("1;"));
+    assertFalse(channel.isOpen());
+    assertEquals(List.of("close"), lobby.calls);
+  }
+
+  @Test
   void endedInputIsFinishedAndALostClientIsClosed() {
     EmbeddedChannel channel = new EmbeddedChannel(handler);
     channel.pipeline().fireUserEventTriggered(ChannelInputShutdownEvent.INSTANCE);

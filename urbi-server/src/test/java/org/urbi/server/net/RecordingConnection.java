@@ -14,6 +14,9 @@ final class RecordingConnection implements Connection {
   final List<String> calls = new ArrayList<>();
   int pending;
 
+  /** How many times there will be no memory for what is sent. */
+  int failures;
+
   @Override
   public int number() {
     return 1;
@@ -21,6 +24,10 @@ final class RecordingConnection implements Connection {
 
   @Override
   public void send(String bytes) {
+    if (failures > 0) {
+      failures--;
+      throw new OutOfMemoryError("a test has none");
+    }
     calls.add("send " + bytes);
   }
 
