@@ -2,8 +2,6 @@ package org.urbi.kernel.job;
 
 import static java.util.Objects.requireNonNull;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.message.Message;
@@ -130,7 +128,7 @@ final class HandoffThread implements JobThread {
     /** Nobody knows what virtual threads have allocated, so that of the whole process counts. */
     @Override
     public long allocatedBytes() {
-      return ((ThreadMXBean) ManagementFactory.getThreadMXBean()).getTotalThreadAllocatedBytes();
+      return ThreadCosts.allocatedBytesOfAll();
     }
 
     @Override

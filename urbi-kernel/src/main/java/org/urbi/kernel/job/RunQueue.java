@@ -58,6 +58,9 @@ class RunQueue {
    */
   private static final int JOBS_PER_LOOK = 8;
 
+  /** How long the processor time is taken to pass as fast as all time, in nanoseconds. */
+  private static final long WORK_LOOK = 100_000;
+
   /** Who takes less time in a round, in nanoseconds, delays nobody… */
   private static final long LITTLE = SLICE / 10;
 
@@ -134,8 +137,11 @@ class RunQueue {
   /** The processor time when the turn of the current lobby began, or before. */
   private long workedBefore;
 
-  /** The processor time when it was read last. */
+  /** The processor time when it was read last… */
   private long workedAtLook;
+
+  /** …and when that was. */
+  private long workLooked;
 
   /** How long the turn of the current lobby has taken, without what the machine did besides. */
   private long turnTook;
@@ -317,6 +323,7 @@ class RunQueue {
     rounds++;
     if (cuttable) {
       workedAtLook = worked.getAsLong();
+      workLooked = roundBegan;
     }
     separate();
     while (!served.isEmpty()) {
@@ -492,7 +499,7 @@ class RunQueue {
     long taken = now - looked;
     long all = now - roundBegan;
     if (rushing) {
-      drawLots(now - turnBegan);
+      drawLots(now);
     } else {
       culprit = taken < LITTLE ? MACHINE : 0;
     }
@@ -501,12 +508,19 @@ class RunQueue {
     return all >= (timers.next() <= now ? SHORT_SLICE : SLICE);
   }
 
-  /** The turn of the current lobby has taken so long: its time and that of the machine count. */
-  private void drawLots(long time) {
+  /**
+   * The turn of the current lobby lasts until now: its time and that of the machine count. To read
+   * the processor time takes longer than a short job.
+   */
+  private void drawLots(long now) {
+    long time = now - turnBegan;
     long own = time;
     if (time >= LITTLE && workedBefore != HoldWatchdog.UNKNOWN) {
-      workedAtLook = worked.getAsLong();
-      own = Math.min(time, workedAtLook - workedBefore);
+      if (now - workLooked >= WORK_LOOK) {
+        workedAtLook = worked.getAsLong();
+        workLooked = now;
+      }
+      own = Math.min(time, workedAtLook - workedBefore + now - workLooked);
     }
     turnTook = own;
     long all = lotsFor(own);

@@ -5,7 +5,6 @@ import static java.util.Objects.requireNonNull;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
-import java.lang.management.ManagementFactory;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
@@ -269,18 +268,13 @@ final class TickLoopThread implements JobThread, Executor {
     @Override
     public long processorTime() {
       Thread thread = loop;
-      return thread == null
-          ? HoldWatchdog.UNKNOWN
-          : ManagementFactory.getThreadMXBean().getThreadCpuTime(thread.threadId());
+      return thread == null ? HoldWatchdog.UNKNOWN : ThreadCosts.processorTime(thread);
     }
 
     @Override
     public long allocatedBytes() {
       Thread thread = loop;
-      return thread == null
-          ? 0
-          : ((com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean())
-              .getThreadAllocatedBytes(thread.threadId());
+      return thread == null ? 0 : ThreadCosts.allocatedBytes(thread);
     }
 
     @Override

@@ -1,7 +1,5 @@
 package org.urbi.kernel.job;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.time.Clock;
@@ -12,7 +10,6 @@ import org.urbi.kernel.time.Clock;
  */
 public final class UsageMeter {
   private final Clock machine;
-  private @Nullable ThreadMXBean threads;
   private volatile boolean measuring;
   private volatile @Nullable Thread thread;
   private volatile @Nullable Budget charged;
@@ -25,9 +22,7 @@ public final class UsageMeter {
 
   /** Starts to measure, and never stops; from any thread. */
   public synchronized void begin() {
-    if (threads == null) {
-      // This takes some milliseconds, which programs that are not measured must not pay.
-      threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    if (!measuring) {
       since = machine.now();
       allocatedBefore = allocated();
       measuring = true;
@@ -47,7 +42,7 @@ public final class UsageMeter {
       thread = Thread.currentThread();
       // A kernel may start while memory is scarce, and is then measured before its first job.
       since = machine.now();
-      allocatedBefore = allocated();
+      allocatedBefore = measuring ? allocated() : 0;
     } else if (measuring) {
       charge();
     }
@@ -65,19 +60,9 @@ public final class UsageMeter {
     allocatedBefore = allocated;
   }
 
-  /**
-   * Where jobs run on carrier threads of the JDK, nobody knows what they alone have allocated:
-   * there what the whole process has allocated meanwhile counts.
-   */
   private long allocated() {
     Thread kernel = thread;
-    ThreadMXBean known = threads;
-    if (kernel == null || known == null) {
-      return 0;
-    }
-    return kernel.isVirtual()
-        ? known.getTotalThreadAllocatedBytes()
-        : known.getThreadAllocatedBytes(kernel.threadId());
+    return kernel == null ? 0 : ThreadCosts.allocatedBytes(kernel);
   }
 
   /**

@@ -8,6 +8,7 @@ import java.lang.management.MemoryUsage;
 import java.util.Comparator;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.job.ThreadCosts;
 
 /** How full the heap of this process is. */
 public final class HeapUsage implements Heap {
@@ -68,7 +69,7 @@ public final class HeapUsage implements Heap {
    * may fail to make that, and then never tries again.
    */
   public void prepare() {
-    ManagementFactory.getThreadMXBean();
+    ThreadCosts.prepare();
     oldGeneration();
   }
 
