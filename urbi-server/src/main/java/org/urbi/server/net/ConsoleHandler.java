@@ -14,7 +14,6 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.log.FailureLog;
-import org.urbi.kernel.memory.MemoryWatchdog;
 import org.urbi.kernel.trust.Role;
 import org.urbi.server.Trace;
 
@@ -91,12 +90,14 @@ final class ConsoleHandler extends ChannelInboundHandlerAdapter implements Clien
     }
   }
 
-  /** A client does not pay for the memory that another one has filled: that one is ended first. */
+  /**
+   * Tries twice: all garbage has been collected for the first try, and whoever fills the heap may
+   * have failed meanwhile. The thread of the network never waits: others want their answers.
+   */
   private static void pass(ByteBuf bytes, Connection lobby) {
     try {
       lobby.send(bytes.toString(StandardCharsets.ISO_8859_1));
     } catch (OutOfMemoryError e) {
-      MemoryWatchdog.awaitRelief();
       lobby.send(bytes.toString(StandardCharsets.ISO_8859_1));
     }
   }
