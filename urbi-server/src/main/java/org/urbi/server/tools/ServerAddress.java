@@ -5,7 +5,9 @@ import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.time.SystemClock;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
@@ -15,15 +17,37 @@ import urbi.UClientException;
 import urbi.USyncClient;
 
 /**
- * The address of the server that a tool connects to: options {@code --host}, {@code --port}, {@code
- * --port-file}.
+ * The address of the server that a tool connects to, and how long it waits for that server: options
+ * {@code --host}, {@code --port}, {@code --port-file}, {@code --wait}.
  */
-public record ServerAddress(String host, int port) {
+public final class ServerAddress {
   /** The usual port of an Urbi server. */
   public static final int DEFAULT_PORT = 54000;
 
   private static final int CONNECT_MILLISECONDS = 10_000;
+
+  /** How long {@code --wait} waits. */
+  private static final String WAIT = "30s";
+
   private static final int MAX_PORT = 65_535;
+
+  private final String host;
+  private final int port;
+  private final Patience patience;
+
+  private ServerAddress(String host, int port, Patience patience) {
+    this.host = host;
+    this.port = port;
+    this.patience = patience;
+  }
+
+  public String host() {
+    return host;
+  }
+
+  public int port() {
+    return port;
+  }
 
   /** Adds the options to a program. */
   public static Program options(Program program) {
@@ -34,7 +58,14 @@ public record ServerAddress(String host, int port) {
             "-H",
             "--host")
         .option("PORT", "Port to connect to (default: " + DEFAULT_PORT + ").", "-P", "--port")
-        .option("FILE", "Connect to the port that is written in FILE.", "--port-file");
+        .option("FILE", "Connect to the port that is written in FILE.", "--port-file")
+        .optional(
+            "TIME",
+            WAIT,
+            "Wait for the server, and its port file, for TIME at most (default: "
+                + WAIT
+                + "), as 500ms or 5s.",
+            "--wait");
     return trustOptions(program);
   }
 
@@ -61,19 +92,35 @@ public record ServerAddress(String host, int port) {
   public static ServerAddress of(Arguments arguments, String host) {
     useToken(arguments.value("--token"));
     useTls(arguments);
+    var patience =
+        new Patience(
+            new SystemClock(),
+            TimeUnit.NANOSECONDS::sleep,
+            arguments.duration("--wait", Duration.ZERO));
     String file = arguments.value("--port-file");
     if (file == null) {
-      return new ServerAddress(host, arguments.number("--port", DEFAULT_PORT, 1, MAX_PORT));
+      int port = arguments.number("--port", DEFAULT_PORT, 1, MAX_PORT);
+      return new ServerAddress(host, port, patience);
     }
     if (arguments.has("--port")) {
       throw Failure.usage("give either --port or --port-file");
     }
-    try {
-      String text = Files.readString(Path.of(file));
-      return new ServerAddress(
-          host, Arguments.number("port in " + file, text.strip(), 1, MAX_PORT));
-    } catch (IOException e) {
-      throw Failure.of("cannot read the port file " + file + ": is the server running?");
+    return new ServerAddress(host, portIn(file, patience), patience);
+  }
+
+  private static int portIn(String file, Patience patience) {
+    while (true) {
+      try {
+        String text = Files.readString(Path.of(file)).strip();
+        // Who writes it may have made it only.
+        if (!text.isEmpty() || !patience.again()) {
+          return Arguments.number("port in " + file, text, 1, MAX_PORT);
+        }
+      } catch (IOException e) {
+        if (!patience.again()) {
+          throw Failure.of("cannot read the port file " + file + ": is the server running?");
+        }
+      }
     }
   }
 
@@ -107,10 +154,14 @@ public record ServerAddress(String host, int port) {
    * @throws Failure if nobody answers
    */
   public USyncClient client() {
-    try {
-      return USyncClient.connect(host, port, Duration.ofMillis(CONNECT_MILLISECONDS));
-    } catch (UClientException e) {
-      throw Failure.of(e.getMessage() + hint());
+    while (true) {
+      try {
+        return USyncClient.connect(host, port, Duration.ofMillis(CONNECT_MILLISECONDS));
+      } catch (UClientException e) {
+        if (!patience.again()) {
+          throw Failure.of(e.getMessage() + hint());
+        }
+      }
     }
   }
 
@@ -131,12 +182,16 @@ public record ServerAddress(String host, int port) {
    * @throws Failure if nobody answers
    */
   public ServerConnection connect() {
-    try {
-      return ServerConnection.open(host, port, CONNECT_MILLISECONDS);
-    } catch (UnknownHostException e) {
-      throw Failure.of("unknown host: " + host);
-    } catch (IOException e) {
-      throw Failure.of("cannot connect to %s: %s%s".formatted(this, e.getMessage(), hint()));
+    while (true) {
+      try {
+        return ServerConnection.open(host, port, CONNECT_MILLISECONDS);
+      } catch (UnknownHostException e) {
+        throw Failure.of("unknown host: " + host);
+      } catch (IOException e) {
+        if (!patience.again()) {
+          throw Failure.of("cannot connect to %s: %s%s".formatted(this, e.getMessage(), hint()));
+        }
+      }
     }
   }
 }

@@ -13,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.urbi.kernel.Kernel;
@@ -68,6 +69,32 @@ class UrbiSendTest {
       Path file = Files.writeString(folder.resolve("port"), server.port() + "\n");
       assertEquals(new ToolResult(0, "", ""), send("--port-file", file.toString(), "-Q"));
     }
+  }
+
+  @Test
+  void theServerMayBeWaitedFor(@TempDir Path folder) throws Exception {
+    Path file = Files.writeString(folder.resolve("port"), "");
+    var run = new AtomicReference<ToolResult>();
+    Thread tool =
+        Thread.ofPlatform()
+            .start(() -> run.set(send("--wait=10min", "--port-file", file.toString(), "-Q")));
+    while (tool.getState() != Thread.State.TIMED_WAITING) {
+      Thread.onSpinWait();
+    }
+    try (ScriptedServer server = new ScriptedServer(line -> null)) {
+      Files.writeString(file, server.port() + "\n");
+      tool.join();
+      assertEquals("quit;", server.received());
+    }
+    assertEquals(new ToolResult(0, "", ""), run.get());
+  }
+
+  @Test
+  void aServerThatNeverComesIsReportedWhenTheTimeIsOver(@TempDir Path folder) {
+    String file = folder.resolve("port").toString();
+    ToolResult run = send("--wait=1ms", "--port-file", file, "-Q");
+    assertEquals(1, run.status());
+    assertTrue(run.err().contains("cannot read the port file " + file), run.err());
   }
 
   @Test
