@@ -1,5 +1,7 @@
 package org.urbi.kernel;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayDeque;
 import java.util.Queue;
 import java.util.Set;
@@ -71,6 +73,8 @@ final class KernelMemory implements MemoryUser {
   @Override
   public void prepare() {
     KernelThreadPin.prepare();
+    // The first stack trace initializes classes of the JDK; where that fails, none is ever told.
+    requireNonNull(new Throwable().getStackTrace());
   }
 
   @Override
