@@ -2,6 +2,7 @@ package org.urbi.kernel;
 
 import java.time.Duration;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.error.Errors;
 import org.urbi.kernel.error.Problem;
@@ -40,13 +41,15 @@ final class HoldLimit {
       return null;
     }
     long most = limit.isZero() ? Long.MAX_VALUE : limit.toNanos();
-    return scheduler.limitHolding(most, HeapUsage::free, holding::tell);
+    return scheduler.limitHolding(most, HeapUsage::free, HeapUsage.all(), holding::tell);
   }
 
   private UrbiException failure(Job job, StopReason why) {
     if (why == StopReason.GREEDY) {
-      return errors.limit(
-          Problem.BUDGET_EXHAUSTED, job.budget().limit(Resource.MEMORY), Resource.MEMORY.unit());
+      long most = job.budget().limit(Resource.MEMORY);
+      return most == Budget.UNLIMITED
+          ? errors.limit(Problem.MEMORY_EXHAUSTED)
+          : errors.limit(Problem.BUDGET_EXHAUSTED, most, Resource.MEMORY.unit());
     }
     return errors.limit(Problem.HELD_TOO_LONG, described(job, job.component()));
   }

@@ -41,6 +41,7 @@ import org.urbi.kernel.node.CorePrototypes;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.observe.Steering;
+import org.urbi.kernel.outside.HeapUsage;
 import org.urbi.kernel.outside.Outside;
 import org.urbi.kernel.remote.AnswerPoller;
 import org.urbi.kernel.remote.IsolatedModules;
@@ -165,6 +166,8 @@ public final class Kernel implements AutoCloseable {
     if (!journal.isReplay()) {
       MemoryWatchdog.add(memory);
       scheduler.memory().setRelief(MemoryWatchdog::awaitRelief);
+      scheduler.memory().setLook(MemoryWatchdog::awaitLook);
+      scheduler.setMemory(HeapUsage::free, HeapUsage.all());
     }
     scheduler.startLoop(this::ended);
     outOfBand.setWatch(HoldLimit.set(scheduler, interpreter.errors(), log, maxHold));

@@ -304,6 +304,7 @@ public final class KernelBuilder {
         scheduler::turn,
         scheduler::isTurnOf,
         to,
+        scheduler::watchMemory,
         full -> {
           control.hurry(full);
           told.accept(full);

@@ -140,6 +140,11 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     kernel.inbox().post(new Message.Evicted(number, why));
   }
 
+  @Override
+  public boolean isAtWork() {
+    return budget().used(Resource.JOBS) > 0;
+  }
+
   /**
    * Code that never lets others run cannot be reached by a message, so it is interrupted at once.
    */

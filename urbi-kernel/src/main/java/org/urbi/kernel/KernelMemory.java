@@ -28,9 +28,15 @@ final class KernelMemory implements MemoryUser {
   private final Runnable onExhausted;
   private final LongSupplier turns;
   private final Predicate<Budget> isTurnOf;
+  private final Runnable watched;
 
   /** Whose jobs were ended, and who can be let go next. */
   private final Queue<Evictable> evicted = new ArrayDeque<>();
+
+  /** Who was asked last: to end its jobs, or to go. */
+  private @Nullable Evictable asked;
+
+  private boolean askedToGo;
 
   /** The turn in which the kernel was when somebody was last asked to give back memory. */
   private long turnBefore = -1;
@@ -38,6 +44,7 @@ final class KernelMemory implements MemoryUser {
   /**
    * @param turns the number of the current turn, on any thread
    * @param isTurnOf whether a job with that budget is running, on any thread
+   * @param watched called in each look
    * @param onNearlyFull told when memory is nearly exhausted, and when it is not any more
    * @param onExhausted called when memory could not be freed
    */
@@ -46,6 +53,7 @@ final class KernelMemory implements MemoryUser {
       LongSupplier turns,
       Predicate<Budget> isTurnOf,
       KernelLog log,
+      Runnable watched,
       Consumer<Boolean> onNearlyFull,
       Runnable onExhausted) {
     this.turns = turns;
@@ -58,6 +66,7 @@ final class KernelMemory implements MemoryUser {
             },
             candidates);
     this.log = log;
+    this.watched = watched;
     this.onNearlyFull = onNearlyFull;
     this.onExhausted = onExhausted;
   }
@@ -79,10 +88,12 @@ final class KernelMemory implements MemoryUser {
 
   @Override
   public void memoryScarce(boolean scarce) {
+    watched.run();
     growth.measure(scarce);
     if (!scarce) {
       growth.forget();
       evicted.clear();
+      asked = null;
     }
   }
 
@@ -118,6 +129,8 @@ final class KernelMemory implements MemoryUser {
         throw e;
       }
       evicted.remove(before);
+      asked = before;
+      askedToGo = true;
       return;
     }
     Evictable next = growth.next();
@@ -136,6 +149,14 @@ final class KernelMemory implements MemoryUser {
     }
     growth.evicted(next);
     evicted.add(next);
+    asked = next;
+    askedToGo = false;
+  }
+
+  @Override
+  public boolean isDone() {
+    Evictable last = asked;
+    return last != null && !(askedToGo ? candidates.contains(last) : last.isAtWork());
   }
 
   /** Whoever has held the kernel since somebody was last asked to give back memory. */

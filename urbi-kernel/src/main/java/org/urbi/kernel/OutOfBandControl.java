@@ -50,6 +50,10 @@ final class OutOfBandControl {
 
   void add(KernelConnection connection) {
     connections.put(connection.lobby().name(), connection);
+    HoldWatchdog who = watch;
+    if (who != null && !connection.stays()) {
+      who.watchLobbies();
+    }
   }
 
   void remove(KernelConnection connection) {

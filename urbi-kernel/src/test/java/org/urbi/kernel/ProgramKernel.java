@@ -266,6 +266,11 @@ final class ProgramKernel implements AutoCloseable {
       }
 
       @Override
+      public boolean isAtWork() {
+        return false;
+      }
+
+      @Override
       public boolean stays() {
         return true;
       }

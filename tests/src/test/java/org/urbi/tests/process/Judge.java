@@ -14,10 +14,11 @@ import java.util.stream.Stream;
  *
  * <p>A busy machine makes everything late, which says nothing of the server. So what counts is the
  * time by the clock less the time for which a thread that the answer needs could have run but had
- * no processor: the thread of the kernel, of the network, of the garbage collector, and of this
- * client. The system counts that for each thread ({@code schedstat}; where it does not, nothing is
- * taken off). What the server itself does in that second counts in full: work for others, waiting,
- * collecting garbage.
+ * no processor: the thread of the kernel, of the network, of the garbage collector, the one that
+ * looks after the memory (the kernel waits for it where that is scarce), and of this client. The
+ * system counts that for each thread ({@code schedstat}; where it does not, nothing is taken off).
+ * What the server itself does in that second counts in full: work for others, waiting, collecting
+ * garbage.
  */
 final class Judge implements AutoCloseable {
   private static final long LIMIT_MILLISECONDS = 1000;
@@ -59,6 +60,7 @@ final class Judge implements AutoCloseable {
       String name = Files.readString(task.resolve("comm")).strip();
       return name.startsWith("urbi-kernel")
           || name.startsWith("urbi-network")
+          || name.startsWith("urbi-memory")
           || name.startsWith("VM Thread");
     } catch (IOException e) {
       // It has ended.

@@ -28,7 +28,7 @@ public final class Budget {
       Pattern.compile("\\s*([a-z]+)\\s*=\\s*(\\d{1,15})([kMG%]?)\\s*");
 
   private final AtomicLongArray limits = new AtomicLongArray(Resource.values().length);
-  private final long[] used = new long[Resource.values().length];
+  private final AtomicLongArray used = new AtomicLongArray(Resource.values().length);
   private volatile long nanoseconds;
   private volatile long bytes;
 
@@ -113,16 +113,16 @@ public final class Budget {
     return own > most / NANOSECONDS_PER_MILLISECOND ? most : own * NANOSECONDS_PER_MILLISECOND;
   }
 
-  /** How much is in use. */
+  /** How much is in use; from any thread. */
   public long used(Resource what) {
-    return used[what.ordinal()];
+    return used.getOpaque(what.ordinal());
   }
 
   /**
    * Takes one unit of a resource. Returns false, and takes nothing, if that would exceed the limit.
    */
   public boolean take(Resource what) {
-    if (!allows(what, used[what.ordinal()] + 1)) {
+    if (!allows(what, used.getPlain(what.ordinal()) + 1)) {
       return false;
     }
     change(what, 1);
@@ -135,7 +135,8 @@ public final class Budget {
   }
 
   private void change(Resource what, int units) {
-    used[what.ordinal()] += units;
+    int index = what.ordinal();
+    used.setOpaque(index, used.getPlain(index) + units);
     if (common != null) {
       common.change(what, units);
     }
@@ -154,7 +155,8 @@ public final class Budget {
   public void join(Budget other) {
     common = other;
     for (Resource what : Resource.values()) {
-      other.used[what.ordinal()] += used(what);
+      int index = what.ordinal();
+      other.used.setOpaque(index, other.used.getPlain(index) + used(what));
     }
     other.whenUseChanges.run();
   }

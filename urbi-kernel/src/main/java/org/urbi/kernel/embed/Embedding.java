@@ -16,6 +16,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
+import org.urbi.kernel.budget.Resource;
 import org.urbi.kernel.builtin.Primitive;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
@@ -144,6 +145,12 @@ public final class Embedding {
         pending.values().forEach(request -> request.evicted(why));
         scheduler.interruptions().request(own());
         scheduler.inbox().post(new Message.Evicted(Message.EMBEDDING, why));
+      }
+
+      @Override
+      public boolean isAtWork() {
+        Budget of = budget();
+        return of != null && of.used(Resource.JOBS) > 0;
       }
 
       @Override

@@ -39,6 +39,9 @@ public final class HoldWatchdog {
   /** The part of the limit that is left while memory is nearly exhausted. */
   private static final int HURRY = 20;
 
+  /** The part of all memory that a turn may allocate while that is nearly exhausted. */
+  private static final int HURRIED_PART = 32;
+
   /** So many turns fit in the memory that is free. */
   private static final int TURNS_IN_FREE_MEMORY = 64;
 
@@ -51,6 +54,7 @@ public final class HoldWatchdog {
   private final long limit;
   private volatile long pause;
   private final Listener listener;
+  private final MemoryMeter meter;
   private volatile boolean hurried;
   private volatile boolean memoryLimited;
   private volatile long heldTurn = -1;
@@ -82,8 +86,10 @@ public final class HoldWatchdog {
    * @param processorTime how much its thread has had, in nanoseconds, or {@link #UNKNOWN}
    * @param allocated how many bytes its thread has allocated
    * @param free how many bytes of memory are free
+   * @param memory how many bytes of memory there are
    */
-  public record Gauges(LongSupplier processorTime, LongSupplier allocated, LongSupplier free) {}
+  public record Gauges(
+      LongSupplier processorTime, LongSupplier allocated, LongSupplier free, long memory) {}
 
   /** Who is told when a job is ended. */
   @FunctionalInterface
@@ -108,6 +114,7 @@ public final class HoldWatchdog {
     this.limit = limit;
     this.pause = pauseFor(limit);
     this.listener = listener;
+    this.meter = new MemoryMeter(gauges.allocated, this, scheduler.gate());
   }
 
   private static long pauseFor(long limit) {
@@ -127,6 +134,11 @@ public final class HoldWatchdog {
     watchFromNowOn();
   }
 
+  /** There are lobbies whose jobs may hold the kernel although that has no limit. */
+  public void watchLobbies() {
+    watchFromNowOn();
+  }
+
   /** The budget of a lobby limits what a job may allocate at one go. */
   public synchronized void watchMemory() {
     limitMemory();
@@ -135,11 +147,9 @@ public final class HoldWatchdog {
 
   /** From now on it looks how much is allocated, and so does the kernel thread. */
   void limitMemory() {
-    if (!memoryLimited) {
-      memoryLimited = true;
-      pause = Math.min(pause, MEMORY_PAUSE);
-      scheduler.interruptions().measure(new MemoryMeter(gauges.allocated, this));
-    }
+    memoryLimited = true;
+    pause = Math.min(pause, MEMORY_PAUSE);
+    scheduler.interruptions().measure(meter);
   }
 
   /** On the kernel thread: the running job, whose turn has that number, has allocated too much. */
@@ -165,9 +175,25 @@ public final class HoldWatchdog {
     return heldTurn == scheduler.turn() && scheduler.running() != null ? machine.now() - since : 0;
   }
 
-  /** Says whether memory is nearly exhausted; from any thread. */
+  /**
+   * Says whether memory is nearly exhausted; from any thread. What is left of it is for those who
+   * give back theirs: as long as that lasts, nobody may allocate much without letting them run.
+   */
   public void hurry(boolean is) {
     hurried = is;
+    if (is) {
+      measureTurn(scheduler.turn());
+    }
+  }
+
+  private void measureTurn(long turn) {
+    scheduler.interruptions().measure(meter);
+    scheduler.interruptions().measureTurn(turn);
+  }
+
+  /** Whether memory is nearly exhausted. */
+  boolean isHurried() {
+    return hurried;
   }
 
   /** Interrupts what holds the kernel, as its client could; from any thread. */
@@ -208,6 +234,9 @@ public final class HoldWatchdog {
         allocatedBefore = gauges.allocated.getAsLong();
       }
     } else if (toldTurn != seen) {
+      if (gauges.free.getAsLong() < gauges.memory / 2) {
+        measureTurn(seen);
+      }
       long memory = memoryLimited ? memoryFor(job) : Budget.UNLIMITED;
       if (memory != Budget.UNLIMITED && gauges.allocated.getAsLong() - allocatedBefore > memory) {
         end(job, seen, StopReason.GREEDY, memory);
@@ -227,8 +256,14 @@ public final class HoldWatchdog {
   long memoryFor(Job job) {
     long most = job.budget().limit(Resource.MEMORY);
     return most == Budget.UNLIMITED
-        ? most
+        ? mostFor(job)
         : Math.min(most, gauges.free.getAsLong() / TURNS_IN_FREE_MEMORY);
+  }
+
+  /** The same, however much is free. */
+  long mostFor(Job job) {
+    long most = job.budget().limit(Resource.MEMORY);
+    return hurried ? Math.min(most, gauges.memory / HURRIED_PART) : most;
   }
 
   private boolean isOverdue(Job job, long held, long allowed, long most) {

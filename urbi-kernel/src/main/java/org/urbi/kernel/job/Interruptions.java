@@ -45,6 +45,9 @@ public final class Interruptions {
   private volatile Runnable changed = () -> {};
   private volatile @Nullable MemoryMeter memory;
 
+  /** The turn of a job that has run for long: what it allocates is counted. */
+  private volatile long measuredTurn = NONE;
+
   // The following fields belong to the kernel thread: the code that is being ended at present.
   private long endingTurn = NONE;
   private StopReason ending = StopReason.NONE;
@@ -105,6 +108,14 @@ public final class Interruptions {
     memory = meter;
   }
 
+  /** The turn of that number, if it still lasts, is measured from now on. */
+  void measureTurn(long turn) {
+    if (measuredTurn != turn) {
+      measuredTurn = turn;
+      announce();
+    }
+  }
+
   /** Sets a listener that is called, on any thread, when {@link #arePending} may have changed. */
   public void whenChanged(Runnable listener) {
     changed = listener;
@@ -133,22 +144,30 @@ public final class Interruptions {
 
   /** The turn of a job begins. */
   void beginTurnOf(Job job) {
-    if (memory != null) {
-      boolean limited = MemoryMeter.isFor(job);
-      if (limited != metered) {
-        metered = limited;
-        update();
-      }
+    MemoryMeter meter = memory;
+    if (meter != null) {
+      measure(job, meter);
+    }
+  }
+
+  private void measure(Job job, MemoryMeter meter) {
+    boolean limited = meter.isFor(job) || measuredTurn == turns.getAsLong();
+    if (limited != metered) {
+      metered = limited;
+      update();
     }
   }
 
   /** Throws if the running job must end. */
   void check(Job job) {
     MemoryMeter meter = memory;
-    if (metered && meter != null) {
-      meter.check(job, turns.getAsLong());
-      if (!counted && !isRequested()) {
-        return;
+    if (meter != null) {
+      measure(job, meter);
+      if (metered) {
+        meter.check(job, turns.getAsLong());
+        if (!counted && !isRequested()) {
+          return;
+        }
       }
     }
     StopReason decided = decide(job.lobby(), job.scope().isDetached());

@@ -6,9 +6,10 @@ import org.urbi.kernel.budget.Resource;
 
 /**
  * Counts on the kernel thread what the running job allocates without letting others run, where its
- * budget limits that. Another thread would notice too late: in a millisecond some megabytes are
- * filled. To count costs as much as a hundred checks, so most checks only count themselves; the
- * more has been allocated between two of them, the sooner the next one looks.
+ * budget limits that, or where it has run for long. Another thread would notice too late: in a
+ * millisecond some megabytes are filled. To count costs as much as a hundred checks, so most checks
+ * only count themselves; the more has been allocated between two of them, the sooner the next one
+ * looks.
  */
 final class MemoryMeter {
   /** So many checks of a turn cost nothing: most turns have no more. */
@@ -22,6 +23,7 @@ final class MemoryMeter {
 
   private final LongSupplier allocated;
   private final HoldWatchdog watch;
+  private final MemoryGate gate;
   private long turn = -1;
   private boolean begun;
 
@@ -39,15 +41,17 @@ final class MemoryMeter {
   /**
    * @param allocated how many bytes the kernel thread has allocated
    * @param watch ends who exceeds the limit
+   * @param gate to be passed where memory becomes scarce
    */
-  MemoryMeter(LongSupplier allocated, HoldWatchdog watch) {
+  MemoryMeter(LongSupplier allocated, HoldWatchdog watch, MemoryGate gate) {
     this.allocated = allocated;
     this.watch = watch;
+    this.gate = gate;
   }
 
-  /** Whether the budget of a job has a limit. */
-  static boolean isFor(Job job) {
-    return job.budget().limit(Resource.MEMORY) != Budget.UNLIMITED;
+  /** Whether a job has a limit: by its budget, or because memory is nearly exhausted. */
+  boolean isFor(Job job) {
+    return watch.isHurried() || job.budget().limit(Resource.MEMORY) != Budget.UNLIMITED;
   }
 
   /** The job, whose turn has that number, checks whether it must end. */
@@ -62,10 +66,11 @@ final class MemoryMeter {
   }
 
   private void look(Job job) {
+    gate.pass();
     long now = allocated.getAsLong();
     if (begun) {
       long used = now - before;
-      long limit = job.budget().limit(Resource.MEMORY);
+      long limit = watch.mostFor(job);
       if (used > limit / LOOKS) {
         // How much is free is not asked in each short turn.
         limit = watch.memoryFor(job);
@@ -73,7 +78,7 @@ final class MemoryMeter {
           watch.endGreedy(job, turn, limit);
         }
       }
-      long room = Math.max(0, limit - used) / LOOKS;
+      long room = Math.min(Math.max(0, limit - used), gate.room(now)) / LOOKS;
       long each = Math.max(1, (now - seen) / checks);
       checks = Math.clamp(room / each, 1, Math.min(2 * checks, MOST_CHECKS));
     } else {

@@ -1,8 +1,9 @@
 package org.urbi.kernel.job;
 
-/** What the kernel thread does where there was no memory for something. */
+/** How the kernel thread waits for those who look after the memory. */
 public final class MemoryWait {
   private Runnable relief = () -> {};
+  private Runnable look = () -> {};
 
   /**
    * Sets what waits until somebody has been asked to give back memory. To be called before the
@@ -12,12 +13,29 @@ public final class MemoryWait {
     relief = how;
   }
 
+  /**
+   * Sets what waits until somebody has looked how much of the memory is garbage. To be called
+   * before the kernel starts.
+   */
+  public void setLook(Runnable how) {
+    look = how;
+  }
+
+  /** Waits until somebody has looked how much of the memory is garbage. */
+  void look() {
+    await(look);
+  }
+
   /** Waits until somebody has been asked for memory; whoever runs, nobody else does meanwhile. */
   public void await() {
+    await(relief);
+  }
+
+  private static void await(Runnable what) {
     try {
       KernelThreadPin.pin();
       try {
-        relief.run();
+        what.run();
       } finally {
         KernelThreadPin.unpin();
       }

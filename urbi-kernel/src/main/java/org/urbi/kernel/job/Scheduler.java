@@ -46,6 +46,7 @@ public final class Scheduler {
   private final SimulationPace pace;
   private Runnable whenQuiet = () -> {};
   private final MemoryWait memory = new MemoryWait();
+  private final MemoryGate gate;
   private final Interruptions interruptions;
   private final JobThread.Factory threads;
   private final RunQueue runnable;
@@ -99,6 +100,7 @@ public final class Scheduler {
     this.time = new TickTime(clock, journal, timers, yields, pace);
     this.meter = new UsageMeter(machine);
     this.threads = threads.factory(inbox);
+    this.gate = new MemoryGate(this.threads::allocatedBytes, memory);
     this.runnable = new RunQueue(clock, this.threads::processorTime, timers, inbox, journal);
     this.newcomers = new Newcomers(runnable);
     this.uncaught = uncaught;
@@ -208,9 +210,29 @@ public final class Scheduler {
     whenQuiet = action;
   }
 
-  /** Where there is no memory for something. */
+  /** How the kernel thread waits for memory. */
   public MemoryWait memory() {
     return memory;
+  }
+
+  /** What the kernel thread has to pass where memory becomes scarce. */
+  MemoryGate gate() {
+    return gate;
+  }
+
+  /**
+   * Says which memory is to be looked at. To be called before the start.
+   *
+   * @param free how many bytes are free; what garbage takes is not
+   * @param all how many bytes there are
+   */
+  public void setMemory(LongSupplier free, long all) {
+    gate.setMemory(free, all);
+  }
+
+  /** From now on the kernel thread sees to it that it does not fill the memory unseen. */
+  public void watchMemory() {
+    gate.arm();
   }
 
   /** Controls how simulated time passes while real activities go on. */
@@ -405,15 +427,17 @@ public final class Scheduler {
    *
    * @param limit in nanoseconds; {@link Long#MAX_VALUE} for none
    * @param freeMemory how many bytes of memory are free
+   * @param memory how many bytes of memory there are
    * @param told called on another thread when that has happened
    */
   public HoldWatchdog limitHolding(
-      long limit, LongSupplier freeMemory, HoldWatchdog.Listener told) {
+      long limit, LongSupplier freeMemory, long memory, HoldWatchdog.Listener told) {
     HoldWatchdog watch =
         new HoldWatchdog(
             this,
             machine,
-            new HoldWatchdog.Gauges(threads::processorTime, threads::allocatedBytes, freeMemory),
+            new HoldWatchdog.Gauges(
+                threads::processorTime, threads::allocatedBytes, freeMemory, memory),
             limit,
             told);
     watch.start();
@@ -477,6 +501,7 @@ public final class Scheduler {
     }
     long now = time.now();
     yields.beginTick(now);
+    gate.tick(now);
     if (inbox.isFilled() || timers.next() <= now) {
       meter.turnOf(null);
     }

@@ -17,6 +17,9 @@ public interface Evictable {
   /** Ends all its jobs, and tells it why. */
   void evict(String why);
 
+  /** Whether jobs of it have not ended yet. */
+  boolean isAtWork();
+
   /** Whether it cannot be {@linkplain #close() let go}. */
   boolean stays();
 

@@ -14,7 +14,12 @@ final class MemoryRescue {
   /** How long ended jobs have to free their memory, in nanoseconds. */
   private static final long RELIEF = 4_000_000_000L;
 
-  /** The time until the next lobby is ended, in nanoseconds. */
+  /** The time between two measurements of who grows, in nanoseconds. */
+  private static final long MEASURING = 200_000_000;
+
+  /**
+   * The time until the next lobby is ended, in nanoseconds, if the one before does not end sooner.
+   */
   private static final long NEXT_RELIEF = 1_000_000_000;
 
   /** The same where memory was not enough for something, so that nobody could go on. */
@@ -41,6 +46,12 @@ final class MemoryRescue {
   private long since;
   private boolean relieved;
   private long relievedAt;
+
+  /** Who was asked to free memory, and has not been seen to have done it; null if nobody. */
+  private @Nullable MemoryUser asked;
+
+  private boolean measured;
+  private long measuredAt;
   private long collections;
 
   /** Whether garbage has been collected since the look before, so that nobody needs to do it. */
@@ -62,19 +73,38 @@ final class MemoryRescue {
   /** To be called several times a second. */
   void check(MemoryUser[] users) {
     boolean scarce = heap.isScarce();
-    each(users, scarce ? SCARCE : NOT_SCARCE);
+    long now = clock.now();
+    if (!scarce || !measured || now - measuredAt >= MEASURING) {
+      measured = scarce;
+      measuredAt = now;
+      each(users, scarce ? SCARCE : NOT_SCARCE);
+    }
     if (!scarce) {
       heap.forget();
       heap.keepReserve();
     }
-    if (scarce && heap.isNearlyFull(clock.now())) {
+    if (scarce && heap.isNearlyFull(now)) {
       rescue(users);
     } else if (told) {
       told = false;
       began = false;
+      asked = null;
       gaveUp = false;
       each(users, NOT_FULL);
     }
+  }
+
+  /**
+   * Whether somebody has been asked to free memory and has not done it yet: then it is to be
+   * checked often, because the next one is asked as soon as that has not been enough.
+   */
+  boolean isWaiting() {
+    return asked != null;
+  }
+
+  /** What is alive is to be known before the rest of the memory is filled. */
+  void collect() {
+    heap.collect();
   }
 
   /**
@@ -133,13 +163,16 @@ final class MemoryRescue {
       since = now;
       relievedAt = now;
       relieved = false;
+      asked = null;
       each(users, FULL);
     }
+    boolean done = isDone();
     if (isOver(now)) {
       if (urgent || !isRelieved()) {
         giveUp(users);
       }
     } else if (!relieved
+        || done && !isRelieved()
         || now - relievedAt >= (urgent ? URGENT_RELIEF : NEXT_RELIEF)
             && (urgent || !isRelieved())) {
       relieve(users);
@@ -148,6 +181,25 @@ final class MemoryRescue {
 
   private boolean isOver(long now) {
     return now - relievedAt > RELIEF || now - since > MAX_RELIEF;
+  }
+
+  /** Whether who was asked to free memory has just done it: what that was is garbage now. */
+  private boolean isDone() {
+    MemoryUser last = asked;
+    boolean done = false;
+    if (last != null) {
+      try {
+        done = last.isDone();
+      } catch (RuntimeException e) {
+        asked = null;
+        tell(e);
+      }
+    }
+    if (done) {
+      asked = null;
+      collected = false;
+    }
+    return done;
   }
 
   /** Whether there is room again: what was ended may have become garbage, or what has left. */
@@ -176,6 +228,7 @@ final class MemoryRescue {
       } catch (RuntimeException e) {
         tell(e);
       }
+      asked = most;
       relieved = true;
       relievedAt = worked.getAsLong();
     }
@@ -193,6 +246,7 @@ final class MemoryRescue {
 
   private void giveUp(MemoryUser[] users) {
     began = false;
+    asked = null;
     gaveUp = true;
     gaveUpAt = worked.getAsLong();
     // Whoever was ended before and fills the memory again is to be ended again.

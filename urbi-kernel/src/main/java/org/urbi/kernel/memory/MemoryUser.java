@@ -25,6 +25,12 @@ public interface MemoryUser {
    */
   void relieve();
 
+  /**
+   * Whether what {@link #relieve} last began has been done, so that the next collection of garbage
+   * tells how much it has freed.
+   */
+  boolean isDone();
+
   /** Says that memory is nearly exhausted, or that it is not any more. */
   void memoryNearlyFull(boolean full);
 

@@ -14,6 +14,9 @@ import org.urbi.kernel.time.SystemClock;
 public final class MemoryWatchdog {
   private static final long PERIOD_MILLISECONDS = 250;
 
+  /** The same while somebody is about to give back memory. */
+  private static final long SHORT_PERIOD_MILLISECONDS = 10;
+
   /** For how long somebody waits for it at most, in nanoseconds. */
   private static final long PATIENCE = 2_000_000_000;
 
@@ -29,6 +32,9 @@ public final class MemoryWatchdog {
   private long wants;
 
   private long seen;
+
+  /** Whether one of those that have not been looked at got no memory. */
+  private boolean failed;
 
   private MemoryWatchdog() {}
 
@@ -49,11 +55,20 @@ public final class MemoryWatchdog {
    * get no turn between one collection and the next.
    */
   public static void awaitRelief() {
-    OF_PROCESS.await();
+    OF_PROCESS.await(true);
   }
 
-  private synchronized void await() {
+  /**
+   * Waits until garbage has been collected, and until somebody has been asked to give back memory
+   * if that has left little room; to be called before there is none.
+   */
+  public static void awaitLook() {
+    OF_PROCESS.await(false);
+  }
+
+  private synchronized void await(boolean none) {
     long mine = ++wants;
+    failed |= none;
     notifyAll();
     long end = clock.now() + PATIENCE;
     boolean interrupted = false;
@@ -100,7 +115,7 @@ public final class MemoryWatchdog {
 
   private void watch(HeapUsage heap, WorkTime worked, MemoryRescue rescue) {
     boolean prepared = false;
-    for (MemoryUser[] known = next(); known.length > 0; known = next()) {
+    for (MemoryUser[] known = next(rescue); known.length > 0; known = next(rescue)) {
       long wanted = wanted();
       try {
         if (!prepared) {
@@ -109,10 +124,10 @@ public final class MemoryWatchdog {
           worked.prepare();
           known[0].prepare();
         }
-        if (wanted > seen) {
+        if (takeFailure()) {
           rescue.failed(known);
         } else {
-          look(rescue, known);
+          look(rescue, known, wanted > seen);
         }
       } catch (RuntimeException e) {
         report(e);
@@ -134,6 +149,12 @@ public final class MemoryWatchdog {
     }
   }
 
+  private synchronized boolean takeFailure() {
+    boolean is = failed;
+    failed = false;
+    return is;
+  }
+
   private synchronized long wanted() {
     return wants;
   }
@@ -145,8 +166,11 @@ public final class MemoryWatchdog {
     }
   }
 
-  private static void look(MemoryRescue rescue, MemoryUser[] known) {
+  private static void look(MemoryRescue rescue, MemoryUser[] known, boolean closely) {
     try {
+      if (closely) {
+        rescue.collect();
+      }
       rescue.check(known);
     } catch (Error e) {
       // There is so little memory that not even a class can be loaded.
@@ -155,13 +179,13 @@ public final class MemoryWatchdog {
   }
 
   /**
-   * Waits for the next period, or until there is no memory for something; returns at once, with
-   * nobody, when the last kernel has ended.
+   * Waits for the next period, or until somebody wants a look; returns at once, with nobody, when
+   * the last kernel has ended.
    */
-  private synchronized MemoryUser[] next() {
+  private synchronized MemoryUser[] next(MemoryRescue rescue) {
     if (users.length > 0 && wants == seen) {
       try {
-        wait(PERIOD_MILLISECONDS);
+        wait(rescue.isWaiting() ? SHORT_PERIOD_MILLISECONDS : PERIOD_MILLISECONDS);
       } catch (InterruptedException e) {
         // A program may interrupt all its threads, and still needs this one.
         Thread.interrupted();

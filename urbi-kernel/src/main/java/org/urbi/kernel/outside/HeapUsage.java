@@ -58,6 +58,11 @@ public final class HeapUsage implements Heap {
     return used >= SCARCE * runtime.maxMemory();
   }
 
+  /** How many bytes the heap may have. */
+  public static long all() {
+    return Runtime.getRuntime().maxMemory();
+  }
+
   /** How many bytes are free, with all that the heap may still grow by; from any thread. */
   public static long free() {
     Runtime runtime = Runtime.getRuntime();

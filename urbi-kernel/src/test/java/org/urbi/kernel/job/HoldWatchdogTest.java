@@ -35,7 +35,7 @@ class HoldWatchdogTest {
       new HoldWatchdog(
           loop.scheduler,
           loop.machine,
-          new HoldWatchdog.Gauges(() -> processorTime, () -> allocated, () -> free),
+          new HoldWatchdog.Gauges(() -> processorTime, () -> allocated, () -> free, 3_200_000),
           LIMIT,
           (job, component, why, limit) ->
               told.add(
@@ -249,6 +249,68 @@ class HoldWatchdogTest {
     assertEquals(1, told.size());
   }
 
+  /** What is left is for those who give back theirs; whoever has a budget keeps it. */
+  @Test
+  void whileMemoryIsNearlyExhaustedNobodyMayAllocateMuchAtOneGo() {
+    loop.start(job -> {
+      lookAt(0);
+      job.checkInterrupted();
+      watch.hurry(true);
+      for (int i = 0; i < 100; i++) {
+        job.checkInterrupted();
+        allocated += 990;
+      }
+      assertEquals(List.of(), told);
+      assertThrows(
+          TagStop.class,
+          () -> {
+            for (int i = 0; i < 100; i++) {
+              allocated += 990;
+              job.checkInterrupted();
+            }
+          });
+      assertEquals(List.of(job.name() + " null of 100000 bytes"), told);
+    });
+    loop.run();
+    watch.hurry(false);
+    loop.start(job -> {
+      for (int i = 0; i < 1000; i++) {
+        allocated += 990;
+        job.checkInterrupted();
+      }
+    });
+    loop.scheduler.stop();
+    loop.run();
+    assertEquals(1, told.size());
+  }
+
+  /** Most turns are over long before anybody looks: only what lasts is measured. */
+  @Test
+  void whoHoldsTheKernelWhileMemoryIsScarceWaitsUntilItIsLookedAt() {
+    int[] looks = {0};
+    loop.scheduler.memory().setLook(() -> looks[0]++);
+    loop.scheduler.setMemory(() -> free, 3_200_000);
+    loop.scheduler.watchMemory();
+    free = 100_000;
+    loop.start(job -> {
+      lookAt(0);
+      looks[0] = 0;
+      goOn(job);
+      assertEquals(0, looks[0]);
+      lookAt(1);
+      goOn(job);
+      assertEquals(1, looks[0]);
+    });
+    loop.run();
+    assertEquals(List.of(), told);
+  }
+
+  private static void goOn(Job job) {
+    for (int i = 0; i < 100; i++) {
+      job.checkInterrupted();
+    }
+  }
+
   @Test
   void codeThatHasTheProcessorToItselfEndsOnTime() {
     loop.start(job -> {
@@ -420,6 +482,7 @@ class HoldWatchdogTest {
       loop.scheduler.limitHolding(
           1,
           () -> Long.MAX_VALUE,
+          Long.MAX_VALUE,
           (held, component, why, limit) -> {
             told.add(held.name());
             ended.countDown();
@@ -447,7 +510,8 @@ class HoldWatchdogTest {
     new HoldWatchdog(
             loop.scheduler,
             new SystemClock(),
-            new HoldWatchdog.Gauges(() -> HoldWatchdog.UNKNOWN, () -> 0, () -> Long.MAX_VALUE),
+            new HoldWatchdog.Gauges(
+                () -> HoldWatchdog.UNKNOWN, () -> 0, () -> Long.MAX_VALUE, Long.MAX_VALUE),
             LIMIT,
             (job, component, why, limit) -> {
               ended.incrementAndGet();

@@ -46,6 +46,11 @@ class LobbyGrowthTest {
     public void evict(String why) {}
 
     @Override
+    public boolean isAtWork() {
+      return false;
+    }
+
+    @Override
     public boolean stays() {
       return false;
     }

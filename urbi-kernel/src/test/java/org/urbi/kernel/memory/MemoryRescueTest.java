@@ -31,6 +31,7 @@ class MemoryRescueTest {
     private final double grown;
     private int steps = 2;
     private boolean measured;
+    private boolean done;
 
     Kernel(String name, double grown) {
       this.name = name;
@@ -58,6 +59,11 @@ class MemoryRescueTest {
     public void relieve() {
       steps--;
       tell(steps == 1 ? "ended" : "gone");
+    }
+
+    @Override
+    public boolean isDone() {
+      return done;
     }
 
     @Override
@@ -105,6 +111,58 @@ class MemoryRescueTest {
         3.25 idle free
         """,
         events.toString());
+  }
+
+  /** What has been done shows by the next collection; there is nothing to wait for. */
+  @Test
+  void theNextStepFollowsAtOnceWhenTheLastOneIsDone() {
+    Kernel first = new Kernel("first", 20);
+    Kernel second = new Kernel("second", 10);
+    run(0.25, first, second);
+    assertTrue(rescue.isWaiting());
+    first.done = true;
+    run(0.25, first, second);
+    assertEquals(1, heap.collections);
+    first.done = false;
+    run(0.25, first, second);
+    first.done = true;
+    heap.whenCollected = () -> heap.full = false;
+    run(0.5, first, second);
+    assertFalse(rescue.isWaiting());
+    assertEquals(
+        """
+        0.25 first full
+        0.25 second full
+        0.25 first ended
+        0.5 first gone
+        1.25 first free
+        1.25 second free
+        """,
+        events.toString());
+    assertEquals(2, heap.collections);
+  }
+
+  /** Who grows is measured at its own pace, however often it is looked whether memory is free. */
+  @Test
+  void looksInQuickSuccessionMeasureGrowthOnce() {
+    int[] measured = {0};
+    Kernel kernel =
+        new Kernel("one", 10) {
+          @Override
+          public void memoryScarce(boolean scarce) {
+            super.memoryScarce(scarce);
+            measured[0]++;
+          }
+        };
+    rescue.check(new MemoryUser[] {kernel});
+    for (int i = 0; i < 19; i++) {
+      clock.advanceTo(clock.now() + 10_000_000);
+      rescue.check(new MemoryUser[] {kernel});
+    }
+    assertEquals(1, measured[0]);
+    clock.advanceTo(clock.now() + 10_000_000);
+    rescue.check(new MemoryUser[] {kernel});
+    assertEquals(2, measured[0]);
   }
 
   @Test

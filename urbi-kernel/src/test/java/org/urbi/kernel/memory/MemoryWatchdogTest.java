@@ -38,6 +38,11 @@ class MemoryWatchdogTest {
     }
 
     @Override
+    public boolean isDone() {
+      throw new IllegalStateException("does not know that, either");
+    }
+
+    @Override
     public void memoryNearlyFull(boolean full) {}
 
     @Override
