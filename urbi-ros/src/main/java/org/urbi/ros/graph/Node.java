@@ -99,6 +99,13 @@ public interface Node extends AutoCloseable {
    */
   ServiceServer serve(String service, ServiceType type, ServiceServer.Handler handler);
 
+  /**
+   * The actions of this node and of others.
+   *
+   * @throws RosException if this ROS has none
+   */
+  Actions actions();
+
   /** Says good-bye, and ends everything. */
   @Override
   void close();

@@ -13,6 +13,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.urbi.ros.graph.Actions;
 import org.urbi.ros.graph.GraphSnapshot;
 import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.Publisher;
@@ -172,6 +173,11 @@ public final class OneNode implements Node {
   @Override
   public Dialect version() {
     return Dialect.ROS_1;
+  }
+
+  @Override
+  public Actions actions() {
+    throw new RosException("ROS 1 has no actions but the topics of actionlib: /name/goal …");
   }
 
   @Override

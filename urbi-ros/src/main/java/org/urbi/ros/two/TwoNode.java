@@ -11,6 +11,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
+import org.urbi.ros.graph.Actions;
 import org.urbi.ros.graph.GraphSnapshot;
 import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.ParameterServer;
@@ -72,6 +73,7 @@ public final class TwoNode implements Node {
   private final CompletableFuture<Void> looked = after(FIRST_LOOK);
   private final CompletableFuture<Void> sure = after(LAST_LOOK);
   private final TwoLog log;
+  private final TwoActions actions;
   private volatile boolean closed;
 
   private TwoNode(TwoSettings settings, Consumer<String> people) throws IOException {
@@ -90,6 +92,7 @@ public final class TwoNode implements Node {
     participant.reader(
         Entities.TOPIC, Entities.TYPE, ALL_ENTITIES, NO_DATA, new EntitiesListener());
     log = new TwoLog(this);
+    actions = new TwoActions(this, participant.guid());
   }
 
   private static CompletableFuture<Void> after(int seconds) {
@@ -300,13 +303,24 @@ public final class TwoNode implements Node {
       String service, @Nullable ServiceType type, boolean keepAlive) {
     String full = resolve(service);
     if (type != null) return new TwoServiceClient(this, full, type).ready();
+    return typeOfService(full, "there is no service " + full + ": Ros.services has all")
+        .thenCompose(
+            found -> new TwoServiceClient(this, full, definitions().service(found)).ready());
+  }
+
+  /** The type of a service that is there, told by a thread that may wait. */
+  CompletableFuture<String> typeOfService(String full, String missing) {
     String request = Mangling.request(full);
     return sought(
             each -> !each.isWriter() && each.topic().equals(request),
             each -> Mangling.serviceTypeOf(each.type()),
-            "there is no service " + full + ": Ros.services has all")
-        .thenComposeAsync(
-            found -> new TwoServiceClient(this, full, definitions().service(found)).ready(), TASKS);
+            missing)
+        .thenApplyAsync(found -> found, TASKS);
+  }
+
+  @Override
+  public Actions actions() {
+    return actions;
   }
 
   @Override

@@ -63,20 +63,19 @@ final class TwoServiceClient implements ServiceClient {
     this.type = type;
     requests = MessageCodec.of(type.request());
     replies = MessageCodec.of(type.response());
-    String hash = TypeHash.rihs(type.whole());
     reader =
         node.reader(
             Mangling.reply(service),
             Mangling.type(type.response().name()),
             QOS,
-            hash,
+            TypeHash.rihs(type.response()),
             new Replies());
     writer =
         node.writer(
             Mangling.request(service),
             Mangling.type(type.request().name()),
             QOS,
-            hash,
+            TypeHash.rihs(type.request()),
             new Servers());
     checkReady();
   }

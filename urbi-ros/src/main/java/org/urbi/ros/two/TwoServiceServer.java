@@ -44,20 +44,19 @@ final class TwoServiceServer implements ServiceServer {
     this.handler = handler;
     requests = MessageCodec.of(type.request());
     replies = MessageCodec.of(type.response());
-    String hash = TypeHash.rihs(type.whole());
     writer =
         node.writer(
             Mangling.reply(service),
             Mangling.type(type.response().name()),
             TwoServiceClient.QOS,
-            hash,
+            TypeHash.rihs(type.response()),
             new Clients());
     reader =
         node.reader(
             Mangling.request(service),
             Mangling.type(type.request().name()),
             TwoServiceClient.QOS,
-            hash,
+            TypeHash.rihs(type.request()),
             new Requests());
   }
 

@@ -69,6 +69,7 @@ public final class Ros extends UObject implements AutoCloseable {
         "nodes",
         "topics",
         "services",
+        "actions",
         "remap",
         "log",
         "getParam",
@@ -78,7 +79,9 @@ public final class Ros extends UObject implements AutoCloseable {
         "params");
     // Whoever waits for one of the events has it called: ros.u sees to that.
     bind("__watch", this::watch);
+    bind(Taker.TAKE, this::take);
     bind("Topic", () -> UValue.slotName("RosTopic"));
+    bind("Action", () -> UValue.slotName("RosAction"));
     bind("Service", () -> UValue.slotName("RosService"));
     bind("Bridge", () -> UValue.slotName("RosBridge"));
   }
@@ -106,6 +109,13 @@ public final class Ros extends UObject implements AutoCloseable {
     } catch (RosException e) {
       told(String.valueOf(e.getMessage()));
       version.setValue(dialect.version());
+    }
+  }
+
+  /** Something has come for an object, which may be destroyed by now. */
+  public void take(String taker) {
+    if (getUObject(taker) instanceof Taker known) {
+      known.take();
     }
   }
 
@@ -178,6 +188,11 @@ public final class Ros extends UObject implements AutoCloseable {
   /** For each service the nodes that provide it. */
   public CompletionStage<UDictionary> services() {
     return node().graph().thenApply(Listings::services);
+  }
+
+  /** For each action its type, and the nodes that provide it. */
+  public CompletionStage<UDictionary> actions() {
+    return node().graph().thenApply(Listings::actions);
   }
 
   /** From now on the events of the graph are emitted. */

@@ -20,12 +20,10 @@ import urbi.UValue;
  * A field of a topic that urbiscript wants to have, the newest one, at a rate at most: nothing else
  * of the messages reaches the kernel. {@code Ros.input} in {@code ros.u} leads it to a variable.
  */
-public final class RosInput extends UObject implements AutoCloseable {
+public final class RosInput extends UObject implements Taker, AutoCloseable {
   static {
     UStart(RosInput.class);
   }
-
-  private static final String TAKE = "__take";
 
   private final UEvent onValue = new UEvent();
   private @Nullable Delivery<UValue> delivery;
@@ -36,7 +34,6 @@ public final class RosInput extends UObject implements AutoCloseable {
     super(name);
     UBindEvent(onValue, "onValue");
     UBindFunction("init");
-    bind(TAKE, this::take);
   }
 
   /**
@@ -47,7 +44,7 @@ public final class RosInput extends UObject implements AutoCloseable {
    */
   public CompletionStage<Void> init(String topic, String field, String typeName, double rate) {
     FieldPath path = FieldPath.of(field);
-    Pace pace = new Pace(rate, () -> getUContext().call(get__name(), TAKE));
+    Pace pace = new Pace(rate, () -> Taker.soon(this));
     Delivery<UValue> fields = new Delivery<>(pace::want);
     delivery = fields;
     Node node = Ros.of(this);
@@ -111,7 +108,7 @@ public final class RosInput extends UObject implements AutoCloseable {
     }
   }
 
-  /** Has urbiscript see what has come. */
+  @Override
   public void take() {
     Delivery<UValue> fields = requireNonNull(delivery, "nothing comes before there is one");
     for (UValue next = fields.next(); next != null; next = fields.next()) {

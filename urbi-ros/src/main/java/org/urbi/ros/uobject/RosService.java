@@ -1,9 +1,6 @@
 package org.urbi.ros.uobject;
 
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.RosException;
@@ -19,19 +16,17 @@ public final class RosService extends UObject implements AutoCloseable {
     UStart(RosService.class);
   }
 
-  /** Seconds. */
-  private static final int PATIENCE = 60;
-
   private final UVar initialized = new UVar();
-  private final UVar patience = new UVar();
+  private final UVar seconds = new UVar();
+  private final Patience patience;
   private String service = "";
   private volatile @Nullable ServiceClient client;
 
   public RosService(String name) {
     super(name);
-    UBindVars(initialized, "initialized", patience, "patience");
+    UBindVars(initialized, "initialized", seconds, "patience");
     initialized.setValue(0);
-    patience.setValue(PATIENCE);
+    patience = new Patience(seconds);
     UBindFunctions("init", "name", "reqStruct", "resStruct", "request");
   }
 
@@ -77,20 +72,8 @@ public final class RosService extends UObject implements AutoCloseable {
    * Asks the service. The job waits for the answer, at most for the seconds of {@code patience}.
    */
   public CompletionStage<UDictionary> request(UDictionary request) {
-    double seconds = patience.doubleValue();
-    if (!(seconds > 0)) {
-      throw new RosException("patience: seconds, more than 0, expected, or inf");
-    }
-    long most = (long) Math.ceil(seconds * 1000);
-    return client()
-        .request(request)
-        .orTimeout(most, TimeUnit.MILLISECONDS)
-        .exceptionallyCompose(failure ->
-            CompletableFuture.failedFuture(
-                failure instanceof TimeoutException
-                    ? new RosException(
-                        service + " has not answered within " + most + " ms", failure)
-                    : failure));
+    long most = patience.milliseconds();
+    return Patience.within(most, service, client().request(request));
   }
 
   @Override

@@ -22,7 +22,7 @@ import urbi.UValue;
 import urbi.UVar;
 
 /** A topic to which urbiscript listens, or on which it speaks (manual, "Ros.Topic"). */
-public final class RosTopic extends UObject implements AutoCloseable {
+public final class RosTopic extends UObject implements Taker, AutoCloseable {
   static {
     UStart(RosTopic.class);
   }
@@ -31,7 +31,6 @@ public final class RosTopic extends UObject implements AutoCloseable {
   private static final int PATIENCE = 5;
 
   private static final int DEFAULT_DEPTH = 100;
-  private static final String TAKE = "__take";
 
   private final UEvent onMessage = new UEvent();
   private final UEvent onConnect = new UEvent();
@@ -40,8 +39,7 @@ public final class RosTopic extends UObject implements AutoCloseable {
   private final UVar depth = new UVar();
   private final UVar latch = new UVar();
   private final UVar qos = new UVar();
-  private final Delivery<UDictionary> delivery =
-      new Delivery<>(() -> getUContext().call(get__name(), TAKE));
+  private final Delivery<UDictionary> delivery = new Delivery<>(() -> Taker.soon(this));
 
   private String topic = "";
   private volatile @Nullable MessageType type;
@@ -69,7 +67,6 @@ public final class RosTopic extends UObject implements AutoCloseable {
         "publish",
         "unadvertise");
     bind("<<", this::publish);
-    bind(TAKE, this::take);
   }
 
   /** Chooses the topic; may be called again as long as it is neither heard nor advertised. */
@@ -199,7 +196,7 @@ public final class RosTopic extends UObject implements AutoCloseable {
     getUContext().report("ROS: " + topic + ": " + reason);
   }
 
-  /** Has urbiscript see what has come. */
+  @Override
   public void take() {
     for (UDictionary next = delivery.next(); next != null; next = delivery.next()) {
       UValue message = new UValue(next);

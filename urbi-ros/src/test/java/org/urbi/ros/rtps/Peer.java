@@ -24,15 +24,31 @@ public final class Peer implements AutoCloseable {
 
   /** Starts one of them in that domain; whoever does not have them skips the test. */
   public Peer(String environment, int domain) throws IOException {
-    this(environment, domain, Map.of());
+    this(environment, domain, script(environment), Map.of());
+  }
+
+  /** One that runs another script. */
+  public static Peer of(String environment, int domain, String script) throws IOException {
+    return new Peer(environment, domain, script, Map.of());
+  }
+
+  private static String script(String environment) {
+    return environment.equals("cyclone") ? "cyclone.py" : "ros.py";
   }
 
   /** One of ROS that others miss soon after it has died. */
   public static Peer ofShortLease(String environment, int domain) throws IOException {
+    return ofShortLease(environment, domain, script(environment));
+  }
+
+  /** One of ROS that others miss soon after it has died, with another script. */
+  public static Peer ofShortLease(String environment, int domain, String script)
+      throws IOException {
     String profile = resource("short-lease.xml").toString();
     return new Peer(
         environment,
         domain,
+        script,
         Map.of(
             "FASTDDS_DEFAULT_PROFILES_FILE", profile,
             "FASTRTPS_DEFAULT_PROFILES_FILE", profile));
@@ -42,11 +58,11 @@ public final class Peer implements AutoCloseable {
     return Path.of("src/test/resources/peers").resolve(name).toAbsolutePath();
   }
 
-  private Peer(String environment, int domain, Map<String, String> settings) throws IOException {
+  private Peer(String environment, int domain, String script, Map<String, String> settings)
+      throws IOException {
     Path python = MADE.resolve(environment).resolve("bin/python");
     assumeTrue(
         Files.exists(python), "no peer for the test: scripts/ros-peers.sh gets " + environment);
-    String script = environment.equals("cyclone") ? "cyclone.py" : "ros.py";
     ProcessBuilder builder = new ProcessBuilder(python.toString(), resource(script).toString());
     builder.environment().putAll(settings);
     builder.environment().put("ROS_DOMAIN_ID", Integer.toString(domain));

@@ -1,0 +1,270 @@
+package org.urbi.ros.two;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.UUID;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.LinkedBlockingQueue;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.urbi.ros.graph.ActionClient;
+import org.urbi.ros.graph.ActionServer;
+import org.urbi.ros.graph.GoalStatus;
+import org.urbi.ros.graph.RosException;
+import org.urbi.ros.graph.ServiceClient;
+import org.urbi.ros.message.ActionType;
+import org.urbi.ros.message.ServiceType;
+import org.urbi.ros.message.Templates;
+import org.urbi.ros.message.ValueException;
+import org.urbi.ros.rtps.Neighbourhood;
+import org.urbi.ros.rtps.Peer;
+import urbi.UDictionary;
+import urbi.UList;
+import urbi.UValue;
+
+/** Actions of ROS 2, with those of a real one of two distributions. */
+class ActionsTest {
+  private static final String SCRIPT = "actions.py";
+
+  /** Where test_msgs are. */
+  private static final Path TYPES =
+      Path.of("src/test/resources/org/urbi/ros").toAbsolutePath().normalize();
+
+  private static TwoNode start(Neighbourhood domain, String name) {
+    return TwoNode.start(
+        TwoSettings.of(
+            Map.of("ROS_DOMAIN_ID", "" + domain.domain(), "AMENT_PREFIX_PATH", TYPES.toString()),
+            name,
+            Map.of()),
+        text -> {});
+  }
+
+  private static ActionType fibonacci(TwoNode node) {
+    return node.definitions().action("test_msgs/Fibonacci");
+  }
+
+  private static UDictionary goal(int order) {
+    return new UDictionary().with("order", order);
+  }
+
+  private static UDictionary sequence(double... numbers) {
+    UList list = new UList();
+    for (double each : numbers) list.add(new UValue(each));
+    return new UDictionary().with("sequence", new UValue(list));
+  }
+
+  /** What comes of a goal. */
+  private static final class Progress implements ActionClient.Listener {
+    final BlockingQueue<UDictionary> feedbacks = new LinkedBlockingQueue<>();
+    final BlockingQueue<GoalStatus> statuses = new LinkedBlockingQueue<>();
+
+    @Override
+    public void feedback(UDictionary feedback) {
+      feedbacks.add(feedback);
+    }
+
+    @Override
+    public void status(GoalStatus status) {
+      statuses.add(status);
+    }
+  }
+
+  /** Goals as they come; whoever wants to be cancelled is told. */
+  private static final class Goals implements ActionServer.Handler {
+    final BlockingQueue<ActionServer.Goal> accepted = new LinkedBlockingQueue<>();
+    final BlockingQueue<ActionServer.Goal> cancelled = new LinkedBlockingQueue<>();
+
+    @Override
+    public CompletionStage<Boolean> goal(ActionServer.Goal goal) {
+      boolean isPossible = goal.request().get("order").doubleValue() >= 0;
+      if (isPossible) accepted.add(goal);
+      return CompletableFuture.completedFuture(isPossible);
+    }
+
+    @Override
+    public void cancel(ActionServer.Goal goal) {
+      cancelled.add(goal);
+    }
+  }
+
+  private static ActionClient client(TwoNode node, String name) throws InterruptedException {
+    // A busy machine may take longer to tell of it than is waited for what need not be there.
+    while (!node.graph().join().services().containsKey(name + TwoActions.GET_RESULT))
+      Thread.sleep(1);
+    return node.actions().client(name, null).join();
+  }
+
+  private static <T> String failure(CompletableFuture<T> promise) {
+    return assertThrows(CompletionException.class, promise::join).getCause().getMessage();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"kilted", "jazzy"})
+  void goalsThatOthersPursue(String environment) throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        Peer peer = Peer.of(environment, domain.domain(), SCRIPT);
+        TwoNode node = start(domain, "node")) {
+      peer.say("serve /fibonacci count");
+      peer.expect("serving");
+      ActionClient client = client(node, "/fibonacci");
+      assertEquals("test_msgs/action/Fibonacci", client.type().name().toString());
+      Progress progress = new Progress();
+      ActionClient.Goal five = client.send(goal(5), progress);
+      five.accepted().join();
+      assertEquals(
+          new ActionClient.Outcome(GoalStatus.SUCCEEDED, sequence(0, 1, 1, 2, 3, 5)),
+          five.outcome().join());
+      for (int i = 0; i < 4; i++) progress.feedbacks.take();
+      assertTrue(progress.feedbacks.isEmpty());
+      assertEquals(GoalStatus.ACCEPTED, progress.statuses.take());
+      assertEquals(
+          "/fibonacci refuses the goal", failure(client.send(goal(-1), progress).outcome()));
+      assertEquals(GoalStatus.ABORTED, client.send(goal(0), progress).outcome().join().status());
+      assertThrows(
+          ValueException.class, () -> client.send(new UDictionary().with("order", "x"), progress));
+      ActionClient.Goal endless = client.send(goal(40), progress);
+      progress.feedbacks.take();
+      assertTrue(endless.cancel().join());
+      peer.expect("cancelled");
+      assertEquals(GoalStatus.CANCELED, endless.outcome().join().status());
+      assertTrue(endless.cancel().join(), "what has ended needs not be given up");
+      peer.kill();
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"kilted", "jazzy"})
+  void aServerThatDiesInTheMiddle(String environment) throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        Peer peer = Peer.ofShortLease(environment, domain.domain(), SCRIPT);
+        TwoNode node = start(domain, "node")) {
+      peer.say("serve /fibonacci hang");
+      peer.expect("serving");
+      ActionClient client = client(node, "/fibonacci");
+      ActionClient.Goal goal = client.send(goal(1), new Progress());
+      peer.expect("hanging");
+      peer.kill();
+      assertEquals("the service /fibonacci/_action/get_result has gone", failure(goal.outcome()));
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"kilted", "jazzy"})
+  void aServerThatDoesNotGiveUp(String environment) throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        Peer peer = Peer.of(environment, domain.domain(), SCRIPT);
+        TwoNode node = start(domain, "node")) {
+      peer.say("serve /fibonacci stubborn");
+      peer.expect("serving");
+      ActionClient client = client(node, "/fibonacci");
+      Progress progress = new Progress();
+      ActionClient.Goal goal = client.send(goal(10), progress);
+      progress.feedbacks.take();
+      assertFalse(goal.cancel().join());
+      assertEquals(GoalStatus.SUCCEEDED, goal.outcome().join().status());
+      peer.kill();
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"kilted", "jazzy"})
+  void goalsOfOthers(String environment) throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        Peer peer = Peer.of(environment, domain.domain(), SCRIPT);
+        TwoNode node = start(domain, "node")) {
+      Goals goals = new Goals();
+      ActionServer server = node.actions().serve("fibonacci", fibonacci(node), goals);
+      assertEquals("/fibonacci", server.action());
+      peer.say("goal /fibonacci 3");
+      ActionServer.Goal three = goals.accepted.take();
+      assertEquals(3, three.request().get("order").doubleValue());
+      three.feedback(sequence(0, 1));
+      assertThrows(ValueException.class, () -> three.feedback(new UDictionary()));
+      assertThrows(ValueException.class, () -> three.end(GoalStatus.SUCCEEDED, new UDictionary()));
+      three.end(GoalStatus.SUCCEEDED, sequence(0, 1, 1, 2));
+      three.end(GoalStatus.ABORTED, sequence());
+      peer.expect("4 [0, 1, 1, 2] [0, 1]");
+      peer.say("goal /fibonacci -1");
+      peer.expect("refused");
+      peer.say("cancel /fibonacci 7");
+      ActionServer.Goal unwanted = goals.accepted.take();
+      unwanted.feedback(sequence(0));
+      assertEquals(unwanted, goals.cancelled.take());
+      unwanted.end(GoalStatus.CANCELED, sequence(8));
+      peer.expect("0 1 5 [8]");
+      peer.say("late /fibonacci 2");
+      goals.accepted.take().end(GoalStatus.CANCELED, sequence(9));
+      peer.expect("6 [9]");
+      // A client that has gone leaves its goal behind, as in ROS 2 everywhere.
+      peer.say("vanish /fibonacci 4");
+      ActionServer.Goal left = goals.accepted.take();
+      peer.expect("vanishing");
+      left.feedback(sequence(1));
+      left.end(GoalStatus.SUCCEEDED, sequence(1));
+      assertTrue(goals.cancelled.isEmpty());
+    }
+  }
+
+  @Test
+  void betweenNodes() throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        TwoNode one = start(domain, "one");
+        TwoNode two = start(domain, "two")) {
+      Goals goals = new Goals();
+      ActionServer server = one.actions().serve("f", fibonacci(one), goals);
+      assertThrows(RosException.class, () -> one.actions().serve("f", fibonacci(one), new Goals()));
+      ActionClient client = client(two, "/f");
+      ActionClient.Goal first = client.send(goal(1), new Progress());
+      ActionClient.Goal second = client.send(goal(2), new Progress());
+      first.accepted().join();
+      second.accepted().join();
+      ServiceType cancelGoal = two.definitions().service("action_msgs/CancelGoal");
+      ServiceClient cancel = two.client("/f" + TwoActions.CANCEL_GOAL, cancelGoal, true).join();
+      UDictionary all = cancel.request(Templates.of(cancel.type().request())).join();
+      assertEquals(2, all.get("goals_canceling").ulistValue().size());
+      assertEquals(goals.accepted.take(), goals.cancelled.take());
+      UDictionary unknown = Templates.of(cancel.type().request());
+      UDictionary nobody = GoalIds.message(new UUID(1, 1));
+      unknown.get("goal_info").udictionaryValue().put("goal_id", nobody);
+      assertEquals(
+          TwoActions.ERROR_UNKNOWN_GOAL_ID,
+          cancel.request(unknown).join().get("return_code").intValue());
+      ServiceClient results =
+          two.client("/f" + TwoActions.GET_RESULT, fibonacci(two).getResult(), true).join();
+      assertEquals(
+          0,
+          results
+              .request(new UDictionary().with("goal_id", nobody))
+              .join()
+              .get("status")
+              .intValue());
+      server.close();
+      assertEquals(GoalStatus.ABORTED, first.outcome().join().status());
+      assertEquals(GoalStatus.ABORTED, second.outcome().join().status());
+    }
+  }
+
+  @Test
+  void aClientThatIsClosedWaitsForNothing() throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        TwoNode node = start(domain, "one")) {
+      node.actions().serve("f", fibonacci(node), new Goals());
+      ActionClient client = client(node, "/f");
+      ActionClient.Goal goal = client.send(goal(1), new Progress());
+      goal.accepted().join();
+      client.close();
+      assertEquals("the client of /f is closed", failure(goal.outcome()));
+      assertEquals(
+          "there is no action /g: Ros.actions has all", failure(node.actions().client("g", null)));
+    }
+  }
+}

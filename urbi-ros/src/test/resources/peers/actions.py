@@ -1,0 +1,121 @@
+# A node of ROS 2 that has an action, and uses those of others. Commands come by lines, answers go by lines.
+#   serve NAME MODE: pursues goals; refuses those below zero. MODE: count, hang, stubborn (is not cancelled)
+#   goal NAME ORDER, cancel NAME ORDER (after the first feedback), late NAME ORDER (asks when it has ended),
+#   vanish NAME ORDER (sends a goal, and dies when it is accepted)
+import os
+import sys
+import threading
+import time
+
+import guard  # noqa: F401
+import rclpy
+from action_msgs.msg import GoalStatus, GoalStatusArray
+from rclpy.action import ActionClient, ActionServer, CancelResponse, GoalResponse
+from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.executors import MultiThreadedExecutor
+from rclpy.qos import DurabilityPolicy, QoSProfile
+from test_msgs.action import Fibonacci
+
+rclpy.init()
+node = rclpy.create_node("peer")
+executor = MultiThreadedExecutor(4)
+executor.add_node(node)
+threading.Thread(target=executor.spin, daemon=True).start()
+kept = []
+
+
+def say(*words):
+    print(*words, flush=True)
+
+
+def serve(name, mode):
+    def execute(goal):
+        sequence = [0, 1]
+        for i in range(1, goal.request.order):
+            if goal.is_cancel_requested:
+                goal.canceled()
+                say("cancelled")
+                return Fibonacci.Result(sequence=sequence)
+            sequence.append(sequence[i] + sequence[i - 1])
+            goal.publish_feedback(Fibonacci.Feedback(sequence=sequence))
+            time.sleep(0.05)
+        if mode == "hang":
+            say("hanging")
+            time.sleep(1000)
+        if goal.request.order == 0:
+            goal.abort()
+        else:
+            goal.succeed()
+        return Fibonacci.Result(sequence=sequence)
+
+    def accept(request):
+        return GoalResponse.REJECT if request.order < 0 else GoalResponse.ACCEPT
+
+    def cancel(goal):
+        return CancelResponse.REJECT if mode == "stubborn" else CancelResponse.ACCEPT
+
+    kept.append(ActionServer(node, Fibonacci, name, execute, goal_callback=accept, cancel_callback=cancel,
+                             callback_group=ReentrantCallbackGroup()))
+    say("serving")
+
+
+def wait(future):
+    while not future.done():
+        time.sleep(0.005)
+    return future.result()
+
+
+def sent(name, order, feedback=None):
+    client = ActionClient(node, Fibonacci, name, callback_group=ReentrantCallbackGroup())
+    kept.append(client)
+    client.wait_for_server()
+    handle = wait(client.send_goal_async(Fibonacci.Goal(order=int(order)), feedback_callback=feedback))
+    return client, handle
+
+
+def goal(name, order):
+    feedbacks = []
+    _, handle = sent(name, order, lambda m: feedbacks.append(list(m.feedback.sequence)))
+    if not handle.accepted:
+        say("refused")
+        return
+    answer = wait(handle.get_result_async())
+    say(answer.status, list(answer.result.sequence), *feedbacks[-1:])
+
+
+def cancel(name, order):
+    first = threading.Event()
+    _, handle = sent(name, order, lambda m: first.set())
+    first.wait()
+    response = wait(handle.cancel_goal_async())
+    answer = wait(handle.get_result_async())
+    say(response.return_code, len(response.goals_canceling), answer.status, list(answer.result.sequence))
+
+
+def late(name, order):
+    ended = set()
+
+    def status(array):
+        for each in array.status_list:
+            if each.status >= GoalStatus.STATUS_SUCCEEDED:
+                ended.add(bytes(each.goal_info.goal_id.uuid))
+
+    qos = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    kept.append(node.create_subscription(GoalStatusArray, name + "/_action/status", status, qos))
+    _, handle = sent(name, order)
+    while bytes(handle.goal_id.uuid) not in ended:
+        time.sleep(0.005)
+    answer = wait(handle.get_result_async())
+    say(answer.status, list(answer.result.sequence))
+
+
+def vanish(name, order):
+    sent(name, order)
+    say("vanishing")
+    os._exit(1)
+
+
+for line in sys.stdin:
+    words = line.split()
+    globals()[words[0]](*words[1:])
+os._exit(0)
