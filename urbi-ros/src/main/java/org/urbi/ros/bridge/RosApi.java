@@ -12,7 +12,6 @@ import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.message.Dialect;
 import org.urbi.ros.message.Templates;
-import org.urbi.ros.time.WallClock;
 
 /** The services by which clients ask for the graph: those of ROS's node rosapi. */
 final class RosApi {
@@ -72,7 +71,7 @@ final class RosApi {
   }
 
   private Map<String, Object> now() {
-    long now = WallClock.nanoseconds();
+    long now = node.now();
     boolean one = node.version() == Dialect.ROS_1;
     return Map.of(
         one ? "secs" : Templates.SECONDS,

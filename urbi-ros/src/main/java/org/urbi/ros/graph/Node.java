@@ -50,14 +50,16 @@ public interface Node extends AutoCloseable {
    */
   CompletableFuture<Void> settled();
 
+  /**
+   * What time it is for this node, in nanoseconds since 1970: that of {@code /clock} if its {@code
+   * use_sim_time} says so.
+   */
+  long now();
+
   /** Tells people something on {@code /rosout}. */
   void log(Severity severity, String text);
 
-  /**
-   * The parameters that are kept for all nodes.
-   *
-   * @throws RosException if this ROS has no such place
-   */
+  /** The parameters of this node and of others. */
   ParameterServer parameters();
 
   /**

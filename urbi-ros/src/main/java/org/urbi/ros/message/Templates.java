@@ -15,6 +15,9 @@ public final class Templates {
 
   public static final String NANOSECONDS = "nanosec";
 
+  /** Nanoseconds. */
+  private static final long SECOND = 1_000_000_000;
+
   private Templates() {}
 
   /** A new message of a type. */
@@ -57,6 +60,11 @@ public final class Templates {
 
   private static UValue zero() {
     return new UValue(0.0);
+  }
+
+  /** A time by its nanoseconds since 1970. */
+  public static UValue time(long nanoseconds) {
+    return instant(nanoseconds / SECOND, nanoseconds % SECOND);
   }
 
   /** A time of ROS 1: the same keys as {@code builtin_interfaces/msg/Time} has. */

@@ -14,6 +14,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.graph.Actions;
+import org.urbi.ros.graph.ClockFollower;
 import org.urbi.ros.graph.GraphSnapshot;
 import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.Publisher;
@@ -28,6 +29,7 @@ import org.urbi.ros.message.Dialect;
 import org.urbi.ros.message.MessageType;
 import org.urbi.ros.message.ServiceType;
 import org.urbi.ros.message.TypeHash;
+import org.urbi.ros.time.WallClock;
 
 /** A node of ROS 1. The master may come later, go, and come back. */
 public final class OneNode implements Node {
@@ -38,6 +40,7 @@ public final class OneNode implements Node {
   private final TcpRosServer server;
   private final MasterWatch watch;
   private final Parameters parameters;
+  private final ClockFollower clock = new ClockFollower(this, WallClock::nanoseconds);
   private final Map<String, Publication> publications = new ConcurrentHashMap<>();
   private final List<OneSubscription> subscriptions = new CopyOnWriteArrayList<>();
   private final Map<String, OneServiceServer> services = new ConcurrentHashMap<>();
@@ -71,6 +74,8 @@ public final class OneNode implements Node {
       OneNode node = new OneNode(settings, presence);
       node.server.start();
       node.out = new RosOut(node);
+      node.parameters.watch(
+          "/" + ClockFollower.PARAMETER, value -> node.clock.follow(value.booleanValue()));
       return node;
     } catch (IOException e) {
       throw new RosException("no node of ROS: " + e.getMessage(), e);
@@ -173,6 +178,11 @@ public final class OneNode implements Node {
   @Override
   public Dialect version() {
     return Dialect.ROS_1;
+  }
+
+  @Override
+  public long now() {
+    return clock.nanoseconds();
   }
 
   @Override

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
+import org.urbi.ros.graph.ParameterDescription;
 import org.urbi.ros.graph.ParameterServer;
 import org.urbi.ros.graph.RosException;
 import urbi.UBinary;
@@ -55,6 +56,20 @@ public final class Parameters implements ParameterServer {
   public CompletableFuture<List<String>> names() {
     return master.call(
         value -> ((List<?>) value).stream().map(String.class::cast).toList(), "getParamNames");
+  }
+
+  @Override
+  public CompletableFuture<Void> declare(
+      String name, UValue value, ParameterDescription description) {
+    return has(name)
+        .thenCompose(
+            there -> there ? CompletableFuture.<Void>completedFuture(null) : set(name, value));
+  }
+
+  @Override
+  public CompletableFuture<List<String>> namesOf(String other) {
+    String within = node.resolve(other) + "/";
+    return names().thenApply(all -> all.stream().filter(each -> each.startsWith(within)).toList());
   }
 
   /** Has a listener told the value, whenever it is set. */

@@ -10,7 +10,6 @@ import org.urbi.ros.graph.Publisher;
 import org.urbi.ros.graph.Qos;
 import org.urbi.ros.graph.Severity;
 import org.urbi.ros.message.Templates;
-import org.urbi.ros.time.WallClock;
 import urbi.UDictionary;
 import urbi.UList;
 import urbi.UValue;
@@ -20,9 +19,6 @@ import urbi.UValue;
  * is. Every node of ROS 1 has them: they are what makes it appear in the master's graph.
  */
 final class RosOut {
-  /** Nanoseconds. */
-  private static final long SECOND = 1_000_000_000;
-
   private static final String LOGGER = "urbi";
   private static final Qos KEPT = new Qos(true, false, 100, Qos.DEFAULT.deadline(), false);
 
@@ -64,11 +60,8 @@ final class RosOut {
     if (severity.compareTo(least) < 0) {
       return;
     }
-    long now = WallClock.nanoseconds();
     UDictionary message = Templates.of(publisher.type());
-    field(message, "header")
-        .udictionaryValue()
-        .put("stamp", Templates.instant(now / SECOND, now % SECOND));
+    field(message, "header").udictionaryValue().put("stamp", Templates.time(node.now()));
     message.put("level", new UValue((double) number(severity)));
     message.put("name", new UValue(node.name()));
     message.put("msg", new UValue(text));

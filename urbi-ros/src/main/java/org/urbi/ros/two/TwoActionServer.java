@@ -21,7 +21,6 @@ import org.urbi.ros.graph.RosException;
 import org.urbi.ros.graph.ServiceServer;
 import org.urbi.ros.message.ActionType;
 import org.urbi.ros.message.Templates;
-import org.urbi.ros.time.WallClock;
 import urbi.UDictionary;
 import urbi.UList;
 import urbi.UValue;
@@ -197,7 +196,7 @@ final class TwoActionServer implements ActionServer {
   private final class ServedGoal implements Goal {
     final UUID id;
     final UDictionary request;
-    final long accepted = WallClock.nanoseconds();
+    final long accepted = actions.node().now();
     final CompletableFuture<UDictionary> outcome = new CompletableFuture<>();
     private GoalStatus current = GoalStatus.UNKNOWN;
 
@@ -234,8 +233,7 @@ final class TwoActionServer implements ActionServer {
     }
 
     UValue stamp() {
-      long second = TimeUnit.SECONDS.toNanos(1);
-      return Templates.instant(accepted / second, accepted % second);
+      return Templates.time(accepted);
     }
 
     UDictionary info() {

@@ -1,19 +1,13 @@
 package org.urbi.ros.two;
 
-import static java.util.Objects.requireNonNull;
-
 import org.urbi.ros.graph.Publisher;
 import org.urbi.ros.graph.Qos;
 import org.urbi.ros.graph.Severity;
 import org.urbi.ros.message.Templates;
-import org.urbi.ros.time.WallClock;
 import urbi.UDictionary;
 
 /** What a node of ROS 2 tells people, on {@code /rosout}. */
 final class TwoLog {
-  /** Nanoseconds. */
-  private static final long SECOND = 1_000_000_000;
-
   private static final Qos KEPT = new Qos(true, true, 100, Qos.DEFAULT.deadline(), false);
 
   private final TwoNode node;
@@ -32,11 +26,8 @@ final class TwoLog {
   void log(Severity severity, String text) {
     // As in ROS 1, where it is so unless somebody wants to know more.
     if (severity == Severity.DEBUG) return;
-    long now = WallClock.nanoseconds();
     UDictionary message = Templates.of(publisher.type());
-    UDictionary stamp = requireNonNull(message.get("stamp"), "each has one").udictionaryValue();
-    stamp.put(Templates.SECONDS, (double) (now / SECOND));
-    stamp.put(Templates.NANOSECONDS, (double) (now % SECOND));
+    message.put("stamp", Templates.time(node.now()));
     message.put("level", 10.0 * (severity.ordinal() + 1));
     message.put("name", node.name().substring(1).replace('/', '.'));
     message.put("msg", text);

@@ -12,6 +12,7 @@ import java.util.function.Function;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.graph.Actions;
+import org.urbi.ros.graph.ClockFollower;
 import org.urbi.ros.graph.GraphSnapshot;
 import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.ParameterServer;
@@ -38,6 +39,7 @@ import org.urbi.ros.rtps.ReaderListener;
 import org.urbi.ros.rtps.Sample;
 import org.urbi.ros.rtps.Writer;
 import org.urbi.ros.rtps.WriterListener;
+import org.urbi.ros.time.WallClock;
 
 /** A node of ROS 2, a participant of its own. Others may come and go. */
 public final class TwoNode implements Node {
@@ -72,8 +74,10 @@ public final class TwoNode implements Node {
   private final List<Runnable> seekers = new CopyOnWriteArrayList<>();
   private final CompletableFuture<Void> looked = after(FIRST_LOOK);
   private final CompletableFuture<Void> sure = after(LAST_LOOK);
+  private final ClockFollower clock = new ClockFollower(this, WallClock::nanoseconds);
   private final TwoLog log;
   private final TwoActions actions;
+  private final TwoParameters parameters;
   private volatile boolean closed;
 
   private TwoNode(TwoSettings settings, Consumer<String> people) throws IOException {
@@ -93,6 +97,7 @@ public final class TwoNode implements Node {
         Entities.TOPIC, Entities.TYPE, ALL_ENTITIES, NO_DATA, new EntitiesListener());
     log = new TwoLog(this);
     actions = new TwoActions(this, participant.guid());
+    parameters = new TwoParameters(this, clock);
   }
 
   private static CompletableFuture<Void> after(int seconds) {
@@ -150,8 +155,7 @@ public final class TwoNode implements Node {
 
   @Override
   public ParameterServer parameters() {
-    throw new RosException(
-        "ROS 2 keeps no parameters for all nodes: each node has its own, and services for them");
+    return parameters;
   }
 
   // ------------------------------------------------------------------ the graph
@@ -217,6 +221,11 @@ public final class TwoNode implements Node {
     List<EndpointInfo> all = participant.endpoints();
     all.addAll(own);
     return all;
+  }
+
+  @Override
+  public long now() {
+    return clock.nanoseconds();
   }
 
   Owners owners() {

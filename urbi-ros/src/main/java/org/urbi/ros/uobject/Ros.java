@@ -10,6 +10,7 @@ import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.graph.Severity;
 import org.urbi.ros.message.Dialect;
+import org.urbi.ros.message.Templates;
 import org.urbi.ros.one.OneNode;
 import org.urbi.ros.one.OneSettings;
 import org.urbi.ros.two.TwoNode;
@@ -22,8 +23,8 @@ import urbi.UVar;
 
 /**
  * This program's node (manual, "Ros"), of ROS 1 or ROS 2. It is made when it is needed first; until
- * then, {@code version}, {@code masterUri}, {@code domain} and {@code packagePath} may be set,
- * which the environment gives otherwise.
+ * then, {@code version}, {@code nodeName}, {@code masterUri}, {@code domain} and {@code
+ * packagePath} may be set, which the environment gives otherwise.
  */
 public final class Ros extends UObject implements AutoCloseable {
   static {
@@ -37,12 +38,14 @@ public final class Ros extends UObject implements AutoCloseable {
   private final UVar masterUri = new UVar();
   private final UVar domain = new UVar();
   private final UVar packagePath = new UVar();
+  private final UVar nodeName = new UVar();
   private final UEvent onNode = new UEvent();
   private final UEvent onNodeGone = new UEvent();
   private final UEvent onTopic = new UEvent();
   private final UEvent onTopicGone = new UEvent();
   private final UEvent onService = new UEvent();
   private final UEvent onServiceGone = new UEvent();
+  private final UEvent onParam = new UEvent();
   private final Map<String, String> remappings = new HashMap<>();
   private Dialect dialect = RosVersion.of(System.getenv());
   private @Nullable Node node;
@@ -52,6 +55,8 @@ public final class Ros extends UObject implements AutoCloseable {
     super(name);
     UBindVars(
         version, "version", masterUri, "masterUri", domain, "domain", packagePath, "packagePath");
+    UBindVar(nodeName, "nodeName");
+    nodeName.setValue("");
     masterUri.setValue(System.getenv().getOrDefault(MASTER, "http://localhost:11311"));
     domain.setValue(System.getenv().getOrDefault(DOMAIN, "0"));
     version.setValue(dialect.version());
@@ -63,6 +68,7 @@ public final class Ros extends UObject implements AutoCloseable {
     UBindEvent(onTopicGone, "onTopicGone");
     UBindEvent(onService, "onService");
     UBindEvent(onServiceGone, "onServiceGone");
+    UBindEvent(onParam, "onParam");
     UBindFunctions(
         "checkMaster",
         "name",
@@ -70,13 +76,17 @@ public final class Ros extends UObject implements AutoCloseable {
         "topics",
         "services",
         "actions",
+        "time",
+        "stamp",
         "remap",
         "log",
         "getParam",
         "setParam",
         "hasParam",
         "deleteParam",
-        "params");
+        "declareParam",
+        "params",
+        "paramsOf");
     // Whoever waits for one of the events has it called: ros.u sees to that.
     bind("__watch", this::watch);
     bind(Taker.TAKE, this::take);
@@ -130,6 +140,7 @@ public final class Ros extends UObject implements AutoCloseable {
     Node known = node;
     if (known == null) {
       known = start();
+      known.parameters().watch((name, value) -> onParam.emit(name, value));
       node = known;
     }
     return known;
@@ -142,7 +153,8 @@ public final class Ros extends UObject implements AutoCloseable {
     environment.put(packages(dialect), packagePath.stringValue());
     ProcessHandle self = ProcessHandle.current();
     long born = self.info().startInstant().map(time -> time.toEpochMilli()).orElse(0L);
-    String own = "urbi_" + born + self.pid();
+    String given = nodeName.stringValue();
+    String own = given.isEmpty() ? "urbi_" + born + self.pid() : given;
     Map<String, String> names = Map.copyOf(remappings);
     String uri = masterUri.stringValue();
     return switch (dialect) {
@@ -213,6 +225,16 @@ public final class Ros extends UObject implements AutoCloseable {
     event.emit(name);
   }
 
+  /** What time it is for the node, in seconds since 1970; that of /clock with use_sim_time. */
+  public double time() {
+    return node().now() / 1e9;
+  }
+
+  /** The same as messages have it. */
+  public UValue stamp() {
+    return Templates.time(node().now());
+  }
+
   /**
    * Tells people something on /rosout.
    *
@@ -237,7 +259,7 @@ public final class Ros extends UObject implements AutoCloseable {
     return node().parameters().get(name);
   }
 
-  /** Sets a parameter: a number, a string, a list or a Dictionary. */
+  /** Sets a parameter: a number, a string, a list; in ROS 1 a Dictionary, too. */
   public CompletionStage<Void> setParam(String name, UValue value) {
     return node().parameters().set(name, value);
   }
@@ -252,9 +274,23 @@ public final class Ros extends UObject implements AutoCloseable {
     return node().parameters().delete(name);
   }
 
-  /** The names of all parameters. */
+  /**
+   * Sets a parameter of this node if it is not there, and says what it is.
+   *
+   * @param description what {@link ParameterKeys} knows
+   */
+  public CompletionStage<Void> declareParam(String name, UValue value, UDictionary description) {
+    return node().parameters().declare(name, value, ParameterKeys.of(description));
+  }
+
+  /** The names of all parameters; in ROS 2 of those of this node. */
   public CompletionStage<List<String>> params() {
     return node().parameters().names().thenApply(ArrayList::new);
+  }
+
+  /** The names of all parameters of a node. */
+  public CompletionStage<List<String>> paramsOf(String other) {
+    return node().parameters().namesOf(other).thenApply(ArrayList::new);
   }
 
   @Override

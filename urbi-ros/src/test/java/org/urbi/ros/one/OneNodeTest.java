@@ -280,6 +280,23 @@ class OneNodeTest {
   }
 
   @Test
+  void theTimeOfOthers() throws Exception {
+    Publisher clock =
+        publisher(
+            "/clock",
+            "rosgraph_msgs/Clock",
+            new Qos(true, true, 1, Qos.DEFAULT.deadline(), false),
+            new LinkedBlockingQueue<>());
+    clock.publish(new UDictionary().with("clock", Templates.instant(42, 500)));
+    assertTrue(node.now() > 1e18, "years after 1970");
+    node.parameters().set("/use_sim_time", new UValue(true)).get();
+    while (node.now() != 42_000_000_500L) Thread.sleep(1);
+    node.parameters().set("/use_sim_time", new UValue(false)).get();
+    assertTrue(node.now() > 1e18);
+    node.parameters().delete("/use_sim_time").get();
+  }
+
+  @Test
   void parametersAreShared() throws Exception {
     Parameters parameters = node.parameters();
     BlockingQueue<UValue> seen = new LinkedBlockingQueue<>();

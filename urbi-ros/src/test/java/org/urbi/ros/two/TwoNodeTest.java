@@ -107,7 +107,8 @@ class TwoNodeTest {
       GraphSnapshot graph = node.graph().join();
       assertTrue(graph.nodes().get("/peer").publishes().contains("/back"), graph::toString);
       assertEquals(
-          List.of("/rosout", "/urbi/chatter"), graph.nodes().get("/urbi/jnode").publishes());
+          List.of("/parameter_events", "/rosout", "/urbi/chatter"),
+          graph.nodes().get("/urbi/jnode").publishes());
       assertEquals("std_msgs/msg/String", graph.topics().get("/back").type());
       assertEquals(List.of("/urbi/jnode"), graph.topics().get("/back").subscribers());
       assertEquals(

@@ -157,7 +157,7 @@ class EitherTest {
       kernel.eval(two(domain, ""));
       assertEquals("2.0", String.valueOf(kernel.eval("Ros.version;")));
       assertTrue(kernel.eval("Ros.checkMaster", boolean.class));
-      refused(kernel, "Ros.getParam(\"x\");", "ROS 2 keeps no parameters for all nodes");
+      refused(kernel, "Ros.getParam(\"x\");", "there is no parameter x");
       kernel.eval("var Global.t = Ros.Topic.new(\"/t\")|;");
       refused(kernel, "t.qos = [\"speed\" => 1]| t.advertise(\"std_msgs/Empty\");", "not 'speed'");
       refused(
