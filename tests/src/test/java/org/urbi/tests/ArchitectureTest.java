@@ -148,6 +148,11 @@ class ArchitectureTest {
           "urbi");
 
   @ArchTest
+  static final ArchRule rosFramesDependOnTheGraph =
+      dependsOnlyOn(
+          "org.urbi.ros.frames..", "org.urbi.ros.graph..", "org.urbi.ros.message..", "urbi");
+
+  @ArchTest
   static final ArchRule nothingOfRosDependsOnItsObjects =
       noClasses()
           .that()

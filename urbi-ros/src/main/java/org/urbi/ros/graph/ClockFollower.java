@@ -2,7 +2,6 @@ package org.urbi.ros.graph;
 
 import static java.util.Objects.requireNonNull;
 
-import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.ros.message.MessageType;
@@ -53,13 +52,7 @@ public final class ClockFollower {
   }
 
   private void received(UDictionary message) {
-    UDictionary clock = part(message, "clock").udictionaryValue();
-    told =
-        TimeUnit.SECONDS.toNanos((long) part(clock, Templates.SECONDS).doubleValue())
-            + (long) part(clock, Templates.NANOSECONDS).doubleValue();
-  }
-
-  private static UValue part(UDictionary message, String name) {
-    return requireNonNull(message.get(name), "a decoded message has all its fields");
+    UValue clock = requireNonNull(message.get("clock"), "a decoded message has all its fields");
+    told = Templates.nanoseconds(clock.udictionaryValue());
   }
 }

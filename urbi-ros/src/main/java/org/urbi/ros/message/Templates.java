@@ -67,6 +67,13 @@ public final class Templates {
     return instant(nanoseconds / SECOND, nanoseconds % SECOND);
   }
 
+  /** The nanoseconds of a time; 0 where one of its keys is missing. */
+  public static long nanoseconds(UDictionary time) {
+    UValue none = zero();
+    return (long) time.getOrDefault(SECONDS, none).doubleValue() * SECOND
+        + (long) time.getOrDefault(NANOSECONDS, none).doubleValue();
+  }
+
   /** A time of ROS 1: the same keys as {@code builtin_interfaces/msg/Time} has. */
   public static UValue instant(double seconds, double nanoseconds) {
     UDictionary time = new UDictionary();

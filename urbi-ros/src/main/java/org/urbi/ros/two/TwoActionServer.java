@@ -127,7 +127,7 @@ final class TwoActionServer implements ActionServer {
   private CompletionStage<UDictionary> cancelReceived(UDictionary request) {
     UDictionary info = part(request, "goal_info").udictionaryValue();
     UUID id = GoalIds.of(info);
-    long until = nanoseconds(part(info, "stamp").udictionaryValue());
+    long until = Templates.nanoseconds(part(info, "stamp").udictionaryValue());
     boolean isAll = id.equals(GoalIds.ALL) && until == 0;
     List<ServedGoal> wanted =
         chosen(goal -> isAll || goal.id.equals(id) || until > 0 && goal.accepted <= until);
@@ -139,11 +139,6 @@ final class TwoActionServer implements ActionServer {
       code = ended.isEmpty() ? TwoActions.ERROR_UNKNOWN_GOAL_ID : TwoActions.ERROR_GOAL_TERMINATED;
     return CompletableFuture.completedFuture(
         new UDictionary().with("return_code", code).with("goals_canceling", new UValue(canceling)));
-  }
-
-  private static long nanoseconds(UDictionary time) {
-    return TimeUnit.SECONDS.toNanos(part(time, Templates.SECONDS).intValue())
-        + (long) part(time, Templates.NANOSECONDS).doubleValue();
   }
 
   private synchronized List<ServedGoal> chosen(Predicate<ServedGoal> wanted) {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
+import org.urbi.ros.frames.FrameListener;
 import org.urbi.ros.graph.Node;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.graph.Severity;
@@ -49,6 +50,7 @@ public final class Ros extends UObject implements AutoCloseable {
   private final Map<String, String> remappings = new HashMap<>();
   private Dialect dialect = RosVersion.of(System.getenv());
   private @Nullable Node node;
+  private @Nullable FrameListener frames;
   private boolean watched;
 
   public Ros(String name) {
@@ -76,6 +78,7 @@ public final class Ros extends UObject implements AutoCloseable {
         "topics",
         "services",
         "actions",
+        "frames",
         "time",
         "stamp",
         "remap",
@@ -90,6 +93,8 @@ public final class Ros extends UObject implements AutoCloseable {
     // Whoever waits for one of the events has it called: ros.u sees to that.
     bind("__watch", this::watch);
     bind(Taker.TAKE, this::take);
+    // ros.u has the usual time and patience.
+    bind("__lookup", this::lookup);
     bind("Topic", () -> UValue.slotName("RosTopic"));
     bind("Action", () -> UValue.slotName("RosAction"));
     bind("Service", () -> UValue.slotName("RosService"));
@@ -233,6 +238,32 @@ public final class Ros extends UObject implements AutoCloseable {
   /** The same as messages have it. */
   public UValue stamp() {
     return Templates.time(node().now());
+  }
+
+  private synchronized FrameListener frameListener() {
+    FrameListener known = frames;
+    if (known == null) {
+      known = new FrameListener(node(), this::told);
+      frames = known;
+    }
+    return known;
+  }
+
+  /** Each frame that was told of on /tf and /tf_static, and the one in which it is. */
+  public UDictionary frames() {
+    return new UDictionary(frameListener().buffer().parents());
+  }
+
+  /**
+   * Where a frame was in another one, as {@code geometry_msgs/TransformStamped}. The job waits
+   * until that is known.
+   *
+   * @param time seconds since 1970, or as messages have it; 0 for the newest one that is known
+   * @param patience for how many seconds the job waits
+   */
+  public CompletionStage<UDictionary> lookup(
+      String target, String source, UValue time, double patience) {
+    return FrameAnswers.lookup(frameListener(), target, source, time, patience);
   }
 
   /**

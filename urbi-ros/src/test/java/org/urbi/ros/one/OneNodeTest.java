@@ -20,6 +20,9 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.urbi.ros.frames.FrameBuffer;
+import org.urbi.ros.frames.FrameListener;
+import org.urbi.ros.frames.Transform;
 import org.urbi.ros.graph.GraphSnapshot;
 import org.urbi.ros.graph.Publisher;
 import org.urbi.ros.graph.Qos;
@@ -31,6 +34,7 @@ import org.urbi.ros.message.Templates;
 import org.urbi.ros.message.ValueException;
 import urbi.UBinary;
 import urbi.UDictionary;
+import urbi.UList;
 import urbi.UValue;
 
 /** A node among those of a real ROS 1: Debian's master, rospy and tools. */
@@ -294,6 +298,23 @@ class OneNodeTest {
     node.parameters().set("/use_sim_time", new UValue(false)).get();
     assertTrue(node.now() > 1e18);
     node.parameters().delete("/use_sim_time").get();
+  }
+
+  @Test
+  void theFramesOfOthers() throws Exception {
+    Publisher frames =
+        publisher("/tf_static", "tf2_msgs/TFMessage", Qos.LATCHED, new LinkedBlockingQueue<>());
+    UDictionary stamped = Templates.of(type("geometry_msgs/TransformStamped"));
+    stamped.get("header").udictionaryValue().put("frame_id", "/base");
+    stamped.put("child_frame_id", "laser");
+    UDictionary transform = stamped.get("transform").udictionaryValue();
+    transform.get("translation").udictionaryValue().put("x", 0.5);
+    transform.get("rotation").udictionaryValue().put("w", 1);
+    frames.publish(new UDictionary().with("transforms", UList.of(stamped)));
+    FrameListener listener = new FrameListener(node, text -> {});
+    Transform found =
+        listener.lookup("base", "laser", FrameBuffer.NEWEST, 60_000).get().transform();
+    assertEquals(0.5, found.x());
   }
 
   @Test
