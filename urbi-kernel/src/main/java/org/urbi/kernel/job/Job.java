@@ -250,6 +250,7 @@ public final class Job implements Runnable {
   /** From now on no other job may run. */
   public void refuseInterruption() {
     nonInterruptible++;
+    scheduler.yields().endGrant();
   }
 
   /** Leaves scopes that no other job may interrupt, until only that many remain. */
@@ -264,6 +265,7 @@ public final class Job implements Runnable {
 
   public void setPriority(double other) {
     priority = other;
+    scheduler.yields().endGrant();
   }
 
   // ------------------------------------------------------------------ life, on its own thread
@@ -340,7 +342,10 @@ public final class Job implements Runnable {
    * @param next what of that code it executes next, or has executed last
    */
   public void yield(@Nullable Place code, @Nullable Located next) {
-    if ((nonInterruptible | Double.doubleToRawLongBits(priority)) != 0 && mustContinue()) {
+    if (scheduler.yields().passes()) {
+      return;
+    }
+    if (isSpecial() && mustContinue()) {
       checkInjected();
       checkInterrupted();
     } else if (scheduler.hasOthers()) {
@@ -350,6 +355,15 @@ public final class Job implements Runnable {
     } else {
       checkInjected();
     }
+  }
+
+  /** Whether the {@code ;} of this job need not look at anything but the others. */
+  boolean hasOnlyOthersToMind() {
+    return !isSpecial() && injected == null;
+  }
+
+  private boolean isSpecial() {
+    return (nonInterruptible | Double.doubleToRawLongBits(priority)) != 0;
   }
 
   /** Lets everybody else who can run do so. */
@@ -564,6 +578,7 @@ public final class Job implements Runnable {
     }
     if (injected == null || unwinding instanceof TagStop stop && stop.isOuter(injected)) {
       injected = unwinding;
+      scheduler.yields().endGrant();
     }
     if (state == JobState.SLEEPING || state == JobState.WAITING) {
       makeRunnable();

@@ -58,7 +58,7 @@ public final class Scheduler {
   private BiFunction<Problem, Object[], RuntimeException> refusals =
       (problem, places) -> new IllegalStateException(problem.text(places));
   private final AtomicLong turns = new AtomicLong();
-  private final YieldCount yields = new YieldCount();
+  private final YieldCount yields;
   private @Nullable Job running;
   private boolean stopped;
   private volatile boolean over;
@@ -94,6 +94,7 @@ public final class Scheduler {
     this.journal = journal;
     this.counted = journal.countsChecks();
     this.inbox = new Inbox(journal);
+    this.yields = new YieldCount(inbox);
     this.interruptions = new Interruptions(this::turn, journal, machine);
     this.clock = clock;
     this.pace = new SimulationPace(clock, machine);
@@ -364,9 +365,14 @@ public final class Scheduler {
     }
   }
 
+  /** Counts the {@code ;} that let nobody else run. */
+  public YieldCount yields() {
+    return yields;
+  }
+
   /** Whether a job that could continue should let others run first. */
   boolean hasOthers() {
-    return (inbox.isFilled() || !yields.passes()) && looksForOthers();
+    return !yields.passes() && looksForOthers();
   }
 
   private boolean looksForOthers() {
@@ -380,7 +386,7 @@ public final class Scheduler {
       yields.reset();
       return true;
     }
-    yields.grant(time.grant());
+    yields.grant(running != null && running.hasOnlyOthersToMind() ? time.grant() : 0);
     return false;
   }
 

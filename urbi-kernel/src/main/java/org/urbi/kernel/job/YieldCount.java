@@ -4,8 +4,11 @@ package org.urbi.kernel.job;
  * Counts the {@code ;} of a job that is alone, between two looks at the clock. Where a {@code ;} is
  * a matter of nanoseconds there are many of them between two looks; where the code between them
  * takes long, the clock is looked at each time, or timers would be late.
+ *
+ * <p>Compiled code asks only whether a {@code ;} {@linkplain #passes passes}. So a grant ends with
+ * everything that the next one must not miss, but for messages, which come from other threads.
  */
-final class YieldCount {
+public final class YieldCount {
   /** The most of them between two looks. */
   private static final int MOST = 100;
 
@@ -15,6 +18,7 @@ final class YieldCount {
   /** How long there may be no tick at all, in nanoseconds. */
   private static final long LONGEST_TURN = 1_000_000;
 
+  private final Inbox inbox;
   private int count;
   private int most = MOST;
 
@@ -30,6 +34,10 @@ final class YieldCount {
   private long looked;
   private long ticked;
 
+  YieldCount(Inbox inbox) {
+    this.inbox = inbox;
+  }
+
   /** How many there have been since the last look. */
   int count() {
     return count;
@@ -40,9 +48,9 @@ final class YieldCount {
     return passed + granted - left;
   }
 
-  /** Whether this one passes because of a grant. */
-  boolean passes() {
-    if (left > 0) {
+  /** Whether this one passes because of a grant: there is nothing to do. */
+  public boolean passes() {
+    if (left > 0 && !inbox.isFilled()) {
       left--;
       return true;
     }

@@ -47,9 +47,15 @@ final class EmitLoops {
     /** Emits the condition; jumps if the loop is over. */
     void head(Label over);
 
-    /** Emits what follows a turn. */
-    void step();
+    /** Emits what follows a turn, and jumps to the next one. */
+    void step(Heads heads);
   }
+
+  /**
+   * Where the turns of a loop begin. For the Java machine those after which others may have run are
+   * the turns of a loop around the other turns, so that it keeps numbers in registers in these.
+   */
+  private record Heads(Label usual, Label afterOthers) {}
 
   static boolean canCount(ForEach loop) {
     return loop.isSequential() && loop.variable().declaredLocal() >= 0;
@@ -220,21 +226,23 @@ final class EmitLoops {
       }
 
       @Override
-      public void step() {
+      public void step(Heads heads) {
         if (loop.step() != null) {
           to.operand(loop.step());
         }
-        pause(loop.yields());
+        pause(loop.yields(), heads);
       }
     };
   }
 
   /** Lets others run, or only asks whether somebody wants to end this. */
-  private void pause(boolean yields) {
+  private void pause(boolean yields, Heads heads) {
     if (yields) {
-      yieldToOthers();
+      yieldToOthers(heads.usual());
+      to.code.goto_(heads.afterOthers());
     } else {
       to.callJob("checkInterrupted");
+      to.code.goto_(heads.usual());
     }
   }
 
@@ -259,23 +267,22 @@ final class EmitLoops {
       }
 
       @Override
-      public void step() {
-        Label over = to.code.newLabel();
+      public void step(Heads heads) {
         if (loop.yields()) {
           // After the last element nobody else runs.
           Label pauses = to.code.newLabel();
           to.code.aload(elements).ifnull(pauses);
-          to.code.dload(turn).dload(count).dcmpg().ifge(over);
+          to.code.dload(turn).dload(count).dcmpg().ifge(heads.usual());
           to.code.labelBinding(pauses);
         }
-        pause(loop.yields());
-        to.code.labelBinding(over);
+        pause(loop.yields(), heads);
       }
     };
   }
 
   private void turns(Loop loop, Node body, Parts parts, Label done) {
-    Label head = to.code.newBoundLabel();
+    Label afterOthers = to.beginRange();
+    Heads heads = new Heads(to.code.newBoundLabel(), afterOthers);
     parts.head(done);
     around.push(loop);
     Label start = to.beginRange();
@@ -289,8 +296,7 @@ final class EmitLoops {
       to.code.exceptionCatch(start, end, handler, Names.CONTROL_FLOW);
     }
     to.code.labelBinding(loop.next());
-    parts.step();
-    to.code.goto_(head);
+    parts.step(heads);
   }
 
   /** {@code break} and {@code continue} that come as exceptions. */
@@ -308,6 +314,15 @@ final class EmitLoops {
 
   /** Emits {@code ;}. */
   void yieldToOthers() {
+    Label over = to.code.newLabel();
+    yieldToOthers(over);
+    to.code.labelBinding(over);
+  }
+
+  /** Emits {@code ;}; jumps if there was nothing to do. */
+  private void yieldToOthers(Label passed) {
+    to.constant(to.unit.frame().job().scheduler().yields(), Names.YIELDS);
+    to.code.invokevirtual(Names.YIELDS, "passes", MethodTypeDesc.of(CD_boolean)).ifne(passed);
     to.callJob("yield");
     to.afterOthers();
   }

@@ -4,6 +4,7 @@ import java.lang.constant.ClassDesc;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.ControlFlowException;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.YieldCount;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.CompiledCode;
 import org.urbi.kernel.node.CompoundAssignment;
@@ -66,6 +67,7 @@ final class Names {
   static final ClassDesc CODE = of(UrbiCode.class);
   static final ClassDesc WORLD = of(World.class);
   static final ClassDesc VALUES = of(Values.class);
+  static final ClassDesc YIELDS = of(YieldCount.class);
 
   private Names() {}
 

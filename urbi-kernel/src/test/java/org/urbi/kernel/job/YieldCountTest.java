@@ -5,9 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
+import org.urbi.kernel.journal.Journal;
 
 class YieldCountTest {
-  private final YieldCount yields = new YieldCount();
+  private final YieldCount yields = new YieldCount(new Inbox(Journal.NONE));
 
   /** How many pass before the next one has to look. */
   private int passing() {
