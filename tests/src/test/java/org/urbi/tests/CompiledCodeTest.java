@@ -233,6 +233,27 @@ class CompiledCodeTest {
             f(3); f(4); f(7); var l = f(2)|; sleep(5ms)|; l;
             """),
         Map.entry(
+            "numbers in slots are objects as soon as somebody sees them",
+            """
+            class P { var x = 0; var y = 1; function init() { var this.x = 0; var this.y = 1 } }|;
+            function turn(p, n) { p.x = p.x + 1; p.y -= p.x * n; p.x += 2 * n; p.x++; p.x - p.y / 2 }|;
+            function same(p) { var a = p.x; var b = p.x; a === b && a === p.x && a.uid == p.x.uid }|;
+            function kept(p) { var a = p.x; p.x += 1 | p.x -= 0.5; [a, p.x, a === p.x] }|;
+            function stored(p, n) { p.x = n; p.x === n }|;
+            function ratio(p) { p.x / p.y + p.x % p.y }|;
+            var p = P.new|; var q = P.new|;
+            for (var i : 5) { echo(turn(p, i)); echo(same(p)); echo(kept(p)); echo(stored(q, i)) };
+            p.x.setSlot("name", "one"); p.x.name; turn(p, 1); p.x.hasSlot("name"); same(p);
+            q.y = 0|; ratio(p); ratio(q); q.y = nan|; ratio(q); q.y = "s"|; ratio(q); turn(q, 2);
+            q.y = 1|; q.x = "text"|; turn(q, 2); q.x; q.x = nil|; turn(q, 2); q.x = 3|; turn(q, 2); same(q);
+            at (p.x > 20) echo("much") onleave echo("little"); p.x = 30|; sleep(1s); turn(p, -20); sleep(1s);
+            p.removeLocalSlot("x"); turn(p, 1); turn(q, 1); kept(p);
+            p.x = 5|; function p.x() { 7 }; turn(p, 1); kept(p); const var q.z = 1; function z(o) { o.z -= 1; o.z }|; z(q);
+            var r = P.new|; r.addProto(Object.new); r.setSlot("w", 2); turn(r, 3); same(r); turn(4, 5);
+            var minus = Float.getSlotValue("-")|; Float.'-' = function(o) { [this === r.y, o] }|; turn(r, 1);
+            r.y = 2|; turn(r, 1); r.y; Float.'-' = lobby.getSlotValue("minus")|; turn(r, 1); r.y = 2|; turn(r, 1);
+            """),
+        Map.entry(
             "slots are where they were, until they are elsewhere",
             """
             class P {

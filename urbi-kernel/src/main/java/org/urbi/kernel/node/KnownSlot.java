@@ -4,6 +4,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.object.Shape;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiCode;
+import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.World;
 
@@ -47,6 +48,16 @@ public record KnownSlot(
       return value instanceof UrbiCode ? null : value;
     }
     return null;
+  }
+
+  /** Whether it is a slot of the target itself, told by its shape alone. */
+  public @Nullable Shape ownShape() {
+    return holder == null ? shape : null;
+  }
+
+  /** Whether the slot may have a number, for all that is known. */
+  public boolean mayBeNumber() {
+    return holder == null || holder.slotAt(index) instanceof UrbiFloat;
   }
 
   /** Sets the slot, if it is here; returns whether it has done so. */

@@ -46,6 +46,14 @@ public final class Shape {
    */
   private final @Nullable Shape parent;
 
+  /**
+   * The shape that a number in a slot gets when somebody sees its object; null for other shapes.
+   */
+  @Nullable Shape whenSeen;
+
+  /** Whether it is that of plain numbers, in slots or not. */
+  boolean ofNumbers;
+
   private @Nullable Map<Symbol, Integer> index;
 
   /**
@@ -76,6 +84,18 @@ public final class Shape {
 
   static Shape root(World world, UrbiObject[] protos) {
     return new Shape(world, protos, NO_NAMES, NO_FLAGS, null);
+  }
+
+  /**
+   * This is the shape of numbers. Returns that of numbers in slots whose objects nobody has seen,
+   * and which get this one then.
+   */
+  Shape unseen() {
+    Shape unseen = root(world, protos);
+    unseen.whenSeen = this;
+    unseen.ofNumbers = true;
+    ofNumbers = true;
+    return unseen;
   }
 
   /** The kernel's shared state. */

@@ -1,8 +1,11 @@
 package org.urbi.kernel.object;
 
-/** A number (manual, "Float"). Its value never changes. */
+/**
+ * A number (manual, "Float"). Its value never changes, from when somebody has seen the object on:
+ * before that a slot may keep its number in it.
+ */
 public final class UrbiFloat extends UrbiObject {
-  private final double value;
+  private double value;
 
   public UrbiFloat(Shape shape, double value) {
     super(shape);
@@ -11,6 +14,16 @@ public final class UrbiFloat extends UrbiObject {
 
   public double value() {
     return value;
+  }
+
+  /** Whether it has no slots, and inherits from nothing but the library. */
+  boolean isPlain() {
+    return shape.ofNumbers;
+  }
+
+  /** Another number stands in the slot that has this object. */
+  void become(double other) {
+    value = other;
   }
 
   @Override

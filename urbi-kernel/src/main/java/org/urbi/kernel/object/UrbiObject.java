@@ -17,7 +17,13 @@ import org.jspecify.annotations.Nullable;
 public class UrbiObject {
   private static final UrbiObject[] NO_SLOTS = {};
 
-  private Shape shape;
+  /**
+   * Stands for a missing number: of those that are not a number the one with these bits, which no
+   * computation results in.
+   */
+  public static final double NO_NUMBER = Double.longBitsToDouble(0x7ff8_7572_6269_0001L);
+
+  Shape shape;
 
   /** Null as long as the object has no slots of its own, as most numbers, which stay small. */
   private @Nullable Storage storage;
@@ -132,7 +138,52 @@ public class UrbiObject {
 
   /** The value of the slot at an index that {@link Shape#indexOf} gave. */
   public final UrbiObject slotAt(int index) {
-    return present().slots[index];
+    return seen(present().slots[index]);
+  }
+
+  /** From now on a number in a slot is an object like any other. */
+  private static UrbiObject seen(UrbiObject value) {
+    if (value instanceof UrbiFloat) {
+      Shape whenSeen = value.shape.whenSeen;
+      if (whenSeen != null) {
+        value.shape = whenSeen;
+      }
+    }
+    return value;
+  }
+
+  /**
+   * The plain number in a slot of an object of that shape, without its object; {@link #NO_NUMBER}
+   * if there is none.
+   */
+  public final double numberAt(Shape expected, int index) {
+    return shape == expected
+            && present().slots[index] instanceof UrbiFloat number
+            && number.isPlain()
+        ? number.value()
+        : NO_NUMBER;
+  }
+
+  /**
+   * Sets a slot, which is not {@linkplain Shape#writeSpecial special}, to a number of which there
+   * is no object; false if this object has another shape, or code stands there.
+   */
+  public final boolean setNumberAt(Shape expected, int index, double number, Shape unseen) {
+    if (shape != expected) {
+      return false;
+    }
+    UrbiObject[] slots = present().slots;
+    UrbiObject old = slots[index];
+    if (old instanceof UrbiFloat kept) {
+      if (old.shape == unseen) {
+        kept.become(number);
+        return true;
+      }
+    } else if (old instanceof UrbiCode) {
+      return false;
+    }
+    slots[index] = new UrbiFloat(unseen, number);
+    return true;
   }
 
   /** Sets the slot at an index which is not {@linkplain Shape#writeSpecial special}. */
@@ -152,7 +203,7 @@ public class UrbiObject {
   /** The value of the object's own slot, or null. */
   public final @Nullable UrbiObject localSlot(Symbol name) {
     int i = shape.indexOf(name);
-    return i < 0 ? null : present().slots[i];
+    return i < 0 ? null : slotAt(i);
   }
 
   /** The value of the object's own slot, which must exist. */

@@ -28,6 +28,10 @@ public final class Values {
   public final UrbiObject trueObject;
   public final UrbiObject falseObject;
   public final Shape floatShape;
+
+  /** The shape of numbers in slots whose objects nobody has seen. */
+  public final Shape unseenShape;
+
   private final Shape stringShape;
   private final Shape listShape;
   private final Shape tupleShape;
@@ -48,6 +52,7 @@ public final class Values {
     trueObject = booleanProto.cloned();
     falseObject = booleanProto.cloned();
     floatShape = floatProto.cloneShape();
+    unseenShape = floatShape.unseen();
     stringShape = stringProto.cloneShape();
     listShape = listProto.cloneShape();
     tupleShape = tupleProto.cloneShape();

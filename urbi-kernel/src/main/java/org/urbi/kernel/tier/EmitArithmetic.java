@@ -24,16 +24,16 @@ final class EmitArithmetic {
   private final Emitter to;
   private final EmitFormula formulas;
 
-  EmitArithmetic(Emitter to) {
+  EmitArithmetic(Emitter to, EmitSlots slots) {
     this.to = to;
-    this.formulas = new EmitFormula(to, this);
+    this.formulas = new EmitFormula(to, this, slots);
   }
 
   // ------------------------------------------------------------------ a + b
 
   Value value(NumericOperator operator) {
     boolean comparison = operator.isComparison();
-    if (!comparison && EmitFormula.fits(operator)) {
+    if (!comparison && formulas.fits(operator)) {
       return formulas.value(operator);
     }
     Value result = to.newPair();
@@ -60,7 +60,7 @@ final class EmitArithmetic {
 
   /** Emits a comparison as a condition, without an object. */
   void condition(NumericOperator operator, Label otherwise) {
-    if (EmitFormula.fits(operator)) {
+    if (formulas.fits(operator)) {
       formulas.condition(operator, otherwise);
       return;
     }
@@ -219,6 +219,11 @@ final class EmitArithmetic {
         .invokevirtual(type, "isIntact", MethodTypeDesc.of(ConstantDescs.CD_boolean))
         .ifeq(otherwise);
     to.code.labelBinding(over);
+  }
+
+  /** Emits formulas. */
+  EmitFormula formulas() {
+    return formulas;
   }
 
   // ------------------------------------------------------------------ a += b, a++

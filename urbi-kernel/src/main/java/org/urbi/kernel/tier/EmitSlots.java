@@ -1,9 +1,13 @@
 package org.urbi.kernel.tier;
 
 import static java.lang.constant.ConstantDescs.CD_boolean;
+import static java.lang.constant.ConstantDescs.CD_double;
+import static java.lang.constant.ConstantDescs.CD_int;
+import static java.lang.constant.ConstantDescs.CD_long;
 import static java.lang.constant.ConstantDescs.CD_void;
 
 import java.lang.classfile.Label;
+import java.lang.constant.ConstantDescs;
 import java.lang.constant.MethodTypeDesc;
 import java.util.ArrayList;
 import java.util.List;
@@ -31,6 +35,12 @@ final class EmitSlots {
   private static final MethodTypeDesc READ = MethodTypeDesc.of(Names.OBJECT, Names.OBJECT);
   private static final MethodTypeDesc SET =
       MethodTypeDesc.of(CD_boolean, Names.OBJECT, Names.OBJECT, Names.FRAME);
+
+  private static final MethodTypeDesc NUMBER = MethodTypeDesc.of(CD_double, Names.SHAPE, CD_int);
+  private static final MethodTypeDesc BITS = MethodTypeDesc.of(CD_long, CD_double);
+  private static final long NO_NUMBER = Double.doubleToRawLongBits(UrbiObject.NO_NUMBER);
+  private static final MethodTypeDesc SET_NUMBER =
+      MethodTypeDesc.of(CD_boolean, Names.SHAPE, CD_int, CD_double, Names.SHAPE);
 
   private final Emitter to;
   private final Unit unit;
@@ -123,6 +133,59 @@ final class EmitSlots {
     to.code.labelBinding(otherwise);
   }
 
+  /**
+   * Jumps unless the slot is there, and has a plain number.
+   *
+   * @return the slot of its double
+   */
+  int plainNumber(KnownSlot place, int target, Label otherwise) {
+    Value value = Value.ofObject(to.newObject());
+    if (place.ownShape() != null) {
+      return unseenNumber(place.ownShape(), place.index(), target, otherwise);
+    }
+    place(place, target);
+    to.code
+        .invokevirtual(Names.KNOWN_SLOT, "plainValue", READ)
+        .dup()
+        .astore(value.object())
+        .ifnull(otherwise);
+    return to.number(value, otherwise);
+  }
+
+  /** The same for a slot of the target itself, in which nobody sees the object of a number. */
+  private int unseenNumber(Shape shape, int index, int target, Label otherwise) {
+    to.doubt(otherwise);
+    to.code.aload(target);
+    to.constant(shape, Names.SHAPE);
+    to.code.loadConstant(index).invokevirtual(Names.OBJECT, "numberAt", NUMBER);
+    int number = to.storedNumber().number();
+    to.code
+        .dload(number)
+        .invokestatic(ConstantDescs.CD_Double, "doubleToRawLongBits", BITS)
+        .loadConstant(NO_NUMBER)
+        .lcmp()
+        .ifeq(otherwise);
+    return number;
+  }
+
+  /** Jumps if somebody collects what is read. */
+  void untracked(Label otherwise) {
+    to.constant(to.values.object.world(), Names.WORLD);
+    to.code.getfield(Names.WORLD, "tracker", Names.TRACKER).ifnonnull(otherwise);
+  }
+
+  /** Sets a slot to a number of which there is no object; jumps if it has not done so. */
+  void setNumber(Shape shape, int index, int target, int number, Label otherwise) {
+    to.doubt(otherwise);
+    to.frame();
+    to.help("isOwner", CD_boolean, Names.FRAME);
+    to.code.ifeq(otherwise).aload(target);
+    to.constant(shape, Names.SHAPE);
+    to.code.loadConstant(index).dload(number);
+    to.constant(to.values.unseenShape, Names.SHAPE);
+    to.code.invokevirtual(Names.OBJECT, "setNumberAt", SET_NUMBER).ifeq(otherwise);
+  }
+
   /** Counts that something was not as expected. */
   void missed() {
     to.constant(unit.misses(), Names.MISSES);
@@ -132,14 +195,42 @@ final class EmitSlots {
   // ------------------------------------------------------------------ assignments
 
   Value value(Slots.Assign assignment) {
+    int target = target(assignment.target());
+    return assign(assignment, target, assigned(assignment));
+  }
+
+  private int target(Node node) {
     int target = to.newObject();
-    to.load(to.operand(assignment.target()));
+    to.load(to.operand(node));
     to.code.astore(target);
+    return target;
+  }
+
+  private Value assigned(Slots.Assign assignment) {
     Value value = to.operand(assignment.value());
     if (value.hasObject()) {
       to.located(assignment, () -> to.notVoid(value));
     }
-    return assign(assignment, target, value);
+    return value;
+  }
+
+  /** An assignment whose value nobody uses: a number gets no object. */
+  void effect(Slots.Assign assignment) {
+    int target = target(assignment.target());
+    Value value = assigned(assignment);
+    Label over = to.code.newLabel();
+    Shape shape = assignment.knownShape();
+    if (shape != null && value.hasNumber() && !value.isVariable()) {
+      Label otherwise = to.code.newLabel();
+      if (value.hasObject()) {
+        to.code.aload(value.object()).ifnonnull(otherwise);
+      }
+      setNumber(shape, assignment.knownIndex(), target, value.number(), otherwise);
+      to.code.goto_(over);
+      to.code.labelBinding(otherwise);
+    }
+    assign(assignment, target, value);
+    to.code.labelBinding(over);
   }
 
   Value value(Slots.Declare declaration) {

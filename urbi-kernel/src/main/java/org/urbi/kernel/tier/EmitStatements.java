@@ -3,6 +3,7 @@ package org.urbi.kernel.tier;
 import java.lang.classfile.Label;
 import java.lang.constant.ConstantDescs;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.node.CompoundAssignment;
 import org.urbi.kernel.node.Conditionals;
 import org.urbi.kernel.node.ForEach;
 import org.urbi.kernel.node.Jumps;
@@ -11,6 +12,7 @@ import org.urbi.kernel.node.Matching;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Pattern;
 import org.urbi.kernel.node.Sequences;
+import org.urbi.kernel.node.Slots;
 import org.urbi.kernel.node.Try;
 
 /** Emits sequences, conditionals and jumps. */
@@ -71,6 +73,11 @@ final class EmitStatements {
       to.statement(located.code());
     } else if (node instanceof Conditionals.If choice) {
       effect(choice);
+    } else if (node instanceof Slots.Assign assignment) {
+      to.slots().effect(assignment);
+    } else if (node instanceof CompoundAssignment assignment
+        && assignment.access() instanceof CompoundAssignment.Slot slot) {
+      return to.arithmetic().formulas().count(assignment, slot);
     } else {
       return node instanceof Sequences.Noop;
     }

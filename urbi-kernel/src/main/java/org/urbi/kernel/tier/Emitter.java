@@ -51,10 +51,10 @@ final class Emitter extends CodeWriter {
     super(code, unit);
     this.doubt = unit.doubt();
     this.survey = unit.survey();
-    this.arithmetic = new EmitArithmetic(this);
+    this.slots = new EmitSlots(this, unit);
+    this.arithmetic = new EmitArithmetic(this, slots);
     this.assignments = new EmitVariables(this);
     this.statements = new EmitStatements(this);
-    this.slots = new EmitSlots(this, unit);
     this.containers = new EmitContainers(this, slots, unit);
     this.messages = new EmitMessages(this, slots, containers, unit);
     this.loops = new EmitLoops(this);
@@ -102,6 +102,10 @@ final class Emitter extends CodeWriter {
 
   EmitArithmetic arithmetic() {
     return arithmetic;
+  }
+
+  EmitSlots slots() {
+    return slots;
   }
 
   EmitStatements statements() {
