@@ -11,6 +11,8 @@ import org.urbi.ros.message.MessageType;
 import org.urbi.ros.message.Templates;
 import org.urbi.ros.one.OneNode;
 import org.urbi.ros.one.OneSettings;
+import org.urbi.ros.two.TwoNode;
+import org.urbi.ros.two.TwoSettings;
 import urbi.UBinary;
 import urbi.UDictionary;
 import urbi.UValue;
@@ -18,7 +20,8 @@ import urbi.UValue;
 /**
  * Urbi's half of {@code bench/ros}, with the same arguments as {@code native/ros_peer.cc} and
  * {@code native/ros_peer.py}: {@code publish TYPE SIZE SECONDS}, {@code subscribe TYPE SECONDS},
- * {@code serve}, {@code call COUNT}.
+ * {@code serve}, {@code call COUNT}. For {@code bench/ros2}, where {@code ROS_VERSION} is 2, also
+ * what {@link TopicBench} has.
  */
 public final class RosPeer {
   private static final String TOPIC = "/bench";
@@ -31,9 +34,7 @@ public final class RosPeer {
   }
 
   public static void main(String[] arguments) throws Exception {
-    OneSettings settings =
-        OneSettings.of(System.getenv(), "bench_" + ProcessHandle.current().pid(), Map.of());
-    try (OneNode node = OneNode.start(settings, present -> {})) {
+    try (Node node = node()) {
       RosPeer peer = new RosPeer(node);
       switch (arguments[0]) {
         case "publish" ->
@@ -42,12 +43,19 @@ public final class RosPeer {
         case "subscribe" -> peer.subscribe(arguments[1], Double.parseDouble(arguments[2]));
         case "serve" -> peer.serve();
         case "call" -> peer.call(Integer.parseInt(arguments[1]));
-        default -> throw new IllegalArgumentException(arguments[0]);
+        default -> TopicBench.run(node, arguments);
       }
     }
   }
 
-  private static void say(String text) {
+  private static Node node() {
+    String name = "bench_" + ProcessHandle.current().pid();
+    return "2".equals(System.getenv("ROS_VERSION"))
+        ? TwoNode.start(TwoSettings.of(System.getenv(), name, Map.of()), System.err::println)
+        : OneNode.start(OneSettings.of(System.getenv(), name, Map.of()), present -> {});
+  }
+
+  static void say(String text) {
     System.out.println(text);
     System.out.flush();
   }

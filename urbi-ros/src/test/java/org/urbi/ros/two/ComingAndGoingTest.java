@@ -1,0 +1,84 @@
+package org.urbi.ros.two;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import org.junit.jupiter.api.Test;
+import org.urbi.ros.graph.Publisher;
+import org.urbi.ros.graph.Qos;
+import org.urbi.ros.message.MessageType;
+import org.urbi.ros.message.Templates;
+import org.urbi.ros.rtps.Neighbourhood;
+import org.urbi.ros.rtps.Peer;
+import urbi.UDictionary;
+
+/** Peers come, die and come back: each is heard, and nothing of them is left. */
+class ComingAndGoingTest {
+  private static TwoNode start(Neighbourhood domain, String name) {
+    return TwoNode.start(
+        TwoSettings.of(Map.of("ROS_DOMAIN_ID", "" + domain.domain()), name, Map.of()), text -> {});
+  }
+
+  private static void awaitEndpoints(TwoNode node, int count) throws InterruptedException {
+    while (node.endpoints().size() != count) {
+      Thread.sleep(1);
+    }
+  }
+
+  @Test
+  void nodesThatSayGoodBye() throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        TwoNode stays = start(domain, "stays")) {
+      MessageType string = stays.definitions().message("std_msgs/String");
+      BlockingQueue<UDictionary> heard = new LinkedBlockingQueue<>();
+      stays.subscribe("/come", string, Qos.LATCHED, heard::add);
+      Publisher publisher =
+          stays.advertise("/stay", string, Qos.DEFAULT, new Publisher.Listener() {});
+      int own = stays.endpoints().size();
+      for (int i = 0; i < 30; i++) {
+        try (TwoNode comes = start(domain, "comes" + i % 3)) {
+          BlockingQueue<UDictionary> back = new LinkedBlockingQueue<>();
+          comes.subscribe("/stay", string, Qos.DEFAULT, back::add);
+          Publisher there =
+              comes.advertise("/come", string, Qos.LATCHED, new Publisher.Listener() {});
+          there.publish(Templates.of(string).with("data", "visit " + i));
+          assertEquals("visit " + i, heard.take().get("data").stringValue());
+          while (publisher.subscribers() == 0) {
+            Thread.sleep(1);
+          }
+          publisher.publish(Templates.of(string).with("data", "welcome"));
+          back.take();
+        }
+        awaitEndpoints(stays, own);
+        assertEquals(0, publisher.subscribers());
+      }
+      assertEquals(List.of("/stays"), List.copyOf(stays.graph().join().nodes().keySet()));
+      assertTrue(heard.isEmpty());
+    }
+  }
+
+  @Test
+  void peersThatDie() throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        TwoNode stays = start(domain, "stays")) {
+      MessageType string = stays.definitions().message("std_msgs/String");
+      BlockingQueue<UDictionary> heard = new LinkedBlockingQueue<>();
+      stays.subscribe("/come", string, Qos.DEFAULT, heard::add);
+      int own = stays.endpoints().size();
+      for (String environment : List.of("kilted", "jazzy")) {
+        try (Peer peer = Peer.ofShortLease(environment, domain.domain())) {
+          peer.say("publish come 100000 1000 1000");
+          peer.expect("matched");
+          heard.take();
+          peer.kill();
+        }
+        awaitEndpoints(stays, own);
+      }
+      assertEquals(List.of("/stays"), List.copyOf(stays.graph().join().nodes().keySet()));
+    }
+  }
+}
