@@ -254,6 +254,30 @@ class ActionsTest {
   }
 
   @Test
+  void aClientThatFloods() throws Exception {
+    try (Neighbourhood domain = new Neighbourhood();
+        TwoNode one = start(domain, "one");
+        TwoNode two = start(domain, "two")) {
+      Goals goals = new Goals();
+      one.actions().serve("f", fibonacci(one), goals);
+      ActionClient client = client(two, "/f");
+      for (int i = 0; i < 1000; i++) {
+        client.send(goal(i), new Progress()).accepted().join();
+      }
+      assertEquals("/f refuses the goal", failure(client.send(goal(1), new Progress()).accepted()));
+      // Those that have ended make room for others.
+      for (int i = 0; i < 500; i++) {
+        goals.accepted.take().end(GoalStatus.SUCCEEDED, sequence(i));
+      }
+      ActionClient.Goal last = client.send(goal(7), new Progress());
+      last.accepted().join();
+      goals.accepted.removeIf(each -> each.request().get("order").doubleValue() != 7);
+      goals.accepted.take().end(GoalStatus.SUCCEEDED, sequence(7));
+      assertEquals(sequence(7), last.outcome().join().result());
+    }
+  }
+
+  @Test
   void aClientThatIsClosedWaitsForNothing() throws Exception {
     try (Neighbourhood domain = new Neighbourhood();
         TwoNode node = start(domain, "one")) {
