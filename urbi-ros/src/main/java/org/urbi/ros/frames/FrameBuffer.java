@@ -51,9 +51,9 @@ public final class FrameBuffer {
     return written.startsWith("/") ? written.substring(1) : written;
   }
 
-  /** Forgets all: time has jumped back. */
+  /** Time has jumped back: forgets all but what is there at all times, which nobody tells again. */
   public synchronized void clear() {
-    frames.clear();
+    frames.values().removeIf(each -> !each.isFixed());
   }
 
   /** Each frame and the one in which it was last. */

@@ -38,6 +38,11 @@ final class FrameHistory {
     fixed = true;
   }
 
+  /** Whether it is there at all times. */
+  boolean isFixed() {
+    return fixed;
+  }
+
   /** It was there at a time; what is too old is not kept. */
   void add(long time, Place place) {
     if (fixed) {

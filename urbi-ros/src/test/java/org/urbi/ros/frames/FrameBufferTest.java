@@ -120,7 +120,9 @@ class FrameBufferTest {
     }
     assertThrows(FrameException.class, () -> put("root", "another", 0, SECOND));
     buffer.clear();
+    buffer.put("root", "fixed", at(0), 0, true);
     put("root", "another", 0, SECOND);
-    assertEquals("{another=root}", buffer.parents().toString());
+    buffer.clear();
+    assertEquals("{fixed=root}", buffer.parents().toString());
   }
 }
