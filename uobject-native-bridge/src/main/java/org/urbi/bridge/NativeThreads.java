@@ -37,7 +37,7 @@ public final class NativeThreads {
    * variables of C++ stay as they are: those threads would stumble over their destructors.
    */
   public static void halt(int status) {
-    if (ALL.stream().anyMatch(Thread::isAlive)) {
+    if (!ALL.isEmpty() && ALL.stream().anyMatch(Thread::isAlive)) {
       NativeLibrary c = NativeLibrary.getProcess();
       c.getFunction("fflush").invokeInt(new Object[] {null});
       c.getFunction("_exit").invokeVoid(new Object[] {status});

@@ -19,7 +19,7 @@ public final class TrainingRun {
    * @param args a script to be run, which must not end the server
    */
   public static void main(String[] args) {
-    String script = args[0];
+    String script = RawArguments.of(args)[0];
     TrainingRun trainingRun = new TrainingRun();
     trainingRun.urbi("-q", "-e", "echo(\"Hello, World!\");", "-e", "shutdown;");
     trainingRun.urbi("--quiet", "--fast", script);

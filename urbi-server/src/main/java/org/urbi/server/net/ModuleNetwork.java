@@ -38,7 +38,6 @@ public final class ModuleNetwork implements AutoCloseable {
   private static final int TOKEN_BYTES = 32;
 
   private final Trace trace;
-  private final SecureRandom secrets = new SecureRandom();
   private @Nullable EventLoopGroup loop;
   private boolean closed;
 
@@ -58,7 +57,8 @@ public final class ModuleNetwork implements AutoCloseable {
     private Entrance(RemotePeer peer, EventLoopGroup group) throws IOException {
       this.peer = peer;
       byte[] secret = new byte[TOKEN_BYTES];
-      secrets.nextBytes(secret);
+      // Made here, because few servers need one, and it loads all security providers.
+      new SecureRandom().nextBytes(secret);
       token = HexFormat.of().formatHex(secret);
       policy = new AccessPolicy(Tokens.single(token, Role.OWNER, "a module"), null);
       InetAddress here = InetAddress.getLoopbackAddress();

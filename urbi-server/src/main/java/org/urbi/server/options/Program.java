@@ -76,6 +76,11 @@ public final class Program {
    * @return the exit status
    */
   public int run(String[] args, PrintStream out, PrintStream err, ToIntFunction<Arguments> body) {
+    if (args.length == 1 && args[0].equals("--version")) {
+      // The classes of picocli would take longer than all the rest.
+      out.print(Version.text(name));
+      return 0;
+    }
     try {
       Optional<ParsedCommandLine> reading = readQuickly(args).or(() -> readFully(args, out));
       if (reading.isEmpty()) {
