@@ -37,6 +37,10 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
   private static final Map<String, String> TYPES =
       Map.of("html", "text/html", "css", "text/css", "js", "text/javascript");
 
+  /** A file in the folder of a page, or in one of its folders. */
+  private static final Pattern FILE =
+      Pattern.compile("(\\w[\\w-]*/)*\\w[\\w.-]*\\.(" + String.join("|", TYPES.keySet()) + ")");
+
   private final Page page;
   private final boolean local;
   private final String scheme;
@@ -64,15 +68,14 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
       // Neither is there for long: the next handler replaces all of HTTP.
       context.fireChannelRead(request.retain());
       context.pipeline().remove(this);
-    } else if (!page.files().contains(file)) {
+    } else if (!FILE.matcher(file).matches()) {
       answer(context, request, HttpResponseStatus.NOT_FOUND);
     } else if (request.method() != HttpMethod.GET && request.method() != HttpMethod.HEAD) {
       answer(context, request, HttpResponseStatus.METHOD_NOT_ALLOWED);
     } else {
       try (InputStream content = page.home().getResourceAsStream(file)) {
         if (content == null) {
-          // Packed without its files: the browser says so, instead of showing nothing.
-          answer(context, request, HttpResponseStatus.INTERNAL_SERVER_ERROR);
+          answer(context, request, HttpResponseStatus.NOT_FOUND);
         } else {
           String type = TYPES.get(file.substring(file.lastIndexOf('.') + 1)) + "; charset=utf-8";
           answer(context, request, HttpResponseStatus.OK, type, content.readAllBytes());

@@ -11,7 +11,6 @@ import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.channel.WriteBufferWaterMark;
 import io.netty.channel.embedded.EmbeddedChannel;
 import java.nio.charset.StandardCharsets;
-import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -30,8 +29,7 @@ class SilenceTest {
   @BeforeEach
   void serve() {
     channel.freezeTime();
-    Page page =
-        new Page(SilenceTest.class, Set.of(), 1000, SECONDS, new WriteBufferWaterMark(100, 1000));
+    Page page = new Page(SilenceTest.class, 1000, SECONDS, new WriteBufferWaterMark(100, 1000));
     PagePort.serve(
         channel, page, new PageFiles(page, true, false), new ChannelInboundHandlerAdapter());
   }

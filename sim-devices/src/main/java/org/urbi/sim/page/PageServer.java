@@ -4,7 +4,6 @@ import io.netty.channel.WriteBufferWaterMark;
 import java.io.IOException;
 import java.net.BindException;
 import java.net.InetSocketAddress;
-import java.util.Set;
 import org.urbi.sim.SimulationException;
 import org.urbi.web.Page;
 import org.urbi.web.PagePort;
@@ -15,12 +14,7 @@ import org.urbi.web.PagePort;
  */
 public final class PageServer implements AutoCloseable {
   private static final Page PAGE =
-      new Page(
-          PageServer.class,
-          Set.of("index.html", "page.css", "page.js", "camera.js", "scene.js", "plots.js"),
-          1 << 10,
-          20,
-          new WriteBufferWaterMark(1 << 16, 1 << 18));
+      new Page(PageServer.class, 1 << 10, 20, new WriteBufferWaterMark(1 << 16, 1 << 18));
 
   private static final int MAX_PORT = 65_535;
 

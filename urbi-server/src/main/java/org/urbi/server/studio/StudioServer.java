@@ -4,7 +4,6 @@ import io.netty.channel.WriteBufferWaterMark;
 import io.netty.handler.ssl.SslContext;
 import java.io.IOException;
 import java.net.InetSocketAddress;
-import java.util.Set;
 import java.util.function.Function;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
@@ -22,20 +21,7 @@ import org.urbi.web.PagePort;
  */
 public final class StudioServer implements AutoCloseable {
   private static final Page PAGE =
-      new Page(
-          StudioServer.class,
-          Set.of(
-              "index.html",
-              "studio.css",
-              "studio.js",
-              "stream.js",
-              "jobs.js",
-              "joblist.js",
-              "lanes.js",
-              "side.js"),
-          Request.LONGEST,
-          10,
-          new WriteBufferWaterMark(1 << 18, 1 << 20));
+      new Page(StudioServer.class, Request.LONGEST, 10, new WriteBufferWaterMark(1 << 18, 1 << 20));
 
   private final PagePort port;
   private final AccessPolicy accessPolicy;

@@ -1,36 +1,21 @@
 // Beside the list: the selected job with its calls, and the tags.
+import { make, put } from "./elements.js";
 import { Jobs } from "./jobs.js";
 
 const MOST_TAGS = 200;
 
-const make = (tag, text = "", properties = {}) => {
-  const made = document.createElement(tag);
-  made.textContent = text;
-  return Object.assign(made, properties);
-};
-
-// Puts other content into an element, unless it is what is there: a click must not miss a button.
-function put(host, state, content) {
-  const text = JSON.stringify(state);
-  if (host.dataset.state === text) return;
-  host.dataset.state = text;
-  const focused = host.contains(document.activeElement) ? document.activeElement.dataset.act : null;
-  host.replaceChildren(...content());
-  if (focused) host.querySelector(`[data-act="${focused}"]`)?.focus();
-}
-
 export class Side {
-  constructor(detail, tags, jobs, steer, filter) {
+  constructor(detail, tags, jobs, { steer, filter, mayChange }) {
     this.detail = detail;
     this.tags = tags;
     this.jobs = jobs;
     this.steer = steer;
     this.filter = filter;
-    this.mayChange = true;
+    this.mayChange = mayChange;
   }
 
   button(text, action, kind, target, label, danger) {
-    const made = make("button", text, { type: "button", disabled: !this.mayChange, title: label });
+    const made = make("button", text, { type: "button", disabled: !this.mayChange(), title: label });
     made.setAttribute("aria-label", label);
     made.dataset.act = `${kind} ${target} ${text}`;
     if (danger) made.className = "danger";
@@ -59,7 +44,7 @@ export class Side {
       ["lobby", job.lobby],
       ["tags", this.jobs.tagNames(job).join(", ") || "none"],
     ];
-    put(this.detail, [facts, own?.calls, this.mayChange, job.frozen], () => {
+    put(this.detail, [facts, own?.calls, this.mayChange(), job.frozen], () => {
       const buttons = make("div", "", { className: "buttons" });
       buttons.append(
         this.button("Stop", "stop", "job", number, `Stop ${job.name}`, true),
@@ -86,7 +71,7 @@ export class Side {
     for (const job of this.jobs.rows.values()) for (const tag of job.tags) count.set(tag, (count.get(tag) ?? 0) + 1);
     const all = [...this.jobs.tags.values()].sort((a, b) => a.number - b.number);
     const shown = all.slice(0, MOST_TAGS).map((tag) => ({ ...tag, jobs: count.get(tag.number) ?? 0 }));
-    put(this.tags, [shown, all.length, this.mayChange], () => {
+    put(this.tags, [shown, all.length, this.mayChange()], () => {
       const items = shown.map((tag) => this.tagItem(tag));
       if (all.length > MOST_TAGS) items.push(make("li", `and ${all.length - MOST_TAGS} more`, { className: "hint" }));
       return items.length ? items : [make("li", "No code is under a tag.", { className: "hint" })];

@@ -8,7 +8,7 @@ function token() {
   const given = new URLSearchParams(location.search).get("token");
   if (given) {
     sessionStorage.setItem("token", given);
-    history.replaceState(null, "", location.pathname);
+    history.replaceState(null, "", location.pathname + location.hash);
   }
   return given ?? sessionStorage.getItem("token");
 }
@@ -61,7 +61,10 @@ export class Stream {
     this.onState("waiting", "resting", this.connections);
   }
 
+  // Whether it could be sent.
   send(message) {
-    if (this.socket.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(message));
+    const open = this.socket.readyState === WebSocket.OPEN;
+    if (open) this.socket.send(JSON.stringify(message));
+    return open;
   }
 }

@@ -1,114 +1,84 @@
-// Puts the parts of the studio together.
+// Puts the parts of the studio together: the connection, what is known of the jobs, the rooms.
 import { Stream } from "./stream.js";
 import { Jobs } from "./jobs.js";
-import { JobList } from "./joblist.js";
-import { Lanes } from "./lanes.js";
-import { Side } from "./side.js";
+import { Navigation } from "./navigation.js";
 
 const ALERT_SECONDS = 8;
 const SILENT_SECONDS = 2;
-const KINDS = ["running", "time", "event", "condition", "jobs", "lock", "signal", "file", "frozen"];
 
 const byId = (id) => document.getElementById(id);
-const jobs = new Jobs();
-let selected = 0;
-let detail = null;
+const questions = new Map();
 let asked = 0;
-let interest = "";
-let redrawing = false;
 let alerted;
 
-function alert(text) {
-  byId("alert").textContent = text;
-  byId("alert").hidden = false;
-  clearTimeout(alerted);
-  alerted = setTimeout(() => (byId("alert").hidden = true), ALERT_SECONDS * 1000);
-}
+// What rooms have of the studio.
+const studio = {
+  jobs: new Jobs(),
+  // The role that the server has given to this page, and whether it may change anything.
+  role: "",
+  mayChange: false,
 
-function steer(action, kind, target) {
-  stream.send({ type: "steer", id: ++asked, action, kind, target });
-}
+  // Tells the server something that it does not answer.
+  send: (message) => stream.send(message),
 
-function filter(text) {
-  byId("filter").value = text;
-  list.words = text.toLowerCase().split(/\s+/).filter((word) => word);
-  list.state = "";
-  byId("list").scrollTop = 0;
-  redraw();
-}
-
-const list = new JobList(byId("list"), byId("rows"), jobs, {
-  onSelect: (number) => {
-    selected = number;
-    redraw();
+  // Asks the server: a promise of its answer, the message "done" of that number. People are told when the answer is an error.
+  ask(message) {
+    const id = ++asked;
+    const answer = new Promise((resolve) => questions.set(id, resolve));
+    if (!stream.send({ ...message, id })) resolve(id, "There is no connection to the server.");
+    return answer;
   },
-  onStop: (number) => steer("stop", "job", number),
-  onFreeze: (number) => steer(jobs.rows.get(number)?.frozen ? "unfreeze" : "freeze", "job", number),
-});
-const lanes = new Lanes(byId("lanes"), list, jobs);
-const side = new Side(byId("job"), byId("taglist"), jobs, steer, filter);
 
-// The server is told which job is selected, and which ones are in sight.
-function tellInterest() {
-  const { first, last } = list.visible();
-  const traced = list.lines.slice(first, last).filter((line) => line.job).map((line) => line.key);
-  const next = JSON.stringify({ type: "interest", selected, traced: traced.slice(0, 64) });
-  if (next !== interest) {
-    interest = next;
-    stream.send(JSON.parse(next));
-  }
+  alert(text) {
+    byId("alert").textContent = text;
+    byId("alert").hidden = false;
+    clearTimeout(alerted);
+    alerted = setTimeout(() => (byId("alert").hidden = true), ALERT_SECONDS * 1000);
+  },
+
+  go: (name, path = "") => (location.hash = path ? `${name}/${encodeURIComponent(path)}` : name),
+};
+
+function resolve(id, error, message = { error }) {
+  questions.get(id)?.(message);
+  questions.delete(id);
+  if (error) studio.alert(error);
 }
 
-function draw() {
-  redrawing = false;
-  list.draw();
-  lanes.draw();
-  side.showJob(selected, detail);
-  side.showTags();
-  byId("empty").hidden = list.lines.length > 0 || !jobs.machine;
-  byId("count").textContent = jobs.rows.size.toLocaleString("en");
-  byId("load").textContent = `${Math.min(100, jobs.load / 10).toFixed(1)} %`;
-}
+const navigation = new Navigation(byId("nav"), byId("rooms"), studio);
 
-function redraw() {
-  if (redrawing) return;
-  redrawing = true;
-  requestAnimationFrame(draw);
-}
-
-let telling;
-function soon() {
-  clearTimeout(telling);
-  telling = setTimeout(tellInterest, 100);
+function welcome({ role }) {
+  studio.role = role;
+  studio.mayChange = role !== "observer";
+  studio.jobs.clear();
+  for (const id of [...questions.keys()]) resolve(id, "The connection was lost before the answer came.");
+  byId("role").hidden = false;
+  byId("role").textContent = role;
+  byId("role").title = studio.mayChange ? "" : "An observer sees, and cannot change.";
+  navigation.welcome();
 }
 
 function take(message) {
   switch (message.type) {
     case "hello":
-      jobs.clear();
-      list.state = "";
-      interest = "";
-      side.mayChange = message.role !== "observer";
-      byId("role").hidden = false;
-      byId("role").textContent = message.role;
-      byId("role").title = side.mayChange ? "" : "An observer sees, and cannot change.";
+      welcome(message);
       break;
     case "view":
-      jobs.take(message);
-      if (message.detail || message.complete) detail = message.detail ?? null;
+      studio.jobs.take(message);
       byId("time").textContent = `${(message.time / 1000).toFixed(1)} s`;
+      byId("count").textContent = studio.jobs.rows.size.toLocaleString("en");
+      byId("load").textContent = `${Math.min(100, studio.jobs.load / 10).toFixed(1)} %`;
       if (byId("connection").dataset.state === "live") byId("connection").textContent = "live";
-      soon();
       break;
     case "done":
-      if (message.error) alert(message.error);
+      resolve(message.id, message.error, message);
       break;
     case "error":
     case "refused":
-      alert(message.text);
+      studio.alert(message.text);
       break;
   }
-  redraw();
+  navigation.take(message);
 }
 
 const stream = new Stream({
@@ -122,40 +92,16 @@ const stream = new Stream({
 
 // A kernel that is held cannot answer, which is worth knowing.
 setInterval(() => {
-  const silent = (performance.now() - jobs.at) / 1000;
+  const silent = (performance.now() - studio.jobs.at) / 1000;
   if (byId("connection").dataset.state === "live" && silent > SILENT_SECONDS) {
     byId("connection").textContent = `the kernel has been busy for ${silent.toFixed(0)} s`;
   }
 }, 1000);
 
-byId("filter").addEventListener("input", (event) => filter(event.target.value));
-byId("order").addEventListener("change", (event) => {
-  list.order = event.target.value;
-  list.state = "";
-  redraw();
-});
-byId("span").addEventListener("change", (event) => {
-  lanes.span = Number(event.target.value);
-  byId("from").textContent = `${event.target.selectedOptions[0].textContent} ago`;
-  redraw();
-});
-byId("pause").addEventListener("click", (event) => {
-  const on = lanes.paused === null;
-  lanes.pause(on);
-  event.target.setAttribute("aria-pressed", on);
-  redraw();
-});
-byId("list").addEventListener("scroll", () => {
-  redraw();
-  soon();
-});
-window.addEventListener("resize", () => {
-  list.state = "";
-  redraw();
-});
-
 function theme(name) {
-  if (name) document.documentElement.dataset.theme = name;
+  if (!name) return;
+  document.documentElement.dataset.theme = name;
+  window.dispatchEvent(new Event("resize"));
 }
 theme(localStorage.getItem("theme"));
 byId("theme").addEventListener("click", () => {
@@ -164,13 +110,6 @@ byId("theme").addEventListener("click", () => {
   const next = now === "dark" ? "light" : "dark";
   localStorage.setItem("theme", next);
   theme(next);
-  redraw();
 });
 
-for (const kind of KINDS) {
-  const entry = document.createElement("span");
-  const mark = document.createElement("i");
-  entry.dataset.kind = kind;
-  entry.append(mark, kind);
-  byId("legend").append(entry);
-}
+navigation.follow();

@@ -149,19 +149,20 @@ class StudioServerTest {
     assertTrue(page.startsWith("HTTP/1.1 200 OK"), page);
     assertTrue(page.contains("default-src 'self'") && page.contains("nosniff"), page);
     assertTrue(page.contains("<title>Urbi studio</title>"), page);
-    for (String file :
-        List.of(
-            "studio.css",
-            "studio.js",
-            "stream.js",
-            "jobs.js",
-            "joblist.js",
-            "lanes.js",
-            "side.js")) {
-      assertTrue(page.contains(file) || get("/" + file, HOST).startsWith("HTTP/1.1 200"), file);
+    for (String file : List.of("studio.css", "studio.js", "rooms.js", "jobs-room.js", "jobs.css")) {
+      assertTrue(get("/" + file, HOST).startsWith("HTTP/1.1 200"), file);
     }
     for (String path :
-        List.of("/Viewer.class", "/../net/x", "/%2e%2e/banner", "//etc/passwd", "/stream/../x")) {
+        List.of(
+            "/Viewer.class",
+            "/../net/x",
+            "/%2e%2e/banner",
+            "//etc/passwd",
+            "/stream/../x",
+            "/../studio/studio.js",
+            "/x/../studio.js",
+            "//studio.js",
+            "/none.js")) {
       assertTrue(get(path, HOST).matches("(?s)HTTP/1.1 40[0-9].*"), path);
     }
     assertTrue(answer("POST / HTTP/1.1\r\nHost: localhost\r\n\r\n").startsWith("HTTP/1.1 405"));

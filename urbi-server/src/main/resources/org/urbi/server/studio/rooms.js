@@ -1,0 +1,9 @@
+// The rooms of the studio, in the order in which they are offered. A room is a class `Room` in a module of its own, made when
+// it is first visited, with the studio (studio.js) and the element that is all its own. What it may have:
+//   show(path)     it comes in sight; path is what stands behind its name in the address (#name/path)
+//   hide()         another one comes in sight
+//   welcome()      the server is there, for the first time or again: what was known is no longer true
+//   take(message)  what the server says, in sight or not
+export const ROOMS = [
+  { name: "jobs", title: "Jobs", styles: ["jobs.css"], load: () => import("./jobs-room.js") },
+];
