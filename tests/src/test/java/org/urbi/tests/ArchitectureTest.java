@@ -453,7 +453,6 @@ class ArchitectureTest {
               ".tag",
               ".compile",
               ".lobby",
-              ".observe",
               ".variable",
               ".uobject",
               ".remote",
@@ -474,6 +473,7 @@ class ArchitectureTest {
               ".library.system",
               ".library.uobject",
               ".library",
+              ".observe",
               ".embed",
               "",
               ".script")

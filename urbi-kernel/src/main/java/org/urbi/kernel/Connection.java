@@ -93,4 +93,14 @@ public interface Connection {
    *     when the connection has closed
    */
   CompletableFuture<String> steer(Steering.Action action, boolean tag, long target);
+
+  /**
+   * Emits an event, in a job of the lobby.
+   *
+   * @param event its number
+   * @param payload expressions of urbiscript, separated by commas
+   * @return what went wrong, empty when it has been emitted; exceptionally when the connection has
+   *     closed
+   */
+  CompletableFuture<String> emit(long event, String payload);
 }

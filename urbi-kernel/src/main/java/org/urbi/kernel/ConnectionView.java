@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.message.Message;
@@ -22,7 +23,7 @@ final class ConnectionView {
   private final int number;
   private final AtomicInteger questions = new AtomicInteger();
   private final Map<Integer, Question> looks = new ConcurrentHashMap<>();
-  private final Map<Integer, CompletableFuture<String>> steerings = new ConcurrentHashMap<>();
+  private final Map<Integer, CompletableFuture<String>> interventions = new ConcurrentHashMap<>();
   private volatile boolean closed;
   private @Nullable Watch watch;
 
@@ -50,10 +51,18 @@ final class ConnectionView {
   }
 
   CompletableFuture<String> steer(Steering.Action action, boolean tag, long target) {
+    return intervene(question -> new Message.Steered(number, question, action.text(), tag, target));
+  }
+
+  CompletableFuture<String> emit(long event, String payload) {
+    return intervene(question -> new Message.Emitted(number, question, event, payload));
+  }
+
+  private CompletableFuture<String> intervene(IntFunction<Message> message) {
     CompletableFuture<String> answer = new CompletableFuture<>();
     int question = questions.incrementAndGet();
-    steerings.put(question, answer);
-    kernel.inbox().post(new Message.Steered(number, question, action.text(), tag, target));
+    interventions.put(question, answer);
+    kernel.inbox().post(message.apply(question));
     cancelIfClosed();
     return answer;
   }
@@ -61,9 +70,9 @@ final class ConnectionView {
   private void cancelIfClosed() {
     if (closed) {
       looks.values().forEach(each -> each.answer().cancel(false));
-      steerings.values().forEach(each -> each.cancel(false));
+      interventions.values().forEach(each -> each.cancel(false));
       looks.clear();
-      steerings.clear();
+      interventions.clear();
     }
   }
 
@@ -74,7 +83,7 @@ final class ConnectionView {
     Question asked = looks.remove(message.question());
     if (asked != null) {
       if (watch == null) {
-        watch = new Watch(kernel.scheduler());
+        watch = new Watch(kernel.scheduler(), kernel.knownEvents());
       }
       asked.answer().complete(watch.look(asked.wanted()));
     }
@@ -87,9 +96,19 @@ final class ConnectionView {
         message.tag()
             ? kernel.steering().steerTag(by, action, message.target())
             : kernel.steering().steerJob(by, action, message.target());
-    CompletableFuture<String> answer = steerings.remove(message.question());
+    answer(message.question(), failure);
+  }
+
+  void take(Message.Emitted message, UrbiLobby by) {
+    kernel
+        .interventions()
+        .emit(by, message.event(), message.payload(), error -> answer(message.question(), error));
+  }
+
+  private void answer(int question, String error) {
+    CompletableFuture<String> answer = interventions.remove(question);
     if (answer != null) {
-      answer.complete(failure);
+      answer.complete(error);
     }
   }
 

@@ -40,6 +40,8 @@ import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.CorePrototypes;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.World;
+import org.urbi.kernel.observe.Interventions;
+import org.urbi.kernel.observe.KnownEvents;
 import org.urbi.kernel.observe.Steering;
 import org.urbi.kernel.outside.HeapUsage;
 import org.urbi.kernel.outside.Outside;
@@ -76,6 +78,8 @@ public final class Kernel implements AutoCloseable {
   private final LeftBehind leftBehind;
   private final KernelLifecycle life;
   private final Steering steering;
+  private final KnownEvents knownEvents;
+  private final Interventions interventions;
 
   /** The recording that this kernel replays, or null. */
   private final @Nullable Replay replay;
@@ -129,6 +133,8 @@ public final class Kernel implements AutoCloseable {
     var loadedFiles = new LoadedFiles();
     var stackFrames = new StackFrames(world, loadedFiles);
     Library.install(interpreter, tables(builder, loadedFiles, stackFrames), stackFrames);
+    knownEvents = new KnownEvents(scheduler, world.prototype("Global"), lobbies::all);
+    interventions = new Interventions(interpreter, knownEvents);
     embedding = new Embedding(interpreter, builder.output, this::isStopping);
     memory.add(embedding.evictable());
   }
@@ -399,6 +405,14 @@ public final class Kernel implements AutoCloseable {
 
   Steering steering() {
     return steering;
+  }
+
+  KnownEvents knownEvents() {
+    return knownEvents;
+  }
+
+  Interventions interventions() {
+    return interventions;
   }
 
   KernelMemory memory() {

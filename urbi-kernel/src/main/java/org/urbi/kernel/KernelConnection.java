@@ -197,6 +197,11 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     return view.steer(action, tag, target);
   }
 
+  @Override
+  public CompletableFuture<String> emit(long event, String payload) {
+    return view.emit(event, payload);
+  }
+
   // ------------------------------------------------------------------ on the kernel thread
 
   void open(Message.ConnectionOpened opened) {
@@ -271,6 +276,8 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
       view.endLook();
     } else if (message instanceof Message.Steered steered) {
       view.take(steered, lobby());
+    } else if (message instanceof Message.Emitted emitted) {
+      view.take(emitted, lobby());
     } else {
       throw new IllegalArgumentException(message.toString());
     }

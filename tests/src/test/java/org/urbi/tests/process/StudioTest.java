@@ -3,19 +3,12 @@ package org.urbi.tests.process;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.urbi.tests.process.JavaProcess.Setting;
 
 /** The studio as its user meets it: a real server, in a real browser. */
 class StudioTest {
-  private static final Path ROOT = Path.of("..").toAbsolutePath().normalize();
-  private static final String URBI = "org.urbi.server.cli.UrbiCommand";
-  private static final String ADDRESS = "studio: ";
-
   private static final String PROGRAM =
       """
       var Global.n = 0|;
@@ -44,21 +37,16 @@ class StudioTest {
 
   @Test
   void jobsAreSeenAndSteeredInABrowser(@TempDir Path folder) throws Exception {
-    Path program = Files.writeString(folder.resolve("program.u"), PROGRAM);
-    List<String> words = List.of("-q", "--studio=0", "-i", "-f", program.toString());
-    try (Browser browser = Browser.start(folder);
-        JavaProcess urbi = JavaProcess.start(Setting.in(ROOT), URBI, words)) {
-      String line = urbi.awaitText(ADDRESS);
-      String address = line.substring(line.indexOf(ADDRESS) + ADDRESS.length());
-      assertTrue(address.matches("http://localhost:\\d+/"), address);
-      browser.open(address);
+    try (StudioPage page = StudioPage.start(folder, PROGRAM, "")) {
+      Browser browser = page.browser();
+      JavaProcess urbi = page.urbi();
       seesJobs(browser);
       seesLanes(browser);
       seesCalls(browser);
       steersJobs(browser, urbi);
       usesKeysAlone(browser);
       urbi.send("System.studio;\n");
-      urbi.awaitText("\"" + address + "\"");
+      urbi.awaitText("\"" + page.address() + "\"");
       urbi.send("shutdown;\n");
       String state = "return document.querySelector('#connection').dataset.state";
       browser.await("the loss of the connection", state, "lost"::equals);

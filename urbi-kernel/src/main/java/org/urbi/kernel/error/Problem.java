@@ -327,7 +327,10 @@ public enum Problem {
   MAY_NOT_INTERRUPT(LINE, "to interrupt other lobbies needs the role owner"),
   NO_SUCH_JOB(LINE, "no such job any more: {number}"),
   NO_SUCH_TAG(LINE, "no such tag any more: {number}"),
-  BLOCKS_JOB(LINE, "a job can be stopped and frozen; only a tag can be blocked");
+  BLOCKS_JOB(LINE, "a job can be stopped and frozen; only a tag can be blocked"),
+  NO_SUCH_EVENT(LINE, "no such event any more: {number}"),
+  NO_PAYLOAD(PRIMITIVE, "a payload is expressions, separated by commas"),
+  WAS_STOPPED(LINE, "it was stopped before its end");
 
   private final ProblemKind kind;
   private final Template template;

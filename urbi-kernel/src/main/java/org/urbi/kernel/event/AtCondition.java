@@ -1,5 +1,6 @@
 package org.urbi.kernel.event;
 
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
@@ -59,7 +60,7 @@ public final class AtCondition extends Node {
   }
 
   /** An {@code at} that has been executed and waits. */
-  private final class Armed implements ExpressionWatcher.Listener, TagScope.Attachment {
+  private final class Armed implements ExpressionWatcher.Listener, Reaction {
     private final Handler handler;
     private final long hold;
     private final ExpressionWatcher watch;
@@ -126,6 +127,41 @@ public final class AtCondition extends Node {
           handler.leave(handler.home(), evaluator, false);
         }
       }
+    }
+
+    @Override
+    public String kind() {
+      return "at";
+    }
+
+    @Override
+    public Span span() {
+      return AtCondition.this.span();
+    }
+
+    @Override
+    public TagScope scope() {
+      return handler.scope();
+    }
+
+    @Override
+    public UrbiObject lobby() {
+      return handler.lobby();
+    }
+
+    @Override
+    public Occurrences occurrences() {
+      return handler.occurrences();
+    }
+
+    @Override
+    public @Nullable UrbiEvent event() {
+      return null;
+    }
+
+    @Override
+    public List<String> read(int most) {
+      return watch.read(most);
     }
 
     @Override

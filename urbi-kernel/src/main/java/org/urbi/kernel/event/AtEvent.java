@@ -1,5 +1,6 @@
 package org.urbi.kernel.event;
 
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
@@ -53,7 +54,7 @@ public final class AtEvent extends Node {
   }
 
   /** An {@code at} that has been executed and waits. */
-  private final class Armed implements Subscription, TagScope.Attachment {
+  private final class Armed implements Subscription, Reaction {
     private final UrbiEvent source;
     private final Handler handler;
     private final long hold;
@@ -115,6 +116,41 @@ public final class AtEvent extends Node {
           handler.leave(waiting.entered, emitter, emission.isSync());
         }
       }
+    }
+
+    @Override
+    public String kind() {
+      return "at";
+    }
+
+    @Override
+    public Span span() {
+      return AtEvent.this.span();
+    }
+
+    @Override
+    public TagScope scope() {
+      return handler.scope();
+    }
+
+    @Override
+    public UrbiObject lobby() {
+      return handler.lobby();
+    }
+
+    @Override
+    public Occurrences occurrences() {
+      return handler.occurrences();
+    }
+
+    @Override
+    public UrbiEvent event() {
+      return source;
+    }
+
+    @Override
+    public List<String> read(int most) {
+      return List.of(AtEvent.this.event.span().text());
     }
 
     @Override

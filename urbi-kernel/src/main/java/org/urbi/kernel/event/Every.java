@@ -1,6 +1,9 @@
 package org.urbi.kernel.event;
 
+import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
+import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Loops;
 import org.urbi.kernel.node.Node;
@@ -27,12 +30,17 @@ public final class Every extends Node {
   @Override
   public UrbiObject execute(Frame frame) {
     boolean overlapping = flavor != Flavor.PIPE && flavor != Flavor.SEMICOLON;
-    var pause = new Pause(overlapping);
+    var pause = new Pause(overlapping, frame.job());
     Node loop =
         overlapping
             ? new Loops.Concurrent(span(), null, pause, null, body)
             : new Loops.Sequential(span(), Flavor.PIPE, null, pause, null, body);
-    return loop.execute(frame);
+    pause.scope.add(pause);
+    try {
+      return loop.execute(frame);
+    } finally {
+      pause.scope.remove(pause);
+    }
   }
 
   /**
@@ -41,14 +49,19 @@ public final class Every extends Node {
    * the next ones. Only if turns wait for one another, and one lasted longer than the period, the
    * next period starts at its end.
    */
-  private final class Pause extends Node {
+  private final class Pause extends Node implements Reaction {
     private final boolean overlapping;
+    private final TagScope scope;
+    private final UrbiObject lobby;
+    private final Occurrences occurrences = new Occurrences();
     private long due = -1;
     private long begun;
 
-    Pause(boolean overlapping) {
+    Pause(boolean overlapping, Job job) {
       super(Every.this.span());
       this.overlapping = overlapping;
+      this.scope = job.scope();
+      this.lobby = job.lobby();
     }
 
     @Override
@@ -73,9 +86,44 @@ public final class Every extends Node {
         }
       }
       begun = now(job);
+      occurrences.note(job.scheduler().now());
       due += interval;
       return true;
     }
+
+    @Override
+    public String kind() {
+      return "every";
+    }
+
+    @Override
+    public TagScope scope() {
+      return scope;
+    }
+
+    @Override
+    public UrbiObject lobby() {
+      return lobby;
+    }
+
+    @Override
+    public Occurrences occurrences() {
+      return occurrences;
+    }
+
+    @Override
+    public @Nullable UrbiEvent event() {
+      return null;
+    }
+
+    @Override
+    public List<String> read(int most) {
+      return List.of();
+    }
+
+    /** The job of the loop is stopped, too, and ends it. */
+    @Override
+    public void stopped(@Nullable TagScope by) {}
 
     /** The time, without the time during which the job was frozen. */
     private long now(Job job) {

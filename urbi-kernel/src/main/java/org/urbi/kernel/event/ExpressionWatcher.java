@@ -1,5 +1,6 @@
 package org.urbi.kernel.event;
 
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.UrbiException;
 import org.urbi.kernel.job.Job;
@@ -135,6 +136,11 @@ final class ExpressionWatcher implements Dependencies.Watcher {
         return;
       }
     }
+  }
+
+  /** The names of what the last evaluation has read. */
+  List<String> read(int most) {
+    return sources.names(most);
   }
 
   /** Watches no more. */

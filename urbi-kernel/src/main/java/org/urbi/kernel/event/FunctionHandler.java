@@ -7,9 +7,10 @@ import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Values;
+import org.urbi.lang.source.Span;
 
 /** Functions that are called when an event is emitted, and when the emission is over. */
-public final class FunctionHandler implements Subscription, TagScope.Attachment {
+public final class FunctionHandler implements Subscription, Reaction {
   private final UrbiEvent event;
   private final Frame home;
   private final TagScope scope;
@@ -18,6 +19,7 @@ public final class FunctionHandler implements Subscription, TagScope.Attachment 
   private final UrbiObject enter;
   private final @Nullable UrbiObject leave;
   private final boolean sync;
+  private final Occurrences occurrences = new Occurrences();
   private boolean stopped;
 
   private FunctionHandler(
@@ -68,6 +70,7 @@ public final class FunctionHandler implements Subscription, TagScope.Attachment 
       return;
     }
     if (guard == null) {
+      occurrences.note(emitter.scheduler().now());
       call(emitter, enter, emission.payload());
       return;
     }
@@ -81,6 +84,7 @@ public final class FunctionHandler implements Subscription, TagScope.Attachment 
     if (leave != null) {
       emission.note(this, arguments);
     }
+    occurrences.note(emitter.scheduler().now());
     run(emission, emitter, enter, arguments);
   }
 
@@ -103,6 +107,41 @@ public final class FunctionHandler implements Subscription, TagScope.Attachment 
     return job.onBehalf()
         .doFor(
             lobby, () -> home.interpreter().call(home.in(job), function, home.self(), arguments));
+  }
+
+  @Override
+  public String kind() {
+    return "onEvent";
+  }
+
+  @Override
+  public @Nullable Span span() {
+    return null;
+  }
+
+  @Override
+  public TagScope scope() {
+    return scope;
+  }
+
+  @Override
+  public UrbiObject lobby() {
+    return lobby;
+  }
+
+  @Override
+  public Occurrences occurrences() {
+    return occurrences;
+  }
+
+  @Override
+  public UrbiEvent event() {
+    return event;
+  }
+
+  @Override
+  public List<String> read(int most) {
+    return List.of();
   }
 
   @Override

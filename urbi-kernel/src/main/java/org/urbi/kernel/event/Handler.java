@@ -29,6 +29,7 @@ final class Handler {
   private final Node body;
   private final @Nullable Node onLeave;
   private final boolean sync;
+  private final Occurrences occurrences = new Occurrences();
 
   /**
    * @param home the activation in which the {@code at} was executed
@@ -55,12 +56,18 @@ final class Handler {
     return scope;
   }
 
+  /** How often the body was executed. */
+  Occurrences occurrences() {
+    return occurrences;
+  }
+
   boolean hasLeave() {
     return onLeave != null;
   }
 
   /** Executes the body, with the variables of that frame. */
   void enter(Frame frame, Job trigger, boolean wait) {
+    occurrences.note(trigger.scheduler().now());
     run(frame, trigger, body, wait);
   }
 

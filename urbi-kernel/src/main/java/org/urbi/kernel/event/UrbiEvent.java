@@ -18,11 +18,29 @@ import org.urbi.kernel.object.UrbiObject;
 public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
   private final Set<Subscription> subscriptions = new LinkedHashSet<>();
   private final Set<Emission> lasting = new LinkedHashSet<>();
+  private final Occurrences emissions = new Occurrences();
+  private final long number;
   private Map<Subscription, UrbiSubscription> known = Map.of();
   private @Nullable Runnable subscribed;
 
   public UrbiEvent(Shape shape) {
     super(shape);
+    number = world().nextEvent();
+  }
+
+  /** A number that no other event of the kernel has. */
+  public long number() {
+    return number;
+  }
+
+  /** How often it was emitted, and when last. */
+  public Occurrences emissions() {
+    return emissions;
+  }
+
+  /** How many listen to it. */
+  public int subscriberCount() {
+    return subscriptions.size();
   }
 
   @Override
@@ -107,6 +125,7 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
    * @param sync whether to wait for the handlers
    */
   public void emit(Job emitter, boolean sync, UrbiObject... payload) {
+    emissions.note(emitter.scheduler().now());
     // Each handler enters and leaves before the next one is called.
     switch (subscriptions.size()) {
       case 0 -> {}
@@ -144,6 +163,7 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
   public Emission trigger(Job emitter, boolean sync, UrbiObject... payload) {
     Emission emission = new Emission(this, payload, sync);
     lasting.add(emission);
+    emissions.note(emitter.scheduler().now());
     tell(emission, emitter);
     return emission;
   }

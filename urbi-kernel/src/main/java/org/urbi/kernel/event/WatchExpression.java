@@ -1,6 +1,8 @@
 package org.urbi.kernel.event;
 
+import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
@@ -19,28 +21,80 @@ public final class WatchExpression extends Node {
   @Override
   public UrbiObject execute(Frame frame) {
     UrbiEvent event = (UrbiEvent) frame.interpreter().prototypes().event.cloned();
-    Frame home = frame.fork(frame.job(), false);
-    ExpressionWatcher watch =
-        new ExpressionWatcher(
-            home, expression, (value, evaluator) -> event.emit(evaluator, false, value));
+    Watching watching = new Watching(frame.fork(frame.job(), false), event);
     boolean ready = false;
     try {
-      watch.begin(frame.job());
+      watching.watch.begin(frame.job());
       ready = true;
     } finally {
       if (!ready) {
-        watch.close();
+        watching.watch.close();
       }
     }
-    TagScope scope = frame.job().scope();
-    scope.add(
-        new TagScope.Attachment() {
-          @Override
-          public void stopped(@Nullable TagScope by) {
-            watch.close();
-            scope.remove(this);
-          }
-        });
+    watching.scope.add(watching);
     return event;
+  }
+
+  /** A {@code watch} that has been executed. */
+  private final class Watching implements ExpressionWatcher.Listener, Reaction {
+    private final UrbiEvent event;
+    private final TagScope scope;
+    private final UrbiObject lobby;
+    private final ExpressionWatcher watch;
+    private final Occurrences occurrences = new Occurrences();
+
+    Watching(Frame home, UrbiEvent event) {
+      this.event = event;
+      scope = home.job().scope();
+      lobby = home.job().lobby();
+      watch = new ExpressionWatcher(home, expression, this);
+    }
+
+    @Override
+    public void evaluated(UrbiObject value, Job evaluator) {
+      occurrences.note(evaluator.scheduler().now());
+      event.emit(evaluator, false, value);
+    }
+
+    @Override
+    public String kind() {
+      return "watch";
+    }
+
+    @Override
+    public Span span() {
+      return WatchExpression.this.span();
+    }
+
+    @Override
+    public TagScope scope() {
+      return scope;
+    }
+
+    @Override
+    public UrbiObject lobby() {
+      return lobby;
+    }
+
+    @Override
+    public Occurrences occurrences() {
+      return occurrences;
+    }
+
+    @Override
+    public UrbiEvent event() {
+      return event;
+    }
+
+    @Override
+    public List<String> read(int most) {
+      return watch.read(most);
+    }
+
+    @Override
+    public void stopped(@Nullable TagScope by) {
+      watch.close();
+      scope.remove(this);
+    }
   }
 }

@@ -107,6 +107,16 @@ final class WatchedSources implements Dependencies.Tracker {
     known = null;
   }
 
+  /** The names of what the last evaluation has read, each once, in the order of its reading. */
+  List<String> names(int most) {
+    return now.stream()
+        .map(watch -> watch.source().name())
+        .filter(name -> !name.isEmpty())
+        .distinct()
+        .limit(most)
+        .toList();
+  }
+
   /** Watches nothing any more. */
   void close() {
     before.forEach(Dependencies.Watch::end);

@@ -1,6 +1,7 @@
 package org.urbi.kernel.event;
 
 import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
@@ -48,8 +49,7 @@ public final class Whenever extends Node {
     Frame home = frame.fork(frame.job(), false);
     switch (condition) {
       case Condition.WhenEmitted emitted -> {
-        var armed =
-            new OnEvent(home, EventLookup.event(frame, emitted.event()), emitted.filter(), hold);
+        var armed = new OnEvent(home, emitted, EventLookup.event(frame, emitted.event()), hold);
         armed.scope.add(armed);
         armed.otherwise();
         armed.source.subscribe(armed, frame.job());
@@ -74,10 +74,11 @@ public final class Whenever extends Node {
   /**
    * The common part of both kinds: repeats a clause in a job as long as its condition asks for it.
    */
-  private abstract static class Repeating implements TagScope.Attachment {
+  private abstract class Repeating implements Reaction {
     final Frame home;
     final TagScope scope;
     final UrbiObject lobby;
+    private final Occurrences occurrences = new Occurrences();
     boolean stopped;
 
     Repeating(Frame home) {
@@ -91,6 +92,7 @@ public final class Whenever extends Node {
       var code =
           new ForkedCode(frame -> {
             while (!stopped && goesOn.getAsBoolean()) {
+              occurrences.note(frame.job().scheduler().now());
               clause.execute(frame);
               // Let others run, as a loop of the condition and the clause, separated by ";", would.
               frame.job().yieldNow();
@@ -100,6 +102,31 @@ public final class Whenever extends Node {
       // Of simultaneous emissions, the last one is handled first.
       Job job = home.job().scheduler().startAhead(lobby, scope, "whenever", code);
       code.runWith(variables.fork(job, false));
+    }
+
+    @Override
+    public String kind() {
+      return "whenever";
+    }
+
+    @Override
+    public Span span() {
+      return Whenever.this.span();
+    }
+
+    @Override
+    public TagScope scope() {
+      return scope;
+    }
+
+    @Override
+    public UrbiObject lobby() {
+      return lobby;
+    }
+
+    @Override
+    public Occurrences occurrences() {
+      return occurrences;
     }
   }
 
@@ -154,6 +181,16 @@ public final class Whenever extends Node {
     }
 
     @Override
+    public @Nullable UrbiEvent event() {
+      return null;
+    }
+
+    @Override
+    public List<String> read(int most) {
+      return watch.read(most);
+    }
+
+    @Override
     public void stopped(@Nullable TagScope by) {
       stopped = true;
       watch.close();
@@ -166,15 +203,17 @@ public final class Whenever extends Node {
 
   /** On an event. */
   private final class OnEvent extends Repeating implements Subscription {
+    private final String name;
     private final UrbiEvent source;
     private final EventFilter filter;
     private final long hold;
     private final Map<Emission, Timers.Timer> accepted = new IdentityHashMap<>();
     private long turn;
 
-    OnEvent(Frame home, UrbiEvent source, EventFilter filter, long hold) {
+    OnEvent(Frame home, Condition.WhenEmitted condition, UrbiEvent source, long hold) {
       super(home);
-      this.filter = filter;
+      this.name = condition.event().span().text();
+      this.filter = condition.filter();
       this.source = source;
       this.hold = hold;
     }
@@ -230,6 +269,16 @@ public final class Whenever extends Node {
         long mine = ++turn;
         repeat(home, elseClause, () -> turn == mine);
       }
+    }
+
+    @Override
+    public UrbiEvent event() {
+      return source;
+    }
+
+    @Override
+    public List<String> read(int most) {
+      return List.of(name);
     }
 
     @Override

@@ -25,6 +25,11 @@ public final class TagScope {
      */
     void stopped(@Nullable TagScope by);
 
+    /** What waits: itself, unless it stands for another one that may be gone; then null. */
+    default @Nullable Attachment handler() {
+      return this;
+    }
+
     /** Whether what it waits for can no longer happen. */
     default boolean isGone() {
       return false;
@@ -196,7 +201,7 @@ public final class TagScope {
   }
 
   /** Everything that waits under this scope without a job. */
-  List<Attachment> allAttachments() {
+  public List<Attachment> allAttachments() {
     List<Attachment> all = new ArrayList<>();
     collectAttachments(all);
     return all;

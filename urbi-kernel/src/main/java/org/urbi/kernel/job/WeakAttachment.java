@@ -23,6 +23,11 @@ public final class WeakAttachment implements TagScope.Attachment {
   }
 
   @Override
+  public TagScope.@Nullable Attachment handler() {
+    return handler.get();
+  }
+
+  @Override
   public boolean isGone() {
     return handler.refersTo(null);
   }

@@ -124,6 +124,14 @@ public sealed interface Message {
   record Steered(int to, int question, String action, boolean tag, long target)
       implements Message {}
 
+  /**
+   * Somebody who looks emits an event.
+   *
+   * @param event its number
+   * @param payload expressions of urbiscript, separated by commas
+   */
+  record Emitted(int to, int question, long event, String payload) implements Message {}
+
   // ------------------------------------------------------------------ remote processes
 
   /**

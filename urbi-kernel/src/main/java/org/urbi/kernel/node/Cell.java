@@ -20,7 +20,7 @@ final class Cell {
   /** Reads the value for the condition which is being evaluated. */
   UrbiObject getTracked(Dependencies.Tracker tracker) {
     if (dependents == null) {
-      dependents = new Dependencies();
+      dependents = new Dependencies("(a local variable)");
     }
     tracker.read(dependents);
     return value;

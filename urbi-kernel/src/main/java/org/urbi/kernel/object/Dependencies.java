@@ -74,9 +74,23 @@ public final class Dependencies {
     }
   }
 
+  private final String name;
   private @Nullable Watch first;
   private @Nullable Watch last;
   private int size;
+
+  /**
+   * @param name of what can change, for people; empty for the set of slots of an object, which
+   *     every look for a name reads
+   */
+  public Dependencies(String name) {
+    this.name = name;
+  }
+
+  /** The name of what can change, for people; may be empty. */
+  public String name() {
+    return name;
+  }
 
   /** Adds a watcher, which is called at each change until its watch ends. */
   public Watch add(Watcher watcher) {

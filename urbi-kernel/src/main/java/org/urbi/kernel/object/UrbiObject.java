@@ -16,6 +16,7 @@ import org.jspecify.annotations.Nullable;
  */
 public class UrbiObject {
   private static final UrbiObject[] NO_SLOTS = {};
+  private static final String CONTENT = "(the content of a container)";
 
   /**
    * Stands for a missing number: of those that are not a number the one with these bits, which no
@@ -491,7 +492,7 @@ public class UrbiObject {
     if (shape.world.tracker != null) {
       SlotData data = ensureSlotData(name);
       if (data.dependents == null) {
-        data.dependents = new Dependencies();
+        data.dependents = new Dependencies(name.name());
         slotDataChanged(name);
       }
       shape.world.tracker.read(data.dependents);
@@ -503,7 +504,7 @@ public class UrbiObject {
     if (shape.world.tracker != null) {
       Extra x = extra();
       if (x.structure == null) {
-        x.structure = new Dependencies();
+        x.structure = new Dependencies("");
       }
       shape.world.tracker.read(x.structure);
     }
@@ -530,7 +531,7 @@ public class UrbiObject {
     if (shape.world.tracker != null) {
       Extra x = extra();
       if (x.content == null) {
-        x.content = new Dependencies();
+        x.content = new Dependencies(CONTENT);
       }
       shape.world.tracker.read(x.content);
     }
@@ -540,7 +541,7 @@ public class UrbiObject {
   public final void watchContent(Dependencies.Watcher watcher) {
     Extra x = extra();
     if (x.content == null) {
-      x.content = new Dependencies();
+      x.content = new Dependencies(CONTENT);
     }
     x.content.add(watcher);
   }

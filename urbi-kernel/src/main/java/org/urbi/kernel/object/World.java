@@ -22,6 +22,7 @@ public final class World {
   private boolean remembers;
 
   private long lastUid = 0x7f00_0000L;
+  private long lastEvent;
   private Runnable checkpoint = () -> {};
 
   /** Collects the slots that the condition being evaluated reads; usually null. */
@@ -107,6 +108,11 @@ public final class World {
   public int remember(Symbol name) {
     remembers = true;
     return name.epoch();
+  }
+
+  /** The number of the next event that is made, for people who look at it. */
+  public long nextEvent() {
+    return ++lastEvent;
   }
 
   /** The next unique identifier: they are given in order, so that runs can be repeated exactly. */

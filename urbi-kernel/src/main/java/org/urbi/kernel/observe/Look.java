@@ -1,6 +1,7 @@
 package org.urbi.kernel.observe;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What somebody wants to see.
@@ -8,8 +9,9 @@ import java.util.List;
  * @param selected the number of the job whose calls are wanted; 0 for none
  * @param traced the numbers of the jobs whose turns are wanted; those beyond {@link #MOST_TRACED}
  *     are passed over
+ * @param reactions only the reactions and events with this text are wanted; null for none at all
  */
-public record Look(long selected, List<Long> traced) {
+public record Look(long selected, List<Long> traced, @Nullable String reactions) {
   /** The turns of how many jobs can be had at a time. */
   public static final int MOST_TRACED = 64;
 

@@ -17,6 +17,7 @@ import org.urbi.kernel.job.Turn;
  * @param tagsGone the numbers of the tags under which there is nothing any more
  * @param turns of the traced jobs
  * @param detail of the selected job, at the end of a round; null if there is none
+ * @param reactions and events, at the end of a round; null if they are not wanted
  * @param complete whether it is the end of a round
  */
 public record View(
@@ -29,4 +30,5 @@ public record View(
     List<Long> tagsGone,
     List<Turn> turns,
     @Nullable JobDetail detail,
+    @Nullable ReactionView reactions,
     boolean complete) {}

@@ -25,6 +25,8 @@ public final class Watch {
   private final Scheduler scheduler;
   private final TurnMeter meter;
   private final SeenTags tags = new SeenTags();
+  private final KnownEvents events;
+  private @Nullable SeenReactions reactions;
   private List<SeenJob> seen = new ArrayList<>();
   private List<SeenJob> seenNow = new ArrayList<>();
   private List<Job> round = List.of();
@@ -34,8 +36,9 @@ public final class Watch {
   private long nextTurn;
 
   /** Begins to look; to be {@linkplain #end ended}. */
-  public Watch(Scheduler scheduler) {
+  public Watch(Scheduler scheduler, KnownEvents events) {
     this.scheduler = scheduler;
+    this.events = events;
     meter = scheduler.beginObservation();
     nextTurn = meter.next();
   }
@@ -74,6 +77,7 @@ public final class Watch {
       }
       seen = seenNow;
     }
+    ReactionView reacting = complete ? reactions(wanted.reactions()) : null;
     return new View(
         now,
         scheduler.now(),
@@ -84,6 +88,7 @@ public final class Watch {
         complete ? tags.gone() : List.of(),
         turns(),
         complete ? detail(wanted.selected()) : null,
+        reacting,
         complete);
   }
 
@@ -122,6 +127,20 @@ public final class Watch {
       }
     }
     return null;
+  }
+
+  /**
+   * @param text null if nobody wants to see reactions: then all that was told is forgotten
+   */
+  private @Nullable ReactionView reactions(@Nullable String text) {
+    if (text == null) {
+      reactions = null;
+      return null;
+    }
+    if (reactions == null) {
+      reactions = new SeenReactions(events, tags);
+    }
+    return reactions.look(text);
   }
 
   private List<Turn> turns() {

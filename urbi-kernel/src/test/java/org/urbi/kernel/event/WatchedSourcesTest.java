@@ -16,7 +16,7 @@ class WatchedSourcesTest {
 
   WatchedSourcesTest() {
     for (int i = 0; i < 40; i++) {
-      sources.add(new Dependencies());
+      sources.add(new Dependencies("x"));
     }
   }
 

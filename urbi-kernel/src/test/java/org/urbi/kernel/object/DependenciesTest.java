@@ -34,7 +34,7 @@ class DependenciesTest {
 
   @Test
   void watchersAreToldInTheOrderInWhichTheyCame() {
-    Dependencies source = new Dependencies();
+    Dependencies source = new Dependencies("x");
     assertTrue(source.isEmpty());
     source.changed();
     Dependencies.Watcher first = () -> told.add("first");
@@ -56,7 +56,7 @@ class DependenciesTest {
 
   @Test
   void whoGoesWhileTheOthersAreToldIsNotTold() {
-    Dependencies source = new Dependencies();
+    Dependencies source = new Dependencies("x");
     List<Dependencies.Watch> ended = new ArrayList<>();
     source.add(() -> {
       told.add("first");

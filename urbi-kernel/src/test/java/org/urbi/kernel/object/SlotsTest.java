@@ -168,7 +168,7 @@ class SlotsTest {
         case 0 -> data.constant = true;
         case 1 -> data.changed = value();
         case 2 -> data.setter = value();
-        case 3 -> data.dependents = new Dependencies();
+        case 3 -> data.dependents = new Dependencies("x");
         case 4 -> data.getter = value();
         default -> data.blending = "blending";
       }

@@ -9,13 +9,14 @@ import java.util.List;
 import org.urbi.kernel.job.Turn;
 import org.urbi.kernel.observe.JobDetail;
 import org.urbi.kernel.observe.JobRow;
+import org.urbi.kernel.observe.ReactionView;
 import org.urbi.kernel.observe.TagRow;
 import org.urbi.kernel.observe.View;
 
 /** What a browser is told, as JSON. */
 final class Answer {
   private static final JsonFactory JSON = new JsonFactory();
-  private static final double MILLISECOND = 1e6;
+  static final double MILLISECOND = 1e6;
 
   @FunctionalInterface
   private interface Content {
@@ -88,6 +89,11 @@ final class Answer {
             out.writeFieldName("detail");
             write(out, detail);
           }
+          ReactionView reactions = view.reactions();
+          if (reactions != null) {
+            out.writeFieldName("reactions");
+            ReactionAnswer.write(out, reactions);
+          }
         });
   }
 
@@ -134,7 +140,7 @@ final class Answer {
     out.writeEndObject();
   }
 
-  private static void write(JsonGenerator out, String name, List<Long> numbers) throws IOException {
+  static void write(JsonGenerator out, String name, List<Long> numbers) throws IOException {
     out.writeArrayFieldStart(name);
     for (long number : numbers) {
       out.writeNumber(number);

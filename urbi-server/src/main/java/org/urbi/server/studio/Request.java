@@ -21,6 +21,21 @@ sealed interface Request {
   record Interest(long selected, List<Long> traced) implements Request {}
 
   /**
+   * The reactions and events are shown from now on, or no longer.
+   *
+   * @param filter what those that are shown contain; null for none at all
+   */
+  record Reactions(@Nullable String filter) implements Request {}
+
+  /**
+   * An event is to be emitted.
+   *
+   * @param id by which the browser knows the answer
+   * @param payload expressions of urbiscript, separated by commas
+   */
+  record Emit(long id, long event, String payload) implements Request {}
+
+  /**
    * A job or a tag is to be controlled.
    *
    * @param id by which the browser knows the answer
@@ -36,6 +51,8 @@ sealed interface Request {
     Fields fields = new Fields(text);
     return switch (fields.text("type")) {
       case "interest" -> new Interest(fields.number("selected"), fields.numbers("traced"));
+      case "reactions" -> new Reactions(fields.textOrNull("filter"));
+      case "emit" -> new Emit(fields.number("id"), fields.number("event"), fields.text("payload"));
       case "steer" -> {
         Steering.Action action = Steering.Action.of(fields.text("action"));
         if (action == null) {
@@ -47,7 +64,7 @@ sealed interface Request {
         }
         yield new Steer(fields.number("id"), action, kind.equals("tag"), fields.number("target"));
       }
-      default -> throw new BadRequest("type: interest or steer expected");
+      default -> throw new BadRequest("type: interest, steer, reactions or emit expected");
     };
   }
 
@@ -115,6 +132,11 @@ sealed interface Request {
         return text;
       }
       throw new BadRequest(name + ": a string expected");
+    }
+
+    /** The text; null if there is no such field. */
+    @Nullable String textOrNull(String name) throws BadRequest {
+      return values.containsKey(name) ? text(name) : null;
     }
 
     long number(String name) throws BadRequest {

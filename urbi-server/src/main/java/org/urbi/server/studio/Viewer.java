@@ -14,6 +14,7 @@ import io.netty.handler.codec.http.websocketx.WebSocketServerProtocolHandler.Han
 import io.netty.util.concurrent.ScheduledFuture;
 import java.net.InetSocketAddress;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -50,7 +51,7 @@ final class Viewer extends SimpleChannelInboundHandler<WebSocketFrame> {
   private final Function<Client, Connection> lobbies;
   private final Trace trace;
   private @Nullable Connection connection;
-  private Look wanted = new Look(0, List.of());
+  private Look wanted = new Look(0, List.of(), null);
   private boolean looking;
   private boolean due;
   private boolean refused;
@@ -194,18 +195,27 @@ final class Viewer extends SimpleChannelInboundHandler<WebSocketFrame> {
 
   private void obey(Channel channel, Request request) {
     switch (request) {
-      case Request.Interest interest -> wanted = new Look(interest.selected(), interest.traced());
+      case Request.Interest interest ->
+          wanted = new Look(interest.selected(), interest.traced(), wanted.reactions());
+      case Request.Reactions reactions ->
+          wanted = new Look(wanted.selected(), wanted.traced(), reactions.filter());
       case Request.Steer steer ->
-          connection()
-              .steer(steer.action(), steer.tag(), steer.target())
-              .whenCompleteAsync(
-                  (error, failure) -> {
-                    if (error != null) {
-                      send(channel, Answer.done(steer.id(), error));
-                    }
-                  },
-                  channel.eventLoop());
+          tell(
+              channel, steer.id(), connection().steer(steer.action(), steer.tag(), steer.target()));
+      case Request.Emit emit ->
+          tell(channel, emit.id(), connection().emit(emit.event(), emit.payload()));
     }
+  }
+
+  /** Tells what has become of an intervention, when it is known. */
+  private static void tell(Channel channel, long id, CompletableFuture<String> outcome) {
+    outcome.whenCompleteAsync(
+        (error, failure) -> {
+          if (error != null) {
+            send(channel, Answer.done(id, error));
+          }
+        },
+        channel.eventLoop());
   }
 
   @Override

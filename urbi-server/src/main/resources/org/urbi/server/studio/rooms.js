@@ -6,4 +6,5 @@
 //   take(message)  what the server says, in sight or not
 export const ROOMS = [
   { name: "jobs", title: "Jobs", styles: ["jobs.css"], load: () => import("./jobs-room.js") },
+  { name: "reactions", title: "Reactions", styles: ["reactions.css"], load: () => import("./reactions-room.js") },
 ];

@@ -92,6 +92,11 @@ final class RecordingConnection implements Connection {
   }
 
   @Override
+  public CompletableFuture<String> emit(long event, String payload) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
   public String interrupt(String lobby) {
     return "asked for " + lobby;
   }

@@ -187,7 +187,7 @@ class StudioServerTest {
               List.of("{", "no JSON: "),
               List.of("[1]", "a JSON object expected"),
               List.of("{\"type\":1}", "type: a string expected"),
-              List.of("{\"type\":\"dance\"}", "type: interest or steer expected"),
+              List.of("{\"type\":\"dance\"}", "type: interest, steer, reactions or emit expected"),
               List.of("{\"type\":\"interest\",\"selected\":\"x\"}", "selected: a whole number"),
               List.of(
                   "{\"type\":\"interest\",\"selected\":0,\"traced\":[\"x\"]}",
@@ -195,6 +195,11 @@ class StudioServerTest {
               List.of("{\"type\":\"steer\",\"action\":\"kill\"}", "action: stop, freeze"),
               List.of(
                   "{\"type\":\"steer\",\"action\":\"stop\",\"kind\":\"cat\"}", "kind: job or tag"),
+              List.of("{\"type\":\"reactions\",\"filter\":7}", "filter: a string expected"),
+              List.of("{\"type\":\"emit\",\"id\":1}", "event: a whole number expected"),
+              List.of(
+                  "{\"type\":\"emit\",\"id\":1,\"event\":2,\"payload\":[3]}",
+                  "payload: a string expected"),
               List.of("[".repeat(1000), "a JSON object expected"),
               List.of("{\"a\":" + "[".repeat(1000), "no JSON: "),
               List.of("{\"a\":" + "9".repeat(100) + "}", "no JSON: "),
@@ -209,6 +214,24 @@ class StudioServerTest {
       assertEquals(
           "{\"type\":\"done\",\"id\":7,\"error\":\"no such job any more: 99999\"}",
           page.await("\"done\""));
+      page.send("{\"type\":\"emit\",\"id\":8,\"event\":99999,\"payload\":\"1\"}");
+      assertEquals(
+          "{\"type\":\"done\",\"id\":8,\"error\":\"no such event any more: 99999\"}",
+          page.await("\"done\""));
+    }
+  }
+
+  @Test
+  void reactionsAreToldOnlyToThoseWhoWantThem() throws Exception {
+    kernel.eval("wanted: at (true && 1 == 2) 1|");
+    try (Page page = new Page(studio, "")) {
+      assertFalse(page.await("\"complete\":true").contains("\"reactions\""));
+      page.send("{\"type\":\"reactions\",\"filter\":\"1 == 2\"}");
+      assertTrue(page.await("\"reactions\"").contains("at (true && 1 == 2) 1"));
+      page.send("{\"type\":\"reactions\"}");
+      page.await(message -> !message.contains("\"reactions\""));
+    } finally {
+      kernel.eval("wanted.stop");
     }
   }
 

@@ -1,0 +1,86 @@
+package org.urbi.tests.process;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The studio's room of reactions and events, in a real browser. */
+class StudioReactionsTest {
+  private static final String PROGRAM =
+      """
+      var Global.x = 0|;
+      var Global.ball = Event.new|;
+      var Global.held = []|;
+      at (ball?(var n, var name)) held << [n, name];
+      at (x > 5) echo("far");
+      counting: every (50ms) 1,
+      """;
+
+  private static String row(String code) {
+    return "[...document.querySelectorAll('#reaction-table tbody tr')]"
+        + ".find(row => row.querySelector('.code').textContent.startsWith('"
+        + code
+        + "'))";
+  }
+
+  private static String cell(String code, int index) {
+    return "return " + row(code) + "?.children[" + index + "].textContent";
+  }
+
+  @Test
+  void reactionsAreSeenAndEventsEmittedInABrowser(@TempDir Path folder) throws Exception {
+    try (StudioPage page = StudioPage.start(folder, PROGRAM, "#reactions")) {
+      Browser browser = page.browser();
+      browser.await("what it has read", cell("at (x > 5)", 1), "x"::equals);
+      assertEquals("0", browser.evaluate(cell("at (x > 5)", 2)));
+      page.urbi().send("x = 6;\n");
+      browser.await("how often it was", cell("at (x > 5)", 2), "1"::equals);
+      browser.await("that it goes on", cell("every (50ms)", 2), t -> Integer.parseInt(t) > 20);
+      emits(browser, page.urbi());
+      filters(browser);
+      goesToAnotherRoom(browser);
+      assertTrue(!page.urbi().text().contains("internal error"), page.urbi()::text);
+    }
+  }
+
+  private static void emits(Browser browser, JavaProcess urbi) throws Exception {
+    String event = "document.querySelector('[data-event=ball] button')";
+    browser.evaluate(event + ".click()");
+    String result = StudioPage.text("#emission-result");
+    String submit = "; document.querySelector('#emission').requestSubmit()";
+    browser.evaluate(StudioPage.type("#payload", "3 + 4, \"red\"") + submit);
+    browser.await("that it was emitted", result, "ball was emitted."::equals);
+    urbi.send("held;\n");
+    urbi.awaitText("[[7, \"red\"]]");
+    browser.evaluate(StudioPage.type("#payload", "3 +") + submit);
+    browser.await("what is wrong", result, text -> text.contains("syntax error"));
+    browser.evaluate(StudioPage.type("#payload", "nobody") + submit);
+    browser.await("what is wrong", result, text -> text.contains("lookup failed: nobody"));
+    urbi.send("held.size + 100;\n");
+    urbi.awaitText("101");
+  }
+
+  private static void filters(Browser browser) throws Exception {
+    String count = "return document.querySelectorAll('#reaction-table tbody tr').length";
+    browser.evaluate(StudioPage.type("#reaction-filter", "BALL"));
+    browser.await("only one reaction", count, "1"::equals);
+    browser.evaluate(StudioPage.type("#reaction-filter", ""));
+    browser.await("all reactions", count, "3"::equals);
+  }
+
+  private static void goesToAnotherRoom(Browser browser) throws Exception {
+    browser.evaluate("document.querySelector('nav a[href=\"#jobs\"]').click()");
+    String shown = "return document.querySelector('[data-room]:not([hidden])').dataset.room";
+    browser.await("the room of the jobs", shown, "jobs"::equals);
+    assertEquals("Jobs", browser.evaluate(StudioPage.text("nav a[aria-current=page]")).toString());
+    browser.evaluate("location.hash = '#nonsense/%'");
+    browser.await("the first room", shown, "jobs"::equals);
+    browser.evaluate("history.go(-2)");
+    browser.await("the room of the reactions", shown, "reactions"::equals);
+    String rows = "return document.querySelectorAll('#reaction-table tbody tr').length";
+    browser.await("its reactions again", rows, "3"::equals);
+  }
+}
