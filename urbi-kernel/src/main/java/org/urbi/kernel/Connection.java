@@ -1,8 +1,12 @@
 package org.urbi.kernel;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.urbi.kernel.observe.Look;
+import org.urbi.kernel.observe.Media;
+import org.urbi.kernel.observe.Places;
+import org.urbi.kernel.observe.Sample;
 import org.urbi.kernel.observe.Steering;
 import org.urbi.kernel.observe.View;
 import org.urbi.kernel.trust.Role;
@@ -103,4 +107,29 @@ public interface Connection {
    *     closed
    */
   CompletableFuture<String> emit(long event, String payload);
+
+  /**
+   * Assigns a slot, in a job of the lobby.
+   *
+   * @param way to the slot, as {@link Places} says
+   * @param value an expression of urbiscript
+   * @return as of {@link #emit}
+   */
+  CompletableFuture<String> assign(String way, String value);
+
+  /**
+   * Reads the values of slots, for people.
+   *
+   * @param ways to them, as {@link Places} says; those beyond {@link Sample#MOST} are passed over
+   * @return as of {@link #look}
+   */
+  CompletableFuture<Sample> sample(List<String> ways);
+
+  /**
+   * Reads a Binary, for people.
+   *
+   * @param way to the slot, as {@link Places} says
+   * @return as of {@link #look}; without a content when there is none that people can see or hear
+   */
+  CompletableFuture<Optional<Media>> media(String way);
 }

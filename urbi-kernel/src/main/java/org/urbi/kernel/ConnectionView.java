@@ -2,27 +2,42 @@ package org.urbi.kernel;
 
 import static java.util.Objects.requireNonNull;
 
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.IntFunction;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.observe.Look;
+import org.urbi.kernel.observe.Media;
+import org.urbi.kernel.observe.Sample;
 import org.urbi.kernel.observe.Steering;
 import org.urbi.kernel.observe.View;
 import org.urbi.kernel.observe.Watch;
 
 /** What the client of a connection sees of the kernel, and does to its jobs and tags. */
 final class ConnectionView {
-  private record Question(Look wanted, CompletableFuture<View> answer) {}
+  /** What is looked at, by the kernel thread, and who is told. */
+  private record Question<T>(Supplier<T> look, CompletableFuture<T> answer) {
+    void ask() {
+      try {
+        answer.complete(look.get());
+      } catch (RuntimeException | Error e) {
+        answer.completeExceptionally(e);
+        throw e;
+      }
+    }
+  }
 
   private final Kernel kernel;
   private final int number;
   private final AtomicInteger questions = new AtomicInteger();
-  private final Map<Integer, Question> looks = new ConcurrentHashMap<>();
+  private final Map<Integer, Question<?>> looks = new ConcurrentHashMap<>();
   private final Map<Integer, CompletableFuture<String>> interventions = new ConcurrentHashMap<>();
   private volatile boolean closed;
   private @Nullable Watch watch;
@@ -38,7 +53,19 @@ final class ConnectionView {
   // ------------------------------------------------------------------ from any thread
 
   CompletableFuture<View> look(Look wanted) {
-    Question asked = new Question(wanted, new CompletableFuture<>());
+    return ask(() -> watch().look(wanted));
+  }
+
+  CompletableFuture<Sample> sample(List<String> ways) {
+    return ask(() -> kernel.places().sample(kernel.scheduler().now(), ways));
+  }
+
+  CompletableFuture<Optional<Media>> media(String way) {
+    return ask(() -> Optional.ofNullable(kernel.places().media(way)));
+  }
+
+  private <T> CompletableFuture<T> ask(Supplier<T> look) {
+    Question<T> asked = new Question<>(look, new CompletableFuture<>());
     int question = questions.incrementAndGet();
     looks.put(question, asked);
     kernel.inbox().post(new Message.LookedAt(number, question));
@@ -56,6 +83,10 @@ final class ConnectionView {
 
   CompletableFuture<String> emit(long event, String payload) {
     return intervene(question -> new Message.Emitted(number, question, event, payload));
+  }
+
+  CompletableFuture<String> assign(String way, String value) {
+    return intervene(question -> new Message.Assigned(number, question, way, value));
   }
 
   private CompletableFuture<String> intervene(IntFunction<Message> message) {
@@ -80,13 +111,19 @@ final class ConnectionView {
 
   /** In a replay nobody has asked, and nobody is told. */
   void take(Message.LookedAt message) {
-    Question asked = looks.remove(message.question());
+    Question<?> asked = looks.remove(message.question());
     if (asked != null) {
-      if (watch == null) {
-        watch = new Watch(kernel.scheduler(), kernel.knownEvents());
-      }
-      asked.answer().complete(watch.look(asked.wanted()));
+      asked.ask();
     }
+  }
+
+  private Watch watch() {
+    Watch present = watch;
+    if (present == null) {
+      present = new Watch(kernel.scheduler(), kernel.knownEvents(), kernel.places());
+      watch = present;
+    }
+    return present;
   }
 
   void take(Message.Steered message, UrbiLobby by) {
@@ -103,6 +140,12 @@ final class ConnectionView {
     kernel
         .interventions()
         .emit(by, message.event(), message.payload(), error -> answer(message.question(), error));
+  }
+
+  void take(Message.Assigned message, UrbiLobby by) {
+    kernel
+        .interventions()
+        .assign(by, message.way(), message.value(), error -> answer(message.question(), error));
   }
 
   private void answer(int question, String error) {

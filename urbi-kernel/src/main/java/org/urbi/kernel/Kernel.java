@@ -42,6 +42,7 @@ import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.World;
 import org.urbi.kernel.observe.Interventions;
 import org.urbi.kernel.observe.KnownEvents;
+import org.urbi.kernel.observe.Places;
 import org.urbi.kernel.observe.Steering;
 import org.urbi.kernel.outside.HeapUsage;
 import org.urbi.kernel.outside.Outside;
@@ -78,6 +79,7 @@ public final class Kernel implements AutoCloseable {
   private final LeftBehind leftBehind;
   private final KernelLifecycle life;
   private final Steering steering;
+  private final Places places;
   private final KnownEvents knownEvents;
   private final Interventions interventions;
 
@@ -133,8 +135,9 @@ public final class Kernel implements AutoCloseable {
     var loadedFiles = new LoadedFiles();
     var stackFrames = new StackFrames(world, loadedFiles);
     Library.install(interpreter, tables(builder, loadedFiles, stackFrames), stackFrames);
-    knownEvents = new KnownEvents(scheduler, world.prototype("Global"), lobbies::all);
-    interventions = new Interventions(interpreter, knownEvents);
+    places = new Places(world.prototype("Global"), lobbies::all);
+    knownEvents = new KnownEvents(scheduler, places, world.values().object);
+    interventions = new Interventions(interpreter, knownEvents, places);
     embedding = new Embedding(interpreter, builder.output, this::isStopping);
     memory.add(embedding.evictable());
   }
@@ -405,6 +408,10 @@ public final class Kernel implements AutoCloseable {
 
   Steering steering() {
     return steering;
+  }
+
+  Places places() {
+    return places;
   }
 
   KnownEvents knownEvents() {

@@ -5,6 +5,7 @@ import static java.util.Objects.requireNonNull;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -24,6 +25,8 @@ import org.urbi.kernel.message.Message;
 import org.urbi.kernel.message.Receiver;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.observe.Look;
+import org.urbi.kernel.observe.Media;
+import org.urbi.kernel.observe.Sample;
 import org.urbi.kernel.observe.Steering;
 import org.urbi.kernel.observe.View;
 import org.urbi.kernel.trust.Role;
@@ -202,6 +205,21 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     return view.emit(event, payload);
   }
 
+  @Override
+  public CompletableFuture<String> assign(String way, String value) {
+    return view.assign(way, value);
+  }
+
+  @Override
+  public CompletableFuture<Sample> sample(List<String> ways) {
+    return view.sample(ways);
+  }
+
+  @Override
+  public CompletableFuture<Optional<Media>> media(String way) {
+    return view.media(way);
+  }
+
   // ------------------------------------------------------------------ on the kernel thread
 
   void open(Message.ConnectionOpened opened) {
@@ -278,6 +296,8 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
       view.take(steered, lobby());
     } else if (message instanceof Message.Emitted emitted) {
       view.take(emitted, lobby());
+    } else if (message instanceof Message.Assigned assigned) {
+      view.take(assigned, lobby());
     } else {
       throw new IllegalArgumentException(message.toString());
     }

@@ -68,7 +68,7 @@ class JobViewTest {
     }
 
     Viewer look() {
-      return look(new Look(0, List.of(), null));
+      return look(new Look(0, List.of(), null, null));
     }
 
     JobRow await(Predicate<JobRow> wanted) {
@@ -154,7 +154,7 @@ class JobViewTest {
         deep: outer(),
         """);
     JobRow job = owner.under("deep");
-    owner.look(new Look(job.number(), List.of(), null));
+    owner.look(new Look(job.number(), List.of(), null, null));
     assertNotNull(owner.last.detail());
     assertTrue(owner.last.detail().left() > 3000, "it waits for an hour");
     List<String> names = owner.last.detail().calls().stream().map(call -> call.name()).toList();
@@ -168,7 +168,7 @@ class JobViewTest {
   void turnsOfTracedJobsAreKept() {
     program.say("ticks: every| (1ms) { 1 },");
     JobRow job = owner.under("ticks");
-    Look wanted = new Look(0, List.of(job.number()), null);
+    Look wanted = new Look(0, List.of(job.number()), null, null);
     List<Turn> turns;
     do {
       turns = owner.look(wanted).last.turns();

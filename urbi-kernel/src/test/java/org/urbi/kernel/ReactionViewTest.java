@@ -42,7 +42,7 @@ class ReactionViewTest {
     Viewer look(String text) {
       View view;
       do {
-        view = client.connection().look(new Look(0, List.of(), text)).join();
+        view = client.connection().look(new Look(0, List.of(), text, null)).join();
       } while (!view.complete());
       last = view.reactions();
       if (last != null) {

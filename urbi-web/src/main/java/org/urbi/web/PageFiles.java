@@ -117,7 +117,7 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
         .set("referrer-policy", "no-referrer")
         .set(
             HttpHeaderNames.CONTENT_SECURITY_POLICY,
-            "default-src 'self'; img-src 'self' data:; base-uri 'none'; form-action 'none';"
+            "default-src 'self'; img-src 'self' data:; media-src 'self' data:; base-uri 'none'; form-action 'none';"
                 + " frame-ancestors 'none'");
     if (goesOn) {
       context.writeAndFlush(response);

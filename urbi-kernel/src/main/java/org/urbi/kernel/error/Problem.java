@@ -329,6 +329,7 @@ public enum Problem {
   NO_SUCH_TAG(LINE, "no such tag any more: {number}"),
   BLOCKS_JOB(LINE, "a job can be stopped and frozen; only a tag can be blocked"),
   NO_SUCH_EVENT(LINE, "no such event any more: {number}"),
+  NO_SUCH_SLOT(LINE, "no such slot any more: {name}"),
   NO_PAYLOAD(PRIMITIVE, "a payload is expressions, separated by commas"),
   WAS_STOPPED(LINE, "it was stopped before its end");
 

@@ -138,6 +138,11 @@ final class ExpressionWatcher implements Dependencies.Watcher {
     }
   }
 
+  @Override
+  public String description() {
+    return expression.span().text();
+  }
+
   /** The names of what the last evaluation has read. */
   List<String> read(int most) {
     return sources.names(most);

@@ -10,7 +10,7 @@ public final class Occurrences {
    *
    * @param now in nanoseconds of the scheduler
    */
-  void note(long now) {
+  public void note(long now) {
     times++;
     last = now;
   }

@@ -44,6 +44,7 @@ public final class EntryCodec {
     add(34, Message.LookEnded.class);
     add(35, Message.Steered.class);
     add(36, Message.Emitted.class);
+    add(37, Message.Assigned.class);
     add(40, Message.RemoteOpened.class);
     add(41, Message.RemoteFrame.class);
     add(42, Message.RemoteCongested.class);

@@ -107,7 +107,8 @@ public sealed interface Message {
   record CompletionRequested(int to, int question, String text) implements Message {}
 
   /**
-   * Somebody looks at the jobs and tags. What is wanted is kept under the number of the question.
+   * Somebody looks at the jobs and tags, or at variables. What is wanted is kept under the number
+   * of the question.
    */
   record LookedAt(int to, int question) implements Message {}
 
@@ -131,6 +132,14 @@ public sealed interface Message {
    * @param payload expressions of urbiscript, separated by commas
    */
   record Emitted(int to, int question, long event, String payload) implements Message {}
+
+  /**
+   * Somebody who looks assigns a slot.
+   *
+   * @param way to the slot
+   * @param value an expression of urbiscript
+   */
+  record Assigned(int to, int question, String way, String value) implements Message {}
 
   // ------------------------------------------------------------------ remote processes
 

@@ -1,5 +1,7 @@
 package org.urbi.kernel.object;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -18,6 +20,11 @@ public final class Dependencies {
      */
     default void invalidatedLater() {
       invalidated();
+    }
+
+    /** What watches, for people; empty if they need not know. */
+    default String description() {
+      return "";
     }
   }
 
@@ -122,6 +129,24 @@ public final class Dependencies {
     ended.before = null;
     ended.after = null;
     size--;
+  }
+
+  /**
+   * What watches, for people.
+   *
+   * @param most so many at most
+   */
+  public List<String> watchers(int most) {
+    List<String> all = new ArrayList<>();
+    for (Watch watch = first; watch != null && all.size() < most; watch = watch.after) {
+      all.add(watch.watcher.description());
+    }
+    return all;
+  }
+
+  /** How many watch. */
+  public int size() {
+    return size;
   }
 
   public boolean isEmpty() {

@@ -14,6 +14,7 @@ import org.urbi.kernel.log.FailureLog;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.FrameLayout;
 import org.urbi.kernel.node.Interpreter;
+import org.urbi.kernel.node.SlotUpdate;
 import org.urbi.kernel.object.UrbiList;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Utf8Text;
@@ -30,10 +31,12 @@ public final class Interventions {
 
   private final Interpreter interpreter;
   private final KnownEvents events;
+  private final Places places;
 
-  public Interventions(Interpreter interpreter, KnownEvents events) {
+  public Interventions(Interpreter interpreter, KnownEvents events, Places places) {
     this.interpreter = interpreter;
     this.events = events;
+    this.places = places;
   }
 
   /**
@@ -59,6 +62,32 @@ public final class Interventions {
             throw interpreter.errors().primitive("emit", Problem.NO_PAYLOAD);
           }
           interpreter.send(frame, event, "emit", list.elements().toArray(UrbiObject[]::new));
+        });
+  }
+
+  /**
+   * Assigns a slot, as urbiscript does.
+   *
+   * @param by the lobby of who wants it
+   * @param way to the slot, as {@link Places} says
+   * @param code an expression of urbiscript
+   * @param answer told what went wrong, or an empty text, when it has been assigned
+   */
+  public void assign(UrbiLobby by, String way, String code, Consumer<String> answer) {
+    Places.Slot slot = places.slot(way);
+    if (slot == null) {
+      answer.accept(Problem.NO_SUCH_SLOT.text(Places.shown(way)));
+      return;
+    }
+    begin(
+        by,
+        answer,
+        frame -> {
+          UrbiObject value = evaluate(frame, by, code);
+          if (value == interpreter.values().voidObject) {
+            throw interpreter.errors().unexpectedVoid();
+          }
+          SlotUpdate.assign(frame, slot.holder(), slot.name(), value);
         });
   }
 

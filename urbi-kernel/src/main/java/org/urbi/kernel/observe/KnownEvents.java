@@ -9,13 +9,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.event.Reaction;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Scheduler;
 import org.urbi.kernel.job.TagScope;
-import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 
@@ -33,19 +31,17 @@ public final class KnownEvents {
   private record Step(String name, UrbiObject object, int depth) {}
 
   private final Scheduler scheduler;
-  private final UrbiObject global;
   private final UrbiObject system;
-  private final Supplier<List<UrbiLobby>> lobbies;
+  private final Places places;
 
   /**
-   * @param global the object Global
-   * @param lobbies those of the kernel
+   * @param places where to look for events
+   * @param system who owns the objects of the library
    */
-  public KnownEvents(Scheduler scheduler, UrbiObject global, Supplier<List<UrbiLobby>> lobbies) {
+  public KnownEvents(Scheduler scheduler, Places places, UrbiObject system) {
     this.scheduler = scheduler;
-    this.global = global;
-    this.system = global.world().values().object;
-    this.lobbies = lobbies;
+    this.places = places;
+    this.system = system;
   }
 
   /** The reactions, the oldest of each tag first. */
@@ -64,8 +60,7 @@ public final class KnownEvents {
     Map<UrbiEvent, String> names = new LinkedHashMap<>();
     Set<UrbiObject> seen = Collections.newSetFromMap(new IdentityHashMap<>());
     Deque<Step> left = new ArrayDeque<>();
-    left.add(new Step("", global, 0));
-    lobbies.get().forEach(lobby -> left.add(new Step("", lobby, 0)));
+    places.rootObjects().forEach(root -> left.add(new Step("", root, 0)));
     for (Step at = left.poll(); at != null && seen.size() < MOST_OBJECTS; at = left.poll()) {
       if (seen.add(at.object())) {
         look(at, names, left);

@@ -18,6 +18,7 @@ import org.urbi.kernel.job.Turn;
  * @param turns of the traced jobs
  * @param detail of the selected job, at the end of a round; null if there is none
  * @param reactions and events, at the end of a round; null if they are not wanted
+ * @param variables the slots of objects, at the end of a round; null if they are not wanted
  * @param complete whether it is the end of a round
  */
 public record View(
@@ -31,4 +32,5 @@ public record View(
     List<Turn> turns,
     @Nullable JobDetail detail,
     @Nullable ReactionView reactions,
+    @Nullable VariableView variables,
     boolean complete) {}

@@ -26,7 +26,9 @@ public final class Watch {
   private final TurnMeter meter;
   private final SeenTags tags = new SeenTags();
   private final KnownEvents events;
+  private final Places places;
   private @Nullable SeenReactions reactions;
+  private @Nullable SeenVariables variables;
   private List<SeenJob> seen = new ArrayList<>();
   private List<SeenJob> seenNow = new ArrayList<>();
   private List<Job> round = List.of();
@@ -36,9 +38,10 @@ public final class Watch {
   private long nextTurn;
 
   /** Begins to look; to be {@linkplain #end ended}. */
-  public Watch(Scheduler scheduler, KnownEvents events) {
+  public Watch(Scheduler scheduler, KnownEvents events, Places places) {
     this.scheduler = scheduler;
     this.events = events;
+    this.places = places;
     meter = scheduler.beginObservation();
     nextTurn = meter.next();
   }
@@ -78,6 +81,7 @@ public final class Watch {
       seen = seenNow;
     }
     ReactionView reacting = complete ? reactions(wanted.reactions()) : null;
+    VariableView varying = complete ? variables(wanted.objects()) : null;
     return new View(
         now,
         scheduler.now(),
@@ -89,6 +93,7 @@ public final class Watch {
         turns(),
         complete ? detail(wanted.selected()) : null,
         reacting,
+        varying,
         complete);
   }
 
@@ -141,6 +146,20 @@ public final class Watch {
       reactions = new SeenReactions(events, tags);
     }
     return reactions.look(text);
+  }
+
+  /**
+   * @param ways null if nobody wants to see variables: then all that was told is forgotten
+   */
+  private @Nullable VariableView variables(@Nullable List<String> ways) {
+    if (ways == null) {
+      variables = null;
+      return null;
+    }
+    if (variables == null) {
+      variables = new SeenVariables(places);
+    }
+    return variables.look(ways);
   }
 
   private List<Turn> turns() {

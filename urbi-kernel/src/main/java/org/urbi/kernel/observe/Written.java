@@ -31,6 +31,13 @@ final class Written {
     return Utf8Text.toJava(text.substring(span.begin(), Math.max(span.begin(), end))).strip();
   }
 
+  /** A piece of source in one line, or the beginning of it. */
+  static String brief(String source) {
+    String line = source.strip().replaceAll("\\s+", " ");
+    return Utf8Text.toJava(
+        line.length() > LONGEST_BEGINNING ? line.substring(0, LONGEST_BEGINNING) + "…" : line);
+  }
+
   /** The line in which it begins, or the beginning of it; empty when nobody knows. */
   static String line(@Nullable Span span) {
     if (span == null) {

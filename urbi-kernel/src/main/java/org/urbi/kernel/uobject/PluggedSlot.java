@@ -109,7 +109,8 @@ final class PluggedSlot implements USlot {
 
   @Override
   public long timestamp() {
-    return crossing.fromKernel(frame -> (long) (behind().written() / NANOSECONDS_PER_MICROSECOND));
+    return crossing.fromKernel(
+        frame -> (long) (Math.max(0, behind().writes().last()) / NANOSECONDS_PER_MICROSECOND));
   }
 
   @Override

@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.error.UrbiException;
+import org.urbi.kernel.event.Occurrences;
 import org.urbi.kernel.event.UrbiEvent;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.Scheduler;
@@ -100,7 +101,7 @@ public final class UrbiUVar extends UrbiObject {
   private @Nullable RangeWarning rangeWarning;
   private @Nullable Boolean rtp;
   private final List<Runnable> onRtp = new ArrayList<>(0);
-  private long written;
+  private final Occurrences writes = new Occurrences();
   private long lastId;
 
   public UrbiUVar(Shape shape) {
@@ -119,14 +120,9 @@ public final class UrbiUVar extends UrbiObject {
 
   /** The variable behind the object's own slot, or null. */
   public static @Nullable UrbiUVar behind(UrbiObject owner, Symbol slot) {
-    return owner.localSlot(slot) instanceof UrbiUVar variable && isHooked(owner, slot)
-        ? variable
-        : null;
-  }
-
-  private static boolean isHooked(UrbiObject owner, Symbol slot) {
     SlotData data = owner.slotData(slot);
-    return data != null && data.setter instanceof Access;
+    boolean hooked = data != null && data.setter instanceof Access;
+    return hooked && owner.localSlot(slot) instanceof UrbiUVar variable ? variable : null;
   }
 
   /**
@@ -317,6 +313,11 @@ public final class UrbiUVar extends UrbiObject {
     return onAccess.remove(id);
   }
 
+  /** How many functions are called when the value changes that everybody reads. */
+  public int listenerCount() {
+    return onChange.size();
+  }
+
   /** The connections that start at this variable. */
   public List<UrbiConnection> connections() {
     return connections;
@@ -438,9 +439,9 @@ public final class UrbiUVar extends UrbiObject {
     return value;
   }
 
-  /** When it was last written, in nanoseconds of the scheduler. */
-  public long written() {
-    return written;
+  /** How often it was written, and when last. */
+  public Occurrences writes() {
+    return writes;
   }
 
   // ------------------------------------------------------------------ writing
@@ -454,7 +455,7 @@ public final class UrbiUVar extends UrbiObject {
     if (!owned) {
       return set(frame, datum);
     }
-    written = frame.interpreter().scheduler().now();
+    writes.note(frame.interpreter().scheduler().now());
     Datum assigned = inRange(frame, datum);
     value = assigned;
     if (rangeWarning != null) {
@@ -474,7 +475,7 @@ public final class UrbiUVar extends UrbiObject {
    */
   public Datum set(Frame frame, Datum datum) {
     Datum assigned = bypass ? datum : inRange(frame, datum);
-    written = frame.interpreter().scheduler().now();
+    writes.note(frame.interpreter().scheduler().now());
     if (!isInput()) {
       if (owned) {
         sensed = assigned;
@@ -572,8 +573,6 @@ public final class UrbiUVar extends UrbiObject {
     }
     frame.interpreter().report(frame.job(), failure);
   }
-
-  // ------------------------------------------------------------------ access by the slot
 
   /** Reads or writes the variable when its slot is read or written. */
   private final class Access extends Code implements SlotUpdate.Whole {

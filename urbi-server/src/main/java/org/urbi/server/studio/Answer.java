@@ -11,6 +11,7 @@ import org.urbi.kernel.observe.JobDetail;
 import org.urbi.kernel.observe.JobRow;
 import org.urbi.kernel.observe.ReactionView;
 import org.urbi.kernel.observe.TagRow;
+import org.urbi.kernel.observe.VariableView;
 import org.urbi.kernel.observe.View;
 
 /** What a browser is told, as JSON. */
@@ -19,7 +20,7 @@ final class Answer {
   static final double MILLISECOND = 1e6;
 
   @FunctionalInterface
-  private interface Content {
+  interface Content {
     void write(JsonGenerator out) throws IOException;
   }
 
@@ -94,6 +95,11 @@ final class Answer {
             out.writeFieldName("reactions");
             ReactionAnswer.write(out, reactions);
           }
+          VariableView variables = view.variables();
+          if (variables != null) {
+            out.writeFieldName("variables");
+            VariableAnswer.write(out, variables);
+          }
         });
   }
 
@@ -140,6 +146,14 @@ final class Answer {
     out.writeEndObject();
   }
 
+  static void writeTexts(JsonGenerator out, String name, List<String> texts) throws IOException {
+    out.writeArrayFieldStart(name);
+    for (String text : texts) {
+      out.writeString(text);
+    }
+    out.writeEndArray();
+  }
+
   static void write(JsonGenerator out, String name, List<Long> numbers) throws IOException {
     out.writeArrayFieldStart(name);
     for (long number : numbers) {
@@ -148,7 +162,7 @@ final class Answer {
     out.writeEndArray();
   }
 
-  private static String object(String type, Content content) {
+  static String object(String type, Content content) {
     StringWriter text = new StringWriter();
     try (JsonGenerator out = JSON.createGenerator(text)) {
       out.writeStartObject();

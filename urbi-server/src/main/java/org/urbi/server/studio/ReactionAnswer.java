@@ -39,11 +39,7 @@ final class ReactionAnswer {
     out.writeBooleanField("frozen", row.frozen());
     Answer.write(out, "tags", row.tags());
     out.writeNumberField("event", row.event());
-    out.writeArrayFieldStart("read");
-    for (String name : row.read()) {
-      out.writeString(name);
-    }
-    out.writeEndArray();
+    Answer.writeTexts(out, "read", row.read());
     writeTimes(out, row.times(), row.last());
     out.writeEndObject();
   }
@@ -58,7 +54,7 @@ final class ReactionAnswer {
   }
 
   /** How often, and when last: in milliseconds, -1 for never. */
-  private static void writeTimes(JsonGenerator out, long times, long last) throws IOException {
+  static void writeTimes(JsonGenerator out, long times, long last) throws IOException {
     out.writeNumberField("times", times);
     out.writeNumberField("last", last < 0 ? -1 : last / Answer.MILLISECOND);
   }

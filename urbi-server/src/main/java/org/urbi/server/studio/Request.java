@@ -28,6 +28,36 @@ sealed interface Request {
   record Reactions(@Nullable String filter) implements Request {}
 
   /**
+   * The slots of objects are shown from now on, or no longer.
+   *
+   * @param objects the ways to them; null for none at all
+   */
+  record Variables(@Nullable List<String> objects) implements Request {}
+
+  /**
+   * Numbers are plotted from now on.
+   *
+   * @param id by which the browser knows the samples
+   * @param ways to the slots; none to end it
+   */
+  record Plot(long id, List<String> ways) implements Request {}
+
+  /**
+   * A slot is to be assigned.
+   *
+   * @param id by which the browser knows the answer
+   * @param value an expression of urbiscript
+   */
+  record Assign(long id, String way, String value) implements Request {}
+
+  /**
+   * An image or a sound is to be sent.
+   *
+   * @param id by which the browser knows the answer
+   */
+  record Show(long id, String way) implements Request {}
+
+  /**
    * An event is to be emitted.
    *
    * @param id by which the browser knows the answer
@@ -53,6 +83,13 @@ sealed interface Request {
       case "interest" -> new Interest(fields.number("selected"), fields.numbers("traced"));
       case "reactions" -> new Reactions(fields.textOrNull("filter"));
       case "emit" -> new Emit(fields.number("id"), fields.number("event"), fields.text("payload"));
+      case "variables" -> new Variables(fields.textsOrNull("objects"));
+      case "plot" -> {
+        List<String> ways = fields.textsOrNull("ways");
+        yield new Plot(fields.number("id"), ways == null ? List.of() : ways);
+      }
+      case "assign" -> new Assign(fields.number("id"), fields.text("way"), fields.text("value"));
+      case "show" -> new Show(fields.number("id"), fields.text("way"));
       case "steer" -> {
         Steering.Action action = Steering.Action.of(fields.text("action"));
         if (action == null) {
@@ -64,7 +101,9 @@ sealed interface Request {
         }
         yield new Steer(fields.number("id"), action, kind.equals("tag"), fields.number("target"));
       }
-      default -> throw new BadRequest("type: interest, steer, reactions or emit expected");
+      default ->
+          throw new BadRequest(
+              "type: interest, steer, reactions, emit, variables, plot, assign or show expected");
     };
   }
 
@@ -115,7 +154,12 @@ sealed interface Request {
           for (JsonToken token = parser.nextToken();
               token != JsonToken.END_ARRAY;
               token = parser.nextToken()) {
-            elements.add(token == JsonToken.VALUE_NUMBER_INT ? parser.getLongValue() : token);
+            elements.add(
+                switch (token) {
+                  case VALUE_NUMBER_INT -> parser.getLongValue();
+                  case VALUE_STRING -> parser.getText();
+                  default -> token;
+                });
           }
           yield elements;
         }
@@ -144,6 +188,24 @@ sealed interface Request {
         return number;
       }
       throw new BadRequest(name + ": a whole number expected");
+    }
+
+    /** The texts of a list; null if there is no such field. */
+    @Nullable List<String> textsOrNull(String name) throws BadRequest {
+      if (!values.containsKey(name)) {
+        return null;
+      }
+      List<String> texts = new ArrayList<>();
+      if (values.get(name) instanceof List<?> elements) {
+        for (Object element : elements) {
+          if (!(element instanceof String text)) {
+            throw new BadRequest(name + ": strings expected");
+          }
+          texts.add(text);
+        }
+        return texts;
+      }
+      throw new BadRequest(name + ": a list of strings expected");
     }
 
     List<Long> numbers(String name) throws BadRequest {

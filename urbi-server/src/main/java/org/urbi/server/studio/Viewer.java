@@ -51,7 +51,8 @@ final class Viewer extends SimpleChannelInboundHandler<WebSocketFrame> {
   private final Function<Client, Connection> lobbies;
   private final Trace trace;
   private @Nullable Connection connection;
-  private Look wanted = new Look(0, List.of(), null);
+  private @Nullable Sampler sampler;
+  private Look wanted = new Look(0, List.of(), null, null);
   private boolean looking;
   private boolean due;
   private boolean refused;
@@ -111,6 +112,7 @@ final class Viewer extends SimpleChannelInboundHandler<WebSocketFrame> {
       return;
     }
     connection = lobbies.apply(new Lobby(channel, role));
+    sampler = new Sampler(channel, connection);
     send(channel, Answer.hello(role.text(), Version.number()));
     pause =
         channel
@@ -162,6 +164,9 @@ final class Viewer extends SimpleChannelInboundHandler<WebSocketFrame> {
     if (context.channel().isWritable() && due) {
       look(context.channel());
     }
+    if (sampler != null) {
+      sampler.sample();
+    }
   }
 
   private static void send(Channel channel, String text) {
@@ -170,6 +175,10 @@ final class Viewer extends SimpleChannelInboundHandler<WebSocketFrame> {
 
   private Connection connection() {
     return requireNonNull(connection, "it has been let in");
+  }
+
+  private Sampler sampler() {
+    return requireNonNull(sampler, "it has been let in");
   }
 
   // ------------------------------------------------------------------ what it wants
@@ -196,9 +205,28 @@ final class Viewer extends SimpleChannelInboundHandler<WebSocketFrame> {
   private void obey(Channel channel, Request request) {
     switch (request) {
       case Request.Interest interest ->
-          wanted = new Look(interest.selected(), interest.traced(), wanted.reactions());
+          wanted =
+              new Look(
+                  interest.selected(), interest.traced(), wanted.reactions(), wanted.objects());
       case Request.Reactions reactions ->
-          wanted = new Look(wanted.selected(), wanted.traced(), reactions.filter());
+          wanted =
+              new Look(wanted.selected(), wanted.traced(), reactions.filter(), wanted.objects());
+      case Request.Variables variables ->
+          wanted =
+              new Look(wanted.selected(), wanted.traced(), wanted.reactions(), variables.objects());
+      case Request.Plot plot -> sampler().plot(plot);
+      case Request.Show show ->
+          connection()
+              .media(show.way())
+              .whenCompleteAsync(
+                  (media, failure) -> {
+                    if (media != null) {
+                      send(channel, VariableAnswer.shown(show.id(), media));
+                    }
+                  },
+                  channel.eventLoop());
+      case Request.Assign assign ->
+          tell(channel, assign.id(), connection().assign(assign.way(), assign.value()));
       case Request.Steer steer ->
           tell(
               channel, steer.id(), connection().steer(steer.action(), steer.tag(), steer.target()));

@@ -1,5 +1,5 @@
 // The room of the reactions and events: what waits for what, how often it has happened, when last; events are emitted here.
-import { make } from "./elements.js";
+import { Items, ago, make, set } from "./elements.js";
 
 const ASK_AFTER = 150;
 
@@ -42,7 +42,6 @@ export class Room {
     this.studio = studio;
     this.rows = new Map();
     this.events = new Map();
-    this.items = new Map();
     this.total = { reactions: 0, events: 0 };
     this.text = "";
     this.order = "number";
@@ -50,7 +49,8 @@ export class Room {
     host.classList.add("beside");
     host.innerHTML = PAGE;
     this.find = (name) => host.querySelector(`#${name}`);
-    this.body = host.querySelector("tbody");
+    this.lines = new Items(host.querySelector("tbody"), (row) => row.number, () => this.newRow(), (line, row) => this.fillRow(line, row));
+    this.eventItems = new Items(this.find("event-list"), (event) => event.number, () => this.newEvent(), (item, event) => this.fillEvent(item, event));
     this.find("reaction-filter").addEventListener("input", (event) => {
       this.text = event.target.value;
       clearTimeout(this.asking);
@@ -120,9 +120,9 @@ export class Room {
     const keys = { number: (row) => row.number, last: (row) => -row.last, times: (row) => -row.times };
     const key = keys[this.order];
     const rows = [...this.rows.values()].sort((a, b) => key(a) - key(b) || a.number - b.number);
-    this.fill(this.body, rows, "r", () => this.newRow(), (line, row) => this.fillRow(line, row));
+    this.lines.show(rows);
     const events = [...this.events.values()].sort((a, b) => a.name.localeCompare(b.name) || a.number - b.number);
-    this.fill(this.find("event-list"), events, "e", () => this.newEvent(), (item, event) => this.fillEvent(item, event));
+    this.eventItems.show(events);
     const { reactions } = this.total;
     this.find("reaction-total").textContent = rows.length < reactions ? `${rows.length} of ${reactions}` : "";
     this.find("no-reactions").hidden = rows.length > 0 || Boolean(this.text);
@@ -131,27 +131,6 @@ export class Room {
     this.find("emission-event").textContent = chosen ? chosen.name : "Choose an event.";
     this.find("emit").disabled = !chosen || !this.studio.mayChange;
     this.find("payload").disabled = !chosen || !this.studio.mayChange;
-  }
-
-  // Elements stay those of their rows, in the order of these: a click must not miss one.
-  fill(host, all, prefix, create, write) {
-    const wanted = new Set();
-    let at = host.firstElementChild;
-    for (const each of all) {
-      const key = prefix + each.number;
-      wanted.add(key);
-      if (!this.items.has(key)) this.items.set(key, create());
-      const item = this.items.get(key);
-      write(item, each);
-      if (item === at) at = at.nextElementSibling;
-      else host.insertBefore(item, at);
-    }
-    for (const [key, item] of this.items) {
-      if (key.startsWith(prefix) && !wanted.has(key)) {
-        item.remove();
-        this.items.delete(key);
-      }
-    }
   }
 
   newRow() {
@@ -170,7 +149,7 @@ export class Room {
     set(what.children[1], [row.place, row.lobby, ...tags].filter((part) => part).join(" · ") + state);
     set(read, row.read.join(", "));
     set(times, row.times.toLocaleString("en"));
-    set(last, this.ago(row.last));
+    set(last, ago(row.last, this.now));
     line.classList.toggle("frozen", row.frozen);
     this.flash(line, row.times);
   }
@@ -194,16 +173,8 @@ export class Room {
     set(name, event.name);
     name.setAttribute("aria-pressed", event.number === this.chosen);
     const listeners = `${event.listeners} ${event.listeners === 1 ? "listener" : "listeners"}`;
-    set(facts, event.times ? `${listeners}, ${event.times.toLocaleString("en")} ×, ${this.ago(event.last)}` : `${listeners}, never emitted`);
+    set(facts, event.times ? `${listeners}, ${event.times.toLocaleString("en")} ×, ${ago(event.last, this.now)}` : `${listeners}, never emitted`);
     this.flash(item, event.times);
-  }
-
-  ago(last) {
-    if (last < 0) return "never";
-    const seconds = (this.now - last) / 1000;
-    if (seconds < 1) return "now";
-    if (seconds < 60) return `${seconds.toFixed(0)} s ago`;
-    return seconds < 3600 ? `${(seconds / 60).toFixed(0)} min ago` : `${(seconds / 3600).toFixed(1)} h ago`;
   }
 
   // What happens right now lights up.
@@ -214,8 +185,4 @@ export class Room {
     element.classList.remove("flash");
     requestAnimationFrame(() => element.classList.add("flash"));
   }
-}
-
-function set(element, text) {
-  if (element.textContent !== text) element.textContent = text;
 }

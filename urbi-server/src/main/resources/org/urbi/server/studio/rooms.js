@@ -7,4 +7,10 @@
 export const ROOMS = [
   { name: "jobs", title: "Jobs", styles: ["jobs.css"], load: () => import("./jobs-room.js") },
   { name: "reactions", title: "Reactions", styles: ["reactions.css"], load: () => import("./reactions-room.js") },
+  {
+    name: "variables",
+    title: "Variables",
+    styles: ["variables.css", "libraries/uPlot.min.css"],
+    load: () => import("./variables-room.js"),
+  },
 ];

@@ -2,9 +2,12 @@ package org.urbi.server.net;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.observe.Look;
+import org.urbi.kernel.observe.Media;
+import org.urbi.kernel.observe.Sample;
 import org.urbi.kernel.observe.Steering;
 import org.urbi.kernel.observe.View;
 import org.urbi.kernel.trust.Role;
@@ -93,6 +96,21 @@ final class RecordingConnection implements Connection {
 
   @Override
   public CompletableFuture<String> emit(long event, String payload) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  public CompletableFuture<String> assign(String way, String value) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  public CompletableFuture<Sample> sample(List<String> ways) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  public CompletableFuture<Optional<Media>> media(String way) {
     throw new UnsupportedOperationException();
   }
 

@@ -149,7 +149,14 @@ class StudioServerTest {
     assertTrue(page.startsWith("HTTP/1.1 200 OK"), page);
     assertTrue(page.contains("default-src 'self'") && page.contains("nosniff"), page);
     assertTrue(page.contains("<title>Urbi studio</title>"), page);
-    for (String file : List.of("studio.css", "studio.js", "rooms.js", "jobs-room.js", "jobs.css")) {
+    for (String file :
+        List.of(
+            "studio.css",
+            "studio.js",
+            "rooms.js",
+            "jobs-room.js",
+            "jobs.css",
+            "libraries/uPlot.esm.js")) {
       assertTrue(get("/" + file, HOST).startsWith("HTTP/1.1 200"), file);
     }
     for (String path :
@@ -187,7 +194,7 @@ class StudioServerTest {
               List.of("{", "no JSON: "),
               List.of("[1]", "a JSON object expected"),
               List.of("{\"type\":1}", "type: a string expected"),
-              List.of("{\"type\":\"dance\"}", "type: interest, steer, reactions or emit expected"),
+              List.of("{\"type\":\"dance\"}", "type: interest, steer, reactions, emit, variables"),
               List.of("{\"type\":\"interest\",\"selected\":\"x\"}", "selected: a whole number"),
               List.of(
                   "{\"type\":\"interest\",\"selected\":0,\"traced\":[\"x\"]}",
@@ -200,6 +207,11 @@ class StudioServerTest {
               List.of(
                   "{\"type\":\"emit\",\"id\":1,\"event\":2,\"payload\":[3]}",
                   "payload: a string expected"),
+              List.of("{\"type\":\"variables\",\"objects\":[1]}", "objects: strings expected"),
+              List.of("{\"type\":\"variables\",\"objects\":1}", "objects: a list of strings"),
+              List.of("{\"type\":\"plot\",\"ways\":[\"Global\"]}", "id: a whole number"),
+              List.of("{\"type\":\"assign\",\"id\":1,\"way\":\"x\"}", "value: a string expected"),
+              List.of("{\"type\":\"show\",\"id\":1}", "way: a string expected"),
               List.of("[".repeat(1000), "a JSON object expected"),
               List.of("{\"a\":" + "[".repeat(1000), "no JSON: "),
               List.of("{\"a\":" + "9".repeat(100) + "}", "no JSON: "),
@@ -218,6 +230,32 @@ class StudioServerTest {
       assertEquals(
           "{\"type\":\"done\",\"id\":8,\"error\":\"no such event any more: 99999\"}",
           page.await("\"done\""));
+    }
+  }
+
+  @Test
+  void variablesAreToldPlottedAndAssigned() throws Exception {
+    kernel.eval("var Global.plotted = 1.25|");
+    kernel.eval("var Global.picture = Binary.new(\"jpeg 2 1\", \"abc\")|");
+    try (Page page = new Page(studio, "")) {
+      assertFalse(page.await("\"complete\":true").contains("\"variables\""));
+      page.send("{\"type\":\"variables\",\"objects\":[\"Global\",\"gone\"]}");
+      String view = page.await("\"variables\"");
+      assertTrue(view.contains("\"name\":\"plotted\",\"type\":\"Float\",\"value\":\"1.25\""), view);
+      assertTrue(view.contains("{\"way\":\"gone\",\"found\":false"), view);
+      page.send("{\"type\":\"plot\",\"id\":3,\"ways\":[\"Global\\n.plotted\",\"gone\"]}");
+      String sample = page.await("\"sample\"");
+      assertTrue(sample.matches(".*\"id\":3,\"time\":[\\d.E]+,\"values\":\\[1.25,null].*"), sample);
+      page.send("{\"type\":\"plot\",\"id\":4}");
+      page.send("{\"type\":\"assign\",\"id\":5,\"way\":\"Global\\n.plotted\",\"value\":\"2 + 3\"}");
+      assertEquals("{\"type\":\"done\",\"id\":5,\"error\":\"\"}", page.await("\"done\""));
+      assertEquals(5.0, kernel.eval("Global.plotted"));
+      page.send("{\"type\":\"assign\",\"id\":6,\"way\":\"Global\\n.no\",\"value\":\"1\"}");
+      assertTrue(page.await("\"done\"").contains("no such slot any more: Global.no"));
+      page.send("{\"type\":\"show\",\"id\":7,\"way\":\"Global\\n.picture\"}");
+      assertTrue(page.await("\"done\"").contains("\"keywords\":\"jpeg 2 1\",\"bytes\":\"YWJj\""));
+      page.send("{\"type\":\"show\",\"id\":8,\"way\":\"Global\\n.plotted\"}");
+      assertTrue(page.await("\"done\"").contains("no image or sound any more"));
     }
   }
 

@@ -175,7 +175,7 @@ final class UVarType {
 
   @Builtin(doc = "When the value was last written, in seconds as those of System.time.")
   static double timestamp(UrbiUVar self) {
-    return self.written() / NANOSECONDS_PER_SECOND;
+    return Math.max(0, self.writes().last()) / NANOSECONDS_PER_SECOND;
   }
 
   @Builtin(doc = "The value that everybody reads. No function is called for it.")

@@ -1,0 +1,127 @@
+package org.urbi.tests.process;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The studio's room of variables, in a real browser. */
+class StudioVariablesTest {
+  private static final String PROGRAM =
+      """
+      class Global.Motor : UObject { function init() { UVar.new(this, "speed") } }|;
+      var Global.motor = Motor.new|;
+      motor.speed = 0|;
+      motor.speed->rangemin = -10|; motor.speed->rangemax = 10|;
+      var Global.x = 0|; var Global.y = 100|;
+      var Global.image = Binary.new("rgb 2 1", "\\xff\\x00\\x00\\x00\\xff\\x00")|;
+      at (motor.speed > 5) echo("fast");
+      counting: every (20ms) { Global.x = (x + 1) % 50 },
+      """;
+
+  /** The line of the slot at the end of a way whose steps are separated by blanks. */
+  private static String line(String way) {
+    return "[...document.querySelectorAll('.line')].find(line => line.dataset.way === '"
+        + way.replace(" ", "\\n")
+        + "')";
+  }
+
+  private static String value(String way) {
+    return "return " + line(way) + "?.querySelector('.value').textContent";
+  }
+
+  private static String facts() {
+    return StudioPage.text("#slot-list");
+  }
+
+  @Test
+  void variablesAreBrowsedChangedAndPlottedInABrowser(@TempDir Path folder) throws Exception {
+    try (StudioPage page = StudioPage.start(folder, PROGRAM, "#variables")) {
+      Browser browser = page.browser();
+      browser.await("a slot", value("Global .y"), "100"::equals);
+      browser.evaluate(line("Global .motor") + ".querySelector('.twisty').click()");
+      browser.await("a slot of an object", value("Global .motor .speed"), "0"::equals);
+      assigns(browser, page.urbi());
+      slides(browser, page.urbi());
+      plots(browser);
+      seesAnImage(browser);
+      vanishes(browser, page.urbi());
+      assertEquals("true", browser.evaluate("return document.body.scrollWidth <= innerWidth"));
+      assertTrue(!page.urbi().text().contains("internal error"), page.urbi()::text);
+    }
+  }
+
+  private static void assigns(Browser browser, JavaProcess urbi) throws Exception {
+    browser.evaluate(line("Global .y") + ".click()");
+    String submit = "; document.querySelector('#assign').requestSubmit()";
+    browser.evaluate(StudioPage.type("#slot-value", "20 + 1") + submit);
+    browser.await("the value", value("Global .y"), "21"::equals);
+    urbi.send("Global.y * 1000;\n");
+    urbi.awaitText("21000");
+    browser.evaluate(StudioPage.type("#slot-value", "nobody") + submit);
+    String result = StudioPage.text("#slot-result");
+    browser.await("what is wrong", result, t -> t.contains("lookup failed: nobody"));
+    browser.await("the same value", value("Global .y"), "21"::equals);
+  }
+
+  private static void slides(Browser browser, JavaProcess urbi) throws Exception {
+    browser.evaluate(line("Global .motor .speed") + ".click()");
+    browser.await("who reads it", facts(), text -> text.contains("motor.speed > 5"));
+    String limits = "const s = document.querySelector('#slot-slider'); return s.min + s.max";
+    browser.await("its limits", limits, "-1010"::equals);
+    browser.evaluate(StudioPage.type("#slot-slider", "8"));
+    urbi.awaitText("fast");
+    browser.await("its value", value("Global .motor .speed"), "8"::equals);
+  }
+
+  private static void plots(Browser browser) throws Exception {
+    for (String way : new String[] {"Global .x", "Global .motor .speed"}) {
+      browser.evaluate(line(way) + ".click()");
+      browser.await(
+          "that it can be plotted",
+          "return slot-plot.disabled".replace("slot-plot", "document.querySelector('#slot-plot')"),
+          "false"::equals);
+      browser.evaluate("document.querySelector('#slot-plot').click()");
+    }
+    String points = "return Number(document.querySelector('#plot-area').dataset.points)";
+    browser.await("samples", points, count -> Double.parseDouble(count) > 20);
+    browser.await(
+        "two lines",
+        """
+        const canvas = document.querySelector('#plot-area canvas');
+        const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+        return new Set(new Uint32Array(pixels.buffer)).size;
+        """,
+        colours -> Integer.parseInt(colours) > 10);
+    browser.evaluate("document.querySelector('#plot-pause').click()");
+    String frozen = browser.evaluate(points);
+    browser.await("later values", facts(), text -> !text.isEmpty());
+    assertEquals(frozen, browser.evaluate(points));
+    String save =
+        "HTMLAnchorElement.prototype.click = function() { window.saved = this.href };"
+            + "document.querySelector('#plot-csv').click(); return window.saved";
+    assertTrue(browser.evaluate(save).startsWith("blob:"), "there is a file to save");
+    browser.evaluate("document.querySelector('#plotted button').click()");
+    String plotted = "return document.querySelectorAll('#plotted li').length";
+    assertEquals("1", browser.evaluate(plotted));
+  }
+
+  private static void seesAnImage(Browser browser) throws Exception {
+    browser.evaluate(line("Global .image") + ".click()");
+    browser.await(
+        "red and green",
+        """
+        const canvas = document.querySelector('#slot-media canvas');
+        return canvas && [...canvas.getContext('2d').getImageData(0, 0, 2, 1).data].join(' ');
+        """,
+        "255 0 0 255 0 255 0 255"::equals);
+  }
+
+  private static void vanishes(Browser browser, JavaProcess urbi) throws Exception {
+    urbi.send("Global.removeLocalSlot(\"motor\")|;\n");
+    browser.await("that it is gone", "return !!" + line("Global .motor"), "false"::equals);
+    browser.await("all others", value("Global .y"), "21"::equals);
+  }
+}

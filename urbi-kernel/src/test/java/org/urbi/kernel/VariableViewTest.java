@@ -1,0 +1,210 @@
+package org.urbi.kernel;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.urbi.kernel.observe.Look;
+import org.urbi.kernel.observe.ObjectView;
+import org.urbi.kernel.observe.SlotRow;
+import org.urbi.kernel.observe.VariableView;
+import org.urbi.kernel.observe.View;
+import org.urbi.kernel.trust.Role;
+
+/** Somebody looks at the slots of a running kernel, and assigns them. */
+class VariableViewTest {
+  private Kernel kernel;
+  private TestClient program;
+  private Viewer owner;
+
+  /** Puts together what has been told of one object. */
+  private static final class Viewer {
+    private final TestClient client;
+    private final Map<String, SlotRow> slots = new TreeMap<>();
+    private VariableView last;
+    private ObjectView object;
+    private String way = "";
+
+    Viewer(Kernel kernel, Role role) {
+      client = new TestClient(kernel, role);
+    }
+
+    Viewer look(String at) {
+      if (!at.equals(way)) {
+        slots.clear();
+        way = at;
+      }
+      View view;
+      do {
+        view = client.connection().look(new Look(0, List.of(), null, List.of(at))).join();
+      } while (!view.complete());
+      last = view.variables();
+      for (ObjectView each : last.objects()) {
+        object = each;
+        each.gone().forEach(slots::remove);
+        each.slots().forEach(row -> slots.put(row.name(), row));
+      }
+      return this;
+    }
+
+    SlotRow slot(String at, String name) {
+      SlotRow found = look(at).slots.get(name);
+      assertTrue(found != null, () -> name + " is not among " + slots.keySet());
+      return found;
+    }
+
+    String assign(String at, String value) {
+      return client.connection().assign(at, value).join();
+    }
+  }
+
+  @BeforeEach
+  void start() {
+    kernel = Kernel.builder().log(line -> {}).start();
+    program = new TestClient(kernel, Role.OWNER);
+    owner = new Viewer(kernel, Role.OWNER);
+  }
+
+  @AfterEach
+  void stop() {
+    assertEquals("3", program.say("1 + 2;"));
+    kernel.close();
+  }
+
+  @Test
+  void objectsAndTheirPrototypesAreBrowsed() {
+    program.say(
+        """
+        class Global.Robot { var legs = 2; function walk() { 1 } }|;
+        var Global.robot = Robot.new|; var Global.robot.name = "ro\\"by"|;
+        var Global.list = [1, "two", [3, [4, [5]]]]|;
+        """);
+    SlotRow robot = owner.slot("Global", "robot");
+    assertEquals(List.of("Robot", true), List.of(robot.type(), robot.opens()));
+    assertTrue(owner.last.roots().contains("Global"), owner.last.toString());
+    assertEquals("[1, \"two\", [3, […]]]", owner.slot("Global", "list").value());
+    assertFalse(owner.slots.containsKey("Float"), "what the system has put there");
+    SlotRow name = owner.slot("Global\n.robot", "name");
+    assertEquals("\"ro\\\"by\"", name.value());
+    assertEquals(List.of("Robot"), owner.object.protos());
+    assertEquals(2, owner.slot("Global\n.robot\n:0", "legs").number());
+    assertFalse(owner.slots.containsKey("walk"), "functions are no variables");
+    assertFalse(owner.look("Global\n.robot\n:7").object.found());
+    assertFalse(owner.look("Global\n.nobody\n.x").object.found());
+    assertFalse(owner.look("").object.found());
+  }
+
+  @Test
+  void onlyChangesAreTold() {
+    program.say("var Global.x = 1|; var Global.y = 2|;");
+    owner.look("Global");
+    assertEquals(List.of(), owner.look("Global").last.objects());
+    program.say("Global.x = 5 | Global.removeLocalSlot(\"y\");");
+    owner.look("Global");
+    assertEquals(1, owner.last.objects().size());
+    assertEquals(List.of("x"), owner.object.slots().stream().map(SlotRow::name).toList());
+    assertEquals(List.of("y"), owner.object.gone());
+  }
+
+  @Test
+  void variablesWithHooksTellWhoWritesAndReadsThem() {
+    program.say(
+        """
+        class Global.Motor : UObject { function init() { UVar.new(this, "speed") } }|;
+        var Global.motor = Motor.new|;
+        motor.speed = 0|;
+        motor.speed->rangemin = -10|; motor.speed->rangemax = 10|;
+        at (motor.speed > 5) echo("fast");
+        motor.speed = 3|; motor.speed = 4|;
+        """);
+    SlotRow speed = owner.slot("Global\n.motor", "speed");
+    assertTrue(speed.variable(), speed.toString());
+    assertEquals(4, speed.number());
+    assertEquals(-10, speed.least());
+    assertEquals(10, speed.most());
+    assertEquals(3, speed.times());
+    assertTrue(speed.last() >= 0, speed.toString());
+    assertTrue(speed.readers().contains("motor.speed > 5"), speed.toString());
+  }
+
+  @Test
+  void slotsAreAssignedAsUrbiscriptDoes() {
+    program.say("var Global.x = 1|; Global.x->rangemax = 10|; var Global.o = Object.new|;");
+    program.say("const var Global.c = 3|; at (x > 5) echo(\"far\");");
+    assertEquals("", owner.assign("Global\n.x", "3 * 2"));
+    assertEquals("6", program.say("sleep(1ms)|; x;").replaceFirst("(?s).*far\\s*", "").strip());
+    assertEquals("", owner.assign("Global\n.x", "100"));
+    assertEquals("10", program.say("x;"));
+    assertEquals("studio:1.1-6: lookup failed: nobody", owner.assign("Global\n.x", "nobody"));
+    assertEquals(
+        "studio:1.4: syntax error: unexpected end of file", owner.assign("Global\n.x", "1 +"));
+    assertTrue(owner.assign("Global\n.x", "").contains("void"), owner.assign("Global\n.x", ""));
+    assertTrue(owner.assign("Global\n.c", "4").contains("const"));
+    assertEquals("no such slot any more: Global.o.x", owner.assign("Global\n.o\n.x", "1"));
+    assertEquals("no such slot any more: nonsense", owner.assign("nonsense", "1"));
+    assertEquals("10", program.say("x;"));
+  }
+
+  @Test
+  void observersSeeAndCannotAssign() {
+    program.say("var Global.x = 1|;");
+    Viewer observer = new Viewer(kernel, Role.OBSERVER);
+    assertEquals(1, observer.slot("Global", "x").number());
+    String refused = observer.assign("Global\n.x", "2");
+    assertTrue(refused.contains("needs the role owner"), refused);
+    assertEquals("1", program.say("x;"));
+  }
+
+  @Test
+  void numbersAreSampledAndPicturesHad() {
+    program.say("var Global.x = 1.5|; var Global.s = \"text\"|;");
+    program.say("var Global.p = Binary.new(\"jpeg 2 1\", \"abc\")|;");
+    List<String> ways = List.of("Global\n.x", "Global\n.s", "Global\n.gone");
+    assertEquals(
+        List.of(1.5, Double.NaN, Double.NaN),
+        owner.client.connection().sample(ways).join().values());
+    assertEquals("image", owner.slot("Global", "p").media());
+    assertEquals("abc", owner.client.connection().media("Global\n.p").join().get().bytes());
+    assertTrue(owner.client.connection().media("Global\n.x").join().isEmpty());
+  }
+
+  @Test
+  void ofVeryManySlotsAPartIsTold() {
+    program.say("var Global.o = Object.new|; for (var i : 3000) o.setSlot(\"x\" + i, i);");
+    owner.look("Global\n.o");
+    assertEquals(List.of(3000, 500), List.of(owner.object.total(), owner.slots.size()));
+  }
+
+  @Test
+  void recordedRunContainsWhatWasAssigned(@TempDir Path folder) {
+    Path recording = folder.resolve("run");
+    try (Kernel recorded = Kernel.builder().log(line -> {}).record(recording).start()) {
+      TestClient coder = new TestClient(recorded, Role.OWNER);
+      coder.say("var Global.x = 1|; at (x > 5) echo(\"far\");");
+      assertEquals("", new Viewer(recorded, Role.OWNER).assign("Global\n.x", "7"));
+      assertTrue(coder.say("echo(x);").contains("7"));
+    }
+    Kernel replayed =
+        Kernel.builder().log(line -> {}).replay(recording, number -> new Silent()).start();
+    replayed.awaitTermination();
+    assertNull(replayed.replayDifference());
+  }
+
+  /** Whoever was connected in a run that is replayed. */
+  private static final class Silent implements Client {
+    @Override
+    public void output(String bytes) {}
+
+    @Override
+    public void closed() {}
+  }
+}

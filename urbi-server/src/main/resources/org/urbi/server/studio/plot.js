@@ -1,0 +1,158 @@
+// Plots numbers while they change.
+import uPlot from "./libraries/uPlot.esm.js";
+import { make } from "./elements.js";
+import { shownWay } from "./objects.js";
+
+const MOST = 16;
+const KEPT_SECONDS = 600;
+const HEIGHT = 220;
+const COLOURS = ["jobs", "signal", "running", "event", "condition", "bad", "outside", "frozen"];
+
+export class Plot {
+  constructor(find, studio) {
+    this.find = find;
+    this.studio = studio;
+    this.ways = [];
+    this.data = [[]];
+    this.version = 0;
+    this.paused = false;
+    this.zoomed = false;
+    find("plot-span").addEventListener("change", () => {
+      this.zoomed = false;
+      this.draw();
+    });
+    find("plot-pause").addEventListener("click", (event) => {
+      this.paused = !this.paused;
+      event.target.setAttribute("aria-pressed", this.paused);
+      this.draw();
+    });
+    find("plot-csv").addEventListener("click", () => this.save());
+    window.addEventListener("resize", () => this.rebuild());
+    this.rebuild();
+  }
+
+  has(way) {
+    return this.ways.includes(way);
+  }
+
+  toggle(way) {
+    const at = this.ways.indexOf(way);
+    if (at < 0 && this.ways.length === MOST) {
+      this.studio.alert(`At most ${MOST} numbers are plotted at a time.`);
+      return;
+    }
+    if (at < 0) {
+      this.ways.push(way);
+      this.data.push(this.data[0].map(() => null));
+    } else {
+      this.ways.splice(at, 1);
+      this.data.splice(at + 1, 1);
+      if (!this.ways.length) this.data = [[]];
+    }
+    this.ask();
+    this.rebuild();
+  }
+
+  // Samples have the number of the question that they answer: earlier ones are about other slots.
+  ask() {
+    this.studio.send({ type: "plot", id: ++this.version, ways: this.ways });
+  }
+
+  rest() {
+    this.studio.send({ type: "plot", id: ++this.version });
+  }
+
+  take({ id, time, values }) {
+    if (id !== this.version) return;
+    const [times] = this.data;
+    const now = time / 1000;
+    // A server that was started again begins at 0.
+    if (times.length && now <= times.at(-1)) {
+      if (now === times.at(-1)) return;
+      this.data = this.data.map(() => []);
+    }
+    this.data[0].push(now);
+    values.forEach((value, i) => this.data[i + 1].push(value));
+    const old = this.data[0].findIndex((each) => each >= now - KEPT_SECONDS);
+    if (old > KEPT_SECONDS) for (const column of this.data) column.splice(0, old);
+    if (!this.paused) this.soon();
+  }
+
+  soon() {
+    if (this.drawing) return;
+    this.drawing = requestAnimationFrame(() => {
+      this.drawing = 0;
+      this.draw();
+    });
+  }
+
+  draw() {
+    if (!this.chart) return;
+    const span = Number(this.find("plot-span").value);
+    const end = this.data[0].at(-1) ?? 0;
+    this.chart.setData(this.data, false);
+    if (this.zoomed) this.chart.redraw();
+    else if (!this.paused) this.chart.setScale("x", { min: Math.max(end - span, this.data[0][0] ?? 0), max: end });
+    this.find("plot-area").dataset.points = this.data[0].length;
+  }
+
+  colour(name) {
+    const probe = this.find("plot-area");
+    probe.style.color = `var(--${name})`;
+    const colour = getComputedStyle(probe).color;
+    probe.style.color = "";
+    return colour;
+  }
+
+  rebuild() {
+    this.chart?.destroy();
+    this.chart = null;
+    const area = this.find("plot-area");
+    const used = this.ways.length > 0;
+    area.hidden = !used;
+    this.find("plot-hint").hidden = used;
+    this.find("plot-csv").disabled = this.find("plot-pause").disabled = !used;
+    this.find("plotted").replaceChildren(...this.ways.map((way, i) => this.chip(way, i)));
+    if (!used) return;
+    const axis = { stroke: this.colour("faint"), grid: { stroke: this.colour("line"), width: 1 }, ticks: { stroke: this.colour("line"), width: 1 } };
+    const options = {
+      width: area.clientWidth || 600,
+      height: HEIGHT,
+      legend: { show: false },
+      scales: { x: { time: false } },
+      axes: [{ ...axis, values: (_, marks) => marks.map((mark) => `${mark} s`) }, { ...axis, size: 60 }],
+      series: [{}, ...this.ways.map((way, i) => ({ label: shownWay(way), stroke: this.colour(COLOURS[i % COLOURS.length]), width: 1.5, spanGaps: false }))],
+      hooks: { setSelect: [(chart) => (this.zoomed = chart.select.width > 0 || this.zoomed)] },
+    };
+    this.chart = new uPlot(options, this.data, area);
+    this.chart.over.addEventListener("dblclick", () => {
+      this.zoomed = false;
+      this.draw();
+    });
+    this.draw();
+  }
+
+  chip(way, index) {
+    const item = make("li");
+    const button = make("button", `${shownWay(way)} ✕`, { type: "button", title: `No longer plot ${shownWay(way)}` });
+    button.style.borderColor = `var(--${COLOURS[index % COLOURS.length]})`;
+    button.addEventListener("click", () => this.toggle(way));
+    item.append(button);
+    return item;
+  }
+
+  csv() {
+    const quote = (text) => `"${text.replaceAll('"', '""')}"`;
+    const lines = [["time", ...this.ways.map((way) => quote(shownWay(way)))].join(",")];
+    this.data[0].forEach((time, row) => {
+      lines.push([time, ...this.data.slice(1).map((column) => column[row] ?? "")].join(","));
+    });
+    return `${lines.join("\n")}\n`;
+  }
+
+  save() {
+    const link = make("a", "", { download: "plot.csv", href: URL.createObjectURL(new Blob([this.csv()], { type: "text/csv" })) });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  }
+}

@@ -1,0 +1,172 @@
+// The room of the variables: browsing lobbies, objects and prototypes, changing slots, plotting numbers.
+import { Items, ago, make, set } from "./elements.js";
+import { Objects, shownWay } from "./objects.js";
+import { Plot } from "./plot.js";
+import { Slot } from "./slot.js";
+
+const INDENT = 0.9;
+
+const PAGE = `
+  <div class="stack">
+    <section class="card" aria-labelledby="variables-title">
+      <div class="bar">
+        <h2 id="variables-title">Variables</h2>
+        <input id="variable-filter" type="search" placeholder="filter: a name…" aria-label="Show only slots whose name contains this text">
+      </div>
+      <div class="columns" aria-hidden="true"><span>slot</span><span>value</span><span>per s</span><span>last written</span></div>
+      <div id="variable-tree" role="tree" tabindex="0" aria-labelledby="variables-title"></div>
+    </section>
+    <section class="card" id="plot" aria-labelledby="plot-title">
+      <div class="bar">
+        <h2 id="plot-title">Plot</h2>
+        <ul id="plotted" aria-label="What is plotted"></ul>
+        <label><span>last</span>
+          <select id="plot-span"><option value="10">10 s</option><option value="60" selected>1 min</option><option value="600">10 min</option></select>
+        </label>
+        <button id="plot-pause" type="button" aria-pressed="false">Pause</button>
+        <button id="plot-csv" type="button">CSV</button>
+      </div>
+      <div id="plot-area" role="img" aria-label="The plotted numbers over time"></div>
+      <p id="plot-hint" class="hint">Choose a number and press Plot. Drag over the plot to zoom, double-click to see all again.</p>
+    </section>
+  </div>
+  <aside>
+    <section class="card" id="slot" aria-labelledby="slot-title"></section>
+  </aside>`;
+
+export class Room {
+  constructor(studio, host) {
+    this.studio = studio;
+    this.objects = new Objects();
+    this.text = "";
+    this.lines = [];
+    this.selected = null;
+    host.classList.add("beside");
+    host.innerHTML = PAGE;
+    this.find = (name) => host.querySelector(`#${name}`);
+    this.tree = this.find("variable-tree");
+    this.items = new Items(this.tree, (line) => line.way, (line) => this.newLine(line), (row, line) => this.fillLine(row, line));
+    this.plot = new Plot(this.find, studio);
+    this.slot = new Slot(this.find("slot"), studio, this.plot);
+    this.find("variable-filter").addEventListener("input", (event) => {
+      this.text = event.target.value;
+      this.draw();
+    });
+    this.tree.addEventListener("click", (event) => this.click(event));
+    this.tree.addEventListener("keydown", (event) => this.key(event));
+    this.draw();
+  }
+
+  show() {
+    this.shown = true;
+    this.ask();
+    this.plot.ask();
+    this.plot.draw();
+  }
+
+  hide() {
+    this.shown = false;
+    this.studio.send({ type: "variables" });
+    this.plot.rest();
+    this.objects.clear();
+  }
+
+  welcome() {
+    this.objects.clear();
+    if (this.shown) this.show();
+    this.draw();
+  }
+
+  ask() {
+    const objects = [...this.objects.open];
+    // The slot that is shown must be told of, although the object around it has been closed.
+    const around = this.selected?.slice(0, this.selected.lastIndexOf("\n"));
+    if (around && !objects.includes(around)) objects.push(around);
+    this.studio.send({ type: "variables", objects });
+  }
+
+  take(message) {
+    if (!this.shown) return;
+    if (message.type === "sample") this.plot.take(message);
+    if (message.type !== "view" || !message.variables) return;
+    this.objects.take(message.variables, message.time);
+    this.draw();
+  }
+
+  draw() {
+    this.lines = this.objects.lines(this.text);
+    this.items.show(this.lines);
+    const index = this.lines.findIndex((line) => line.way === this.selected);
+    if (index < 0) this.tree.removeAttribute("aria-activedescendant");
+    else this.tree.setAttribute("aria-activedescendant", this.tree.children[index].id);
+    this.slot.show(this.selected, this.selected ? this.objects.slot(this.selected) : undefined, this.objects);
+  }
+
+  newLine(line) {
+    const row = make("div", "", { className: "line" });
+    row.role = "treeitem";
+    row.dataset.way = line.way;
+    row.id = `variable-${encodeURIComponent(line.way)}`;
+    row.setAttribute("aria-level", line.level);
+    const what = make("div", "", { className: "what" });
+    what.style.paddingLeft = `${(line.level - 1) * INDENT}rem`;
+    what.append(make("span", "", { className: "twisty" }), make("span", line.name, { className: "name" }), make("span", "", { className: "type" }));
+    row.append(what, make("div", "", { className: "value" }), make("div", "", { className: "number" }), make("div", "", { className: "number" }));
+    return row;
+  }
+
+  fillLine(row, line) {
+    const [what, value, rate, last] = row.children;
+    const { slot } = line;
+    const open = this.objects.open.has(line.way);
+    set(what.children[0], line.opens ? (open ? "▾" : "▸") : "");
+    set(what.children[1], line.name);
+    set(what.children[2], slot ? slot.type : (line.type ?? ""));
+    set(value, slot && !(slot.opens && slot.value === slot.type) ? slot.value : "");
+    const perSecond = slot?.variable ? this.objects.perSecond(slot) : 0;
+    set(rate, perSecond ? perSecond.toFixed(perSecond < 10 ? 1 : 0) : "");
+    set(last, slot?.variable ? ago(slot.last, this.objects.now) : "");
+    row.setAttribute("aria-selected", line.way === this.selected);
+    row.setAttribute("aria-label", slot ? `${line.name}, ${slot.type}, ${slot.value}` : line.name);
+    if (line.opens) row.setAttribute("aria-expanded", open);
+    else row.removeAttribute("aria-expanded");
+  }
+
+  click(event) {
+    const row = event.target.closest(".line");
+    const line = this.lines.find((each) => each.way === row?.dataset.way);
+    if (!line) return;
+    if (line.opens && (event.target.className === "twisty" || !line.slot)) this.toggle(line.way);
+    this.select(line.way);
+  }
+
+  toggle(way) {
+    if (!this.objects.open.delete(way)) this.objects.open.add(way);
+    else this.objects.objects.delete(way);
+    this.ask();
+    this.draw();
+  }
+
+  select(way) {
+    this.selected = way;
+    this.ask();
+    this.draw();
+  }
+
+  key(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const at = this.lines.findIndex((line) => line.way === this.selected);
+    const line = this.lines[at];
+    const steps = { ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10, Home: -1e9, End: 1e9 }[event.key];
+    if (steps && this.lines.length) {
+      const index = Math.min(this.lines.length - 1, Math.max(0, at + steps));
+      this.select(this.lines[index].way);
+      this.tree.children[index].scrollIntoView({ block: "nearest" });
+    } else if (event.key === "ArrowRight" && line?.opens && !this.objects.open.has(line.way)) this.toggle(line.way);
+    else if (event.key === "ArrowLeft" && line && this.objects.open.has(line.way)) this.toggle(line.way);
+    else if (event.key === "Enter" && line?.slot) this.slot.edit();
+    else if (event.key === "p" && line?.slot) this.slot.togglePlot();
+    else return;
+    event.preventDefault();
+  }
+}
