@@ -13,6 +13,7 @@ import org.urbi.kernel.object.UrbiBinary;
 import org.urbi.kernel.object.UrbiFloat;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Utf8Text;
+import org.urbi.kernel.object.Values;
 import org.urbi.kernel.variable.UrbiConnection;
 import org.urbi.kernel.variable.UrbiUVar;
 
@@ -95,7 +96,7 @@ final class SeenVariables {
         ValueText.type(value),
         ValueText.of(value),
         value instanceof UrbiFloat number ? number.value() : Double.NaN,
-        value.localSlotNames().length > 0 || value.getClass() == UrbiObject.class,
+        opens(value),
         limit(data, "rangemin"),
         limit(data, "rangemax"),
         data != null && data.constant,
@@ -105,6 +106,16 @@ final class SeenVariables {
         variable == null ? -1 : variable.writes().last(),
         readers(data, variable),
         value instanceof UrbiBinary binary ? Media.kind(binary) : "");
+  }
+
+  /** Whether people want to see the slots of a value. */
+  private static boolean opens(UrbiObject value) {
+    Values values = value.world().values();
+    return value != values.nil
+        && value != values.voidObject
+        && value != values.trueObject
+        && value != values.falseObject
+        && (value.getClass() == UrbiObject.class || value.localSlotNames().length > 0);
   }
 
   private static double limit(@Nullable SlotData data, String property) {
