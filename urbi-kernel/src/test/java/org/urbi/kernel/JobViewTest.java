@@ -26,16 +26,6 @@ import org.urbi.kernel.trust.Role;
 
 /** Somebody looks at the jobs and tags of a running kernel, and controls them. */
 class JobViewTest {
-  /** Whoever was connected in a run that is replayed. */
-  private static final Client SILENT =
-      new Client() {
-        @Override
-        public void output(String bytes) {}
-
-        @Override
-        public void closed() {}
-      };
-
   private Kernel kernel;
   private TestClient program;
   private Viewer owner;
@@ -268,8 +258,6 @@ class JobViewTest {
       viewer.steer(Action.STOP, true, count.number());
       coder.say("echo(n); echo(System.cycle);");
     }
-    Kernel replayed = Kernel.builder().log(line -> {}).replay(recording, number -> SILENT).start();
-    replayed.awaitTermination();
-    assertEquals(null, replayed.replayDifference());
+    ReplayedRun.check(recording);
   }
 }

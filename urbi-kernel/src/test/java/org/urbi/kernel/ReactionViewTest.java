@@ -192,18 +192,6 @@ class ReactionViewTest {
       assertEquals("", viewer.emit("e", "17"));
       assertTrue(coder.say("echo(e.uid);").contains("got 17"));
     }
-    Kernel replayed =
-        Kernel.builder().log(line -> {}).replay(recording, number -> new Silent()).start();
-    replayed.awaitTermination();
-    assertNull(replayed.replayDifference());
-  }
-
-  /** Whoever was connected in a run that is replayed. */
-  private static final class Silent implements Client {
-    @Override
-    public void output(String bytes) {}
-
-    @Override
-    public void closed() {}
+    ReplayedRun.check(recording);
   }
 }

@@ -2,7 +2,6 @@ package org.urbi.kernel;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
@@ -193,18 +192,6 @@ class VariableViewTest {
       assertEquals("", new Viewer(recorded, Role.OWNER).assign("Global\n.x", "7"));
       assertTrue(coder.say("echo(x);").contains("7"));
     }
-    Kernel replayed =
-        Kernel.builder().log(line -> {}).replay(recording, number -> new Silent()).start();
-    replayed.awaitTermination();
-    assertNull(replayed.replayDifference());
-  }
-
-  /** Whoever was connected in a run that is replayed. */
-  private static final class Silent implements Client {
-    @Override
-    public void output(String bytes) {}
-
-    @Override
-    public void closed() {}
+    ReplayedRun.check(recording);
   }
 }

@@ -130,33 +130,8 @@ public final class AtCondition extends Node {
     }
 
     @Override
-    public String kind() {
-      return "at";
-    }
-
-    @Override
-    public Span span() {
-      return AtCondition.this.span();
-    }
-
-    @Override
-    public TagScope scope() {
-      return handler.scope();
-    }
-
-    @Override
-    public UrbiObject lobby() {
-      return handler.lobby();
-    }
-
-    @Override
-    public Occurrences occurrences() {
-      return handler.occurrences();
-    }
-
-    @Override
-    public @Nullable UrbiEvent event() {
-      return null;
+    public Facts facts() {
+      return handler.facts(span(), null);
     }
 
     @Override

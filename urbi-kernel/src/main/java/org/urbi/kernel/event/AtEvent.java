@@ -119,33 +119,8 @@ public final class AtEvent extends Node {
     }
 
     @Override
-    public String kind() {
-      return "at";
-    }
-
-    @Override
-    public Span span() {
-      return AtEvent.this.span();
-    }
-
-    @Override
-    public TagScope scope() {
-      return handler.scope();
-    }
-
-    @Override
-    public UrbiObject lobby() {
-      return handler.lobby();
-    }
-
-    @Override
-    public Occurrences occurrences() {
-      return handler.occurrences();
-    }
-
-    @Override
-    public UrbiEvent event() {
-      return source;
+    public Facts facts() {
+      return handler.facts(span(), source);
     }
 
     @Override

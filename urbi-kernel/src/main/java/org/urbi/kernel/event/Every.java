@@ -1,6 +1,5 @@
 package org.urbi.kernel.event;
 
-import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.job.Job;
 import org.urbi.kernel.job.TagScope;
@@ -92,33 +91,8 @@ public final class Every extends Node {
     }
 
     @Override
-    public String kind() {
-      return "every";
-    }
-
-    @Override
-    public TagScope scope() {
-      return scope;
-    }
-
-    @Override
-    public UrbiObject lobby() {
-      return lobby;
-    }
-
-    @Override
-    public Occurrences occurrences() {
-      return occurrences;
-    }
-
-    @Override
-    public @Nullable UrbiEvent event() {
-      return null;
-    }
-
-    @Override
-    public List<String> read(int most) {
-      return List.of();
+    public Facts facts() {
+      return new Facts("every", span(), scope, lobby, occurrences, null);
     }
 
     /** The job of the loop is stopped, too, and ends it. */

@@ -7,7 +7,6 @@ import org.urbi.kernel.job.TagScope;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Values;
-import org.urbi.lang.source.Span;
 
 /** Functions that are called when an event is emitted, and when the emission is over. */
 public final class FunctionHandler implements Subscription, Reaction {
@@ -110,38 +109,8 @@ public final class FunctionHandler implements Subscription, Reaction {
   }
 
   @Override
-  public String kind() {
-    return "onEvent";
-  }
-
-  @Override
-  public @Nullable Span span() {
-    return null;
-  }
-
-  @Override
-  public TagScope scope() {
-    return scope;
-  }
-
-  @Override
-  public UrbiObject lobby() {
-    return lobby;
-  }
-
-  @Override
-  public Occurrences occurrences() {
-    return occurrences;
-  }
-
-  @Override
-  public UrbiEvent event() {
-    return event;
-  }
-
-  @Override
-  public List<String> read(int most) {
-    return List.of();
+  public Facts facts() {
+    return new Facts("onEvent", null, scope, lobby, occurrences, event);
   }
 
   @Override

@@ -10,6 +10,7 @@ import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Profiler;
 import org.urbi.kernel.object.UrbiObject;
+import org.urbi.lang.source.Span;
 
 /**
  * Executes the clauses of an {@code at}: the body when its condition starts to hold, {@code
@@ -56,9 +57,13 @@ final class Handler {
     return scope;
   }
 
-  /** How often the body was executed. */
-  Occurrences occurrences() {
-    return occurrences;
+  /**
+   * What is known of the {@code at}.
+   *
+   * @param event for which it waits; null if for a condition
+   */
+  Reaction.Facts facts(Span span, @Nullable UrbiEvent event) {
+    return new Reaction.Facts("at", span, scope, lobby, occurrences, event);
   }
 
   boolean hasLeave() {

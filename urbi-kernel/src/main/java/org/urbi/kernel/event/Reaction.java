@@ -8,28 +8,34 @@ import org.urbi.lang.source.Span;
 
 /** Code that waits to be executed each time something happens, as people see it. */
 public interface Reaction extends TagScope.Attachment {
-  /** The word of the language: {@code at}, {@code whenever}, {@code every}, {@code watch} … */
-  String kind();
+  /**
+   * What is known of a reaction.
+   *
+   * @param kind its word of the language: {@code at}, {@code whenever}, {@code every}, {@code
+   *     watch} …
+   * @param span where it was written; null when nobody knows
+   * @param scope the tags under which it was executed
+   * @param lobby for which its code runs
+   * @param occurrences how often its code was executed, and when last
+   * @param event that it waits for, or that it emits; null if there is none
+   */
+  record Facts(
+      String kind,
+      @Nullable Span span,
+      TagScope scope,
+      UrbiObject lobby,
+      Occurrences occurrences,
+      @Nullable UrbiEvent event) {}
 
-  /** Where it was written; null when nobody knows. */
-  @Nullable Span span();
-
-  /** The tags under which it was executed. */
-  TagScope scope();
-
-  /** The lobby for which its code runs. */
-  UrbiObject lobby();
-
-  /** How often its code was executed, and when last. */
-  Occurrences occurrences();
-
-  /** The event that it waits for, or that it emits; null if there is none. */
-  @Nullable UrbiEvent event();
+  /** What is known of it; made when somebody looks. */
+  Facts facts();
 
   /**
    * The names of what its condition has read when it was last evaluated; empty if it has none.
    *
    * @param most so many names at most
    */
-  List<String> read(int most);
+  default List<String> read(int most) {
+    return List.of();
+  }
 }

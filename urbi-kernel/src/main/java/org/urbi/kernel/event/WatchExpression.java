@@ -57,33 +57,8 @@ public final class WatchExpression extends Node {
     }
 
     @Override
-    public String kind() {
-      return "watch";
-    }
-
-    @Override
-    public Span span() {
-      return WatchExpression.this.span();
-    }
-
-    @Override
-    public TagScope scope() {
-      return scope;
-    }
-
-    @Override
-    public UrbiObject lobby() {
-      return lobby;
-    }
-
-    @Override
-    public Occurrences occurrences() {
-      return occurrences;
-    }
-
-    @Override
-    public UrbiEvent event() {
-      return event;
+    public Facts facts() {
+      return new Facts("watch", span(), scope, lobby, occurrences, event);
     }
 
     @Override

@@ -104,29 +104,8 @@ public final class Whenever extends Node {
       code.runWith(variables.fork(job, false));
     }
 
-    @Override
-    public String kind() {
-      return "whenever";
-    }
-
-    @Override
-    public Span span() {
-      return Whenever.this.span();
-    }
-
-    @Override
-    public TagScope scope() {
-      return scope;
-    }
-
-    @Override
-    public UrbiObject lobby() {
-      return lobby;
-    }
-
-    @Override
-    public Occurrences occurrences() {
-      return occurrences;
+    Facts facts(@Nullable UrbiEvent event) {
+      return new Facts("whenever", span(), scope, lobby, occurrences, event);
     }
   }
 
@@ -181,8 +160,8 @@ public final class Whenever extends Node {
     }
 
     @Override
-    public @Nullable UrbiEvent event() {
-      return null;
+    public Facts facts() {
+      return facts(null);
     }
 
     @Override
@@ -272,8 +251,8 @@ public final class Whenever extends Node {
     }
 
     @Override
-    public UrbiEvent event() {
-      return source;
+    public Facts facts() {
+      return facts(source);
     }
 
     @Override

@@ -67,13 +67,14 @@ public final class KnownEvents {
       }
     }
     for (Reaction reaction : reactions) {
-      UrbiEvent event = reaction.event();
+      Reaction.Facts facts = reaction.facts();
+      UrbiEvent event = facts.event();
       if (event != null) {
         List<String> read = reaction.read(1);
         names.putIfAbsent(
             event,
-            reaction.kind().equals("watch") || read.isEmpty()
-                ? Written.beginning(reaction.span())
+            facts.kind().equals("watch") || read.isEmpty()
+                ? Written.beginning(facts.span())
                 : read.getFirst());
       }
     }

@@ -39,7 +39,7 @@ final class SeenReactions {
     List<Reaction> all = known.reactions();
     List<Reaction> matching = new ArrayList<>();
     for (Reaction each : all) {
-      if (contains(wanted, each.kind() + " " + Written.beginning(each.span()))) {
+      if (contains(wanted, text(each.facts()))) {
         matching.add(each);
       }
     }
@@ -62,18 +62,23 @@ final class SeenReactions {
     return wanted.isEmpty() || text.toLowerCase(Locale.ROOT).contains(wanted);
   }
 
+  private static String text(Reaction.Facts facts) {
+    return facts.kind() + " " + Written.beginning(facts.span());
+  }
+
   private ReactionRow row(long number, Reaction reaction) {
-    UrbiEvent event = reaction.event();
+    Reaction.Facts facts = reaction.facts();
+    UrbiEvent event = facts.event();
     return new ReactionRow(
         number,
-        reaction.kind(),
-        reaction.lobby() instanceof UrbiLobby lobby ? lobby.name() : "",
-        Written.place(reaction.span()),
-        Written.beginning(reaction.span()),
-        reaction.scope().isFrozen(),
-        tags.of(reaction.scope()),
-        reaction.occurrences().times(),
-        reaction.occurrences().last(),
+        facts.kind(),
+        facts.lobby() instanceof UrbiLobby lobby ? lobby.name() : "",
+        Written.place(facts.span()),
+        Written.beginning(facts.span()),
+        facts.scope().isFrozen(),
+        tags.of(facts.scope()),
+        facts.occurrences().times(),
+        facts.occurrences().last(),
         event == null ? 0 : event.number(),
         reaction.read(MOST_READ));
   }
