@@ -1,6 +1,7 @@
 package org.urbi.kernel.object;
 
-import java.util.Comparator;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -20,24 +21,45 @@ public final class UrbiDictionary extends UrbiObject {
   }
 
   /**
-   * Strings, then numbers, each in their natural order, then the other keys in the order of
-   * insertion.
+   * An entry and its place: strings, then numbers, each in their natural order, then the other keys
+   * in the order of insertion.
+   *
+   * @param text the key if it is a string, otherwise empty
+   * @param first ordered as the numbers are, and as the first characters of the strings
    */
-  private static final Comparator<Map.Entry<Key, UrbiObject>> ORDER =
-      (a, b) -> {
-        Comparable<?> left = a.getKey().rank();
-        Comparable<?> right = b.getKey().rank();
-        if (left instanceof String s && right instanceof String t) {
-          return s.compareTo(t);
-        }
-        if (left instanceof Double x && right instanceof Double y) {
-          return x.compareTo(y);
-        }
-        return Integer.compare(group(left), group(right));
-      };
+  private record Ranked(Map.Entry<Key, UrbiObject> entry, int group, String text, long first)
+      implements Comparable<Ranked> {
+    private static final int CHARACTERS = 8;
 
-  private static int group(@Nullable Comparable<?> rank) {
-    return rank instanceof String ? 0 : rank instanceof Double ? 1 : 2;
+    static Ranked of(Map.Entry<Key, UrbiObject> entry) {
+      return switch (entry.getKey().rank()) {
+        case String text -> new Ranked(entry, 0, text, beginning(text));
+        case Double number -> new Ranked(entry, 1, "", ordered(number));
+        case null, default -> new Ranked(entry, 2, "", 0);
+      };
+    }
+
+    /** The first characters, which are bytes; comparing them alone decides nearly always. */
+    private static long beginning(String text) {
+      int length = Math.min(text.length(), CHARACTERS);
+      long packed = 0;
+      for (int i = 0; i < length; i++) {
+        packed |= (long) text.charAt(i) << Byte.SIZE * (CHARACTERS - 1 - i);
+      }
+      return packed ^ Long.MIN_VALUE;
+    }
+
+    /** As {@link Double#compare} orders them. */
+    private static long ordered(double number) {
+      long bits = Double.doubleToLongBits(number);
+      return bits ^ (bits >> Long.SIZE - 1 & Long.MAX_VALUE);
+    }
+
+    @Override
+    public int compareTo(Ranked other) {
+      int order = group == other.group ? Long.compare(first, other.first) : group - other.group;
+      return order == 0 ? text.compareTo(other.text) : order;
+    }
   }
 
   private final LinkedHashMap<Key, UrbiObject> entries;
@@ -56,7 +78,17 @@ public final class UrbiDictionary extends UrbiObject {
   /** The entries in an order that does not depend on the order of insertion. */
   public List<Map.Entry<Key, UrbiObject>> sorted() {
     noteContentRead();
-    return entries.entrySet().stream().sorted(ORDER).toList();
+    Ranked[] ranked = new Ranked[entries.size()];
+    int next = 0;
+    for (Map.Entry<Key, UrbiObject> entry : entries.entrySet()) {
+      ranked[next++] = Ranked.of(entry);
+    }
+    Arrays.sort(ranked);
+    List<Map.Entry<Key, UrbiObject>> sorted = new ArrayList<>(ranked.length);
+    for (Ranked each : ranked) {
+      sorted.add(each.entry());
+    }
+    return sorted;
   }
 
   /** The entries, to be modified; call {@link #noteContentChange} when it is done. */
