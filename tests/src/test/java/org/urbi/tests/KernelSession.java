@@ -16,7 +16,7 @@ import org.urbi.kernel.job.JobThreads;
  * A kernel and the consoles that tests open on it. This is the only class of the tests that knows
  * the kernel's Java interface.
  */
-final class KernelSession implements AutoCloseable {
+public final class KernelSession implements AutoCloseable {
 
   /** The two ways to run jobs; both have to give the same output. */
   enum BackEnd {
@@ -90,6 +90,21 @@ final class KernelSession implements AutoCloseable {
    */
   static String run(BackEnd backEnd, InputMode feeding, String program) {
     return run(builder(backEnd), feeding, program);
+  }
+
+  /**
+   * Runs likewise what a reader of the documentation types.
+   *
+   * @param modules where its modules and files are
+   * @param root of the project, the folder in which the reader works
+   */
+  public static String runAsReader(Path modules, Path root, String program) {
+    KernelBuilder builder =
+        builder(BackEnd.TICK_LOOP)
+            .searchPath(List.of(LIBRARY, root.toAbsolutePath(), modules))
+            .moduleSearchPath(List.of(modules))
+            .seed(1);
+    return run(builder, InputMode.WHOLE, program);
   }
 
   /**

@@ -20,7 +20,7 @@ import javax.tools.ToolProvider;
  * Modules with UObjects, compiled from the folders of {@code src/test/resources/uobjects}: one jar
  * for each, of the same name.
  */
-final class UObjectJars {
+public final class UObjectJars {
   private static final Path SOURCES = Path.of("src", "test", "resources", "uobjects");
 
   private UObjectJars() {}
@@ -70,7 +70,7 @@ final class UObjectJars {
   }
 
   /** Compiles all the sources in a folder to another one. */
-  static void compile(Path sources, Path classes) throws IOException {
+  public static void compile(Path sources, Path classes) throws IOException {
     try (Stream<Path> files = Files.walk(sources)) {
       compile(files.filter(file -> file.toString().endsWith(".java")).sorted().toList(), classes);
     }
@@ -98,7 +98,7 @@ final class UObjectJars {
   }
 
   /** Packs a folder of classes, but for those whose name begins with a given one. */
-  static void pack(Path classes, Path jar, String without) throws IOException {
+  public static void pack(Path classes, Path jar, String without) throws IOException {
     List<Path> files = new ArrayList<>();
     try (Stream<Path> all = Files.walk(classes)) {
       all.filter(Files::isRegularFile).sorted().forEach(files::add);

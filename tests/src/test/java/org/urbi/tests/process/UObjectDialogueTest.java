@@ -68,7 +68,7 @@ class UObjectDialogueTest {
 
   @TestFactory
   Stream<DynamicTest> everyDialogueWithCxxIsHeld() throws IOException {
-    return tests(CxxModules.SOURCES, "UrbiLaunch", CXX_MODULES::library);
+    return tests(CxxModules.SOURCES.resolve("dialogues"), "UrbiLaunch", CXX_MODULES::library);
   }
 
   @TestFactory
