@@ -3,11 +3,13 @@ package org.urbi.kernel;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.Media;
 import org.urbi.kernel.observe.Places;
 import org.urbi.kernel.observe.Sample;
 import org.urbi.kernel.observe.Steering;
+import org.urbi.kernel.observe.VariableListener;
 import org.urbi.kernel.observe.View;
 import org.urbi.kernel.trust.Role;
 
@@ -132,4 +134,33 @@ public interface Connection {
    * @return as of {@link #look}; without a content when there is none that people can see or hear
    */
   CompletableFuture<Optional<Media>> media(String way);
+
+  /**
+   * Begins to tell a listener of variables; once for a connection. It ends with the connection.
+   *
+   * @param all whether the listener follows all that there are and will be
+   * @param paths of slots that are told besides: {@code robot.body.x}
+   */
+  void feed(VariableListener listener, boolean all, List<String> paths);
+
+  /** Begins or ends to follow a variable, by the number under which it has appeared. */
+  void follow(int variable, boolean on);
+
+  /**
+   * The values of slots, as {@link VariableListener#value} has them; null also for those that are
+   * not there.
+   *
+   * @return done as soon as the kernel has time; exceptionally when the connection has closed
+   */
+  CompletableFuture<List<@Nullable Object>> values(List<String> paths);
+
+  /**
+   * Assigns a slot, or emits the event that is in it, as code of the lobby would.
+   *
+   * @param path as the variable has appeared, or {@code robot.body.x}
+   * @param value a Double, Boolean, String, a List or Map of these, or null for nil; for an event a
+   *     list of the payload
+   * @return why it cannot be done, empty when it was; exceptionally when the connection has closed
+   */
+  CompletableFuture<String> give(String path, @Nullable Object value);
 }

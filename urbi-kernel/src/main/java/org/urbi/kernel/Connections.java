@@ -127,6 +127,7 @@ final class Connections {
     open.add(connection);
     outOfBand.add(connection);
     kernel.memory().add(connection);
+    open.forEach(KernelConnection::lobbyOpened);
   }
 
   void remove(KernelConnection connection) {

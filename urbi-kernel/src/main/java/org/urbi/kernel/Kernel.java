@@ -35,6 +35,7 @@ import org.urbi.kernel.library.machine.Environment;
 import org.urbi.kernel.library.system.CommandLine;
 import org.urbi.kernel.library.system.SearchPath;
 import org.urbi.kernel.log.KernelLog;
+import org.urbi.kernel.log.LogLines;
 import org.urbi.kernel.memory.MemoryWatchdog;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.node.CorePrototypes;
@@ -66,6 +67,7 @@ public final class Kernel implements AutoCloseable {
   private static final int CALLS_PER_KIBIBYTE = 100;
 
   private final Scheduler scheduler;
+  private final LogLines logLines;
   private final KernelLog log;
   private final Interpreter interpreter;
   private final Embedding embedding;
@@ -92,7 +94,8 @@ public final class Kernel implements AutoCloseable {
   }
 
   Kernel(KernelBuilder builder) {
-    this.log = new KernelLog(builder.logLevel, builder.log);
+    this.logLines = new LogLines(builder.log);
+    this.log = new KernelLog(builder.logLevel, logLines);
     this.replay = builder.replay;
     Clock clock = builder.clock();
     this.journal = builder.journal(clock, builder.log);
@@ -448,6 +451,10 @@ public final class Kernel implements AutoCloseable {
 
   Journal journal() {
     return journal;
+  }
+
+  LogLines logLines() {
+    return logLines;
   }
 
   Interpreter interpreter() {

@@ -28,6 +28,7 @@ import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.Media;
 import org.urbi.kernel.observe.Sample;
 import org.urbi.kernel.observe.Steering;
+import org.urbi.kernel.observe.VariableListener;
 import org.urbi.kernel.observe.View;
 import org.urbi.kernel.trust.Role;
 
@@ -42,6 +43,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   private final Map<Integer, CompletableFuture<List<String>>> completions =
       new ConcurrentHashMap<>();
   private final ConnectionView view;
+  private final ConnectionFeed feed;
   private volatile boolean incomplete;
   private volatile @Nullable UrbiLobby lobby;
   private String limits = "";
@@ -62,6 +64,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     this.client = client;
     this.holdsTime = holdsTime;
     this.view = new ConnectionView(kernel, number);
+    this.feed = new ConnectionFeed(kernel, number);
   }
 
   // ------------------------------------------------------------------ from any thread
@@ -220,6 +223,26 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     return view.media(way);
   }
 
+  @Override
+  public void feed(VariableListener listener, boolean all, List<String> paths) {
+    feed.begin(listener, all, paths);
+  }
+
+  @Override
+  public void follow(int variable, boolean on) {
+    kernel.inbox().post(new Message.Followed(number, variable, on));
+  }
+
+  @Override
+  public CompletableFuture<List<@Nullable Object>> values(List<String> paths) {
+    return feed.values(paths);
+  }
+
+  @Override
+  public CompletableFuture<String> give(String path, @Nullable Object value) {
+    return feed.give(path, value);
+  }
+
   // ------------------------------------------------------------------ on the kernel thread
 
   void open(Message.ConnectionOpened opened) {
@@ -288,6 +311,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
       complete(asked.question(), asked.text());
     } else if (finished) {
       view.close();
+      feed.close();
     } else if (message instanceof Message.LookedAt looked) {
       view.take(looked);
     } else if (message instanceof Message.LookEnded) {
@@ -298,6 +322,8 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
       view.take(emitted, lobby());
     } else if (message instanceof Message.Assigned assigned) {
       view.take(assigned, lobby());
+    } else if (message instanceof Message.OfVariables wish) {
+      feed.take(wish, lobby());
     } else {
       throw new IllegalArgumentException(message.toString());
     }
@@ -399,6 +425,11 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     }
   }
 
+  /** Another connection has been opened, with a lobby. */
+  void lobbyOpened() {
+    feed.lobbyOpened();
+  }
+
   /** Its lobby, once it is open. */
   UrbiLobby lobby() {
     return requireNonNull(lobby, "its messages come when it is open");
@@ -486,6 +517,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   private void leave() {
     releaseTime();
     view.close();
+    feed.close();
     pending.set(0);
     UrbiLobby own = lobby;
     if (own != null) {

@@ -331,7 +331,10 @@ public enum Problem {
   NO_SUCH_EVENT(LINE, "no such event any more: {number}"),
   NO_SUCH_SLOT(LINE, "no such slot any more: {name}"),
   NO_PAYLOAD(PRIMITIVE, "a payload is expressions, separated by commas"),
-  WAS_STOPPED(LINE, "it was stopped before its end");
+  WAS_STOPPED(LINE, "it was stopped before its end"),
+  NO_PATH(LINE, "names of slots with periods between them expected, not {text}"),
+  NO_SLOT_AT(LINE, "no such slot: {path}"),
+  TOO_MANY_VARIABLES(LINE, "of more than {number} variables nothing is told");
 
   private final ProblemKind kind;
   private final Template template;

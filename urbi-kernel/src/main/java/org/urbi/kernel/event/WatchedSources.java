@@ -12,7 +12,7 @@ import org.urbi.kernel.object.Dependencies;
  * evaluation reads the same things in the same order as the one before, and finds each watch with
  * one comparison.
  */
-final class WatchedSources implements Dependencies.Tracker {
+public final class WatchedSources implements Dependencies.Tracker {
   /** Up to so many are searched one by one. */
   private static final int FEW = 8;
 
@@ -32,12 +32,12 @@ final class WatchedSources implements Dependencies.Tracker {
   /**
    * @param watcher called when something changes that was read
    */
-  WatchedSources(Dependencies.Watcher watcher) {
+  public WatchedSources(Dependencies.Watcher watcher) {
     this.watcher = watcher;
   }
 
   /** An evaluation begins. What was read before is watched until it {@linkplain #end ends}. */
-  void begin() {
+  public void begin() {
     evaluation++;
     List<Dependencies.Watch> empty = before;
     before = now;
@@ -96,7 +96,7 @@ final class WatchedSources implements Dependencies.Tracker {
   }
 
   /** The evaluation has ended: what it has not read is not watched any more. */
-  void end() {
+  public void end() {
     for (int i = 0; i < before.size(); i++) {
       Dependencies.Watch watch = before.get(i);
       if (!watch.wasReadBy(evaluation)) {
@@ -118,7 +118,7 @@ final class WatchedSources implements Dependencies.Tracker {
   }
 
   /** Watches nothing any more. */
-  void close() {
+  public void close() {
     before.forEach(Dependencies.Watch::end);
     now.forEach(Dependencies.Watch::end);
     before.clear();

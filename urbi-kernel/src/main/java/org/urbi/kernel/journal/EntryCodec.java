@@ -20,7 +20,6 @@ public final class EntryCodec {
     add(2, Entry.Tick.class);
     add(3, Entry.MessageTaken.class);
     add(4, Entry.QueryAnswered.class);
-    add(5, Entry.YieldedToMessages.class);
     add(6, Entry.JobInterrupted.class);
     add(7, Entry.BytesSent.class);
     add(8, Entry.RunEnded.class);
@@ -52,6 +51,11 @@ public final class EntryCodec {
     add(44, Message.RemoteLost.class);
     add(45, Message.RemoteReadable.class);
     add(46, Message.PollingRequested.class);
+    add(5, Entry.YieldedToMessages.class);
+    add(50, Message.FeedBegun.class);
+    add(51, Message.Followed.class);
+    add(52, Message.ValuesAsked.class);
+    add(53, Message.ValueGiven.class);
     add(60, Message.Answer.class);
     add(61, Message.BytesArrived.class);
     add(62, Message.BytesEnded.class);

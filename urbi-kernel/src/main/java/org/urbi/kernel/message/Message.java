@@ -141,6 +141,32 @@ public sealed interface Message {
    */
   record Assigned(int to, int question, String way, String value) implements Message {}
 
+  // ------------------------------------------------------------------ variables
+
+  /** What somebody who looks at variables wants. */
+  sealed interface OfVariables extends Message {}
+
+  /**
+   * Somebody wants to be told of variables.
+   *
+   * @param all whether all are followed at once
+   * @param paths of slots that are told besides, a line for each
+   */
+  record FeedBegun(int to, boolean all, String paths) implements OfVariables {}
+
+  /** Somebody begins or ends to follow the variable of that number. */
+  record Followed(int to, int variable, boolean on) implements OfVariables {}
+
+  /** Somebody asks for the values of slots; their paths are kept under the question. */
+  record ValuesAsked(int to, int question) implements OfVariables {}
+
+  /**
+   * Somebody gives a slot a value.
+   *
+   * @param value of the outcome: a Double, Boolean, String, a List or Map of these, or null for nil
+   */
+  record ValueGiven(int to, int question, String path, Outcome value) implements OfVariables {}
+
   // ------------------------------------------------------------------ remote processes
 
   /**

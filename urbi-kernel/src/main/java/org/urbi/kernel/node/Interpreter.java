@@ -410,6 +410,11 @@ public final class Interpreter {
     return value;
   }
 
+  /** The same; null if there is no such slot. */
+  public @Nullable UrbiObject findRaw(UrbiObject target, Symbol name) {
+    return SlotLookup.findRaw(target, name);
+  }
+
   /** The value as a string of urbiscript, by its {@code asString}. */
   public String asString(Frame caller, UrbiObject value) {
     return text(caller, value, symbols.asString);

@@ -213,7 +213,7 @@ final class PluggedSlot implements USlot {
         long id = behind().notifyChangeOwned(hook);
         return ending(() -> behind().removeChangeOwned(id));
       }
-      long id = behind().notifyChange(frame, hook);
+      long id = behind().notifyChange(frame.interpreter(), hook);
       return ending(() -> behind().removeChange(id));
     });
   }

@@ -137,6 +137,7 @@ public final class UrbiUVar extends UrbiObject {
     UrbiObject known = owner.localSlot(slot);
     if (places.isEmpty()) {
       name = shown + "." + slot.name();
+      KnownVariables.of(world()).add(this);
       if (known != null) {
         value = new Datum(known);
         sensed = value;
@@ -272,9 +273,9 @@ public final class UrbiUVar extends UrbiObject {
    * Adds a hook for changes of the value that everybody reads; returns the number by which to
    * remove it.
    */
-  public long notifyChange(Frame frame, Hook hook) {
+  public long notifyChange(Interpreter interpreter, Hook hook) {
     onChange.add(++lastId, hook);
-    reviewAccess(frame.interpreter());
+    reviewAccess(interpreter);
     return lastId;
   }
 
@@ -401,8 +402,7 @@ public final class UrbiUVar extends UrbiObject {
   }
 
   private boolean isForgotten() {
-    Datum seen = visible();
-    return seen.foreign() == null && seen.value() == world().values().nil;
+    return visible().foreign() == null && visible().value() == world().values().nil;
   }
 
   private UrbiObject awaitValue(Job job) {

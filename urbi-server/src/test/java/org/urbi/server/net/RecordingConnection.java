@@ -4,11 +4,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.Media;
 import org.urbi.kernel.observe.Sample;
 import org.urbi.kernel.observe.Steering;
+import org.urbi.kernel.observe.VariableListener;
 import org.urbi.kernel.observe.View;
 import org.urbi.kernel.trust.Role;
 
@@ -111,6 +113,26 @@ final class RecordingConnection implements Connection {
 
   @Override
   public CompletableFuture<Optional<Media>> media(String way) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  public void feed(VariableListener listener, boolean all, List<String> paths) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  public void follow(int variable, boolean on) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  public CompletableFuture<List<@Nullable Object>> values(List<String> paths) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  public CompletableFuture<String> give(String path, @Nullable Object value) {
     throw new UnsupportedOperationException();
   }
 

@@ -79,7 +79,7 @@ final class UVarType {
 
   @Builtin(doc = "Calls a function at each change; returns a handle to remove it.")
   static double notifyChange(Frame frame, UrbiUVar self, UrbiObject onChange) {
-    return self.notifyChange(frame, Hook.calling(onChange));
+    return self.notifyChange(frame.interpreter(), Hook.calling(onChange));
   }
 
   @Builtin(doc = "As notifyChange, for commands to a variable that has a sensed value as well.")
