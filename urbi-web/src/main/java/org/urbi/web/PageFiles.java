@@ -3,12 +3,14 @@ package org.urbi.web;
 import io.netty.buffer.ByteBuf;
 import io.netty.buffer.Unpooled;
 import io.netty.channel.ChannelFutureListener;
+import io.netty.channel.ChannelHandler;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.SimpleChannelInboundHandler;
 import io.netty.handler.codec.http.DefaultFullHttpResponse;
 import io.netty.handler.codec.http.FullHttpRequest;
 import io.netty.handler.codec.http.FullHttpResponse;
 import io.netty.handler.codec.http.HttpHeaderNames;
+import io.netty.handler.codec.http.HttpHeaderValues;
 import io.netty.handler.codec.http.HttpHeaders;
 import io.netty.handler.codec.http.HttpMethod;
 import io.netty.handler.codec.http.HttpResponseStatus;
@@ -19,7 +21,10 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
+import java.util.Set;
+import java.util.function.Supplier;
 import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Serves the files of a page, which hold no secret, and passes on requests for the stream. Pages of
@@ -44,15 +49,26 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
   private final Page page;
   private final boolean local;
   private final String scheme;
+  private final Supplier<ChannelHandler> viewer;
+  private final @Nullable Guests guests;
 
   /**
    * @param local whether it is for this machine only
    * @param tls whether it is served by TLS
+   * @param viewer makes what handles the stream of a browser
+   * @param guests who else may come, or {@code null}
    */
-  PageFiles(Page page, boolean local, boolean tls) {
+  PageFiles(
+      Page page,
+      boolean local,
+      boolean tls,
+      Supplier<ChannelHandler> viewer,
+      @Nullable Guests guests) {
     this.page = page;
     this.local = local;
     this.scheme = tls ? "https://" : "http://";
+    this.viewer = viewer;
+    this.guests = guests;
   }
 
   @Override
@@ -62,12 +78,17 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
     String file = path.equals("/") ? "index.html" : path.substring(Math.min(1, path.length()));
     if (!request.decoderResult().isSuccess()) {
       answer(context, request, HttpResponseStatus.BAD_REQUEST);
-    } else if (!isForUs(request.headers())) {
+    } else if (guests != null && isGuest(guests, request.headers())) {
+      if (isForUs(request.headers(), guests.origins())) {
+        String names = String.join(",", guests.subprotocols());
+        become(context, request, "/", names, guests.longestMessage(), guests.handler().get());
+      } else {
+        answer(context, request, HttpResponseStatus.FORBIDDEN);
+      }
+    } else if (!isForUs(request.headers(), Set.of())) {
       answer(context, request, HttpResponseStatus.FORBIDDEN);
     } else if (path.equals(STREAM)) {
-      // Neither is there for long: the next handler replaces all of HTTP.
-      context.fireChannelRead(request.retain());
-      context.pipeline().remove(this);
+      become(context, request, STREAM, null, page.longestMessage(), viewer.get());
     } else if (!FILE.matcher(file).matches()) {
       answer(context, request, HttpResponseStatus.NOT_FOUND);
     } else if (request.method() != HttpMethod.GET && request.method() != HttpMethod.HEAD) {
@@ -84,11 +105,29 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
     }
   }
 
-  private boolean isForUs(HttpHeaders headers) {
+  private static boolean isGuest(Guests guests, HttpHeaders headers) {
+    return headers.contains(HttpHeaderNames.UPGRADE, HttpHeaderValues.WEBSOCKET, true)
+        && guests.speak(headers.get(HttpHeaderNames.SEC_WEBSOCKET_PROTOCOL, ""));
+  }
+
+  /** Neither this nor the rest of HTTP is there for long: the stream replaces it. */
+  private void become(
+      ChannelHandlerContext context,
+      FullHttpRequest request,
+      String path,
+      @Nullable String subprotocols,
+      int longestMessage,
+      ChannelHandler handler) {
+    PagePort.serveStream(context.pipeline(), path, subprotocols, longestMessage, handler);
+    context.fireChannelRead(request.retain());
+    context.pipeline().remove(this);
+  }
+
+  private boolean isForUs(HttpHeaders headers, Set<String> others) {
     String host = headers.get(HttpHeaderNames.HOST, "");
     String origin = headers.get(HttpHeaderNames.ORIGIN);
     return (!local || THIS_MACHINE.matcher(host).matches())
-        && (origin == null || origin.equalsIgnoreCase(scheme + host));
+        && (origin == null || origin.equalsIgnoreCase(scheme + host) || others.contains(origin));
   }
 
   private static void answer(

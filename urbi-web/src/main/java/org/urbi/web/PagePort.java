@@ -6,6 +6,7 @@ import io.netty.channel.ChannelFuture;
 import io.netty.channel.ChannelHandler;
 import io.netty.channel.ChannelInitializer;
 import io.netty.channel.ChannelOption;
+import io.netty.channel.ChannelPipeline;
 import io.netty.channel.EventLoop;
 import io.netty.channel.EventLoopGroup;
 import io.netty.channel.MultiThreadIoEventLoopGroup;
@@ -65,13 +66,15 @@ public final class PagePort implements AutoCloseable {
    * @param address where; port 0 is any that is free
    * @param tls with what the connections are encrypted, or {@code null}
    * @param viewer makes what handles the WebSocket frames of a browser
+   * @param guests who else may come, or {@code null}
    * @throws IOException if it cannot listen there; then it is closed
    */
   public void listen(
       InetSocketAddress address,
       @Nullable SslContext tls,
       Page page,
-      Supplier<ChannelHandler> viewer)
+      Supplier<ChannelHandler> viewer,
+      @Nullable Guests guests)
       throws IOException {
     scheme = tls == null ? "http" : "https";
     host = address.getHostString();
@@ -95,7 +98,7 @@ public final class PagePort implements AutoCloseable {
                     if (tls != null) {
                       channel.pipeline().addLast(tls.newHandler(channel.alloc()));
                     }
-                    serve(channel, page, new PageFiles(page, local, tls != null), viewer.get());
+                    serve(channel, page, new PageFiles(page, local, tls != null, viewer, guests));
                   }
                 })
             .bind(address)
@@ -107,25 +110,35 @@ public final class PagePort implements AutoCloseable {
     listening = opened.channel();
   }
 
-  /** Makes requests and frames of the bytes of a connection, and hands them on. */
-  static void serve(Channel channel, Page page, ChannelHandler files, ChannelHandler viewer) {
-    WebSocketServerProtocolConfig stream =
-        WebSocketServerProtocolConfig.newBuilder()
-            .websocketPath(PageFiles.STREAM)
-            .checkStartsWith(true)
-            .maxFramePayloadLength(page.longestMessage())
-            .handshakeTimeoutMillis(HANDSHAKE_MILLISECONDS)
-            .dropPongFrames(false)
-            .build();
+  /** Makes requests of the bytes of a connection, and hands them on. */
+  static void serve(Channel channel, Page page, PageFiles files) {
     channel
         .pipeline()
         .addLast(
             new HttpServerCodec(),
             new HttpObjectAggregator(MAX_REQUEST),
             new Silence(page.silence()),
-            files,
-            new WebSocketServerProtocolHandler(stream),
-            viewer);
+            files);
+  }
+
+  /** Makes frames of what comes from now on, instead of requests. */
+  static void serveStream(
+      ChannelPipeline pipeline,
+      String path,
+      @Nullable String subprotocols,
+      int longestMessage,
+      ChannelHandler viewer) {
+    WebSocketServerProtocolConfig stream =
+        WebSocketServerProtocolConfig.newBuilder()
+            .websocketPath(path)
+            .checkStartsWith(true)
+            .subprotocols(subprotocols)
+            .maxFramePayloadLength(longestMessage)
+            .handshakeTimeoutMillis(HANDSHAKE_MILLISECONDS)
+            .forceCloseTimeoutMillis(CLOSE_SECONDS * 1000L)
+            .dropPongFrames(false)
+            .build();
+    pipeline.addLast(new WebSocketServerProtocolHandler(stream), viewer);
   }
 
   /** Whether a connection has become a stream: {@link PageFiles} has passed it on, and gone. */

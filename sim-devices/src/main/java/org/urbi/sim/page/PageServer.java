@@ -41,7 +41,7 @@ public final class PageServer implements AutoCloseable {
     served = new PagePort("page");
     viewers = new Viewers(served.thread(), setting);
     try {
-      served.listen(address, null, PAGE, () -> new ViewerHandler(viewers));
+      served.listen(address, null, PAGE, () -> new ViewerHandler(viewers), null);
     } catch (IOException e) {
       throw new SimulationException(whyNot(host, port, e), e);
     }

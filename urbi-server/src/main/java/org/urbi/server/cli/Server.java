@@ -25,6 +25,7 @@ import org.urbi.server.net.Limits;
 import org.urbi.server.options.Failure;
 import org.urbi.server.source.SourceText;
 import org.urbi.server.studio.StudioServer;
+import org.urbi.server.studio.mcap.McapRecorder;
 import urbi.ServerConnection;
 
 /** One run of {@code urbi}: starts the kernel and its connections, and ends them. */
@@ -47,6 +48,7 @@ final class Server {
   private volatile boolean ending;
   private volatile boolean terminated;
   private volatile @Nullable ConsoleServer listening;
+  private volatile @Nullable McapRecorder recording;
   private volatile @Nullable Watchdog watchdog;
   private boolean outputLost;
 
@@ -97,7 +99,10 @@ final class Server {
     ConsoleServer network = null;
     StudioServer studio = null;
     watch(started);
+    McapRecorder recorder = null;
     try {
+      recorder = recordVariables();
+      recording = recorder;
       startFiles.loadRos(started, err, System.getenv());
       startFiles.loadGlobal(started, err);
       network = settings.keepsServing() ? listen() : null;
@@ -114,6 +119,9 @@ final class Server {
       return status == 0 && settings.strict() && local.hasFailed() ? LocalConsole.FAILED : status;
     } finally {
       started.close();
+      if (recorder != null) {
+        recorder.close();
+      }
       modules.close();
       listening = null;
       if (network != null) {
@@ -205,13 +213,38 @@ final class Server {
     return server == null ? 0 : server.silence();
   }
 
-  /** Makes the kernel record to its own file: FILE, after a reboot FILE.2. */
+  /** The file of this run: FILE, after a reboot FILE.2. */
+  private String ofThisRun(String file) {
+    return runs == 1 ? file : file + "." + runs;
+  }
+
+  private @Nullable McapRecorder recordVariables() {
+    if (settings.mcap() == null) {
+      return null;
+    }
+    Path file = Path.of(ofThisRun(settings.mcap()));
+    try {
+      return new McapRecorder(
+          file,
+          client -> kernel().connect(client, false),
+          settings.shown().paths(),
+          settings.trace()::log);
+    } catch (IOException e) {
+      throw Failure.of(
+          "cannot write the recording "
+              + file
+              + ": "
+              + Failure.reason(new UncheckedIOException(e)));
+    }
+  }
+
+  /** Makes the kernel record to its own file. */
   private KernelBuilder recorded(KernelBuilder builder) {
     runs++;
     if (settings.record() == null) {
       return builder;
     }
-    String file = runs == 1 ? settings.record() : settings.record() + "." + runs;
+    String file = ofThisRun(settings.record());
     try {
       return builder.record(Path.of(file));
     } catch (UncheckedIOException e) {
@@ -221,6 +254,10 @@ final class Server {
 
   /** Ends the process at once, after writing pending output. */
   private void halt(int status) {
+    McapRecorder recorder = recording;
+    if (recorder != null) {
+      recorder.close();
+    }
     LocalConsole local = console;
     if (local != null) {
       local.close();
@@ -290,6 +327,7 @@ final class Server {
               address,
               client -> kernel().connect(client, false),
               settings.access().accessPolicy(),
+              settings.shown(),
               settings.trace());
       kernel().evalAsync("System.studio = \"" + studio.url() + "\"|");
       settings.trace().log("studio: " + studio.url());

@@ -6,6 +6,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.lobby.ErrorStyle;
 import org.urbi.server.Trace;
+import org.urbi.server.studio.Shown;
 import org.urbi.server.trust.AccessOptions;
 
 /**
@@ -22,6 +23,8 @@ import org.urbi.server.trust.AccessOptions;
  * @param port where to listen; 0 for any, {@link #NO_PORT} for nowhere
  * @param portFile where to write the port's number, or null
  * @param studio the port of the studio; 0 for any, {@link #NO_PORT} without it
+ * @param shown what other programs than browsers are shown by it, and recorded in the MCAP file
+ * @param mcap where to record variables, or null
  * @param socket where to listen besides
  * @param maxConnections how many clients there may be at a time; 0: any number
  * @param maxOutput how many bytes may wait for all clients together; 0: the default
@@ -48,6 +51,8 @@ record Settings(
     int port,
     @Nullable Path portFile,
     int studio,
+    Shown shown,
+    @Nullable String mcap,
     SocketOptions socket,
     AccessOptions access,
     @Nullable String record,

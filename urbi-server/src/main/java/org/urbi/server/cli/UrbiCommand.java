@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.urbi.bridge.NativeThreads;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.lobby.ErrorStyle;
@@ -18,6 +19,7 @@ import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
 import org.urbi.server.source.Inputs;
 import org.urbi.server.source.SourceText;
+import org.urbi.server.studio.Shown;
 import org.urbi.server.trust.AccessOptions;
 
 /** The program {@code urbi}: runs an Urbi server (manual, section 21.3). */
@@ -31,6 +33,7 @@ public final class UrbiCommand {
 
   private final Inputs inputs = new Inputs();
   private final List<String> modules = new ArrayList<>();
+  private final List<String> watched = new ArrayList<>();
   private final PrintStream out;
   private final PrintStream err;
   private final OutputStream errors;
@@ -134,6 +137,19 @@ public final class UrbiCommand {
             "--studio");
     SocketOptions.declare(program);
     AccessOptions.declare(program)
+        .option(
+            "SITE",
+            "Let pages of SITE, as https://app.foxglove.dev, connect to the studio's port by"
+                + " Foxglove's protocol; several are separated by commas.",
+            "--studio-origin")
+        .each(
+            "PATH",
+            "Show the slot PATH, as robot.body.x, to Foxglove and in the MCAP file, besides all"
+                + " variables with hooks.",
+            watched::add,
+            "--watch")
+        .option(
+            "FILE", "Record variables and the log to FILE, an MCAP file for Foxglove.", "--mcap")
         .option("FILE", "Record the run to FILE, so that it can be replayed.", "--record")
         .option(
             "FILE", "Replay the run that FILE is a recording of, and do nothing else.", "--replay");
@@ -159,7 +175,10 @@ public final class UrbiCommand {
     }
     String replay = arguments.value("--replay");
     if (replay != null) {
-      if (!arguments.rest().isEmpty() || !inputs.isEmpty() || arguments.has("--record")) {
+      if (!arguments.rest().isEmpty()
+          || !inputs.isEmpty()
+          || arguments.has("--record")
+          || arguments.has("--mcap")) {
         throw Failure.usage("--replay runs what is recorded, and nothing else");
       }
       return new ReplayedRun(replay, out, err).run();
@@ -232,6 +251,8 @@ public final class UrbiCommand {
         port,
         portFile == null ? null : Path.of(portFile),
         arguments.number("--studio", Settings.NO_PORT, 0, MAX_PORT),
+        shown(arguments),
+        arguments.value("--mcap"),
         socket,
         AccessOptions.of(arguments),
         arguments.value("--record"),
@@ -243,6 +264,21 @@ public final class UrbiCommand {
         input,
         rest.isEmpty() ? List.of() : rest.subList(1, rest.size()),
         System.getProperty("urbi.program", SearchPath.root().resolve("urbi").toString()));
+  }
+
+  private Shown shown(Arguments arguments) {
+    if (!watched.isEmpty() && !arguments.has("--studio") && !arguments.has("--mcap")) {
+      throw Failure.usage("--watch needs --studio or --mcap, which show the slot");
+    }
+    String sites = arguments.value("--studio-origin");
+    Set<String> origins = sites == null ? Set.of() : Set.copyOf(List.of(sites.split(",")));
+    for (String site : origins) {
+      if (!site.matches("https?://[^/]+")) {
+        throw Failure.usage(
+            "invalid --studio-origin: " + site + ": https://HOST or http://HOST:PORT expected");
+      }
+    }
+    return new Shown(List.copyOf(watched), origins);
   }
 
   private static ErrorStyle errorStyle(Arguments arguments) {

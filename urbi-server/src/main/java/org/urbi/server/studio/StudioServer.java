@@ -7,11 +7,12 @@ import java.net.InetSocketAddress;
 import java.util.function.Function;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
-import org.urbi.kernel.time.SystemClock;
 import org.urbi.server.Trace;
 import org.urbi.server.net.TlsGate;
+import org.urbi.server.studio.access.Admission;
+import org.urbi.server.studio.foxglove.ProgramHandler;
 import org.urbi.server.trust.AccessPolicy;
-import org.urbi.server.trust.TokenThrottle;
+import org.urbi.web.Guests;
 import org.urbi.web.Page;
 import org.urbi.web.PagePort;
 
@@ -32,21 +33,29 @@ public final class StudioServer implements AutoCloseable {
    * @param address where; port 0 is any that is free
    * @param lobbies makes the lobby of a browser that has been let in
    * @param accessPolicy who is let in, and as what
+   * @param shown what programs that speak Foxglove's protocol are shown, and who they may be
    * @throws IOException if it cannot listen there, or TLS cannot be had; the message says why
    */
   public StudioServer(
       InetSocketAddress address,
       Function<Client, Connection> lobbies,
       AccessPolicy accessPolicy,
+      Shown shown,
       Trace trace)
       throws IOException {
     this.accessPolicy = accessPolicy;
     SslContext tls =
         accessPolicy.identity() == null ? null : TlsGate.context(accessPolicy.identity());
     port = new PagePort("urbi-studio");
-    TokenThrottle wrong = new TokenThrottle(new SystemClock());
+    Admission admission = new Admission(accessPolicy, trace);
+    Guests programs =
+        new Guests(
+            ProgramHandler.SUBPROTOCOLS,
+            shown.origins(),
+            ProgramHandler.LONGEST,
+            () -> new ProgramHandler(admission, lobbies, shown.paths()));
     try {
-      port.listen(address, tls, PAGE, () -> new Viewer(accessPolicy, wrong, lobbies, trace));
+      port.listen(address, tls, PAGE, () -> new Viewer(admission, lobbies), programs);
     } catch (IOException e) {
       throw new IOException(
           "cannot serve the studio on "

@@ -216,6 +216,19 @@ class UrbiCommandTest {
   }
 
   @Test
+  void optionsForFoxgloveThatMakeNoSenseAreRefused() throws Exception {
+    Result watch = urbi("--watch", "x", "-e", "1;");
+    assertEquals(2, watch.status());
+    assertTrue(watch.err().contains("--watch needs --studio or --mcap"), watch.err());
+    Result site = urbi("--studio=0", "--studio-origin", "friend.example,", "-e", "1;");
+    assertEquals(2, site.status());
+    assertTrue(site.err().contains("https://HOST"), site.err());
+    Result replay = urbi("--replay", "run", "--mcap", "x.mcap");
+    assertEquals(2, replay.status());
+    assertTrue(replay.err().contains("nothing else"), replay.err());
+  }
+
+  @Test
   void portInUseIsReported() throws Exception {
     try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
       Result run = urbi("-q", "-P", String.valueOf(taken.getLocalPort()));

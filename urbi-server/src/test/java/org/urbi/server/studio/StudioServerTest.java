@@ -10,15 +10,9 @@ import java.io.PrintStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
-import java.net.URI;
-import java.net.http.HttpClient;
-import java.net.http.WebSocket;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.CompletionStage;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -56,63 +50,14 @@ class StudioServerTest {
         new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
         client -> kernel.connect(client, false),
         policy,
+        Shown.VARIABLES,
         SILENT);
   }
 
   /** A browser's end of the stream. */
-  private static final class Page implements WebSocket.Listener, AutoCloseable {
-    private final LinkedBlockingQueue<String> heard = new LinkedBlockingQueue<>();
-    private final StringBuilder part = new StringBuilder();
-    private final WebSocket socket;
-
+  private static final class Page extends StreamClient {
     Page(StudioServer studio, String query) {
-      URI address = URI.create("ws://localhost:" + studio.port() + "/stream" + query);
-      socket = HttpClient.newHttpClient().newWebSocketBuilder().buildAsync(address, this).join();
-    }
-
-    @Override
-    public CompletionStage<?> onText(WebSocket from, CharSequence data, boolean last) {
-      part.append(data);
-      if (last) {
-        heard.add(part.toString());
-        part.setLength(0);
-      }
-      from.request(1);
-      return null;
-    }
-
-    @Override
-    public CompletionStage<?> onClose(WebSocket from, int status, String reason) {
-      heard.add("closed");
-      return null;
-    }
-
-    @Override
-    public void onError(WebSocket from, Throwable error) {
-      heard.add("closed");
-    }
-
-    void send(String text) {
-      socket.sendText(text, true).join();
-    }
-
-    String await(Predicate<String> wanted) throws InterruptedException {
-      while (true) {
-        String message = heard.take();
-        if (wanted.test(message)) {
-          return message;
-        }
-        assertFalse(message.equals("closed"), "closed before it came");
-      }
-    }
-
-    String await(String part) throws InterruptedException {
-      return await(message -> message.contains(part));
-    }
-
-    @Override
-    public void close() {
-      socket.abort();
+      super(studio, "/stream" + query);
     }
   }
 

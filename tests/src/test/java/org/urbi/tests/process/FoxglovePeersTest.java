@@ -1,0 +1,192 @@
+package org.urbi.tests.process;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.urbi.tests.process.JavaProcess.Setting;
+
+/** What others make of variables: Foxglove's own client, and the reader of MCAP files. */
+class FoxglovePeersTest {
+  private static final Path ROOT = Path.of("..").toAbsolutePath().normalize();
+  private static final Path PEERS = ROOT.resolve(".build/foxglove-peers");
+  private static final Path SCRIPTS = Path.of("src/test/resources/foxglove").toAbsolutePath();
+  private static final String URBI = "org.urbi.server.cli.UrbiCommand";
+  private static final String ADDRESS = "studio: http";
+
+  private static final String PROGRAM =
+      """
+      var Global.ball = Object.new|;
+      UVar.new(ball, "x")|; ball.x = 1|;
+      UVar.new(ball, "path")|; ball.path = [[1, 2], [3, 4]]|;
+      UVar.new(ball, "picture")|; ball.picture = Binary.new("rgb 1 1", "abc")|;
+      var Global.seen = Event.new|;
+      var counter = 0|;
+      """;
+
+  /** What a program says until it ends. */
+  private static List<String> run(Map<String, String> environment, String... command)
+      throws IOException, InterruptedException {
+    ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
+    builder.environment().putAll(environment);
+    Process process = builder.start();
+    try {
+      String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+      assertEquals(0, process.waitFor(), text);
+      return text.lines().toList();
+    } finally {
+      process.destroyForcibly();
+    }
+  }
+
+  private static List<String> read(Path file, String... how)
+      throws IOException, InterruptedException {
+    Path python = PEERS.resolve("mcap/bin/python");
+    assumeTrue(Files.exists(python), "no reader of MCAP: scripts/foxglove-peers.sh gets it");
+    List<String> command = new ArrayList<>();
+    command.addAll(
+        List.of(python.toString(), SCRIPTS.resolve("read.py").toString(), file.toString()));
+    command.addAll(List.of(how));
+    return run(Map.of(), command.toArray(String[]::new));
+  }
+
+  private static void has(List<String> lines, String... wanted) {
+    for (String line : wanted) {
+      assertTrue(lines.contains(line), () -> line + " in " + String.join("\n", lines));
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"foxglove.websocket.v1", "foxglove.sdk.v1"})
+  void foxglovesClientLooks(String subprotocol, @TempDir Path folder) throws Exception {
+    Path library = PEERS.resolve("protocol/node_modules");
+    assumeTrue(Files.exists(library), "no client: scripts/foxglove-peers.sh gets it");
+    String reaction = "at (seen?(var what)) { Logger.log(what); ball.x = 5; };\n";
+    Path program = Files.writeString(folder.resolve("program.u"), PROGRAM + reaction);
+    List<String> words =
+        List.of("-q", "--studio=0", "--watch", "counter", "-i", "-f", program.toString());
+    try (JavaProcess urbi = JavaProcess.start(Setting.in(ROOT), URBI, words)) {
+      String line = urbi.awaitText(ADDRESS);
+      String address = "ws" + line.substring(line.indexOf(ADDRESS) + ADDRESS.length());
+      urbi.send("echo(\"rea\" + \"dy\");\n");
+      urbi.awaitText("ready");
+      List<String> heard =
+          run(
+              Map.of("NODE_PATH", library.toString()),
+              "node",
+              SCRIPTS.resolve("look.cjs").toString(),
+              address,
+              subprotocol);
+      has(
+          heard,
+          "server clientPublish parameters parametersSubscribe time",
+          "channel /log json foxglove.Log object",
+          "channel /counter json urbi.Number object",
+          "channel /ball/x json urbi.Number object",
+          "channel /ball/path json urbi.List object",
+          "channel /ball/picture json foxglove.CompressedImage object",
+          "message /counter now 0",
+          "message /ball/x now 1",
+          "message /ball/x now 5",
+          "message /ball/picture now ffd8ff",
+          "parameter asked ball.x 1",
+          "closed");
+      urbi.send("shutdown;\n");
+      assertEquals(0, urbi.awaitEnd(), urbi::text);
+      assertTrue(!urbi.text().contains("internal error"), urbi::text);
+    }
+  }
+
+  @Test
+  void recordingOfSimulatedTimeIsComplete(@TempDir Path folder) throws Exception {
+    Path file = folder.resolve("run.mcap");
+    Path program =
+        Files.writeString(
+            folder.resolve("program.u"),
+            PROGRAM
+                + "for (var i: 1000) { ball.x = i; counter = i; sleep(10ms) };\n"
+                + "Logger.log(\"done\");\n");
+    List<String> words =
+        List.of(
+            "-q",
+            "--fast",
+            "--mcap",
+            file.toString(),
+            "--watch",
+            "counter",
+            "-f",
+            program.toString());
+    try (JavaProcess urbi = JavaProcess.start(Setting.in(ROOT), URBI, words)) {
+      assertEquals(0, urbi.awaitEnd(), urbi::text);
+    }
+    List<String> content = read(file, "whole");
+    has(
+        content,
+        "summary 2003 5 4",
+        "channel /log json foxglove.Log jsonschema",
+        "channel /ball/picture json foxglove.CompressedImage jsonschema",
+        "messages /ball/x 1000 {\"value\":999.0}",
+        "messages /counter 1000 {\"value\":999.0}",
+        "messages /ball/path 1 {\"value\":[[1.0,2.0],[3.0,4.0]]}");
+  }
+
+  @Test
+  void recordingOfKilledServerCanBeRead(@TempDir Path folder) throws Exception {
+    Path file = folder.resolve("run.mcap");
+    Path program = Files.writeString(folder.resolve("program.u"), PROGRAM);
+    List<String> words = List.of("-q", "--mcap", file.toString(), "-i", "-f", program.toString());
+    try (JavaProcess urbi = JavaProcess.start(Setting.in(ROOT), URBI, words)) {
+      // What is older than a second is in the file.
+      urbi.send("every (100ms) { ball.x++; if (ball.x > 30) echo(\"en\" + \"ough\") },\n");
+      urbi.awaitText("enough");
+    }
+    List<String> content = read(file);
+    has(content, "ends early");
+    assertTrue(
+        content.stream().anyMatch(line -> line.matches("messages /ball/x \\d{2} .*")),
+        () -> String.join("\n", content));
+  }
+
+  @Test
+  void fullDiskIsToldAndEndsTheRecordingAlone(@TempDir Path folder) throws Exception {
+    Path file = folder.resolve("run.mcap");
+    Path program =
+        Files.writeString(
+            folder.resolve("program.u"),
+            PROGRAM + "for (var i: 200000) { ball.x = i }; sleep(1s); echo(\"still here\");\n");
+    List<String> words = List.of("-q", "--mcap", file.toString(), "-f", program.toString());
+    // No file may have more than 4 MiB: as on a full disk, a part of the next chunk has no room.
+    Setting setting = Setting.in(ROOT).after("ulimit -f 8192");
+    try (JavaProcess urbi = JavaProcess.start(setting, URBI, words)) {
+      urbi.awaitText("the recording ends here");
+      urbi.awaitText("still here");
+      urbi.awaitText("values were left out");
+      assertEquals(0, urbi.awaitEnd(), urbi::text);
+    }
+    List<String> content = read(file);
+    has(content, "ends early");
+    assertTrue(
+        content.stream().anyMatch(line -> line.matches("messages /ball/x \\d{4,} .*")),
+        content::toString);
+  }
+
+  @Test
+  void fileThatCannotBeWrittenIsNamed() throws Exception {
+    List<String> words = List.of("-q", "--mcap", "/nowhere/run.mcap", "-e", "echo(1);");
+    try (JavaProcess urbi = JavaProcess.start(Setting.in(ROOT), URBI, words)) {
+      assertTrue(urbi.awaitEnd() != 0, urbi::text);
+      assertTrue(urbi.text().contains("cannot write the recording /nowhere/run.mcap"), urbi::text);
+    }
+  }
+}

@@ -1,0 +1,46 @@
+// Looks at a server by Foxglove's own client: node look.cjs ADDRESS SUBPROTOCOL, with NODE_PATH. Each line tells of one
+// thing that it has heard; it leaves when the variable ball.x is 5, and it has seen a picture.
+const { FoxgloveClient } = require("@foxglove/ws-protocol");
+const WebSocket = require("ws");
+
+const [address, subprotocol] = process.argv.slice(2);
+const client = new FoxgloveClient({ ws: new WebSocket(address, [subprotocol]) });
+const topics = new Map();
+const missing = new Set(["ball", "picture"]);
+const text = (bytes) => new TextDecoder().decode(bytes);
+
+client.on("error", (error) => console.log("error", String(error)));
+client.on("close", () => {
+  console.log("closed");
+  process.exit(0);
+});
+client.on("serverInfo", (info) => {
+  console.log("server", info.capabilities.join(" "));
+});
+client.on("status", (status) => console.log("status", status.level, status.message));
+client.on("time", (time) => topics.set("time", time.timestamp));
+client.on("parameterValues", (values) => {
+  for (const { name, value } of values.parameters) console.log("parameter", values.id, name, JSON.stringify(value));
+});
+client.on("advertise", (channels) => {
+  for (const channel of channels) {
+    console.log("channel", channel.topic, channel.encoding, channel.schemaName, JSON.parse(channel.schema).type);
+    topics.set(client.subscribe(channel.id), channel.topic);
+    if (channel.topic === "/ball/x") {
+      client.getParameters(["ball.x"], "asked");
+      client.setParameters([{ name: "ball.x", value: 3 }], "set");
+      const own = client.advertise({ topic: "/seen", encoding: "json", schemaName: "urbi.List" });
+      client.sendMessage(own, new TextEncoder().encode(JSON.stringify({ value: ["hello"] })));
+    }
+  }
+});
+client.on("message", ({ subscriptionId, timestamp, data }) => {
+  const message = JSON.parse(text(data));
+  const topic = topics.get(subscriptionId);
+  const age = Math.abs(Date.now() - Number(timestamp / 1000000n)) < 60000 ? "now" : "once";
+  if (message.data !== undefined) message.data = Buffer.from(message.data, "base64").subarray(0, 3).toString("hex");
+  console.log("message", topic, age, message.value ?? message.message ?? message.data);
+  if (topic === "/ball/x" && message.value === 5) missing.delete("ball");
+  if (topic === "/ball/picture") missing.delete("picture");
+  if (missing.size === 0) client.close();
+});

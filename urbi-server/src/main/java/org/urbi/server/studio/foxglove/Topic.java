@@ -1,0 +1,175 @@
+package org.urbi.server.studio.foxglove;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.observe.Bytes;
+import org.urbi.kernel.observe.VariableKind;
+import urbi.UBinary;
+import urbi.UCastException;
+import urbi.UImage;
+import urbi.media.ImageFormat;
+import urbi.media.MediaException;
+import urbi.media.Picture;
+
+/**
+ * A sequence of messages of one kind: those of a variable, or of the log. They are JSON objects,
+ * with a JSON schema.
+ *
+ * @param path the name of the variable
+ * @param kind of its values
+ */
+public record Topic(String path, VariableKind kind) {
+  private static final long SECOND = 1_000_000_000;
+  private static final int QUALITY = 80;
+
+  private static final String TIMESTAMP =
+      "\"timestamp\":{\"type\":\"object\",\"title\":\"time\",\"properties\":{"
+          + "\"sec\":{\"type\":\"integer\",\"minimum\":0},"
+          + "\"nsec\":{\"type\":\"integer\",\"minimum\":0,\"maximum\":999999999}}},";
+
+  private static final String IMAGE =
+      "{\"title\":\"foxglove.CompressedImage\",\"type\":\"object\",\"properties\":{"
+          + TIMESTAMP
+          + "\"frame_id\":{\"type\":\"string\"},"
+          + "\"data\":{\"type\":\"string\",\"contentEncoding\":\"base64\"},"
+          + "\"format\":{\"type\":\"string\"}}}";
+
+  private static final String LOG_SCHEMA =
+      "{\"title\":\"foxglove.Log\",\"type\":\"object\",\"properties\":{"
+          + TIMESTAMP
+          + "\"level\":{\"type\":\"integer\"},"
+          + "\"message\":{\"type\":\"string\"},"
+          + "\"name\":{\"type\":\"string\"},"
+          + "\"file\":{\"type\":\"string\"},"
+          + "\"line\":{\"type\":\"integer\",\"minimum\":0}}}";
+
+  /** What the kernel logs; no variable has that path. */
+  public static final Topic LOG = new Topic("/log", VariableKind.TEXT);
+
+  private static final int INFO = 2;
+  private static final int WARNING = 3;
+  private static final int ERROR = 4;
+
+  /** Its name, as those who look at it write it: {@code /robot/body/x}. */
+  public String name() {
+    return isLog() ? path : "/" + path.replace('.', '/');
+  }
+
+  private boolean isLog() {
+    return path.equals(LOG.path);
+  }
+
+  /** The path of the slot for which a topic of that name stands. */
+  public static String path(String name) {
+    return name.replaceFirst("^/", "").replace('/', '.');
+  }
+
+  /** Whether its values can be parameters: they are small, and can be written by people. */
+  public boolean isParameter() {
+    return switch (kind) {
+      case IMAGE, BINARY, ANY -> false;
+      default -> !isLog();
+    };
+  }
+
+  /** The name of its schema. */
+  public String schemaName() {
+    if (isLog()) {
+      return "foxglove.Log";
+    }
+    return kind == VariableKind.IMAGE
+        ? "foxglove.CompressedImage"
+        : "urbi." + kind.name().charAt(0) + kind.name().substring(1).toLowerCase(Locale.ROOT);
+  }
+
+  /** Its JSON schema. */
+  public String schema() {
+    if (isLog()) {
+      return LOG_SCHEMA;
+    }
+    if (kind == VariableKind.IMAGE) {
+      return IMAGE;
+    }
+    String value =
+        switch (kind) {
+          case NUMBER -> "{\"type\":\"number\"}";
+          case BOOLEAN -> "{\"type\":\"boolean\"}";
+          case TEXT -> "{\"type\":\"string\"}";
+          case NUMBERS -> "{\"type\":\"array\",\"items\":{\"type\":\"number\"}}";
+          case LIST -> "{\"type\":\"array\"}";
+          case DICTIONARY -> "{\"type\":\"object\"}";
+          case BINARY ->
+              "{\"type\":\"object\",\"properties\":{\"keywords\":{\"type\":\"string\"},"
+                  + "\"data\":{\"type\":\"string\",\"contentEncoding\":\"base64\"}}}";
+          default -> "{}";
+        };
+    return "{\"title\":\""
+        + schemaName()
+        + "\",\"type\":\"object\",\"properties\":{\"value\":"
+        + value
+        + "}}";
+  }
+
+  /**
+   * A message.
+   *
+   * @param time in nanoseconds since the Epoch
+   * @param value as a {@link org.urbi.kernel.observe.VariableListener} is told it; for the log, the
+   *     line
+   */
+  public byte[] message(long time, @Nullable Object value) {
+    if (isLog()) {
+      String line = String.valueOf(value);
+      return Json.object(out -> writeLog(out, time, line));
+    }
+    if (kind == VariableKind.IMAGE && value instanceof Bytes image) {
+      return Json.object(out -> writeImage(out, time, image));
+    }
+    return Json.object(out -> {
+      out.writeFieldName("value");
+      Json.write(out, value);
+    });
+  }
+
+  private static void writeTime(JsonGenerator out, long time) throws IOException {
+    out.writeObjectFieldStart("timestamp");
+    out.writeNumberField("sec", Math.floorDiv(time, SECOND));
+    out.writeNumberField("nsec", Math.floorMod(time, SECOND));
+    out.writeEndObject();
+  }
+
+  private static void writeLog(JsonGenerator out, long time, String line) throws IOException {
+    writeTime(out, time);
+    String start = line.toLowerCase(Locale.ROOT);
+    int level = start.startsWith("error") ? ERROR : start.startsWith("warning") ? WARNING : INFO;
+    out.writeNumberField("level", level);
+    out.writeStringField("message", line);
+    out.writeStringField("name", "urbi");
+    out.writeStringField("file", "");
+    out.writeNumberField("line", 0);
+  }
+
+  private void writeImage(JsonGenerator out, long time, Bytes image) throws IOException {
+    writeTime(out, time);
+    out.writeStringField("frame_id", path);
+    out.writeBinaryField("data", jpeg(image));
+    out.writeStringField("format", "jpeg");
+  }
+
+  /** The image as a JPEG file; nothing if it is broken. */
+  private static byte[] jpeg(Bytes image) {
+    try {
+      UImage picture = new UBinary(image.keywords(), image.bytes()).uimageValue();
+      ImageFormat format = ImageFormat.of(picture.format_string());
+      return format == ImageFormat.JPEG
+          ? picture.getData()
+          : new Picture(format, picture.getWidth(), picture.getHeight(), picture.getData())
+              .toJpeg(QUALITY);
+    } catch (MediaException | UCastException e) {
+      return "".getBytes(StandardCharsets.US_ASCII);
+    }
+  }
+}

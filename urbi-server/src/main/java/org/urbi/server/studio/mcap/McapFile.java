@@ -1,0 +1,232 @@
+package org.urbi.server.studio.mcap;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * An MCAP file (mcap.dev) that is being written: messages in chunks, which are not compressed. What
+ * has been {@linkplain #flush flushed} can be read although the file was never closed; closing it
+ * adds the summary, by which readers find what they look for.
+ */
+final class McapFile implements Closeable {
+  /** The size at which a chunk is written by itself, in bytes. */
+  private static final int LARGE = 1 << 20;
+
+  private static final byte[] MAGIC = "\u0089MCAP0\r\n".getBytes(StandardCharsets.ISO_8859_1);
+  private static final int HEADER = 0x01;
+  private static final int FOOTER = 0x02;
+  private static final int SCHEMA = 0x03;
+  private static final int CHANNEL = 0x04;
+  private static final int CHUNK_INDEX = 0x08;
+  private static final int STATISTICS = 0x0b;
+  private static final int SUMMARY_OFFSET = 0x0e;
+  private static final int DATA_END = 0x0f;
+
+  /** A footer's opcode, its length, and its content without the checksum. */
+  private static final int FOOTER_CONTENT = 2 * Long.BYTES + Integer.BYTES;
+
+  /** More would have numbers of more than 16 bits. */
+  private static final int MOST_CHANNELS = 65_000;
+
+  private final FileChannel file;
+  private final Map<String, Integer> schemas = new LinkedHashMap<>();
+  private final Map<Integer, Long> counts = new TreeMap<>();
+
+  /** What is repeated in the summary, which finds it without reading the rest. */
+  private final McapBuffer schemaRecords = new McapBuffer();
+
+  private final McapBuffer channelRecords = new McapBuffer();
+  private final McapBuffer chunkIndexes = new McapBuffer();
+  private McapChunk chunk = new McapChunk();
+  private int channels;
+  private int chunks;
+  private long messages;
+  private long first = Long.MAX_VALUE;
+  private long last;
+
+  /**
+   * Begins a file; one that is there is overwritten.
+   *
+   * @param library what writes it
+   */
+  McapFile(Path path, String library) throws IOException {
+    file =
+        FileChannel.open(
+            path,
+            StandardOpenOption.CREATE,
+            StandardOpenOption.TRUNCATE_EXISTING,
+            StandardOpenOption.WRITE);
+    try {
+      write(new McapBuffer().raw(MAGIC).record(HEADER, new McapBuffer().text("").text(library)));
+    } catch (IOException e) {
+      file.close();
+      throw e;
+    }
+  }
+
+  /**
+   * Declares a channel.
+   *
+   * @param schema its text, a JSON schema
+   * @return its number; -1 when there are too many
+   */
+  int channel(String topic, String schemaName, String schema) {
+    if (channels == MOST_CHANNELS) {
+      return -1;
+    }
+    Integer known = schemas.get(schemaName);
+    if (known == null) {
+      known = schemas.size() + 1;
+      schemas.put(schemaName, known);
+      declare(
+          SCHEMA,
+          new McapBuffer().shortNumber(known).text(schemaName).text("jsonschema").text(schema),
+          schemaRecords);
+    }
+    int number = ++channels;
+    declare(
+        CHANNEL,
+        new McapBuffer().shortNumber(number).shortNumber(known).text(topic).text("json").number(0),
+        channelRecords);
+    return number;
+  }
+
+  private void declare(int opcode, McapBuffer content, McapBuffer summary) {
+    chunk.add(opcode, content);
+    summary.record(opcode, content);
+  }
+
+  /**
+   * Adds a message.
+   *
+   * @param channel its number
+   * @param time in nanoseconds since the Epoch
+   * @throws IOException if a chunk is full and cannot be written: see {@link #flush}
+   */
+  void message(int channel, long time, byte[] content) throws IOException {
+    long count = counts.merge(channel, 1L, Long::sum);
+    chunk.add(channel, (int) count, time, content);
+    messages++;
+    first = Math.min(first, time);
+    last = Math.max(last, time);
+    if (chunk.size() >= LARGE) {
+      flush();
+    }
+  }
+
+  /** Whether something has not been written yet. */
+  boolean isPending() {
+    return chunk.size() > 0;
+  }
+
+  /**
+   * Writes what has been added so far.
+   *
+   * @throws IOException if it cannot be written; then the file ends after what was flushed before
+   */
+  void flush() throws IOException {
+    if (isPending()) {
+      McapBuffer out = new McapBuffer();
+      McapBuffer index = chunk.write(out, file.position());
+      write(out);
+      chunkIndexes.raw(index.toBytes());
+      chunks++;
+      chunk = new McapChunk();
+    }
+  }
+
+  /** Writes all, or nothing: half a record at the end would be an error for readers. */
+  private void write(McapBuffer out) throws IOException {
+    long before = file.position();
+    ByteBuffer bytes = ByteBuffer.wrap(out.toBytes());
+    try {
+      while (bytes.hasRemaining()) {
+        file.write(bytes);
+      }
+    } catch (IOException e) {
+      try {
+        file.truncate(before);
+      } catch (IOException unable) {
+        e.addSuppressed(unable);
+      }
+      throw e;
+    }
+  }
+
+  /** How many messages there are. */
+  long messages() {
+    return messages;
+  }
+
+  /** Writes what is left, and the summary. */
+  @Override
+  public void close() throws IOException {
+    try (file) {
+      flush();
+      McapBuffer end = new McapBuffer().record(DATA_END, new McapBuffer().number(0));
+      long start = file.position() + end.size();
+      McapBuffer summary = summary(start);
+      McapBuffer footer = new McapBuffer();
+      footer
+          .octet(FOOTER)
+          .longNumber(FOOTER_CONTENT)
+          .longNumber(start)
+          .longNumber(start + offsetsAt());
+      McapBuffer checked = new McapBuffer().raw(summary.toBytes()).raw(footer.toBytes());
+      write(end.raw(checked.toBytes()).number(checked.crc()).raw(MAGIC));
+    }
+  }
+
+  private McapBuffer statistics() {
+    McapBuffer content =
+        new McapBuffer()
+            .longNumber(messages)
+            .shortNumber(schemas.size())
+            .number(channels)
+            .number(0)
+            .number(0)
+            .number(chunks)
+            .longNumber(messages == 0 ? 0 : first)
+            .longNumber(last)
+            .counts(counts);
+    return new McapBuffer().record(STATISTICS, content);
+  }
+
+  /** Where in the summary its own index begins. */
+  private long offsetsAt() {
+    return (long) schemaRecords.size()
+        + channelRecords.size()
+        + statistics().size()
+        + chunkIndexes.size();
+  }
+
+  private McapBuffer summary(long start) {
+    Map<Integer, McapBuffer> groups = new LinkedHashMap<>();
+    groups.put(SCHEMA, schemaRecords);
+    groups.put(CHANNEL, channelRecords);
+    groups.put(STATISTICS, statistics());
+    groups.put(CHUNK_INDEX, chunkIndexes);
+    McapBuffer summary = new McapBuffer();
+    McapBuffer offsets = new McapBuffer();
+    groups.forEach((opcode, records) -> {
+      if (records.size() > 0) {
+        offsets.record(
+            SUMMARY_OFFSET,
+            new McapBuffer()
+                .octet(opcode)
+                .longNumber(start + summary.size())
+                .longNumber(records.size()));
+        summary.raw(records.toBytes());
+      }
+    });
+    return summary.raw(offsets.toBytes());
+  }
+}

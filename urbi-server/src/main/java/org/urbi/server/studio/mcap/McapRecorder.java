@@ -1,0 +1,227 @@
+package org.urbi.server.studio.mcap;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.Client;
+import org.urbi.kernel.Connection;
+import org.urbi.kernel.log.FailureLog;
+import org.urbi.kernel.observe.Bytes;
+import org.urbi.kernel.observe.VariableKind;
+import org.urbi.kernel.observe.VariableListener;
+import org.urbi.kernel.time.Clock;
+import org.urbi.kernel.time.SystemClock;
+import org.urbi.kernel.trust.Role;
+import org.urbi.server.Version;
+import org.urbi.server.studio.foxglove.Topic;
+
+/**
+ * Records all variables and the log of a kernel to an MCAP file, on a thread of its own. When the
+ * disk is slower than the values come, some are left out, and the log tells how many; when it is
+ * full, the recording ends, and what was written before can be read.
+ */
+public final class McapRecorder implements AutoCloseable {
+  /** After how much time at the latest a value is in the file, in nanoseconds. */
+  private static final long FLUSH = 1_000_000_000;
+
+  /** How much may wait for the disk, roughly in bytes. */
+  private static final long MOST_WAITING = 64 << 20;
+
+  private static final int SMALL = 100;
+  private static final int LOG = 0;
+
+  private sealed interface Event {
+    record Appeared(int variable, Topic topic) implements Event {}
+
+    record Value(int variable, long time, @Nullable Object value) implements Event {}
+
+    record End() implements Event {}
+  }
+
+  private final Path path;
+  private final McapFile file;
+  private final Consumer<String> log;
+  private final BlockingQueue<Event> events = new LinkedBlockingQueue<>();
+  private final AtomicLong waiting = new AtomicLong();
+  private final AtomicLong lost = new AtomicLong();
+  private final Map<Integer, Topic> topics = new HashMap<>();
+
+  /** The numbers of their channels in the file; a variable without any value needs none. */
+  private final Map<Integer, Integer> channels = new HashMap<>();
+
+  private final Clock clock = new SystemClock();
+  private final Thread writer = new Thread(this::run, "urbi-mcap");
+  private long flushAt;
+  private volatile boolean failed;
+
+  /**
+   * Begins to record.
+   *
+   * @param connect opens a connection to the kernel
+   * @param watched the paths of slots that are recorded besides the variables
+   * @param log is told what goes wrong
+   * @throws IOException if the file cannot be written
+   */
+  public McapRecorder(
+      Path path, Function<Client, Connection> connect, List<String> watched, Consumer<String> log)
+      throws IOException {
+    this.path = path;
+    this.log = log;
+    file = new McapFile(path, "Urbi " + Version.number());
+    topics.put(LOG, Topic.LOG);
+    connect.apply(new Observer()).feed(new Feed(), true, watched);
+    writer.setDaemon(true);
+    writer.start();
+  }
+
+  /** What the kernel knows of it: it never asks for anything, and keeps no kernel running. */
+  private static final class Observer implements Client {
+    @Override
+    public void output(String bytes) {}
+
+    @Override
+    public void closed() {}
+
+    @Override
+    public boolean isAwaited() {
+      return false;
+    }
+
+    @Override
+    public Role role() {
+      return Role.OBSERVER;
+    }
+  }
+
+  /** Takes what the kernel tells; on the kernel thread, but for the log. */
+  private final class Feed implements VariableListener {
+    @Override
+    public void appeared(int variable, String of, VariableKind kind) {
+      if (!failed) {
+        events.add(new Event.Appeared(variable, new Topic(of, kind)));
+      }
+    }
+
+    @Override
+    public void gone(int variable) {}
+
+    @Override
+    public void value(int variable, long time, @Nullable Object value) {
+      long size = size(value);
+      if (failed || waiting.addAndGet(size) > MOST_WAITING) {
+        waiting.addAndGet(failed ? 0 : -size);
+        lost.incrementAndGet();
+      } else {
+        events.add(new Event.Value(variable, time, value));
+      }
+    }
+
+    @Override
+    public void logged(long time, String line) {
+      value(LOG, time, line);
+    }
+
+    @Override
+    public void refused(String reason) {
+      log.accept("mcap: " + reason);
+    }
+  }
+
+  private static long size(@Nullable Object value) {
+    return SMALL
+        + switch (value) {
+          case Bytes binary -> binary.content().length();
+          case String text -> text.length();
+          case List<?> list -> (long) SMALL * list.size();
+          case Map<?, ?> map -> (long) SMALL * map.size();
+          case null, default -> 0;
+        };
+  }
+
+  // ------------------------------------------------------------------ on its own thread
+
+  private void run() {
+    try {
+      boolean goesOn = true;
+      while (goesOn) {
+        Event event = next();
+        goesOn = !(event instanceof Event.End);
+        if (event != null) {
+          take(event);
+        }
+        if (file.isPending() && clock.now() >= flushAt) {
+          file.flush();
+        }
+      }
+      file.close();
+    } catch (IOException e) {
+      end(String.valueOf(e.getMessage()));
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } catch (RuntimeException | OutOfMemoryError e) {
+      FailureLog.internal("recording to " + path, e);
+      end(FailureLog.text(e));
+    }
+  }
+
+  private void end(String reason) {
+    failed = true;
+    lost.addAndGet(events.size());
+    events.clear();
+    log.accept("mcap: " + path + ": " + reason + "; the recording ends here");
+  }
+
+  /** The next event; null if it is time to write what there is. */
+  private @Nullable Event next() throws InterruptedException {
+    if (file.isPending()) {
+      return events.poll(flushAt - clock.now(), TimeUnit.NANOSECONDS);
+    }
+    Event event = events.take();
+    flushAt = clock.now() + FLUSH;
+    return event;
+  }
+
+  private void take(Event event) throws IOException {
+    switch (event) {
+      case Event.Appeared one -> topics.put(one.variable(), one.topic());
+      case Event.Value value -> {
+        waiting.addAndGet(-size(value.value()));
+        Topic topic = topics.get(value.variable());
+        if (topic != null) {
+          int channel = channels.computeIfAbsent(value.variable(), any -> declare(topic));
+          if (channel >= 0) {
+            file.message(channel, value.time(), topic.message(value.time(), value.value()));
+          }
+        }
+      }
+      case Event.End end -> {}
+    }
+  }
+
+  private int declare(Topic topic) {
+    return file.channel(topic.name(), topic.schemaName(), topic.schema());
+  }
+
+  /** Writes what is left, and the summary; to be called when the kernel has ended. */
+  @Override
+  public void close() {
+    events.add(new Event.End());
+    try {
+      writer.join();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    if (lost.get() > 0) {
+      log.accept("mcap: " + path + ": " + lost + " values were left out");
+    }
+  }
+}
