@@ -1,5 +1,7 @@
 package org.urbi.builtins;
 
+import static java.util.stream.Collectors.joining;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -8,40 +10,65 @@ import org.jspecify.annotations.Nullable;
 final class Declaration {
   /** How an argument is converted from urbiscript to Java. */
   enum Kind {
-    OBJECT(null),
-    SUBCLASS(null),
-    DOUBLE("number"),
-    INT("integer"),
-    LONG("longInteger"),
-    BOOLEAN("truth"),
-    STRING("text"),
-    REST("rest");
+    OBJECT(null, ""),
+    SUBCLASS(null, ""),
+    DOUBLE("number", "Float"),
+    INT("integer", "Float"),
+    LONG("longInteger", "Float"),
+    BOOLEAN("truth", "Boolean"),
+    STRING("text", "String"),
+    REST("rest", "");
 
     /** The method of {@code Arguments} that unwraps it. */
     final @Nullable String unwrapper;
 
-    Kind(@Nullable String unwrapper) {
+    /** The type in urbiscript; empty when any will do, or when it depends on the Java class. */
+    final String type;
+
+    Kind(@Nullable String unwrapper, String type) {
       this.unwrapper = unwrapper;
+      this.type = type;
     }
   }
 
   /** How the result is converted from Java to urbiscript. */
   enum Result {
-    OBJECT,
-    VOID,
-    NUMBER,
-    BOOLEAN,
-    STRING,
-    LIST
+    OBJECT(""),
+    VOID("void"),
+    NUMBER("Float"),
+    BOOLEAN("Boolean"),
+    STRING("String"),
+    LIST("List");
+
+    /** The type in urbiscript; empty when it depends on the Java class. */
+    final String type;
+
+    Result(String type) {
+      this.type = type;
+    }
   }
 
   /** One parameter; the target and the arguments. */
   record Parameter(String name, Kind kind, String javaType, boolean optional) {
     /** How urbiscript names the type, after the Java class. */
     String typeName() {
-      String simple = javaType.substring(javaType.lastIndexOf('.') + 1);
-      return simple.startsWith("Urbi") ? simple.substring(4) : simple;
+      return Declaration.typeName(javaType);
     }
+
+    /** The parameter as the documentation shows it: {@code from: Float}, {@code to?}. */
+    String shown() {
+      String type = kind == Kind.SUBCLASS ? typeName() : kind.type;
+      return name
+          + (optional ? "?" : "")
+          + (kind == Kind.REST ? "..." : "")
+          + (type.isEmpty() ? "" : ": " + type);
+    }
+  }
+
+  /** How urbiscript names the type of a Java class. */
+  static String typeName(String javaType) {
+    String simple = javaType.substring(javaType.lastIndexOf('.') + 1);
+    return simple.startsWith("Urbi") ? simple.substring(4) : simple;
   }
 
   /** One method. */
@@ -59,7 +86,8 @@ final class Declaration {
       boolean site,
       Parameter self,
       List<Parameter> arguments,
-      Result result) {
+      Result result,
+      String resultType) {
     int min() {
       if (lazy) {
         return lazyMin;
@@ -75,16 +103,14 @@ final class Declaration {
       return arguments.stream().anyMatch(p -> p.kind() == Kind.REST) ? -1 : arguments.size();
     }
 
-    /** The arguments as the documentation shows them: {@code (from, to?)}. */
+    /** The arguments as the documentation shows them: {@code (from: Float, to?: Float)}. */
     String formals() {
       if (lazy) {
         return "(...)";
       }
-      List<String> shown = new ArrayList<>();
-      for (Parameter p : arguments) {
-        shown.add(p.name() + (p.optional() ? "?" : "") + (p.kind() == Kind.REST ? "..." : ""));
-      }
-      return shown.isEmpty() ? "" : "(" + String.join(", ", shown) + ")";
+      return arguments.isEmpty()
+          ? ""
+          : arguments.stream().map(Parameter::shown).collect(joining(", ", "(", ")"));
     }
   }
 

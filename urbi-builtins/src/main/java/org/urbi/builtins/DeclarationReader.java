@@ -164,6 +164,7 @@ final class DeclarationReader {
     if (builtin.setter() && arguments.size() != 1) {
       error(method, "a setter has one argument");
     }
+    Declaration.Result result = result(method);
     type.methods.add(
         new Declaration.Method(
             method.getSimpleName().toString(),
@@ -179,7 +180,8 @@ final class DeclarationReader {
             site,
             self,
             arguments,
-            result(method)));
+            result,
+            resultType(method, result)));
   }
 
   /** The permission of a method: its own, or that of its class. */
@@ -291,6 +293,14 @@ final class DeclarationReader {
     }
     error(method, "the kind of this result is not known: " + type);
     return Declaration.Result.VOID;
+  }
+
+  /** The type of the result in urbiscript; empty when it may be any. */
+  private String resultType(ExecutableElement method, Declaration.Result result) {
+    if (result != Declaration.Result.OBJECT || isNamed(method.getReturnType(), Kernel.OBJECT)) {
+      return result.type;
+    }
+    return Declaration.typeName(qualifiedName(method.getReturnType()));
   }
 
   private boolean isObject(TypeMirror type) {

@@ -83,7 +83,7 @@ final class TableWriter {
 
   private static String entry(String name, Declaration.Method method) {
     return String.format(
-        "%n          new Entry(%s, %d, %s, %b, %b, %s.%s, %b, %s, %s)",
+        "%n          new Entry(%s, %d, %s, %b, %b, %s.%s, %b, %s, %s, %s)",
         literal(name),
         method.min(),
         method.max() < 0 ? "Integer.MAX_VALUE" : String.valueOf(method.max()),
@@ -93,6 +93,7 @@ final class TableWriter {
         method.needs().role,
         method.needs().changes,
         literal(method.formals()),
+        literal(method.resultType()),
         literal(method.doc()));
   }
 

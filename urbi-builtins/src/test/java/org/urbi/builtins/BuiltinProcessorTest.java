@@ -109,7 +109,9 @@ class BuiltinProcessorTest {
                 """),
             "NumberTypeTable");
     assertEquals(
-        "Number [+(that) 1..1, plus(that) 1..1, isZero 0..0, nothing 0..0]", t.table.toString());
+        "Number [+(that: Float):Float 1..1, plus(that: Float):Float 1..1, isZero:Boolean 0..0,"
+            + " nothing:void 0..0]",
+        t.table.toString());
     assertEquals(5, t.value(t.call(0, t.number(2), t.number(3))));
     assertEquals(5, t.value(t.call(1, t.number(2), t.number(3))));
     assertEquals(1, t.value(t.call(2, t.number(0))));
@@ -136,7 +138,9 @@ class BuiltinProcessorTest {
                 """),
             "NumberTypeTable");
     assertEquals(
-        "Number [count(a, b?, c?) 1..3, rest(first, more...) 1.., list 0..0]", t.table.toString());
+        "Number [count(a: Float, b?: Float, c?: Float):Float 1..3, rest(first, more...):Float 1..,"
+            + " list:List 0..0]",
+        t.table.toString());
     Object n = t.number(3);
     assertEquals(1, t.value(t.call(0, n, n)));
     assertEquals(31, t.value(t.call(0, n, n, n)));

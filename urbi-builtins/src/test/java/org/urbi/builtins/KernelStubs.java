@@ -87,9 +87,10 @@ final class KernelStubs {
         public abstract class BuiltinTable {
           public record Entry(
               String name, int min, int max, boolean lazy, boolean setter,
-              org.urbi.kernel.trust.Role least, boolean changes, String formals, String doc) {
+              org.urbi.kernel.trust.Role least, boolean changes, String formals, String result,
+              String doc) {
             @Override public String toString() {
-              return name + formals + " " + min + ".." + (max == Integer.MAX_VALUE ? "" : max);
+              return name + formals + ":" + result + " " + min + ".." + (max == Integer.MAX_VALUE ? "" : max);
             }
           }
           private final String type;

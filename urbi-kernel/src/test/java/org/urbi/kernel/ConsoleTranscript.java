@@ -2,6 +2,7 @@ package org.urbi.kernel;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.regex.Pattern;
@@ -20,6 +21,19 @@ public final class ConsoleTranscript {
 
   /** What a dialogue ends with; the moment is for what its last line has set off. */
   private static final String EPILOGUE = "sleep(1ms)|;\nshutdown;\n";
+
+  /** Collects what a client is sent. */
+  private record Listener(StringBuilder to, CompletableFuture<Void> end) implements Client {
+    @Override
+    public void output(String bytes) {
+      to.append(bytes);
+    }
+
+    @Override
+    public void closed() {
+      end.complete(null);
+    }
+  }
 
   private ConsoleTranscript() {}
 
@@ -44,39 +58,42 @@ public final class ConsoleTranscript {
         text.lines().filter(ConsoleTranscript::isOutput).collect(Collectors.joining("\n"));
     String input =
         text.lines().filter(line -> !isOutput(line)).collect(Collectors.joining("\n", "", "\n"));
-    assertEquals(expected, run(jobThreads, components, input));
+    assertEquals(expected, run(jobThreads, components, "", input));
   }
 
-  private static boolean isOutput(String line) {
+  /** Whether a line of a dialogue is an answer. */
+  public static boolean isOutput(String line) {
     return OUTPUT.matcher(line).matches();
   }
 
   /** Feeds a program to a fresh kernel; returns what it answers. */
   public static String run(String program) {
-    return run(JobThreads.AUTO, List.of(), program);
+    return run(JobThreads.AUTO, List.of(), "", program);
+  }
+
+  /** Feeds a program to a fresh kernel whose working directory is that one. */
+  public static String runIn(Path directory, String program) {
+    String move = "Path.new(\"%s\").cd|; quit;\n".formatted(directory);
+    return run(JobThreads.AUTO, List.of(), move, program);
   }
 
   private static String run(
-      JobThreads jobThreads, List<Class<? extends UObject>> components, String program) {
+      JobThreads jobThreads,
+      List<Class<? extends UObject>> components,
+      String preparation,
+      String program) {
     StringBuilder output = new StringBuilder();
     CompletableFuture<Void> closed = new CompletableFuture<>();
     try (Kernel kernel =
         Kernel.builder().virtualTime(true).jobThreads(jobThreads).log(line -> {}).start()) {
       components.forEach(kernel::start);
-      kernel
-          .connect(
-              new Client() {
-                @Override
-                public void output(String bytes) {
-                  output.append(bytes);
-                }
-
-                @Override
-                public void closed() {
-                  closed.complete(null);
-                }
-              })
-          .send(program + EPILOGUE);
+      // Another client's, so that it does not move the places in the program.
+      if (!preparation.isEmpty()) {
+        kernel
+            .connect(new Listener(new StringBuilder(), new CompletableFuture<>()))
+            .send(preparation);
+      }
+      kernel.connect(new Listener(output, closed)).send(program + EPILOGUE);
       closed.get();
     } catch (Exception e) {
       throw new IllegalStateException(e);

@@ -33,6 +33,10 @@ import org.urbi.tests.pages.Listing.Kind;
  */
 class PagesTest {
   private static final Path ROOT = Path.of("..");
+
+  /** The pages of the library have examples with a kernel each: LibraryReferenceTest runs them. */
+  private static final Path LIBRARY = ROOT.resolve("docs").resolve("library");
+
   private static final boolean RENEW = Boolean.getBoolean("renew");
   private static final String ONLY = System.getProperty("page", "");
 
@@ -60,7 +64,7 @@ class PagesTest {
     try (Stream<Path> docs = Files.walk(ROOT.resolve("docs"));
         Stream<Path> examples = Files.walk(ROOT.resolve("examples"))) {
       Stream.concat(docs, examples)
-          .filter(file -> file.toString().endsWith(".md"))
+          .filter(file -> file.toString().endsWith(".md") && !file.startsWith(LIBRARY))
           .sorted()
           .forEach(files::add);
     }

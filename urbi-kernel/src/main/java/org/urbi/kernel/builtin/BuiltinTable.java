@@ -22,6 +22,7 @@ public abstract class BuiltinTable {
    * @param least the least role of the lobby for which it is called
    * @param changes whether the lobby must be allowed to change the target, too
    * @param formals the arguments as the documentation shows them; empty when there are none
+   * @param result the type of the result; empty when it may be any
    */
   public record Entry(
       String name,
@@ -32,6 +33,7 @@ public abstract class BuiltinTable {
       Role least,
       boolean changes,
       String formals,
+      String result,
       String doc) {}
 
   private final String type;
@@ -113,9 +115,14 @@ public abstract class BuiltinTable {
     return entries[index].changes;
   }
 
-  /** The arguments as the documentation shows them: {@code (from, to?)}; empty without any. */
+  /** The arguments as the documentation shows them: {@code (to?: Float)}; empty without any. */
   public final String formals(int index) {
     return entries[index].formals;
+  }
+
+  /** The type of the result, "void" when there is none; empty when it may be any. */
+  public final String result(int index) {
+    return entries[index].result;
   }
 
   public final String doc(int index) {

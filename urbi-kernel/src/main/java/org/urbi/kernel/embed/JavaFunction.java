@@ -38,6 +38,7 @@ final class JavaFunction extends BuiltinTable {
               Role.USER,
               false,
               "(arguments...)",
+              "",
               "Does what the program around the kernel says.")
         });
     this.embedding = embedding;

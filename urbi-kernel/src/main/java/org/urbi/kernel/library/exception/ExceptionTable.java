@@ -53,7 +53,7 @@ final class ExceptionTable extends BuiltinTable {
       int least = (int) formals.stream().filter(formal -> !formal.endsWith("?")).count();
       String shown = formals.isEmpty() ? "" : "(" + String.join(", ", formals) + ")";
       return new Entry(
-          "init", least, formals.size(), false, false, Role.OBSERVER, true, shown, doc);
+          "init", least, formals.size(), false, false, Role.OBSERVER, true, shown, "", doc);
     }
   }
 
@@ -81,7 +81,7 @@ final class ExceptionTable extends BuiltinTable {
     }
 
     private Entry entry() {
-      return new Entry("asString", 0, 0, false, false, Role.OBSERVER, false, "", doc);
+      return new Entry("asString", 0, 0, false, false, Role.OBSERVER, false, "", "String", doc);
     }
   }
 

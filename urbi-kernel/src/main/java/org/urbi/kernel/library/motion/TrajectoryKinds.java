@@ -84,7 +84,8 @@ public final class TrajectoryKinds {
             false,
             Role.OBSERVER,
             true,
-            "(read, write, target, attributes)",
+            "(read, write, target: Float, attributes: Dictionary)",
+            "void",
             "Moves a variable to a target so.");
 
     @Override

@@ -138,7 +138,9 @@ public final class ObjectType {
     return self == self.world().values().nil;
   }
 
-  @Builtin(doc = "Whether that object is a direct prototype.")
+  @Builtin(
+      doc =
+          "Whether it is a prototype with a name: it has a slot type of its own, as classes have.")
   static boolean isProto(UrbiObject self) {
     return self.localSlot(self.world().symbol("type")) != null;
   }
