@@ -32,11 +32,13 @@ public final class UrbiDictionary extends UrbiObject {
     private static final int CHARACTERS = 8;
 
     static Ranked of(Map.Entry<Key, UrbiObject> entry) {
-      return switch (entry.getKey().rank()) {
-        case String text -> new Ranked(entry, 0, text, beginning(text));
-        case Double number -> new Ranked(entry, 1, "", ordered(number));
-        case null, default -> new Ranked(entry, 2, "", 0);
-      };
+      Comparable<?> rank = entry.getKey().rank();
+      if (rank instanceof String text) {
+        return new Ranked(entry, 0, text, beginning(text));
+      }
+      return rank instanceof Double number
+          ? new Ranked(entry, 1, "", ordered(number))
+          : new Ranked(entry, 2, "", 0);
     }
 
     /** The first characters, which are bytes; comparing them alone decides nearly always. */
