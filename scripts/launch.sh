@@ -1,9 +1,14 @@
 # Sourced by ./urbi and its sister tools in bin/, which set `root` and `main`: starts Java on the distribution
-# in .build, and builds that first where there is none or where another commit was checked out.
+# of a package, or on that in .build, and builds the latter first where there is none or where another commit was
+# checked out.
 # Nothing is run but shell built-ins: starting a tool costs its JVM and no more.
 
 dist= java= built_from=
-[ -f "$root/.build/current" ] && . "$root/.build/current"
+if [ -x "$root/runtime/bin/java" ]; then # a package has its own Java, and there is nothing to build
+  dist=dist java=$root/runtime/bin/java
+elif [ -f "$root/.build/current" ]; then
+  . "$root/.build/current"
+fi
 
 # The commit that the work tree stands on; in a linked work tree .git is a file that says where.
 git=$root/.git
@@ -22,6 +27,10 @@ if [ -f "$git/HEAD" ]; then
 fi
 
 if [ ! -x "$java" ] || [ ! -d "$root/$dist/lib" ] || [ "$commit" != "$built_from" ]; then
+  if [ ! -x "$root/build" ]; then
+    echo "urbi: there is neither a Java runtime nor a distribution in $root: install urbi again" >&2
+    exit 1
+  fi
   "$root/build" --if-needed || exit 1
   . "$root/.build/current"
 fi
@@ -48,6 +57,13 @@ fi
 class_path "$root/$dist"
 cache=
 [ -f "$root/$dist/urbi.aot" ] && cache=-XX:AOTCache=$root/$dist/urbi.aot
+# In the locale of programs that have none (cron, systemd, containers) Java finds no file whose name is not ASCII, not
+# even its own. That locale has a twin with UTF-8.
+case ${LC_ALL:-${LC_CTYPE:-${LANG:-C}}} in
+  C | POSIX)
+    [ -z "${LC_ALL:-}" ] || { LC_ALL=C.UTF-8 && export LC_ALL; }
+    LC_CTYPE=C.UTF-8 && export LC_CTYPE ;;
+esac
 # A closed descriptor would be that of the next file that Java opens.
 [ -e /dev/fd/0 ] || exec </dev/null
 [ -e /dev/fd/1 ] || exec >/dev/null

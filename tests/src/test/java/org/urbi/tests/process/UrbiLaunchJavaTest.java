@@ -164,6 +164,18 @@ class UrbiLaunchJavaTest {
   }
 
   @Test
+  void theServerMayComeLater() throws Exception {
+    Files.writeString(folder.resolve("port"), freePort() + "\n");
+    copy("machine");
+    try (JavaProcess machine = launch("--wait=10min", "--port-file", "port", "machine.jar");
+        ServerProcess server = ServerProcess.in(folder, "--port-file", "port")) {
+      machine.awaitText("running on 127.0.0.1:" + server.port());
+      assertEquals(0, server.shutDown(), server::text);
+      machine.awaitEnd();
+    }
+  }
+
+  @Test
   void modulesMadeByHandRunWithoutTheTools() throws Exception {
     Path api = Path.of(UObject.class.getProtectionDomain().getCodeSource().getLocation().toURI());
     javac(api, folder, MACHINE.resolve("Machine.java"), MACHINE.resolve("UMachine.java"));

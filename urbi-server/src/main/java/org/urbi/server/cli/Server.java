@@ -100,6 +100,8 @@ final class Server {
     StudioServer studio = null;
     watch(started);
     McapRecorder recorder = null;
+    // One that a server has left behind would be believed until this one listens.
+    removePortFile();
     try {
       recorder = recordVariables();
       recording = recorder;
@@ -391,9 +393,10 @@ final class Server {
   }
 
   private void removePortFile() {
+    Path file = settings.portFile();
     try {
-      if (settings.portFile() != null) {
-        Files.deleteIfExists(settings.portFile());
+      if (file != null && Files.isRegularFile(file)) {
+        Files.delete(file);
       }
     } catch (IOException e) {
       settings.trace().debug("cannot remove the port file: " + e.getMessage());

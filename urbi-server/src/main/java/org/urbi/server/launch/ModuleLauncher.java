@@ -99,7 +99,7 @@ final class ModuleLauncher {
             "The port is written in FILE; with --start: write it there.",
             "-w",
             "--port-file");
-    ServerAddress.trustOptions(program)
+    ServerAddress.trustOptions(ServerAddress.waitOption(program))
         .arguments(
             "MODULE... [-- MODULE-OPTION...]",
             (kind == Kind.JAVA ? "Jars, or folders of classes" : "Shared libraries, or jars")
@@ -141,6 +141,9 @@ final class ModuleLauncher {
     }
     if (arguments.has("--customize") && !arguments.has("--start")) {
       throw Failure.usage("--customize needs --start");
+    }
+    if (arguments.has("--wait") && arguments.has("--start")) {
+      throw Failure.usage("--wait is for --plugin and --remote: --start has no server to wait for");
     }
     if (arguments.has("--plugin") && arguments.has("--debug")) {
       throw Failure.usage("--debug is for --start and --remote");
@@ -216,6 +219,9 @@ final class ModuleLauncher {
   private int remote(Arguments arguments) {
     ModulePath path = ModulePath.ofEnvironment();
     ServerAddress server = ServerAddress.of(arguments, arguments.value("--host", "127.0.0.1"));
+    if (arguments.has("--wait")) {
+      server.await();
+    }
     List<String> words =
         new ArrayList<>(List.of("--host", server.host(), "--port", String.valueOf(server.port())));
     String given = arguments.value("--debug");

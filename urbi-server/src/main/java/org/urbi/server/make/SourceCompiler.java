@@ -1,13 +1,17 @@
 package org.urbi.server.make;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.io.PrintWriter;
+import java.net.JarURLConnection;
 import java.net.URI;
 import java.net.URISyntaxException;
+import java.net.URL;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -50,11 +54,19 @@ final class SourceCompiler {
     this.warnings = warnings;
   }
 
-  /** The jar or folder from which this program has the package {@code urbi}. */
+  /**
+   * The jar or folder from which this program has the package {@code urbi}. Classes that come from
+   * a start-up cache do not know it in a folder whose name is not ASCII: the loader does.
+   */
   static Path api() {
+    String file = UObject.class.getName().replace('.', '/') + ".class";
+    URL found = UObject.class.getClassLoader().getResource(file);
     try {
-      return Path.of(UObject.class.getProtectionDomain().getCodeSource().getLocation().toURI());
-    } catch (URISyntaxException e) {
+      if (requireNonNull(found, "it is loaded").openConnection() instanceof JarURLConnection jar) {
+        return Path.of(jar.getJarFileURL().toURI());
+      }
+      return Path.of(found.toURI().resolve(".."));
+    } catch (IOException | URISyntaxException e) {
       throw new IllegalStateException(e);
     }
   }

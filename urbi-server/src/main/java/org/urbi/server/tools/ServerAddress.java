@@ -32,12 +32,14 @@ public final class ServerAddress {
   private static final int MAX_PORT = 65_535;
 
   private final String host;
-  private final int port;
+  private final @Nullable String portFile;
   private final Patience patience;
+  private int port;
 
-  private ServerAddress(String host, int port, Patience patience) {
+  private ServerAddress(String host, int port, @Nullable String portFile, Patience patience) {
     this.host = host;
     this.port = port;
+    this.portFile = portFile;
     this.patience = patience;
   }
 
@@ -45,8 +47,22 @@ public final class ServerAddress {
     return host;
   }
 
+  /** The port; if it is that of a file, as the last look has found it. */
   public int port() {
     return port;
+  }
+
+  /**
+   * Waits until the server listens, for as long as {@code --wait} says.
+   *
+   * @throws Failure if it does not listen by then
+   */
+  public void await() {
+    try {
+      connect().close();
+    } catch (IOException e) {
+      throw Failure.of("connection lost: " + e.getMessage());
+    }
   }
 
   /** Adds the options to a program. */
@@ -58,15 +74,19 @@ public final class ServerAddress {
             "-H",
             "--host")
         .option("PORT", "Port to connect to (default: " + DEFAULT_PORT + ").", "-P", "--port")
-        .option("FILE", "Connect to the port that is written in FILE.", "--port-file")
-        .optional(
-            "TIME",
-            WAIT,
-            "Wait for the server, and its port file, for TIME at most (default: "
-                + WAIT
-                + "), as 500ms or 5s.",
-            "--wait");
-    return trustOptions(program);
+        .option("FILE", "Connect to the port that is written in FILE.", "--port-file");
+    return trustOptions(waitOption(program));
+  }
+
+  /** Adds the option that says how long to wait for the server. */
+  public static Program waitOption(Program program) {
+    return program.optional(
+        "TIME",
+        WAIT,
+        "Wait for the server, and its port file, for TIME at most (default: "
+            + WAIT
+            + "), as 500ms or 5s.",
+        "--wait");
   }
 
   /** Adds those of them that say who trusts whom, and why. */
@@ -100,12 +120,12 @@ public final class ServerAddress {
     String file = arguments.value("--port-file");
     if (file == null) {
       int port = arguments.number("--port", DEFAULT_PORT, 1, MAX_PORT);
-      return new ServerAddress(host, port, patience);
+      return new ServerAddress(host, port, null, patience);
     }
     if (arguments.has("--port")) {
       throw Failure.usage("give either --port or --port-file");
     }
-    return new ServerAddress(host, portIn(file, patience), patience);
+    return new ServerAddress(host, portIn(file, patience), file, patience);
   }
 
   private static int portIn(String file, Patience patience) {
@@ -161,11 +181,24 @@ public final class ServerAddress {
         if (!patience.again()) {
           throw Failure.of(e.getMessage() + hint());
         }
+        lookAgain();
       }
     }
   }
 
+  /** The file may be that of a server that has ended: the next one will write another port. */
+  private void lookAgain() {
+    if (portFile != null) {
+      port = portIn(portFile, patience);
+    }
+  }
+
   private String hint() {
+    if (portFile != null) {
+      return " (is the server running? the port is from "
+          + portFile
+          + ", which one that was killed leaves behind)";
+    }
     return " (is a server running there? urbi "
         + (ServerConnection.isFile(host) ? "--socket " + host : "--port " + port)
         + " starts one)";
@@ -191,6 +224,7 @@ public final class ServerAddress {
         if (!patience.again()) {
           throw Failure.of("cannot connect to %s: %s%s".formatted(this, e.getMessage(), hint()));
         }
+        lookAgain();
       }
     }
   }

@@ -178,6 +178,19 @@ class UrbiCommandTest {
   }
 
   @Test
+  void thePortFileOfAServerThatWasKilledGoesBeforeAnybodyBelievesIt() throws Exception {
+    String portFile = file("port", "1\n");
+    file("global.u", "echo(Path.new(\"port\").exists);");
+    Map<String, String> path = Map.of("URBI_PATH", folder.toString());
+    try (UrbiProcess urbi =
+        new UrbiProcess(
+            folder, path, "-q", "--port=0", "--port-file=" + portFile, "-e", "shutdown;")) {
+      Result run = urbi.result();
+      assertTrue(run.err().contains("*** false"), run.err());
+    }
+  }
+
+  @Test
   void terminatedServerRemovesItsPortFile() throws Exception {
     Path portFile = folder.resolve("port");
     try (UrbiProcess urbi =

@@ -90,6 +90,33 @@ class UrbiSendTest {
   }
 
   @Test
+  void thePortOfAServerThatHasEndedIsNotBelievedForEver(@TempDir Path folder) throws Exception {
+    Path file = Files.writeString(folder.resolve("port"), freePort() + "\n");
+    ToolResult once = send("--port-file", file.toString(), "-Q");
+    assertEquals(1, once.status());
+    assertTrue(once.err().contains("the port is from " + file), once.err());
+    var run = new AtomicReference<ToolResult>();
+    Thread tool =
+        Thread.ofPlatform()
+            .start(() -> run.set(send("--wait=10min", "--port-file", file.toString(), "-Q")));
+    while (tool.getState() != Thread.State.TIMED_WAITING) {
+      Thread.onSpinWait();
+    }
+    try (ScriptedServer server = new ScriptedServer(line -> null)) {
+      Files.writeString(file, server.port() + "\n");
+      tool.join();
+      assertEquals("quit;", server.received());
+    }
+    assertEquals(new ToolResult(0, "", ""), run.get());
+  }
+
+  private static int freePort() throws IOException {
+    try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      return free.getLocalPort();
+    }
+  }
+
+  @Test
   void aServerThatNeverComesIsReportedWhenTheTimeIsOver(@TempDir Path folder) {
     String file = folder.resolve("port").toString();
     ToolResult run = send("--wait=1ms", "--port-file", file, "-Q");
@@ -99,10 +126,7 @@ class UrbiSendTest {
 
   @Test
   void missingServerIsReported() throws IOException {
-    int port;
-    try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      port = free.getLocalPort();
-    }
+    int port = freePort();
     ToolResult run = send("-P" + port, "-e", "1;");
     assertEquals(1, run.status());
     assertTrue(run.err().contains("cannot connect to 127.0.0.1:" + port), run.err());

@@ -32,7 +32,7 @@ final class PackageInfoType {
 
   @Builtin(doc = "The version of the Urbi SDK whose language this is: System.version.")
   static String version(UrbiObject self) {
-    return SystemServer.DIALECT;
+    return Dialect.VERSION;
   }
 
   @Builtin(doc = "The first number of that version.")
@@ -56,12 +56,12 @@ final class PackageInfoType {
   }
 
   private static double part(int index) {
-    return Integer.parseInt(SystemServer.DIALECT.split("\\.")[index]);
+    return Integer.parseInt(Dialect.VERSION.split("\\.")[index]);
   }
 
   @Builtin(doc = "The name and the version, on one line.")
   static String banner(UrbiObject self) {
-    return "Urbi SDK version " + SystemServer.DIALECT;
+    return "Urbi SDK version " + Dialect.VERSION;
   }
 
   @Builtin(doc = "Who holds the copyright, and since when, on one line.")

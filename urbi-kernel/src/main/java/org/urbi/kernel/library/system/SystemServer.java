@@ -35,9 +35,6 @@ import org.urbi.lang.print.Printer;
 final class SystemServer {
   private static final int STATUS_SHIFT = 8;
 
-  /** The version of the protocol, for clients. */
-  static final String DIALECT = "2.7.5";
-
   private final CommandLine commandLine;
   private final ShutdownControl kernelEnd;
   private final Lobbies lobbies;
@@ -73,7 +70,7 @@ final class SystemServer {
 
   @Builtin(doc = "The version of the Urbi SDK whose language this is: numbers with periods.")
   static String version(UrbiObject self) {
-    return DIALECT;
+    return Dialect.VERSION;
   }
 
   @Builtin(doc = "The version of this implementation: numbers separated by periods.")
