@@ -7,6 +7,7 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import org.urbi.bridge.NativeThreads;
@@ -14,6 +15,7 @@ import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.lobby.ErrorStyle;
 import org.urbi.server.Trace;
 import org.urbi.server.console.ErrorOutput;
+import org.urbi.server.make.NewComponent;
 import org.urbi.server.options.Arguments;
 import org.urbi.server.options.Failure;
 import org.urbi.server.options.Program;
@@ -30,6 +32,9 @@ public final class UrbiCommand {
 
   /** The default of {@code --max-hold} for a server. */
   private static final Duration MAX_HOLD = Duration.ofSeconds(5);
+
+  /** {@code urbi new} makes a project; a script that is called so is {@code ./new}. */
+  private static final String NEW = "new";
 
   private final Inputs inputs = new Inputs();
   private final List<String> modules = new ArrayList<>();
@@ -67,6 +72,9 @@ public final class UrbiCommand {
   }
 
   int run(String... args) {
+    if (args.length > 0 && args[0].equals(NEW)) {
+      return NewComponent.run(Arrays.copyOfRange(args, 1, args.length), out, err);
+    }
     Program program =
         new Program(
             "urbi", "Runs an Urbi server: a script, an interactive session, a network port.");
