@@ -22,42 +22,30 @@ final class PicocliParser {
   private final List<Option> options;
   private @Nullable ParsedCommandLine reading;
 
-  PicocliParser(
-      String name,
-      String description,
-      List<Option> options,
-      @Nullable String argumentLabel,
-      @Nullable String argumentDescription,
-      boolean stopAtArgument) {
-    this.options = options;
-    spec.name(name);
+  PicocliParser(Declaration program) {
+    this.options = program.options();
+    spec.name(program.name());
     spec.usageMessage()
-        .description(description)
+        .description(program.description())
         .sortOptions(false)
         .abbreviateSynopsis(true)
         .width(HELP_WIDTH);
-    spec.parser().stopAtPositional(stopAtArgument).overwrittenOptionsAllowed(true);
+    spec.parser().stopAtPositional(program.stopAtArgument()).overwrittenOptionsAllowed(true);
     spec.addOption(
-        OptionSpec.builder("-h", "--help")
-            .usageHelp(true)
-            .description("Show this help and exit.")
-            .build());
+        OptionSpec.builder("-h", "--help").usageHelp(true).description(Declaration.HELP).build());
     spec.addOption(
-        OptionSpec.builder("--version")
-            .versionHelp(true)
-            .description("Show the version and exit.")
-            .build());
+        OptionSpec.builder("--version").versionHelp(true).description(Declaration.VERSION).build());
     options.forEach(option -> spec.addOption(specOf(option)));
-    if (argumentLabel != null) {
+    if (program.argumentLabel() != null) {
       spec.addPositional(
           PositionalParamSpec.builder()
               .index("0..*")
               .arity("0..*")
               .type(List.class)
               .auxiliaryTypes(String.class)
-              .paramLabel(argumentLabel)
+              .paramLabel(program.argumentLabel())
               .hideParamSyntax(true)
-              .description(argumentDescription)
+              .description(program.argumentDescription())
               .build());
     }
   }

@@ -11,6 +11,12 @@ import org.urbi.server.Version;
 
 /** A program: its name, its options, and what it does with them. */
 public final class Program {
+  /**
+   * As the only argument: prints what the option declarations are the source of, besides the help:
+   * {@code man}, {@code bash} or {@code zsh}.
+   */
+  public static final String GENERATE = "--generate=";
+
   private final String name;
   private final String description;
   private final List<Option> options = new ArrayList<>();
@@ -82,6 +88,10 @@ public final class Program {
       return 0;
     }
     try {
+      if (args.length == 1 && args[0].startsWith(GENERATE)) {
+        out.print(generated(args[0].substring(GENERATE.length())));
+        return 0;
+      }
       Optional<ParsedCommandLine> reading = readQuickly(args).or(() -> readFully(args, out));
       if (reading.isEmpty()) {
         return 0;
@@ -106,8 +116,20 @@ public final class Program {
 
   /** Parses any command line; nothing if the help or the version was printed. */
   Optional<ParsedCommandLine> readFully(String[] args, PrintStream out) {
-    return new PicocliParser(
-            name, description, options, argumentLabel, argumentDescription, stopAtArgument)
-        .read(args, out, Version.text(name));
+    return new PicocliParser(declaration()).read(args, out, Version.text(name));
+  }
+
+  private String generated(String what) {
+    return switch (what) {
+      case "man" -> ManualPage.of(declaration());
+      case "bash" -> ShellCompletion.bash(declaration());
+      case "zsh" -> ShellCompletion.zsh(declaration());
+      default -> throw Failure.usage("invalid --generate: " + what + " (man, bash or zsh)");
+    };
+  }
+
+  private Declaration declaration() {
+    return new Declaration(
+        name, description, options, argumentLabel, argumentDescription, stopAtArgument);
   }
 }
