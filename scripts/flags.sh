@@ -11,9 +11,9 @@ for word in ${URBI_JAVA_OPTS:-}; do
 done
 jvm_flags="--add-opens java.base/java.lang=ALL-UNNAMED --enable-native-access=ALL-UNNAMED $collector -XX:+UseCompactObjectHeaders -XX:-UsePerfData -Djdk.trackAllThreads=false -Xlog:disable"
 
-class_path() { # DISTRIBUTION: sets cp, always in the same order
+class_path() { # DISTRIBUTION: sets cp, always in the same order; what a package adds comes last, for the cache
   cp=
-  for jar in "$1"/lib/*.jar; do
-    cp=$cp${cp:+:}$jar
+  for jar in "$1"/lib/*.jar "$1"/opencv/*.jar; do
+    [ ! -f "$jar" ] || cp=$cp${cp:+:}$jar
   done
 }

@@ -3,9 +3,12 @@
 # A folder KEY.TIME.PID holds it for one compiler with its options; its name is the last thing that it gets,
 # so that nobody meets one half made, and nothing in it ever changes.
 
-# The folder in which all is kept: that of the distribution, if it may be written, or that of the user.
+# The folder in which all is kept: that of a checkout, if it may be written, or that of the user. A package
+# has none: what it did not bring would stay when it is removed.
 kept_folder() {
-  local each all=("$root/.build/umake" ${HOME:+"${XDG_CACHE_HOME:-$HOME/.cache}/urbi/umake"})
+  local each all=()
+  [ ! -d "$root/.build" ] || all=("$root/.build/umake")
+  all+=(${HOME:+"${XDG_CACHE_HOME:-$HOME/.cache}/urbi/umake"})
   [ -z "${URBI_UMAKE_KEPT+set}" ] || all=("$URBI_UMAKE_KEPT")
   for each in "${all[@]}"; do
     case $each in "" | *[[:space:]]*) continue ;; esac

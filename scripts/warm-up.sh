@@ -1,7 +1,7 @@
 #!/bin/sh
 # Makes a start-up cache of a distribution: a rehearsal whose loaded classes the JDK writes beside the
 # jars (their profiles would only make the compilers busy at start-up).
-#   warm-up.sh ROOT DIST JAVA             urbi.aot, for short programs; called by ./build
+#   warm-up.sh ROOT DIST JAVA [LOG]       urbi.aot, for short programs; called by ./build and ./package
 #   warm-up.sh ROOT DIST JAVA JAR FOLDER  server.aot, for servers: with the network, and a module; for ./check
 set -eu
 root=$1 dist=$2 java=$3
@@ -9,10 +9,10 @@ unset URBI_JAVA_OPTS # the cache is for those who start without
 collector=
 . "$root/scripts/flags.sh"
 class_path "$root/$dist"
-if [ $# = 3 ]; then
+if [ $# -le 4 ]; then
   cache=$root/$dist/urbi.aot
-  log=$root/.build/warm-up.log
-  set -- org.urbi.server.cli.TrainingRun "$root/scripts/warm-up.u"
+  log=${4:-$root/.build/warm-up.log}
+  set -- org.urbi.server.cli.TrainingRun "$(dirname "$0")/warm-up.u"
 else
   cache=$root/$dist/server.aot
   log=$root/.build/warm-up-server.log
