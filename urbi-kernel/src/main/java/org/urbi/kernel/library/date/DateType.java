@@ -49,7 +49,7 @@ final class DateType {
   @Builtin(
       doc = "Makes it the date that the string denotes; the current one without a string.",
       needs = Permission.CHANGE)
-  static UrbiObject init(Frame caller, CallSite site, UrbiDate self, @Optional @Nullable String d) {
+  static UrbiDate init(Frame caller, CallSite site, UrbiDate self, @Optional @Nullable String d) {
     if (d == null) {
       self.setMicroseconds(currentMicroseconds(caller));
       return self;
@@ -63,19 +63,19 @@ final class DateType {
   }
 
   @Builtin(doc = "The current date.")
-  static UrbiObject now(Frame caller, UrbiObject self) {
+  static UrbiDate now(Frame caller, UrbiObject self) {
     return date(caller, currentMicroseconds(caller));
   }
 
   @Builtin(doc = "The origin of times: January 1st 1970, at midnight.")
-  static UrbiObject epoch(Frame caller, UrbiObject self) {
+  static UrbiDate epoch(Frame caller, UrbiObject self) {
     return date(caller, 0);
   }
 
   // ------------------------------------------------------------------ operators
 
   @Builtin(value = "+", doc = "The date so many seconds later.")
-  static UrbiObject plus(Frame caller, UrbiDate self, double that) {
+  static UrbiDate plus(Frame caller, UrbiDate self, double that) {
     return date(caller, self.microseconds() + microseconds(that));
   }
 

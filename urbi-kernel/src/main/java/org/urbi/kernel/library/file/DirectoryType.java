@@ -58,7 +58,7 @@ final class DirectoryType {
   // ------------------------------------------------------------------ construction
 
   @Builtin(doc = "Makes it the directory of that name, which must exist.")
-  UrbiObject init(Frame frame, CallSite site, UrbiDirectory self, UrbiObject name) {
+  UrbiDirectory init(Frame frame, CallSite site, UrbiDirectory self, UrbiObject name) {
     FileAccess.checkNotPrototype(frame, site, self, "Directory");
     self.setPath(files.existingDirectory(frame, site, 1, name));
     DirectoryEvents.add(frame, outside, self);
@@ -66,7 +66,7 @@ final class DirectoryType {
   }
 
   @Builtin(doc = "Creates the directory of that name, which must not exist.")
-  UrbiObject create(Frame frame, CallSite site, UrbiObject self, UrbiObject name) {
+  UrbiDirectory create(Frame frame, CallSite site, UrbiObject self, UrbiObject name) {
     UrbiPath path = FileAccess.path(frame, site, 1, name);
     checkAbsent(frame, site, path);
     FileAccess.change(frame, site, path, () -> files.disk().createDirectory(path.file()));
@@ -74,21 +74,21 @@ final class DirectoryType {
   }
 
   @Builtin(doc = "The directory of that name; it and those around it are made if missing.")
-  UrbiObject createAll(Frame frame, CallSite site, UrbiObject self, UrbiObject name) {
+  UrbiDirectory createAll(Frame frame, CallSite site, UrbiObject self, UrbiObject name) {
     UrbiPath path = FileAccess.path(frame, site, 1, name);
     FileAccess.change(frame, site, path, () -> files.disk().createDirectories(path.file()));
     return directory(frame, path);
   }
 
   @Builtin(doc = "The working directory.")
-  UrbiObject current(Frame frame, UrbiObject self) {
+  UrbiDirectory current(Frame frame, UrbiObject self) {
     return directory(frame, FileAccess.anyPath(frame).sibling("."));
   }
 
   // ------------------------------------------------------------------ the name
 
   @Builtin(doc = "The path of the directory.")
-  static UrbiObject asPath(Frame frame, CallSite site, UrbiDirectory self) {
+  static UrbiPath asPath(Frame frame, CallSite site, UrbiDirectory self) {
     return path(frame, site, self);
   }
 
@@ -108,7 +108,7 @@ final class DirectoryType {
   }
 
   @Builtin(doc = "The directory it is in.")
-  UrbiObject parent(Frame frame, CallSite site, UrbiDirectory self) {
+  UrbiDirectory parent(Frame frame, CallSite site, UrbiDirectory self) {
     UrbiPath path = path(frame, site, self);
     String name = FileAccess.basename(path);
     return directory(
@@ -177,7 +177,7 @@ final class DirectoryType {
   // ------------------------------------------------------------------ changes
 
   @Builtin(value = "<<", doc = "Copies a File or a Directory into it.")
-  UrbiObject add(Frame frame, CallSite site, UrbiDirectory self, UrbiObject entity) {
+  UrbiDirectory add(Frame frame, CallSite site, UrbiDirectory self, UrbiObject entity) {
     switch (entity) {
       case UrbiFile file -> new FileType(files).copyInto(frame, site, file, self);
       case UrbiDirectory directory -> copyInto(frame, site, directory, self);
@@ -187,12 +187,12 @@ final class DirectoryType {
   }
 
   @Builtin(doc = "Copies it and all that is in it to a new directory, and returns that.")
-  UrbiObject copy(Frame frame, CallSite site, UrbiDirectory self, UrbiObject dirname) {
+  UrbiDirectory copy(Frame frame, CallSite site, UrbiDirectory self, UrbiObject dirname) {
     return copied(frame, site, self, FileAccess.path(frame, site, 1, dirname));
   }
 
   @Builtin(doc = "Copies it and all that is in it into a directory, and returns the copy.")
-  UrbiObject copyInto(Frame frame, CallSite site, UrbiDirectory self, UrbiObject dirname) {
+  UrbiDirectory copyInto(Frame frame, CallSite site, UrbiDirectory self, UrbiObject dirname) {
     return copied(frame, site, self, insideOf(frame, site, self, dirname));
   }
 
@@ -201,7 +201,7 @@ final class DirectoryType {
     return FileAccess.inside(directory, FileAccess.basename(path(frame, site, self)));
   }
 
-  private UrbiObject copied(Frame frame, CallSite site, UrbiDirectory self, UrbiPath to) {
+  private UrbiDirectory copied(Frame frame, CallSite site, UrbiDirectory self, UrbiPath to) {
     checkAbsent(frame, site, to);
     files.checkPlace(frame, site, to);
     UrbiPath from = path(frame, site, self);
@@ -210,16 +210,16 @@ final class DirectoryType {
   }
 
   @Builtin(doc = "Moves it into a directory.")
-  UrbiObject moveInto(Frame frame, CallSite site, UrbiDirectory self, UrbiObject dirname) {
+  UrbiDirectory moveInto(Frame frame, CallSite site, UrbiDirectory self, UrbiObject dirname) {
     return moved(frame, site, self, insideOf(frame, site, self, dirname));
   }
 
   @Builtin(doc = "Gives it another name, which may be in another directory.")
-  UrbiObject rename(Frame frame, CallSite site, UrbiDirectory self, UrbiObject name) {
+  UrbiDirectory rename(Frame frame, CallSite site, UrbiDirectory self, UrbiObject name) {
     return moved(frame, site, self, FileAccess.path(frame, site, 1, name));
   }
 
-  private UrbiObject moved(Frame frame, CallSite site, UrbiDirectory self, UrbiPath to) {
+  private UrbiDirectory moved(Frame frame, CallSite site, UrbiDirectory self, UrbiPath to) {
     checkAbsent(frame, site, to);
     files.checkPlace(frame, site, to);
     UrbiPath from = path(frame, site, self);

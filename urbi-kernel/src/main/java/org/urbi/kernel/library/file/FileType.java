@@ -52,7 +52,7 @@ final class FileType {
   // ------------------------------------------------------------------ construction
 
   @Builtin(doc = "Makes it the file of that name, which must exist.")
-  UrbiObject init(Frame frame, CallSite site, UrbiFile self, UrbiObject name) {
+  UrbiFile init(Frame frame, CallSite site, UrbiFile self, UrbiObject name) {
     FileAccess.checkNotPrototype(frame, site, self, "File");
     UrbiPath path = FileAccess.path(frame, site, 1, name);
     if (files.isDirectory(frame, site, path)) {
@@ -66,7 +66,7 @@ final class FileType {
   }
 
   @Builtin(doc = "The file of that name, made if it does not exist, and emptied if it does.")
-  UrbiObject create(Frame frame, CallSite site, UrbiObject self, UrbiObject name) {
+  UrbiFile create(Frame frame, CallSite site, UrbiObject self, UrbiObject name) {
     UrbiPath path = FileAccess.path(frame, site, 1, name);
     write(frame, site, path, new byte[0]);
     return file(frame, path);
@@ -96,7 +96,7 @@ final class FileType {
   // ------------------------------------------------------------------ the name
 
   @Builtin(doc = "The path of the file.")
-  static UrbiObject asPath(Frame frame, CallSite site, UrbiFile self) {
+  static UrbiPath asPath(Frame frame, CallSite site, UrbiFile self) {
     return path(frame, site, self);
   }
 
@@ -174,18 +174,18 @@ final class FileType {
   // ------------------------------------------------------------------ changes
 
   @Builtin(doc = "Copies the file to a new one of that name, and returns that.")
-  UrbiObject copy(Frame frame, CallSite site, UrbiFile self, UrbiObject filename) {
+  UrbiFile copy(Frame frame, CallSite site, UrbiFile self, UrbiObject filename) {
     return copied(frame, site, self, FileAccess.path(frame, site, 1, filename));
   }
 
   @Builtin(doc = "Copies the file into a directory, and returns the copy.")
-  UrbiObject copyInto(Frame frame, CallSite site, UrbiFile self, UrbiObject dirname) {
+  UrbiFile copyInto(Frame frame, CallSite site, UrbiFile self, UrbiObject dirname) {
     UrbiPath directory = files.existingDirectory(frame, site, 1, dirname);
     String name = FileAccess.basename(path(frame, site, self));
     return copied(frame, site, self, FileAccess.inside(directory, name));
   }
 
-  private UrbiObject copied(Frame frame, CallSite site, UrbiFile self, UrbiPath to) {
+  private UrbiFile copied(Frame frame, CallSite site, UrbiFile self, UrbiPath to) {
     UrbiPath from = path(frame, site, self);
     if (!files.hasEntry(frame, site, from)) {
       throw FileAccess.error(frame, site, Problem.NO_SUCH_FILE, from);
@@ -195,18 +195,18 @@ final class FileType {
   }
 
   @Builtin(doc = "Moves the file into a directory.")
-  UrbiObject moveInto(Frame frame, CallSite site, UrbiFile self, UrbiObject dirname) {
+  UrbiFile moveInto(Frame frame, CallSite site, UrbiFile self, UrbiObject dirname) {
     UrbiPath directory = files.existingDirectory(frame, site, 1, dirname);
     String name = FileAccess.basename(path(frame, site, self));
     return moved(frame, site, self, FileAccess.inside(directory, name));
   }
 
   @Builtin(doc = "Gives the file another name; a file which has that name is replaced.")
-  UrbiObject rename(Frame frame, CallSite site, UrbiFile self, UrbiObject name) {
+  UrbiFile rename(Frame frame, CallSite site, UrbiFile self, UrbiObject name) {
     return moved(frame, site, self, FileAccess.path(frame, site, 1, name));
   }
 
-  private UrbiObject moved(Frame frame, CallSite site, UrbiFile self, UrbiPath to) {
+  private UrbiFile moved(Frame frame, CallSite site, UrbiFile self, UrbiPath to) {
     UrbiPath from = path(frame, site, self);
     if (files.isDirectory(frame, site, to)) {
       throw FileAccess.error(frame, site, Problem.IS_A_DIRECTORY, to);

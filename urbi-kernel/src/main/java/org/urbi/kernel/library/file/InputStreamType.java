@@ -41,7 +41,7 @@ public final class InputStreamType {
   }
 
   @Builtin(doc = "Makes it read from the beginning of that file.")
-  UrbiObject init(Frame frame, CallSite site, UrbiInputStream self, UrbiFile file) {
+  UrbiInputStream init(Frame frame, CallSite site, UrbiInputStream self, UrbiFile file) {
     FileAccess.checkNotPrototype(frame, site, self, "InputStream");
     UrbiPath name = FileType.path(frame, site, file);
     Path path = name.file();

@@ -45,7 +45,7 @@ public final class OutputStreamType {
   }
 
   @Builtin(doc = "Makes it write at the end of that file.")
-  UrbiObject init(Frame frame, CallSite site, UrbiOutputStream self, UrbiFile file) {
+  UrbiOutputStream init(Frame frame, CallSite site, UrbiOutputStream self, UrbiFile file) {
     FileAccess.checkNotPrototype(frame, site, self, "OutputStream");
     UrbiPath name = FileType.path(frame, site, file);
     Path path = name.file();
@@ -61,7 +61,8 @@ public final class OutputStreamType {
     return self;
   }
 
-  private static UrbiObject write(Frame frame, CallSite site, UrbiOutputStream self, byte[] bytes) {
+  private static UrbiOutputStream write(
+      Frame frame, CallSite site, UrbiOutputStream self, byte[] bytes) {
     try {
       self.channel(frame, site).write(frame.job(), bytes);
     } catch (IOException e) {
@@ -71,14 +72,14 @@ public final class OutputStreamType {
   }
 
   @Builtin(value = "<<", doc = "Writes a value as text.")
-  static UrbiObject add(Frame frame, CallSite site, UrbiOutputStream self, UrbiObject that) {
+  static UrbiOutputStream add(Frame frame, CallSite site, UrbiOutputStream self, UrbiObject that) {
     self.channel(frame, site);
     String text = frame.interpreter().asString(frame, that);
     return write(frame, site, self, Utf8Text.bytes(text));
   }
 
   @Builtin(doc = "Writes the byte of that number.")
-  static UrbiObject put(Frame frame, CallSite site, UrbiOutputStream self, UrbiObject given) {
+  static UrbiOutputStream put(Frame frame, CallSite site, UrbiOutputStream self, UrbiObject given) {
     self.channel(frame, site);
     double number = Arguments.number(frame, site, 1, given);
     if (number < 0) {

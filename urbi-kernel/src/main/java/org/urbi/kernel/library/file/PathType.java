@@ -78,7 +78,7 @@ final class PathType {
   }
 
   @Builtin(value = "/", doc = "The path of rhs, a relative Path or String, in this directory.")
-  static UrbiObject divide(Frame caller, CallSite site, UrbiPath self, UrbiObject rhs) {
+  static UrbiPath divide(Frame caller, CallSite site, UrbiPath self, UrbiObject rhs) {
     String right =
         rhs instanceof UrbiPath path ? path.text() : Arguments.text(caller, site, 1, rhs);
     if (right.startsWith("/")) {
@@ -105,7 +105,7 @@ final class PathType {
   // ------------------------------------------------------------------ the file
 
   @Builtin(doc = "Makes it the working directory, and returns that.", needs = Permission.OWNER)
-  UrbiObject cd(Frame caller, CallSite site, UrbiPath self) {
+  UrbiPath cd(Frame caller, CallSite site, UrbiPath self) {
     if (!files.isDirectory(caller, site, self)) {
       throw caller.error(site, Problem.NO_SUCH_DIRECTORY, self.text());
     }
@@ -114,7 +114,7 @@ final class PathType {
   }
 
   @Builtin(doc = "The working directory.")
-  static UrbiObject cwd(UrbiPath self) {
+  static UrbiPath cwd(UrbiPath self) {
     return self.sibling(UrbiPath.encoded(self.working().path()));
   }
 

@@ -42,7 +42,7 @@ public final class ProcessType {
   }
 
   @Builtin(doc = "Makes it the program of that name with these arguments; it does not run yet.")
-  static UrbiObject init(
+  static UrbiProcess init(
       Frame frame, CallSite site, UrbiProcess self, UrbiObject name, UrbiList arguments) {
     FileAccess.checkNotPrototype(frame, site, self, "Process");
     List<String> command = new ArrayList<>();
@@ -60,7 +60,7 @@ public final class ProcessType {
   }
 
   @Builtin(doc = "The process itself.")
-  static UrbiObject asProcess(UrbiProcess self) {
+  static UrbiProcess asProcess(UrbiProcess self) {
     return self;
   }
 
@@ -174,12 +174,12 @@ public final class ProcessType {
   }
 
   @Builtin(doc = "The standard output of the program, to read from.")
-  static UrbiObject stdout(Frame frame, CallSite site, UrbiProcess self) {
+  static UrbiInputStream stdout(Frame frame, CallSite site, UrbiProcess self) {
     return running(frame, site, self).stdout();
   }
 
   @Builtin(doc = "The standard error of the program, to read from.")
-  static UrbiObject stderr(Frame frame, CallSite site, UrbiProcess self) {
+  static UrbiInputStream stderr(Frame frame, CallSite site, UrbiProcess self) {
     return running(frame, site, self).stderr();
   }
 }

@@ -97,13 +97,13 @@ final class MatrixType {
   }
 
   @Builtin(doc = "A row, as a vector.")
-  static UrbiObject row(Frame frame, CallSite site, UrbiMatrix self, int index) {
+  static UrbiVector row(Frame frame, CallSite site, UrbiMatrix self, int index) {
     int from = Counting.index(frame, site, index, self.rows()) * self.columns();
     return vector(self, Arrays.copyOfRange(self.elements(), from, from + self.columns()));
   }
 
   @Builtin(doc = "A column, as a vector.")
-  static UrbiObject column(Frame frame, CallSite site, UrbiMatrix self, int index) {
+  static UrbiVector column(Frame frame, CallSite site, UrbiMatrix self, int index) {
     int column = Counting.index(frame, site, index, self.columns());
     double[] values = new double[self.rows()];
     for (int i = 0; i < values.length; i++) {
@@ -112,12 +112,12 @@ final class MatrixType {
     return vector(self, values);
   }
 
-  private static UrbiObject vector(UrbiMatrix self, double[] values) {
+  private static UrbiVector vector(UrbiMatrix self, double[] values) {
     return ((UrbiVector) self.world().prototype("Vector")).sibling(values);
   }
 
   @Builtin(doc = "The rows as columns.")
-  static UrbiObject transpose(UrbiMatrix self) {
+  static UrbiMatrix transpose(UrbiMatrix self) {
     double[] values = new double[self.elements().length];
     for (int i = 0; i < self.rows(); i++) {
       for (int j = 0; j < self.columns(); j++) {
@@ -127,7 +127,7 @@ final class MatrixType {
     return self.sibling(self.columns(), self.rows(), values);
   }
 
-  private static UrbiObject combined(
+  private static UrbiMatrix combined(
       Frame frame,
       CallSite site,
       UrbiMatrix self,
@@ -147,17 +147,17 @@ final class MatrixType {
   }
 
   @Builtin(value = "+", doc = "The sum with a matrix, or with a number for each element.")
-  static UrbiObject plus(Frame frame, CallSite site, UrbiMatrix self, UrbiObject that) {
+  static UrbiMatrix plus(Frame frame, CallSite site, UrbiMatrix self, UrbiObject that) {
     return combined(frame, site, self, that, (x, y) -> x + y);
   }
 
   @Builtin(value = "-", doc = "The difference to a matrix, or to a number for each element.")
-  static UrbiObject minus(Frame frame, CallSite site, UrbiMatrix self, UrbiObject that) {
+  static UrbiMatrix minus(Frame frame, CallSite site, UrbiMatrix self, UrbiObject that) {
     return combined(frame, site, self, that, (x, y) -> x - y);
   }
 
   @Builtin(value = "/", doc = "The quotient of each element by a number.")
-  static UrbiObject divided(Frame frame, CallSite site, UrbiMatrix self, double that) {
+  static UrbiMatrix divided(Frame frame, CallSite site, UrbiMatrix self, double that) {
     return self.sibling(
         self.rows(), self.columns(), Elementwise.each(self.elements(), that, (x, y) -> x / y));
   }

@@ -86,7 +86,7 @@ public final class TrajectoryKinds {
             true,
             "(read, write, target: Float, attributes: Dictionary)",
             "void",
-            "Moves a variable to a target so.");
+            "Moves what one function reads and another one writes to the target, in this way.");
 
     @Override
     public UrbiObject call(
