@@ -11,7 +11,9 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -33,6 +35,10 @@ final class Terminal implements AutoCloseable {
   private static final String PROMPT = "$ ";
   private static final String ANYTHING = "…";
   private static final String CAT = "cat ";
+
+  /** How a reader leaves a program that a component keeps running. */
+  private static final String LEAVE = "shutdown;";
+
   private static final Pattern INTERACTIVE = Pattern.compile(".* (-i|--interactive)( .*)?");
   private static final Pattern PORT = Pattern.compile("\\b(54000|54080|8642|8080|9090)\\b");
 
@@ -138,17 +144,26 @@ final class Terminal implements AutoCloseable {
     }
     boolean goesOn = inBackground || words.endsWith("&");
     Path typed = Files.createTempFile(folder, "typed", ".txt");
-    Files.write(typed, command.typed().stream().map(this::withFreePorts).toList());
+    List<String> lines =
+        new ArrayList<>(command.typed().stream().map(this::withFreePorts).toList());
+    if (!goesOn && command.isInteractive()) {
+      lines.add(LEAVE);
+    }
+    Files.write(typed, lines);
     Process process =
         builder(goesOn ? words.replaceFirst("&$", "") : words)
             .redirectInput(typed.toFile())
             .start();
-    endWhenLate(process);
+    AtomicBoolean late = new AtomicBoolean();
+    endWhenLate(process, late);
     if (goesOn) {
       background.add(new Running(command, process, process.inputReader(StandardCharsets.UTF_8)));
     } else {
-      byte[] output = process.getInputStream().readAllBytes();
-      compare(command, new String(output, StandardCharsets.UTF_8));
+      String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+      if (late.get()) {
+        throw new AssertionError(words + " does not end: " + output);
+      }
+      compare(command, output);
     }
   }
 
@@ -165,11 +180,12 @@ final class Terminal implements AutoCloseable {
   }
 
   /** What does not end is ended, so that what it has printed can be told. */
-  private static void endWhenLate(Process process) {
-    process
-        .onExit()
-        .orTimeout(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS)
-        .whenComplete((ended, late) -> end(process));
+  private static void endWhenLate(Process process, AtomicBoolean late) {
+    CompletableFuture.delayedExecutor(TestTimeout.LONG.toSeconds(), TimeUnit.SECONDS)
+        .execute(() -> {
+          late.set(process.isAlive());
+          end(process);
+        });
   }
 
   /** Ends the shell and what it has started. */
