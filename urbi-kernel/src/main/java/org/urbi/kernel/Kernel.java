@@ -179,7 +179,7 @@ public final class Kernel implements AutoCloseable {
       MemoryWatchdog.add(memory);
       scheduler.memory().setRelief(MemoryWatchdog::awaitRelief);
       scheduler.memory().setLook(MemoryWatchdog::awaitLook);
-      scheduler.setMemory(HeapUsage::free, HeapUsage.all());
+      scheduler.memory().gate().setMemory(HeapUsage::free, HeapUsage.all());
     }
     scheduler.startLoop(this::ended);
     outOfBand.setWatch(HoldLimit.set(scheduler, interpreter.errors(), log, maxHold));

@@ -304,7 +304,7 @@ public final class KernelBuilder {
         scheduler::turn,
         scheduler::isTurnOf,
         to,
-        scheduler::watchMemory,
+        scheduler.memory().gate()::arm,
         full -> {
           control.hurry(full);
           told.accept(full);

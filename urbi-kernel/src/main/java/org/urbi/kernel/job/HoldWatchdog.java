@@ -114,7 +114,7 @@ public final class HoldWatchdog {
     this.limit = limit;
     this.pause = pauseFor(limit);
     this.listener = listener;
-    this.meter = new MemoryMeter(gauges.allocated, this, scheduler.gate());
+    this.meter = new MemoryMeter(gauges.allocated, this, scheduler.memory().gate());
   }
 
   private static long pauseFor(long limit) {

@@ -12,7 +12,7 @@ import java.util.function.LongSupplier;
  * more often it measures. What runs and in which order does not depend on it, so it is in no
  * recording.
  */
-final class MemoryGate {
+public final class MemoryGate {
   /**
    * Where less than one of so many parts of the memory is free, it must be known what is garbage.
    */
@@ -47,13 +47,13 @@ final class MemoryGate {
    * @param free how many bytes are free; what garbage takes is not
    * @param all how many bytes there are
    */
-  void setMemory(LongSupplier free, long all) {
+  public void setMemory(LongSupplier free, long all) {
     this.free = free;
     this.all = all;
   }
 
   /** From now on it measures, which would delay the start of a kernel; from any thread. */
-  void arm() {
+  public void arm() {
     armed = true;
   }
 

@@ -1,9 +1,24 @@
 package org.urbi.kernel.job;
 
+import java.util.function.LongSupplier;
+
 /** How the kernel thread waits for those who look after the memory. */
 public final class MemoryWait {
   private Runnable relief = () -> {};
   private Runnable look = () -> {};
+  private final MemoryGate gate;
+
+  /**
+   * @param allocated how many bytes the kernel thread has allocated
+   */
+  MemoryWait(LongSupplier allocated) {
+    gate = new MemoryGate(allocated, this);
+  }
+
+  /** What the kernel thread has to pass where memory becomes scarce. */
+  public MemoryGate gate() {
+    return gate;
+  }
 
   /**
    * Sets what waits until somebody has been asked to give back memory. To be called before the

@@ -45,8 +45,7 @@ public final class Scheduler {
   private int observers;
   private final SimulationPace pace;
   private Runnable whenQuiet = () -> {};
-  private final MemoryWait memory = new MemoryWait();
-  private final MemoryGate gate;
+  private final MemoryWait memory;
   private final Interruptions interruptions;
   private final JobThread.Factory threads;
   private final RunQueue runnable;
@@ -101,7 +100,7 @@ public final class Scheduler {
     this.time = new TickTime(clock, journal, timers, yields, pace);
     this.meter = new UsageMeter(machine);
     this.threads = threads.factory(inbox);
-    this.gate = new MemoryGate(this.threads::allocatedBytes, memory);
+    this.memory = new MemoryWait(this.threads::allocatedBytes);
     this.runnable = new RunQueue(clock, this.threads::processorTime, timers, inbox, journal);
     this.newcomers = new Newcomers(runnable);
     this.uncaught = uncaught;
@@ -214,26 +213,6 @@ public final class Scheduler {
   /** How the kernel thread waits for memory. */
   public MemoryWait memory() {
     return memory;
-  }
-
-  /** What the kernel thread has to pass where memory becomes scarce. */
-  MemoryGate gate() {
-    return gate;
-  }
-
-  /**
-   * Says which memory is to be looked at. To be called before the start.
-   *
-   * @param free how many bytes are free; what garbage takes is not
-   * @param all how many bytes there are
-   */
-  public void setMemory(LongSupplier free, long all) {
-    gate.setMemory(free, all);
-  }
-
-  /** From now on the kernel thread sees to it that it does not fill the memory unseen. */
-  public void watchMemory() {
-    gate.arm();
   }
 
   /** Controls how simulated time passes while real activities go on. */
@@ -507,7 +486,7 @@ public final class Scheduler {
     }
     long now = time.now();
     yields.beginTick(now);
-    gate.tick(now);
+    memory.gate().tick(now);
     if (inbox.isFilled() || timers.next() <= now) {
       meter.turnOf(null);
     }

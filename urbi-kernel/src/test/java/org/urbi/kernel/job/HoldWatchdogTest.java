@@ -289,8 +289,8 @@ class HoldWatchdogTest {
   void whoHoldsTheKernelWhileMemoryIsScarceWaitsUntilItIsLookedAt() {
     int[] looks = {0};
     loop.scheduler.memory().setLook(() -> looks[0]++);
-    loop.scheduler.setMemory(() -> free, 3_200_000);
-    loop.scheduler.watchMemory();
+    loop.scheduler.memory().gate().setMemory(() -> free, 3_200_000);
+    loop.scheduler.memory().gate().arm();
     free = 100_000;
     loop.start(job -> {
       lookAt(0);

@@ -15,8 +15,8 @@ class MemoryGateTest {
   /** What is free after a look: all garbage has been collected. */
   private long freeAfterLook;
 
-  private final MemoryWait memory = new MemoryWait();
-  private final MemoryGate gate = new MemoryGate(() -> allocated, memory);
+  private final MemoryWait memory = new MemoryWait(() -> allocated);
+  private final MemoryGate gate = memory.gate();
 
   MemoryGateTest() {
     gate.setMemory(() -> free, 6400);

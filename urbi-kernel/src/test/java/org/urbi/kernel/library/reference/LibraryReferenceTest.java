@@ -2,7 +2,6 @@ package org.urbi.kernel.library.reference;
 
 import static java.util.Objects.requireNonNull;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -128,7 +127,7 @@ class LibraryReferenceTest {
     }
   }
 
-  /** A type is complete, or on the list of those that are not: neither can be forgotten. */
+  /** No slot of a type can be forgotten. */
   @Test
   void everythingIsExplainedWithAnExample() {
     Map<String, Set<String>> slots = slots();
@@ -137,14 +136,8 @@ class LibraryReferenceTest {
           List<String> missing =
               Completeness.missing(
                   TypeText.of(name), type.names(), slots.getOrDefault(name, Set.of()));
-          if (Unfinished.TYPES.contains(name)) {
-            assertFalse(
-                missing.isEmpty(), () -> name + " is complete: take it off the list Unfinished");
-          } else {
-            assertEquals(List.of(), missing, name);
-          }
+          assertEquals(List.of(), missing, name);
         });
-    assertTrue(LibraryReference.types().keySet().containsAll(Unfinished.TYPES));
   }
 
   /** The slots that each type has in a kernel, but for those that hold other types. */
