@@ -4,9 +4,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.observe.CodeEnd;
 import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.Media;
 import org.urbi.kernel.observe.Places;
+import org.urbi.kernel.observe.Proposal;
 import org.urbi.kernel.observe.Sample;
 import org.urbi.kernel.observe.Steering;
 import org.urbi.kernel.observe.VariableListener;
@@ -18,6 +20,15 @@ import org.urbi.kernel.trust.Role;
  * {@link Client}. Every method may be called from any thread, and none waits.
  */
 public interface Connection {
+  /**
+   * A text that is run.
+   *
+   * @param number by which the connection knows it
+   * @param tag the name of its tag
+   * @param end done when it has ended; exceptionally when the connection has closed before
+   */
+  record CodeRun(int number, String tag, CompletableFuture<CodeEnd> end) {}
+
   /** The number by which the kernel knows it. */
   int number();
 
@@ -80,6 +91,14 @@ public interface Connection {
   CompletableFuture<List<String>> complete(String text);
 
   /**
+   * The completions of a text that somebody is typing, as of {@link #complete}, with what the
+   * library declares of them.
+   *
+   * @return as of {@link #look}
+   */
+  CompletableFuture<List<Proposal>> propose(String text);
+
+  /**
    * Looks at the jobs and tags of the kernel, for people. The first look begins to measure the
    * jobs, until {@link #lookNoMore} or the end of the connection.
    *
@@ -118,6 +137,21 @@ public interface Connection {
    * @return as of {@link #emit}
    */
   CompletableFuture<String> assign(String way, String value);
+
+  /**
+   * Runs a text: as a console does, but in a job and under a tag of its own. It is parsed as a
+   * whole, so that nothing runs when there is a syntax error in it.
+   *
+   * @param file the name by which errors call the text
+   */
+  CodeRun run(String file, String code);
+
+  /**
+   * Ends a text that is run, by its number, and all that it has begun.
+   *
+   * @return why it cannot be done, empty when it was; exceptionally when the connection has closed
+   */
+  CompletableFuture<String> stop(int run);
 
   /**
    * Reads the values of slots, for people.

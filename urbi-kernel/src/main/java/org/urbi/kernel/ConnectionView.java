@@ -15,6 +15,8 @@ import org.urbi.kernel.lobby.UrbiLobby;
 import org.urbi.kernel.message.Message;
 import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.Media;
+import org.urbi.kernel.observe.Proposal;
+import org.urbi.kernel.observe.Proposals;
 import org.urbi.kernel.observe.Sample;
 import org.urbi.kernel.observe.Steering;
 import org.urbi.kernel.observe.View;
@@ -54,6 +56,10 @@ final class ConnectionView {
 
   CompletableFuture<View> look(Look wanted) {
     return ask(() -> watch().look(wanted));
+  }
+
+  CompletableFuture<List<Proposal>> propose(Supplier<UrbiLobby> lobby, String text) {
+    return ask(() -> Proposals.of(lobby.get(), text));
   }
 
   CompletableFuture<Sample> sample(List<String> ways) {

@@ -26,6 +26,7 @@ import org.urbi.kernel.message.Receiver;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.Media;
+import org.urbi.kernel.observe.Proposal;
 import org.urbi.kernel.observe.Sample;
 import org.urbi.kernel.observe.Steering;
 import org.urbi.kernel.observe.VariableListener;
@@ -44,6 +45,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
       new ConcurrentHashMap<>();
   private final ConnectionView view;
   private final ConnectionFeed feed;
+  private final ConnectionCode code;
   private volatile boolean incomplete;
   private volatile @Nullable UrbiLobby lobby;
   private String limits = "";
@@ -65,6 +67,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     this.holdsTime = holdsTime;
     this.view = new ConnectionView(kernel, number);
     this.feed = new ConnectionFeed(kernel, number);
+    this.code = new ConnectionCode(kernel, number);
   }
 
   // ------------------------------------------------------------------ from any thread
@@ -189,6 +192,11 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   }
 
   @Override
+  public CompletableFuture<List<Proposal>> propose(String text) {
+    return view.propose(this::lobby, text);
+  }
+
+  @Override
   public CompletableFuture<View> look(Look wanted) {
     return view.look(wanted);
   }
@@ -211,6 +219,16 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
   @Override
   public CompletableFuture<String> assign(String way, String value) {
     return view.assign(way, value);
+  }
+
+  @Override
+  public CodeRun run(String file, String text) {
+    return code.run(file, text);
+  }
+
+  @Override
+  public CompletableFuture<String> stop(int run) {
+    return code.stop(run);
   }
 
   @Override
@@ -310,8 +328,7 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     } else if (message instanceof Message.CompletionRequested asked) {
       complete(asked.question(), asked.text());
     } else if (finished) {
-      view.close();
-      feed.close();
+      closeParts();
     } else if (message instanceof Message.LookedAt looked) {
       view.take(looked);
     } else if (message instanceof Message.LookEnded) {
@@ -324,6 +341,8 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
       view.take(assigned, lobby());
     } else if (message instanceof Message.OfVariables wish) {
       feed.take(wish, lobby());
+    } else if (message instanceof Message.OfCode wish) {
+      code.take(wish, lobby());
     } else {
       throw new IllegalArgumentException(message.toString());
     }
@@ -514,10 +533,15 @@ final class KernelConnection implements Connection, Shell.Listener, Receiver, Ev
     }
   }
 
-  private void leave() {
-    releaseTime();
+  private void closeParts() {
     view.close();
     feed.close();
+    code.close();
+  }
+
+  private void leave() {
+    releaseTime();
+    closeParts();
     pending.set(0);
     UrbiLobby own = lobby;
     if (own != null) {

@@ -125,6 +125,12 @@ public abstract class BuiltinTable {
     return entries[index].result;
   }
 
+  /** Its name, its arguments and the type of its result: {@code lock() -> void}. */
+  public final String signature(int index) {
+    String result = result(index);
+    return name(index) + formals(index) + (result.isEmpty() ? "" : " -> " + result);
+  }
+
   public final String doc(int index) {
     return entries[index].doc;
   }

@@ -33,6 +33,11 @@ public final class Primitive extends Code {
     return table.name(index);
   }
 
+  /** Its name, its arguments and the type of its result, as the documentation shows them. */
+  public String signature() {
+    return table.signature(index);
+  }
+
   /** What it does, in a sentence. */
   public String doc() {
     return table.doc(index);

@@ -332,6 +332,10 @@ public enum Problem {
   NO_SUCH_SLOT(LINE, "no such slot any more: {name}"),
   NO_PAYLOAD(PRIMITIVE, "a payload is expressions, separated by commas"),
   WAS_STOPPED(LINE, "it was stopped before its end"),
+  NO_SUCH_CODE(LINE, "no such code runs any more: {number}"),
+  ENDED_BY_ERROR(LINE, "an error has ended it"),
+  RUNS_NO_CODE(
+      LINE, "running code here needs the role {needed}, and this lobby has the role {role}"),
   NO_PATH(LINE, "names of slots with periods between them expected, not {text}"),
   NO_SLOT_AT(LINE, "no such slot: {path}"),
   TOO_MANY_VARIABLES(LINE, "of more than {number} variables nothing is told");

@@ -44,6 +44,8 @@ public final class EntryCodec {
     add(35, Message.Steered.class);
     add(36, Message.Emitted.class);
     add(37, Message.Assigned.class);
+    add(38, Message.CodeRun.class);
+    add(39, Message.CodeStopped.class);
     add(40, Message.RemoteOpened.class);
     add(41, Message.RemoteFrame.class);
     add(42, Message.RemoteCongested.class);

@@ -4,8 +4,10 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
-import java.util.TreeSet;
+import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.node.Code;
 import org.urbi.kernel.object.Symbol;
@@ -25,22 +27,32 @@ public final class Completion {
    * @return the possible last names in alphabetical order: {@code head}, {@code heading}
    */
   public static List<String> of(UrbiObject lobby, String text) {
+    return List.copyOf(found(lobby, text).keySet());
+  }
+
+  /**
+   * The possible last names, as of {@link #of}, with the values of the slots of that name; keywords
+   * have none.
+   */
+  public static Map<String, Optional<UrbiObject>> found(UrbiObject lobby, String text) {
+    Map<String, Optional<UrbiObject>> found = new TreeMap<>();
     String[] path = path(text).split("\\.", -1);
     String begun = path[path.length - 1];
-    Set<String> names = new TreeSet<>();
     if (path.length > 1 || !begun.isEmpty()) {
       UrbiObject owner = lobby;
       for (int i = 0; i < path.length - 1 && owner != null; i++) {
         owner = value(lobby, owner, path[i]);
       }
-      if (owner != null) {
-        addSlots(names, owner);
-      }
       if (path.length == 1) {
-        names.addAll(Keywords.all());
+        Keywords.all().stream()
+            .filter(name -> name.startsWith(begun))
+            .forEach(name -> found.put(name, Optional.empty()));
+      }
+      if (owner != null) {
+        addSlots(found, owner, begun);
       }
     }
-    return names.stream().filter(name -> name.startsWith(begun)).toList();
+    return found;
   }
 
   /** The names and dots at the end. */
@@ -63,7 +75,8 @@ public final class Completion {
     return value instanceof Code ? null : value;
   }
 
-  private static void addSlots(Set<String> names, UrbiObject owner) {
+  private static void addSlots(
+      Map<String, Optional<UrbiObject>> found, UrbiObject owner, String begun) {
     Set<UrbiObject> seen = new LinkedHashSet<>();
     List<UrbiObject> left = new ArrayList<>(List.of(owner));
     while (!left.isEmpty()) {
@@ -71,8 +84,9 @@ public final class Completion {
       if (seen.add(object)) {
         for (Symbol slot : object.localSlotNames()) {
           // Skip operators: they are not written after a dot.
-          if (slot.name().chars().allMatch(Character::isJavaIdentifierPart)) {
-            names.add(slot.name());
+          if (slot.name().startsWith(begun)
+              && slot.name().chars().allMatch(Character::isJavaIdentifierPart)) {
+            found.put(slot.name(), Optional.ofNullable(owner.lookup(slot)));
           }
         }
         Collections.addAll(left, object.protos());

@@ -484,22 +484,9 @@ public final class Shell {
   private void runAndShow(Job shell, Compilation.Compiled compiled) {
     Frame frame = Frame.top(interpreter, shell, lobby, compiled.layout());
     UrbiObject value = compiled.code().execute(frame);
-    if (isShown(value)) {
-      show(shell, compiled, value);
+    if (TopLevel.isShown(interpreter, value)) {
+      TopLevel.show(Frame.top(interpreter, shell, lobby, compiled.layout()), lobby, value);
     }
-  }
-
-  /** Whether a value is shown: void and nil are not. */
-  private boolean isShown(UrbiObject value) {
-    return value != interpreter.values().voidObject
-        && value != interpreter.values().acceptedVoid
-        && value != interpreter.values().nil;
-  }
-
-  private void show(Job shell, Compilation.Compiled compiled, UrbiObject value) {
-    Frame frame = Frame.top(interpreter, shell, lobby, compiled.layout());
-    interpreter.send(
-        frame, interpreter.get(frame, lobby, interpreter.world().symbol("topLevel")), "<<", value);
   }
 
   private void showSuspicions(Item.Statement statement) {

@@ -141,6 +141,22 @@ public sealed interface Message {
    */
   record Assigned(int to, int question, String way, String value) implements Message {}
 
+  // ------------------------------------------------------------------ code
+
+  /** What somebody wants of a text that he has written. */
+  sealed interface OfCode extends Message {}
+
+  /**
+   * Somebody runs a text, under a tag of its own.
+   *
+   * @param run by which the connection knows it
+   * @param file the name by which errors call it
+   */
+  record CodeRun(int to, int run, String file, String code) implements OfCode {}
+
+  /** Somebody ends a text that runs, and all that it has begun. */
+  record CodeStopped(int to, int question, int run) implements OfCode {}
+
   // ------------------------------------------------------------------ variables
 
   /** What somebody who looks at variables wants. */

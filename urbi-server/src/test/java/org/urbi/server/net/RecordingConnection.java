@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Connection;
 import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.Media;
+import org.urbi.kernel.observe.Proposal;
 import org.urbi.kernel.observe.Sample;
 import org.urbi.kernel.observe.Steering;
 import org.urbi.kernel.observe.VariableListener;
@@ -103,6 +104,21 @@ final class RecordingConnection implements Connection {
 
   @Override
   public CompletableFuture<String> assign(String way, String value) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  public CompletableFuture<List<Proposal>> propose(String text) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  public CodeRun run(String file, String code) {
+    throw new UnsupportedOperationException();
+  }
+
+  @Override
+  public CompletableFuture<String> stop(int run) {
     throw new UnsupportedOperationException();
   }
 

@@ -2,6 +2,7 @@ package org.urbi.kernel.library.system;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.compile.Compilation;
 import org.urbi.kernel.error.UrbiException;
@@ -33,6 +34,21 @@ public final class Evaluation {
    */
   public static UrbiObject eval(
       Frame frame, @Nullable CallSite site, UrbiObject target, String text, @Nullable String file) {
+    return eval(frame, site, target, text, file, (inner, value) -> {});
+  }
+
+  /**
+   * The same.
+   *
+   * @param seen is given the value of each statement, and the frame in which it was executed
+   */
+  public static UrbiObject eval(
+      Frame frame,
+      @Nullable CallSite site,
+      UrbiObject target,
+      String text,
+      @Nullable String file,
+      BiConsumer<Frame, UrbiObject> seen) {
     ParseResult parsed = UrbiParser.parse(text, file, frame.job()::checkInterrupted);
     for (SyntaxWarning warning : parsed.warnings()) {
       Warnings.in(frame, site, warning);
@@ -40,7 +56,7 @@ public final class Evaluation {
     if (!parsed.errors().isEmpty()) {
       throw syntax(frame, site, parsed.errors().getFirst(), text);
     }
-    return execute(frame, site, target, parsed.sequence());
+    return execute(frame, site, target, parsed.sequence(), seen);
   }
 
   /** The message has the location in the text, the backtrace shows the call that evaluated it. */
@@ -65,7 +81,11 @@ public final class Evaluation {
 
   /** Executes statements one after the other, as the top level does. */
   private static UrbiObject execute(
-      Frame frame, @Nullable CallSite site, UrbiObject target, Ast.Sequence program) {
+      Frame frame,
+      @Nullable CallSite site,
+      UrbiObject target,
+      Ast.Sequence program,
+      BiConsumer<Frame, UrbiObject> seen) {
     UrbiObject value = frame.interpreter().values().voidObject;
     Imports imports = new Imports();
     for (int i = 0; i < program.statements().size(); i++) {
@@ -82,6 +102,7 @@ public final class Evaluation {
           frame.job().yield();
         }
         value = compiled.code().execute(inner);
+        seen.accept(inner, value);
       }
     }
     return value;

@@ -37,7 +37,7 @@ final class TypeDeclaration {
       if (!table.isSetter(i)) {
         String assigned = assignable.contains(table.name(i)) ? " It can be assigned." : "";
         String doc = table.doc(i) + assigned + needed(table.leastRole(i));
-        slots.put(table.name(i), new Slot(signature(table, i), doc));
+        slots.put(table.name(i), new Slot(table.signature(i), doc));
       }
     }
   }
@@ -47,11 +47,6 @@ final class TypeDeclaration {
     return role == Role.OBSERVER
         ? ""
         : " It needs the role [" + role.text() + "](../networking.md#roles).";
-  }
-
-  private static String signature(BuiltinTable table, int index) {
-    String result = table.result(index);
-    return table.name(index) + table.formals(index) + (result.isEmpty() ? "" : " -> " + result);
   }
 
   /** What it is, in a sentence. */
