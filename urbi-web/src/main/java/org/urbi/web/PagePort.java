@@ -19,6 +19,7 @@ import io.netty.handler.codec.http.HttpObjectAggregator;
 import io.netty.handler.codec.http.HttpServerCodec;
 import io.netty.handler.codec.http.websocketx.CloseWebSocketFrame;
 import io.netty.handler.codec.http.websocketx.WebSocketCloseStatus;
+import io.netty.handler.codec.http.websocketx.WebSocketFrameAggregator;
 import io.netty.handler.codec.http.websocketx.WebSocketServerProtocolConfig;
 import io.netty.handler.codec.http.websocketx.WebSocketServerProtocolHandler;
 import io.netty.handler.ssl.SslContext;
@@ -138,7 +139,11 @@ public final class PagePort implements AutoCloseable {
             .forceCloseTimeoutMillis(CLOSE_SECONDS * 1000L)
             .dropPongFrames(false)
             .build();
-    pipeline.addLast(new WebSocketServerProtocolHandler(stream), viewer);
+    // Browsers may send a long message in several frames.
+    pipeline.addLast(
+        new WebSocketServerProtocolHandler(stream),
+        new WebSocketFrameAggregator(longestMessage),
+        viewer);
   }
 
   /** Whether a connection has become a stream: {@link PageFiles} has passed it on, and gone. */

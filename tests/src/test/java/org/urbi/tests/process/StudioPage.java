@@ -13,12 +13,11 @@ import org.urbi.tests.process.JavaProcess.Setting;
  * @param address of the page, without a room
  */
 record StudioPage(Browser browser, JavaProcess urbi, String address) implements AutoCloseable {
-  private static final Path ROOT = Path.of("..").toAbsolutePath().normalize();
   private static final String URBI = "org.urbi.server.cli.UrbiCommand";
   private static final String ADDRESS = "studio: ";
 
   /**
-   * Starts both; the test is skipped where there is no browser.
+   * Starts both in a folder; the test is skipped where there is no browser.
    *
    * @param room to open; empty for the first one
    */
@@ -27,7 +26,7 @@ record StudioPage(Browser browser, JavaProcess urbi, String address) implements 
     List<String> words = List.of("-q", "--studio=0", "-i", "-f", file.toString());
     Browser browser = Browser.start(folder);
     try {
-      JavaProcess urbi = JavaProcess.start(Setting.in(ROOT), URBI, words);
+      JavaProcess urbi = JavaProcess.start(Setting.in(folder), URBI, words);
       String line = urbi.awaitText(ADDRESS);
       String address = line.substring(line.indexOf(ADDRESS) + ADDRESS.length());
       assertTrue(address.matches("http://localhost:\\d+/"), address);

@@ -25,6 +25,7 @@ import org.urbi.server.net.Limits;
 import org.urbi.server.options.Failure;
 import org.urbi.server.source.SourceText;
 import org.urbi.server.studio.StudioServer;
+import org.urbi.server.studio.files.Folders;
 import org.urbi.server.studio.mcap.McapRecorder;
 import urbi.ServerConnection;
 
@@ -330,6 +331,7 @@ final class Server {
               client -> kernel().connect(client, false),
               settings.access().accessPolicy(),
               settings.shown(),
+              new Folders(Path.of(""), settings.access().userDirectory()),
               settings.trace());
       kernel().evalAsync("System.studio = \"" + studio.url() + "\"|");
       settings.trace().log("studio: " + studio.url());

@@ -27,12 +27,13 @@ final class Answer {
   private Answer() {}
 
   /** The first thing that a browser is told. */
-  static String hello(String role, String version) {
+  static String hello(String role, String version, List<String> keywords) {
     return object(
         "hello",
         out -> {
           out.writeStringField("role", role);
           out.writeStringField("version", version);
+          writeTexts(out, "keywords", keywords);
         });
   }
 

@@ -14,8 +14,11 @@ import org.urbi.kernel.observe.Steering;
 
 /** What a browser asks for. */
 sealed interface Request {
-  /** How many bytes a request may have. */
-  int LONGEST = 1 << 13;
+  /** How many bytes a request may have: a text that is run, all of it written as escapes. */
+  int LONGEST = 1 << 20;
+
+  /** How many characters may be run, or checked, at once. */
+  int LONGEST_CODE = 1 << 17;
 
   /** Which job is selected, and whose turns are shown, from now on. */
   record Interest(long selected, List<Long> traced) implements Request {}
@@ -72,6 +75,58 @@ sealed interface Request {
    */
   record Steer(long id, Steering.Action action, boolean tag, long target) implements Request {}
 
+  /** What people want of code that they have written. */
+  sealed interface OfCode extends Request {}
+
+  /**
+   * A text is to be run, under a tag of its own.
+   *
+   * @param id by which the browser knows the answer, which comes when it has ended
+   * @param file the name by which errors call the text
+   */
+  record Run(long id, String file, String code) implements OfCode {}
+
+  /**
+   * A text that is run is to be ended.
+   *
+   * @param id by which the browser knows the answer
+   * @param run the number that the text was given when it began
+   */
+  record Stop(long id, int run) implements OfCode {}
+
+  /**
+   * The syntax errors of a text are wanted.
+   *
+   * @param id by which the browser knows the answer
+   */
+  record Check(long id, String code) implements OfCode {}
+
+  /**
+   * The completions of a text are wanted.
+   *
+   * @param id by which the browser knows the answer
+   */
+  record Complete(long id, String text) implements OfCode {}
+
+  /** What people want of files. */
+  sealed interface OfFiles extends Request {
+    /** By which the browser knows the answer. */
+    long id();
+  }
+
+  /** The names of the files are wanted. */
+  record Files(long id) implements OfFiles {}
+
+  /** The content of a file is wanted. */
+  record Open(long id, String name) implements OfFiles {}
+
+  /**
+   * A file is to be written.
+   *
+   * @param version of which the text has been made; empty if it is to be a new file
+   */
+  record Save(long id, String name, String text, String version) implements OfFiles {}
+
   /**
    * Reads a request.
    *
@@ -90,6 +145,18 @@ sealed interface Request {
       }
       case "assign" -> new Assign(fields.number("id"), fields.text("way"), fields.text("value"));
       case "show" -> new Show(fields.number("id"), fields.text("way"));
+      case "run" -> new Run(fields.number("id"), fields.text("file"), fields.code("code"));
+      case "stop" -> new Stop(fields.number("id"), fields.integer("run"));
+      case "check" -> new Check(fields.number("id"), fields.code("code"));
+      case "files" -> new Files(fields.number("id"));
+      case "open" -> new Open(fields.number("id"), fields.text("name"));
+      case "save" ->
+          new Save(
+              fields.number("id"),
+              fields.text("name"),
+              fields.code("text"),
+              fields.text("version"));
+      case "complete" -> new Complete(fields.number("id"), fields.text("text"));
       case "steer" -> {
         Steering.Action action = Steering.Action.of(fields.text("action"));
         if (action == null) {
@@ -103,7 +170,8 @@ sealed interface Request {
       }
       default ->
           throw new BadRequest(
-              "type: interest, steer, reactions, emit, variables, plot, assign or show expected");
+              "type: interest, steer, reactions, emit, variables, plot, assign, show, run, stop,"
+                  + " check, complete, files, open or save expected");
     };
   }
 
@@ -111,6 +179,9 @@ sealed interface Request {
   final class Fields {
     private static final int DEEPEST = 4;
     private static final int LONGEST_NUMBER = 20;
+
+    /** How many characters a text may have that is no code. */
+    private static final int LONGEST_TEXT = 1 << 13;
 
     private static final JsonFactory JSON =
         JsonFactory.builder()
@@ -172,10 +243,21 @@ sealed interface Request {
     }
 
     String text(String name) throws BadRequest {
-      if (values.get(name) instanceof String text) {
-        return text;
+      return text(name, LONGEST_TEXT);
+    }
+
+    String code(String name) throws BadRequest {
+      return text(name, LONGEST_CODE);
+    }
+
+    private String text(String name, int longest) throws BadRequest {
+      if (!(values.get(name) instanceof String text)) {
+        throw new BadRequest(name + ": a string expected");
       }
-      throw new BadRequest(name + ": a string expected");
+      if (text.length() > longest) {
+        throw new BadRequest(name + ": at most " + longest + " characters, not " + text.length());
+      }
+      return text;
     }
 
     /** The text; null if there is no such field. */
@@ -188,6 +270,14 @@ sealed interface Request {
         return number;
       }
       throw new BadRequest(name + ": a whole number expected");
+    }
+
+    int integer(String name) throws BadRequest {
+      long number = number(name);
+      if (number != (int) number) {
+        throw new BadRequest(name + ": no such number: " + number);
+      }
+      return (int) number;
     }
 
     /** The texts of a list; null if there is no such field. */

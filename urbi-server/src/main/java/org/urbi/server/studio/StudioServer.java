@@ -10,6 +10,7 @@ import org.urbi.kernel.Connection;
 import org.urbi.server.Trace;
 import org.urbi.server.net.TlsGate;
 import org.urbi.server.studio.access.Admission;
+import org.urbi.server.studio.files.Folders;
 import org.urbi.server.studio.foxglove.ProgramHandler;
 import org.urbi.server.trust.AccessPolicy;
 import org.urbi.web.Guests;
@@ -26,6 +27,8 @@ public final class StudioServer implements AutoCloseable {
 
   private final PagePort port;
   private final AccessPolicy accessPolicy;
+  private final SyntaxCheck syntax = new SyntaxCheck();
+  private final Worker fileWorker = new Worker("urbi-studio-files");
 
   /**
    * Begins to serve.
@@ -34,6 +37,7 @@ public final class StudioServer implements AutoCloseable {
    * @param lobbies makes the lobby of a browser that has been let in
    * @param accessPolicy who is let in, and as what
    * @param shown what programs that speak Foxglove's protocol are shown, and who they may be
+   * @param folders the files that people edit
    * @throws IOException if it cannot listen there, or TLS cannot be had; the message says why
    */
   public StudioServer(
@@ -41,6 +45,7 @@ public final class StudioServer implements AutoCloseable {
       Function<Client, Connection> lobbies,
       AccessPolicy accessPolicy,
       Shown shown,
+      Folders folders,
       Trace trace)
       throws IOException {
     this.accessPolicy = accessPolicy;
@@ -55,7 +60,12 @@ public final class StudioServer implements AutoCloseable {
             ProgramHandler.LONGEST,
             () -> new ProgramHandler(admission, lobbies, shown.paths()));
     try {
-      port.listen(address, tls, PAGE, () -> new Viewer(admission, lobbies), programs);
+      port.listen(
+          address,
+          tls,
+          PAGE,
+          () -> new Viewer(admission, lobbies, syntax, folders, fileWorker),
+          programs);
     } catch (IOException e) {
       throw new IOException(
           "cannot serve the studio on "
@@ -85,5 +95,7 @@ public final class StudioServer implements AutoCloseable {
   @Override
   public void close() {
     port.close();
+    syntax.close();
+    fileWorker.close();
   }
 }

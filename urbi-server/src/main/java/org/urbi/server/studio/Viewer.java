@@ -13,13 +13,16 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.Connection;
+import org.urbi.kernel.object.Utf8Text;
 import org.urbi.kernel.observe.Look;
 import org.urbi.kernel.observe.View;
 import org.urbi.kernel.trust.Role;
+import org.urbi.lang.grammar.Keywords;
 import org.urbi.server.Version;
 import org.urbi.server.studio.access.Admission;
 import org.urbi.server.studio.access.PageClient;
 import org.urbi.server.studio.access.StreamHandler;
+import org.urbi.server.studio.files.Folders;
 
 /**
  * A browser. When it has been let in, it has a connection to the kernel, with a lobby whose role is
@@ -34,15 +37,28 @@ final class Viewer extends StreamHandler {
   private static final int MOST_REQUESTS = 40;
 
   private final Function<Client, Connection> lobbies;
+  private final SyntaxCheck syntax;
+  private final Folders folders;
+  private final Worker fileWorker;
   private @Nullable Connection connection;
   private @Nullable Sampler sampler;
+  private @Nullable CodeDesk desk;
+  private @Nullable FileDesk files;
   private Look wanted = new Look(0, List.of(), null, null);
   private boolean looking;
   private boolean due;
 
-  Viewer(Admission admission, Function<Client, Connection> lobbies) {
+  Viewer(
+      Admission admission,
+      Function<Client, Connection> lobbies,
+      SyntaxCheck syntax,
+      Folders folders,
+      Worker fileWorker) {
     super(admission, MOST_REQUESTS);
     this.lobbies = lobbies;
+    this.syntax = syntax;
+    this.folders = folders;
+    this.fileWorker = fileWorker;
   }
 
   // ------------------------------------------------------------------ who it is
@@ -55,9 +71,13 @@ final class Viewer extends StreamHandler {
                 channel,
                 role,
                 bytes ->
-                    channel.writeAndFlush(new TextWebSocketFrame(Answer.text("output", bytes)))));
+                    channel.writeAndFlush(
+                        new TextWebSocketFrame(Answer.text("output", Utf8Text.toJava(bytes))))));
     sampler = new Sampler(channel, connection);
-    send(channel, Answer.hello(role.text(), Version.number()));
+    desk = new CodeDesk(channel, connection, syntax);
+    files = new FileDesk(channel, role, folders, fileWorker);
+    List<String> keywords = Keywords.all().stream().sorted().toList();
+    send(channel, Answer.hello(role.text(), Version.number(), keywords));
     look(channel);
   }
 
@@ -118,6 +138,10 @@ final class Viewer extends StreamHandler {
     return requireNonNull(sampler, "it has been let in");
   }
 
+  private CodeDesk desk() {
+    return requireNonNull(desk, "it has been let in");
+  }
+
   // ------------------------------------------------------------------ what it wants
 
   @Override
@@ -163,6 +187,8 @@ final class Viewer extends StreamHandler {
               channel, steer.id(), connection().steer(steer.action(), steer.tag(), steer.target()));
       case Request.Emit emit ->
           tell(channel, emit.id(), connection().emit(emit.event(), emit.payload()));
+      case Request.OfCode wish -> desk().obey(wish);
+      case Request.OfFiles wish -> requireNonNull(files, "it has been let in").obey(wish);
     }
   }
 

@@ -13,4 +13,5 @@ export const ROOMS = [
     styles: ["variables.css", "libraries/uPlot.min.css"],
     load: () => import("./variables-room.js"),
   },
+  { name: "code", title: "Code", styles: ["code.css"], load: () => import("./code-room.js") },
 ];

@@ -17,14 +17,18 @@ const studio = {
   // The role that the server has given to this page, and whether it may change anything.
   role: "",
   mayChange: false,
+  // The keywords of urbiscript.
+  keywords: [],
 
   // Tells the server something that it does not answer.
   send: (message) => stream.send(message),
 
-  // Asks the server: a promise of its answer, the message "done" of that number. People are told when the answer is an error.
-  ask(message) {
+  // Asks the server: a promise of its answer, the message "done" of that number. People are told when the answer is an error,
+  // unless who asks does that (quiet). The number is told when it is sent.
+  ask(message, { quiet = false, sent = () => {} } = {}) {
     const id = ++asked;
-    const answer = new Promise((resolve) => questions.set(id, resolve));
+    sent(id);
+    const answer = new Promise((tell) => questions.set(id, { tell, quiet }));
     if (!stream.send({ ...message, id })) resolve(id, "There is no connection to the server.");
     return answer;
   },
@@ -40,15 +44,17 @@ const studio = {
 };
 
 function resolve(id, error, message = { error }) {
-  questions.get(id)?.(message);
+  const question = questions.get(id);
   questions.delete(id);
-  if (error) studio.alert(error);
+  question?.tell(message);
+  if (error && !question?.quiet) studio.alert(error);
 }
 
 const navigation = new Navigation(byId("nav"), byId("rooms"), studio);
 
-function welcome({ role }) {
+function welcome({ role, keywords }) {
   studio.role = role;
+  studio.keywords = keywords;
   studio.mayChange = role !== "observer";
   studio.jobs.clear();
   for (const id of [...questions.keys()]) resolve(id, "The connection was lost before the answer came.");

@@ -28,6 +28,7 @@ import org.junit.jupiter.api.Test;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.trust.Role;
 import org.urbi.server.Trace;
+import org.urbi.server.studio.files.Folders;
 import org.urbi.server.trust.AccessPolicy;
 import org.urbi.server.trust.Tokens;
 
@@ -72,6 +73,7 @@ class FoxgloveTest {
         client -> kernel.connect(client, false),
         policy,
         new Shown(List.of(), Set.of(FRIEND)),
+        Folders.NONE,
         SILENT);
   }
 

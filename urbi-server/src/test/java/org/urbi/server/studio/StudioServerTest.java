@@ -11,14 +11,18 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.urbi.kernel.Kernel;
 import org.urbi.kernel.trust.Role;
 import org.urbi.server.Trace;
+import org.urbi.server.studio.files.Folders;
 import org.urbi.server.trust.AccessPolicy;
 import org.urbi.server.trust.Tokens;
 
@@ -29,6 +33,7 @@ class StudioServerTest {
           Trace.Level.NONE,
           new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8));
 
+  @TempDir static Path folder;
   private static Kernel kernel;
   private static StudioServer studio;
 
@@ -51,6 +56,7 @@ class StudioServerTest {
         client -> kernel.connect(client, false),
         policy,
         Shown.VARIABLES,
+        new Folders(folder, null),
         SILENT);
   }
 
@@ -101,7 +107,8 @@ class StudioServerTest {
             "rooms.js",
             "jobs-room.js",
             "jobs.css",
-            "libraries/uPlot.esm.js")) {
+            "libraries/uPlot.esm.js",
+            "libraries/codemirror.js")) {
       assertTrue(get("/" + file, HOST).startsWith("HTTP/1.1 200"), file);
     }
     for (String path :
@@ -157,6 +164,15 @@ class StudioServerTest {
               List.of("{\"type\":\"plot\",\"ways\":[\"Global\"]}", "id: a whole number"),
               List.of("{\"type\":\"assign\",\"id\":1,\"way\":\"x\"}", "value: a string expected"),
               List.of("{\"type\":\"show\",\"id\":1}", "way: a string expected"),
+              List.of("{\"type\":\"run\",\"id\":1,\"file\":\"x\"}", "code: a string expected"),
+              List.of("{\"type\":\"stop\",\"id\":1,\"run\":5000000000}", "run: no such number"),
+              List.of("{\"type\":\"check\",\"code\":\"1\"}", "id: a whole number expected"),
+              List.of(
+                  "{\"type\":\"save\",\"id\":1,\"name\":\"x.u\",\"text\":\"\"}",
+                  "version: a string expected"),
+              List.of(
+                  "{\"type\":\"complete\",\"id\":1,\"text\":\"" + "x".repeat(9000) + "\"}",
+                  "text: at most 8192 characters, not 9000"),
               List.of("[".repeat(1000), "a JSON object expected"),
               List.of("{\"a\":" + "[".repeat(1000), "no JSON: "),
               List.of("{\"a\":" + "9".repeat(100) + "}", "no JSON: "),
@@ -201,6 +217,100 @@ class StudioServerTest {
       assertTrue(page.await("\"done\"").contains("\"keywords\":\"jpeg 2 1\",\"bytes\":\"YWJj\""));
       page.send("{\"type\":\"show\",\"id\":8,\"way\":\"Global\\n.plotted\"}");
       assertTrue(page.await("\"done\"").contains("no image or sound any more"));
+    }
+  }
+
+  private static String code(String type, int id, String code) {
+    return "{\"type\":\""
+        + type
+        + "\",\"id\":"
+        + id
+        + ",\"file\":\"code\",\"code\":\""
+        + code
+        + "\"}";
+  }
+
+  @Test
+  void codeRunsAndIsStopped() throws Exception {
+    try (Page page = new Page(studio, "")) {
+      assertTrue(page.await("\"hello\"").contains("\"whenever\""), "the keywords");
+      page.send(code("run", 1, "echo(\\\"gr\u00fcn\\\"); 20 + 3"));
+      assertEquals(
+          "{\"type\":\"begun\",\"id\":1,\"run\":1,\"tag\":\"run_1\"}", page.await("\"begun\""));
+      String said = "";
+      while (!said.contains("] 23") || !said.contains("\"done\"")) {
+        said += page.await(any -> true);
+      }
+      assertTrue(said.contains("*** gr\u00fcn"), said);
+      assertTrue(said.contains("\"done\",\"id\":1,\"error\":\"\",\"goesOn\":false}"), said);
+      page.send(code("run", 2, "while| (true) {}"));
+      page.await("\"begun\"");
+      page.send("{\"type\":\"stop\",\"id\":3,\"run\":2}");
+      assertTrue(page.await("\"id\":2,").contains("it was stopped before its end"));
+    }
+    assertEquals(3.0, kernel.eval("1 + 2"));
+  }
+
+  @Test
+  void textsAreCheckedAndCompleted() throws Exception {
+    try (Page page = new Page(studio, "")) {
+      page.await("\"hello\"");
+      page.send(code("check", 1, "echo(\\\"gr\u00fcn\\\"); 1 +* 2"));
+      String mistakes = page.await("\"done\"");
+      assertTrue(mistakes.contains("{\"begin\":17,\"end\":18,\"text\":\"syntax error: "), mistakes);
+      page.send(code("check", 2, "1 + 2"));
+      assertEquals(
+          "{\"type\":\"done\",\"id\":2,\"error\":\"\",\"mistakes\":[]}", page.await("\"done\""));
+      page.send(code("check", 3, "[".repeat(Request.LONGEST_CODE)));
+      String bomb = page.await("\"id\":3");
+      assertTrue(bomb.contains("syntax error") || bomb.contains("too much to be checked"), bomb);
+      page.send(code("run", 4, "x".repeat(Request.LONGEST_CODE + 1)));
+      assertTrue(page.await("\"error\",").contains("code: at most 131072 characters"));
+      page.send("{\"type\":\"complete\",\"id\":5,\"text\":\"Mutex.unloc\"}");
+      assertTrue(
+          page.await("\"id\":5").contains("\"proposals\":[{\"name\":\"unlock\",\"signature\""));
+    }
+  }
+
+  @Test
+  void oneTextIsCheckedAtATime() throws Exception {
+    try (Page page = new Page(studio, "");
+        Page other = new Page(studio, "")) {
+      page.await("\"hello\"");
+      other.await("\"hello\"");
+      String large = "f(1 + 2 * 3);\\n".repeat(5000);
+      for (int i = 1; i <= 20; i++) {
+        page.send(code("check", i, large));
+      }
+      other.send(code("check", 1, "1 +"));
+      assertTrue(other.await("\"done\"").contains("syntax error"));
+      page.await("one text is checked at a time");
+    }
+  }
+
+  @Test
+  void filesAreListedOpenedAndSaved() throws Exception {
+    Files.writeString(folder.resolve("walk.u"), "walk;");
+    try (Page page = new Page(studio, "");
+        Page other = new Page(studio, "")) {
+      other.await("\"hello\"");
+      page.await("\"hello\"");
+      page.send("{\"type\":\"files\",\"id\":1}");
+      assertTrue(page.await("\"id\":1,").contains("\"files\":[\"walk.u\"]"));
+      page.send("{\"type\":\"open\",\"id\":2,\"name\":\"walk.u\"}");
+      String opened = page.await("\"id\":2,");
+      assertTrue(opened.contains("\"text\":\"walk;\""), opened);
+      String save =
+          "{\"type\":\"save\",\"id\":3,\"name\":\"walk.u\",\"text\":\"run;\",\"version\":\""
+              + opened.replaceFirst(".*\"version\":\"(\\w+)\".*", "$1")
+              + "\"}";
+      page.send(save);
+      assertTrue(page.await("\"id\":3,").contains("\"error\":\"\",\"version\":"));
+      assertEquals("run;", Files.readString(folder.resolve("walk.u")));
+      other.send(save);
+      assertTrue(other.await("\"id\":3,").contains("walk.u has been changed meanwhile"));
+      page.send("{\"type\":\"open\",\"id\":4,\"name\":\"../x.u\"}");
+      assertTrue(page.await("\"id\":4,").contains("only files below the directory"));
     }
   }
 
@@ -292,6 +402,10 @@ class StudioServerTest {
                 + "}");
         assertTrue(observer.await("\"done\"").contains("needs the role user"));
         kernel.eval("guarded.stop");
+        observer.send(code("run", 2, "echo(1)"));
+        assertTrue(observer.await("\"id\":2,\"error\"").contains("needs the role user"));
+        observer.send("{\"type\":\"open\",\"id\":3,\"name\":\"walk.u\"}");
+        assertTrue(observer.await("\"id\":3,").contains("the role observer has no files"));
       }
       try (Page wrong = new Page(guarded, "?token=fedcba9876543210")) {
         assertTrue(wrong.await("\"refused\"").contains("wrong token"));

@@ -5,19 +5,21 @@ import io.netty.channel.ChannelFuture;
 import java.net.InetSocketAddress;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Function;
 import org.urbi.kernel.Client;
 import org.urbi.kernel.trust.Role;
 
 /** What the kernel knows of somebody who looks by a stream. On the kernel thread. */
 public final class PageClient implements Client {
-  /** How much output of the lobby may wait; more is left out. */
+  /** How much output of the lobby may wait; more is left out, and that is told. */
   private static final int MOST_OUTPUT = 1 << 18;
 
   private final Channel channel;
   private final Role role;
   private final Function<String, ChannelFuture> output;
   private final AtomicInteger waiting = new AtomicInteger();
+  private final AtomicLong leftOut = new AtomicLong();
 
   /**
    * @param output sends output of the lobby, on the thread of the channel
@@ -31,11 +33,32 @@ public final class PageClient implements Client {
   @Override
   public void output(String bytes) {
     int length = bytes.length();
-    if (waiting.addAndGet(length) > MOST_OUTPUT) {
-      waiting.addAndGet(-length);
-      return;
+    if (waiting.addAndGet(length) <= MOST_OUTPUT) {
+      execute(() -> send(bytes));
+    } else {
+      leftOut.addAndGet(length);
+      if (waiting.addAndGet(-length) == 0) {
+        execute(this::tellLoss);
+      }
     }
-    execute(() -> output.apply(bytes).addListener(written -> waiting.addAndGet(-length)));
+  }
+
+  private void send(String bytes) {
+    output
+        .apply(bytes)
+        .addListener(written -> {
+          waiting.addAndGet(-bytes.length());
+          tellLoss();
+        });
+  }
+
+  private void tellLoss() {
+    long lost = leftOut.getAndSet(0);
+    if (lost > 0) {
+      String told = "*** " + lost + " bytes of output are left out: too much at once\n";
+      waiting.addAndGet(told.length());
+      send(told);
+    }
   }
 
   @Override

@@ -1,0 +1,140 @@
+package org.urbi.tests.process;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The studio's room of code, in a real browser. */
+class StudioCodeTest {
+  private static final String EDITOR = "#editor";
+  private static final String CONSOLE = "#console-line";
+  private static final String LOG = StudioPage.text("#log");
+  private static final String RUNS = StudioPage.text("#runs");
+
+  private static String in(String host, String selector) {
+    return "document.querySelector('" + host + "')?.shadowRoot?.querySelector('" + selector + "')";
+  }
+
+  private static String text(String host, String selector) {
+    return "return " + in(host, selector) + "?.textContent";
+  }
+
+  private static String press(String host, String key, boolean control) {
+    return in(host, ".cm-content")
+        + ".dispatchEvent(new KeyboardEvent('keydown', {key: '"
+        + key
+        + "', ctrlKey: "
+        + control
+        + ", bubbles: true, cancelable: true}));";
+  }
+
+  /** Puts a text in the place of all, from the clipboard. */
+  private static void write(Browser browser, String host, String text) throws IOException {
+    browser.evaluate(
+        in(host, ".cm-content")
+            + ".focus();"
+            + press(host, "a", true)
+            + "const data = new DataTransfer(); data.setData('text/plain', `"
+            + text
+            + "`);"
+            + in(host, ".cm-content")
+            + ".dispatchEvent(new ClipboardEvent('paste',"
+            + " {clipboardData: data, bubbles: true, cancelable: true}))");
+  }
+
+  private static void run(Browser browser, String text) throws IOException {
+    write(browser, EDITOR, text);
+    browser.evaluate(press(EDITOR, "Enter", true));
+  }
+
+  @Test
+  void codeIsWrittenRunAndStoppedInABrowser(@TempDir Path folder) throws Exception {
+    String program = "var Global.x = 0|;\n";
+    try (StudioPage page = StudioPage.start(folder, program, "#code")) {
+      Browser browser = page.browser();
+      String state = "return document.querySelector('#connection')?.dataset.state";
+      browser.await("the connection", state, "live"::equals);
+      browser.await("the editor", text(EDITOR, ".cm-content"), text -> text.contains("echo"));
+      runs(browser);
+      showsErrors(browser);
+      stops(browser, page.urbi());
+      hasConsole(browser);
+      completes(browser);
+      editsFiles(browser, folder.resolve("program.u"));
+      assertTrue(!page.urbi().text().contains("internal error"), page.urbi()::text);
+    }
+  }
+
+  private static void runs(Browser browser) throws Exception {
+    run(browser, "echo(\"grün\"); x + 41;");
+    browser.await("what it says", LOG, text -> text.contains("*** grün"));
+    browser.await("its value", LOG, text -> text.contains("] 41"));
+  }
+
+  private static void showsErrors(Browser browser) throws Exception {
+    write(browser, EDITOR, "var y = 1;\nif (y == 1) echo(");
+    String wrong = StudioPage.text("#code-state");
+    browser.await("what is wrong", wrong, text -> text.contains("syntax error"));
+    write(browser, EDITOR, "1 + 2;");
+    browser.await("that nothing is", wrong, "no syntax error"::equals);
+    run(browser, "echo(\"so far\");\n\"grün\"; nobody;\n");
+    browser.await("what fails", LOG, text -> text.contains("lookup failed: nobody"));
+    String marked = text(EDITOR, ".cm-lintRange-error");
+    assertEquals("nobody", browser.await("where it fails", marked, "nobody"::equals));
+  }
+
+  private static void stops(Browser browser, JavaProcess urbi) throws Exception {
+    String stop = "document.querySelector('#runs button:not([hidden])').click()";
+    String stoppable =
+        "return document.querySelector('#runs button:enabled:not([hidden])') !== null";
+    run(browser, "while| (true) x");
+    browser.await("that it runs", RUNS, text -> text.contains("running, under run_"));
+    browser.await("that it can be stopped", stoppable, "true"::equals);
+    browser.evaluate(stop);
+    browser.await("that it was", RUNS, text -> text.contains("it was stopped"));
+    run(browser, "every (20ms) x++,");
+    browser.await("that it goes on", RUNS, text -> text.contains("goes on, under run_"));
+    browser.evaluate(stop);
+    browser.await("that it does not", RUNS, text -> !text.contains("goes on"));
+    urbi.send("var before = x|; sleep(100ms); x - before + 7000;\n");
+    urbi.awaitText("7000");
+  }
+
+  private static void hasConsole(Browser browser) throws Exception {
+    write(browser, CONSOLE, "6 * 700;");
+    browser.evaluate(press(CONSOLE, "Enter", false));
+    browser.await("the value", LOG, text -> text.contains("> 6 * 700;") && text.contains("4200"));
+    browser.evaluate(press(CONSOLE, "ArrowUp", false));
+    assertEquals("6 * 700;", browser.evaluate(text(CONSOLE, ".cm-content")));
+  }
+
+  private static void completes(Browser browser) throws Exception {
+    write(browser, EDITOR, "Mutex.loc");
+    browser.evaluate(press(EDITOR, " ", true));
+    String offered = text(EDITOR, ".cm-tooltip-autocomplete");
+    browser.await("what may follow", offered, text -> text.contains("lock"));
+    browser.await("what it does", text(EDITOR, ".cm-completionInfo"), text -> text.length() > 9);
+  }
+
+  private static void editsFiles(Browser browser, Path file) throws Exception {
+    String said = StudioPage.text("#file-state");
+    String list = "const list = document.querySelector('#files');";
+    browser.await("the files", StudioPage.text("#files"), text -> text.contains("program.u"));
+    browser.evaluate(list + "list.value = 'program.u'; list.dispatchEvent(new Event('change'))");
+    browser.await("that it is opened", said, "program.u is opened"::equals);
+    assertEquals("var Global.x = 0|;", browser.evaluate(text(EDITOR, ".cm-line")));
+    write(browser, EDITOR, "mine;");
+    browser.evaluate(press(EDITOR, "s", true));
+    browser.await("that it is saved", said, "program.u is saved"::equals);
+    assertEquals("mine;", Files.readString(file));
+    Files.writeString(file, "theirs;");
+    browser.evaluate("document.querySelector('#save-file').click()");
+    browser.await("that it is not", said, text -> text.contains("has been changed meanwhile"));
+    assertEquals("theirs;", Files.readString(file));
+  }
+}

@@ -1,0 +1,84 @@
+package org.urbi.server.studio;
+
+import io.netty.channel.Channel;
+import io.netty.handler.codec.http.websocketx.TextWebSocketFrame;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import org.urbi.kernel.Connection;
+
+/** What a browser does with code: runs and stops it, has it checked and completed. */
+final class CodeDesk {
+  /** How long code that is to end may hold the kernel before it is interrupted, in milliseconds. */
+  private static final int PATIENCE = 200;
+
+  private final Channel channel;
+  private final Connection connection;
+  private final SyntaxCheck syntax;
+  private boolean checking;
+
+  CodeDesk(Channel channel, Connection connection, SyntaxCheck syntax) {
+    this.channel = channel;
+    this.connection = connection;
+    this.syntax = syntax;
+  }
+
+  /** Does what is wanted; on the thread of the channel. */
+  void obey(Request.OfCode request) {
+    switch (request) {
+      case Request.Run run -> run(run);
+      case Request.Stop stop -> stop(stop);
+      case Request.Check check -> check(check);
+      case Request.Complete wanted ->
+          connection
+              .propose(wanted.text())
+              .thenAcceptAsync(
+                  found -> send(CodeAnswer.proposals(wanted.id(), found)), channel.eventLoop());
+    }
+  }
+
+  private void run(Request.Run request) {
+    Connection.CodeRun run = connection.run(request.file(), request.code());
+    send(CodeAnswer.begun(request.id(), run));
+    run.end()
+        .thenAcceptAsync(end -> send(CodeAnswer.ended(request.id(), end)), channel.eventLoop());
+  }
+
+  /** Code that never lets others run would not be reached by the wish to end it. */
+  private void stop(Request.Stop request) {
+    Future<?> interruption =
+        channel.eventLoop().schedule(() -> connection.interrupt(), PATIENCE, TimeUnit.MILLISECONDS);
+    connection
+        .stop(request.run())
+        .whenCompleteAsync(
+            (error, failure) -> {
+              interruption.cancel(false);
+              if (error != null) {
+                send(Answer.done(request.id(), error));
+              }
+            },
+            channel.eventLoop());
+  }
+
+  private void check(Request.Check request) {
+    if (checking) {
+      send(Answer.done(request.id(), "one text is checked at a time: wait for the answer"));
+      return;
+    }
+    checking = true;
+    syntax
+        .check(request.code())
+        .whenCompleteAsync(
+            (mistakes, failure) -> {
+              checking = false;
+              send(
+                  mistakes == null
+                      ? Answer.done(request.id(), "this text is too much to be checked")
+                      : CodeAnswer.mistakes(request.id(), mistakes));
+            },
+            channel.eventLoop());
+  }
+
+  private void send(String text) {
+    channel.writeAndFlush(new TextWebSocketFrame(text));
+  }
+}

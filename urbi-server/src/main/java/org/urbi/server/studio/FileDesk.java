@@ -1,0 +1,65 @@
+package org.urbi.server.studio;
+
+import io.netty.channel.Channel;
+import io.netty.handler.codec.http.websocketx.TextWebSocketFrame;
+import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.trust.Role;
+import org.urbi.server.studio.files.FileRefused;
+import org.urbi.server.studio.files.Folders;
+import org.urbi.server.studio.files.SourceFiles;
+
+/** What a browser does with files, as far as its role has any. */
+final class FileDesk {
+  private final Channel channel;
+  private final Role role;
+  private final Folders folders;
+  private final Worker worker;
+  private boolean busy;
+
+  /**
+   * @param worker does it for all browsers, so that none changes a file between what another one
+   *     looks at and what it writes
+   */
+  FileDesk(Channel channel, Role role, Folders folders, Worker worker) {
+    this.channel = channel;
+    this.role = role;
+    this.folders = folders;
+    this.worker = worker;
+  }
+
+  /** Does what is wanted; on the thread of the channel. */
+  void obey(Request.OfFiles request) {
+    if (busy) {
+      send(Answer.done(request.id(), "one file after the other: wait for the answer"));
+      return;
+    }
+    busy = true;
+    worker
+        .ask(() -> answer(folders.of(role), request))
+        .whenCompleteAsync(
+            (answer, failure) -> {
+              busy = false;
+              send(answer == null ? Answer.done(request.id(), reason(failure)) : answer);
+            },
+            channel.eventLoop());
+  }
+
+  private static String answer(SourceFiles files, Request.OfFiles request) throws FileRefused {
+    return switch (request) {
+      case Request.Files list -> FileAnswer.listed(list.id(), files.list());
+      case Request.Open open -> FileAnswer.opened(open.id(), files.open(open.name()));
+      case Request.Save save ->
+          FileAnswer.saved(save.id(), files.save(save.name(), save.text(), save.version()));
+    };
+  }
+
+  private static String reason(@Nullable Throwable failure) {
+    return failure instanceof FileRefused refused
+        ? String.valueOf(refused.getMessage())
+        : "internal error: " + failure;
+  }
+
+  private void send(String text) {
+    channel.writeAndFlush(new TextWebSocketFrame(text));
+  }
+}
