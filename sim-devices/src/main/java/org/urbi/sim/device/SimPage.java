@@ -7,16 +7,20 @@ import org.urbi.sim.SimulationException;
 import org.urbi.sim.page.PageServer;
 import org.urbi.sim.page.Snapshot;
 import org.urbi.sim.page.WorldDescription;
+import urbi.UEvent;
 import urbi.UImage;
 import urbi.UObject;
 import urbi.UStart;
+import urbi.UValue;
 import urbi.UVar;
 
 /**
  * A page for browsers that shows a world while it goes on, {@code new(WORLD, PORT)}: the scene from
  * above, what a camera sees and a detector finds in it, and the drives with their targets. It is
  * for this machine alone unless {@code host} is another address. {@code port} and {@code host} can
- * be changed; {@code url} is what to give to a browser, {@code viewers} how many are looking.
+ * be changed; {@code url} is what to give to a browser, {@code viewers} how many are looking. Who
+ * looks from this machine can intervene; each intervention is a call of {@code obey}, so that a
+ * recording has it.
  */
 @UStart
 public final class SimPage extends UObject implements AutoCloseable {
@@ -26,6 +30,10 @@ public final class SimPage extends UObject implements AutoCloseable {
   private final UVar host = new UVar();
   private final UVar url = new UVar();
   private final UVar viewers = new UVar();
+
+  /** Somebody drives the robot: forward in m/s, to the left in rad/s. */
+  private final UEvent driven = new UEvent();
+
   private @Nullable SimWorld simulation;
   private @Nullable SimCamera camera;
   private @Nullable String imageVariable;
@@ -48,8 +56,8 @@ public final class SimPage extends UObject implements AutoCloseable {
    */
   public void init(String worldName, int wanted) {
     SimWorld found = SimWorld.named(this, worldName);
-    server = new PageServer(THIS_MACHINE, wanted, WorldDescription.of(found.world(), null));
     simulation = found;
+    server = new PageServer(THIS_MACHINE, wanted, setting(THIS_MACHINE), this::order);
     found.add(this);
     UBindVars(port, "port", host, "host", url, "url", viewers, "viewers");
     tellWhere();
@@ -57,7 +65,8 @@ public final class SimPage extends UObject implements AutoCloseable {
     UNotifyChange(port, "moved");
     UNotifyChange(host, "moved");
     UNotifyAccess(viewers, "count");
-    UBindFunctions("showCamera", "showDetector");
+    UBindEvent(driven, "driven");
+    UBindFunctions("showCamera", "showDetector", "obey");
   }
 
   private void tellWhere() {
@@ -78,18 +87,40 @@ public final class SimPage extends UObject implements AutoCloseable {
     int oldPort = old.port();
     old.close();
     try {
-      server = new PageServer(newHost, newPort, setting());
+      server = new PageServer(newHost, newPort, setting(newHost), this::order);
       usedHost = newHost;
     } catch (SimulationException e) {
-      server = new PageServer(usedHost, oldPort, setting());
+      server = new PageServer(usedHost, oldPort, setting(usedHost), this::order);
       throw e;
     } finally {
       tellWhere();
     }
   }
 
-  private String setting() {
-    return WorldDescription.of(ready(simulation).world(), camera == null ? null : camera.mount());
+  private String setting(String shownOn) {
+    return WorldDescription.of(
+        ready(simulation).world(),
+        camera == null ? null : camera.mount(),
+        PageServer.isOpen(shownOn));
+  }
+
+  /** Somebody who looks wants something; on the thread of the page. */
+  private void order(String viewer, String order) {
+    getUContext().call(get__name(), "obey", new UValue(viewer), new UValue(order));
+  }
+
+  /**
+   * Does what somebody wants who looks; who that is is told why it cannot be done.
+   *
+   * @param viewer who wants it, as the page knows them
+   * @param order as {@link WorldOrder#read} takes it
+   */
+  public void obey(String viewer, String order) {
+    try {
+      WorldOrder.read(order).carryOut(ready(simulation), driven);
+    } catch (SimulationException e) {
+      ready(server).tell(viewer, String.valueOf(e.getMessage()));
+    }
   }
 
   /**
@@ -110,7 +141,7 @@ public final class SimPage extends UObject implements AutoCloseable {
       imageVariable = variable;
       UNotifyChange(variable, "newImage");
     }
-    ready(server).describe(setting());
+    ready(server).describe(setting(usedHost));
   }
 
   /**
@@ -143,7 +174,10 @@ public final class SimPage extends UObject implements AutoCloseable {
   void show() {
     PageServer present = ready(server);
     if (present.isWaiting()) {
-      present.show(Snapshot.of(ready(simulation).world(), sight()));
+      SimWorld shown = ready(simulation);
+      Pace pace = shown.pace();
+      present.show(
+          Snapshot.of(shown.world(), new Snapshot.Clock(pace.isPaused(), pace.speed()), sight()));
     }
   }
 

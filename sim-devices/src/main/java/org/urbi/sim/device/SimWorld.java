@@ -32,7 +32,8 @@ import urbi.UVar;
  * A simulated world, whose time is that of the kernel: it goes on in fixed steps until it has
  * caught up, whenever its timer is due and whenever somebody reads one of its sensors. With the
  * virtual clock it so takes as long as its arithmetic. Where the machine is too slow, simulated
- * time stays behind, and {@code late} grows.
+ * time stays behind, and {@code late} grows. {@code paused} halts it, {@code speed} is how many
+ * simulated seconds pass in one of the kernel.
  */
 @UStart
 public final class SimWorld extends UObject implements AutoCloseable {
@@ -53,6 +54,9 @@ public final class SimWorld extends UObject implements AutoCloseable {
   /** Written to learn the kernel's time. */
   private final UVar beat = new UVar();
 
+  private final UVar paused = new UVar();
+  private final UVar speed = new UVar();
+
   private final List<SimDevice> devices = new ArrayList<>();
   private final List<SimPage> pages = new ArrayList<>();
   private final ProcessTime processTime = new ProcessTime();
@@ -60,8 +64,7 @@ public final class SimWorld extends UObject implements AutoCloseable {
   private @Nullable SimulatedWorld world;
   private @Nullable String timer;
   private long beats;
-  private double origin;
-  private double lost;
+  private Pace pace = new Pace(0);
   private double usedPeriod = 0.02;
   private boolean advancing;
   private boolean diverged;
@@ -80,6 +83,7 @@ public final class SimWorld extends UObject implements AutoCloseable {
     SimulatedWorld read = WorldReader.read(Path.of(file), null);
     world = read;
     UBindVars(time, "time", late, "late", period, "period", engine, "engine", beat, "beat");
+    UBindVars(paused, "paused", speed, "speed");
     UBindFunctions(
         "deviceList",
         "robotDescription",
@@ -90,6 +94,8 @@ public final class SimWorld extends UObject implements AutoCloseable {
         "place",
         "move",
         "push",
+        "hit",
+        "reset",
         "picture",
         "scan",
         "step",
@@ -98,7 +104,11 @@ public final class SimWorld extends UObject implements AutoCloseable {
     late.setValue(0);
     period.setValue(usedPeriod);
     UNotifyChange(period, "periodChanged");
-    origin = now();
+    pace = new Pace(now());
+    paused.setValue(false);
+    speed.setValue(pace.speed());
+    UNotifyChange(paused, "pausedChanged");
+    UNotifyChange(speed, "speedChanged");
     time.setValue(0);
     startTimer();
   }
@@ -155,6 +165,43 @@ public final class SimWorld extends UObject implements AutoCloseable {
     startTimer();
   }
 
+  /** It is to halt, or to go on. */
+  public void pausedChanged() {
+    advance();
+    pace.pause(now(), paused.booleanValue());
+  }
+
+  /** It is to go on faster, or slower. */
+  public void speedChanged() {
+    advance();
+    try {
+      pace.go(now(), speed.doubleValue());
+    } catch (SimulationException e) {
+      speed.setValue(pace.speed());
+      throw e;
+    }
+  }
+
+  Pace pace() {
+    return pace;
+  }
+
+  /** Halts, or goes on. */
+  void pause(boolean wanted) {
+    paused.setValue(wanted);
+  }
+
+  /**
+   * Goes on at another speed.
+   *
+   * @throws SimulationException if it is none
+   */
+  void go(double wanted) {
+    advance();
+    pace.go(now(), wanted);
+    speed.setValue(wanted);
+  }
+
   private void startTimer() {
     timer = USetTimer(usedPeriod * MILLISECONDS, this, "update");
   }
@@ -180,11 +227,10 @@ public final class SimWorld extends UObject implements AutoCloseable {
     advancing = true;
     try {
       double step = world().physics().settings().step();
-      double behind = now() - origin - lost - world().physics().time();
+      double behind = pace.goal(now()) - world().physics().time();
       double most = Math.max(MAX_CATCH_UP, 2 * usedPeriod);
       if (behind > most) {
-        lost += behind - most;
-        late.setValue(lost);
+        late.setValue(pace.lose(behind - most));
         behind = most;
       }
       // A clock in microseconds meets the end of a step a little early or late.
@@ -208,7 +254,18 @@ public final class SimWorld extends UObject implements AutoCloseable {
     for (int i = 0; i < steps; i++) {
       world().step();
     }
-    lost -= steps * world().physics().settings().step();
+    pace.lose(-steps * world().physics().settings().step());
+    update();
+  }
+
+  /**
+   * Puts everything where the file has it, as fast as it is there; the targets of all motors are 0.
+   * Time goes on.
+   */
+  public void reset() {
+    advance();
+    world().restart();
+    diverged = false;
     update();
   }
 
@@ -307,6 +364,18 @@ public final class SimWorld extends UObject implements AutoCloseable {
   }
 
   /**
+   * Hits a body at a point of the world, so that the next step makes it faster.
+   *
+   * @param vx along x, by how many m/s it would be faster if nothing held it; vy, vz: along y, z
+   */
+  public void hit(String body, double x, double y, double z, double vx, double vy, double vz) {
+    advance();
+    Body found = world().body(body);
+    double force = found.mass() / world().physics().settings().step();
+    found.push(new Vec3(vx, vy, vz).times(force), new Vec3(x, y, z));
+  }
+
+  /**
    * What could be seen from a place, without a camera there.
    *
    * @param pitch how far the view is turned downwards, in radians; yaw: to the left
@@ -357,8 +426,10 @@ public final class SimWorld extends UObject implements AutoCloseable {
     return reason == null ? "" : reason;
   }
 
+  /** There is nothing to be seen any more: its pages end, too. */
   @Override
   public void close() {
+    List.copyOf(pages).forEach(SimPage::close);
     if (world != null) {
       world.close();
     }

@@ -27,9 +27,10 @@ public final class PageServer implements AutoCloseable {
    * @param host the address to listen on: {@code localhost} for this machine alone
    * @param port 0 for any that is free
    * @param setting what {@link WorldDescription#of} says of the world
+   * @param orders takes what people at this machine want; others can only look
    * @throws SimulationException if it cannot listen there
    */
-  public PageServer(String host, int port, String setting) {
+  public PageServer(String host, int port, String setting, Orders orders) {
     if (port < 0 || port > MAX_PORT) {
       throw new SimulationException(
           "page: port: between 0 and " + MAX_PORT + " expected, not " + port);
@@ -40,12 +41,26 @@ public final class PageServer implements AutoCloseable {
     }
     served = new PagePort("page");
     viewers = new Viewers(served.thread(), setting);
+    Orders taker = isOpen(address) ? orders : this::refuse;
     try {
-      served.listen(address, null, PAGE, () -> new ViewerHandler(viewers), null);
+      served.listen(address, null, PAGE, () -> new ViewerHandler(viewers, taker), null);
     } catch (IOException e) {
       throw new SimulationException(whyNot(host, port, e), e);
     }
     viewers.start();
+  }
+
+  /** Whether who looks may also intervene: only people at this machine reach it. */
+  public static boolean isOpen(String host) {
+    return isOpen(new InetSocketAddress(host, 0));
+  }
+
+  private static boolean isOpen(InetSocketAddress address) {
+    return !address.isUnresolved() && address.getAddress().isLoopbackAddress();
+  }
+
+  private void refuse(String viewer, String order) {
+    tell(viewer, "This page also serves other machines: it can only be looked at.");
   }
 
   private static String whyNot(String host, int port, IOException failure) {
@@ -84,6 +99,11 @@ public final class PageServer implements AutoCloseable {
   /** Shows a moment. Returns at once. */
   public void show(Snapshot moment) {
     viewers.show(moment);
+  }
+
+  /** Tells one browser why something could not be done; one that has left misses nothing. */
+  public void tell(String viewer, String text) {
+    viewers.tell(viewer, text);
   }
 
   /** Tells all browsers that the world, or what is shown of it, is another one. */

@@ -55,6 +55,23 @@ final class Viewers {
     return waiting.get();
   }
 
+  /** By what a browser is known. */
+  static String name(Channel viewer) {
+    return viewer.id().asShortText();
+  }
+
+  /** Tells one browser something for people, if it is still there. */
+  void tell(String viewer, String text) {
+    execute(() ->
+        viewers.writeAndFlush(
+            refusal(text), each -> name(each).equals(viewer) && each.isWritable()));
+  }
+
+  /** Why something was not done. */
+  static TextWebSocketFrame refusal(String text) {
+    return new TextWebSocketFrame(Json.text(Map.of("type", "refusal", "text", text)));
+  }
+
   /** A browser looks from now on; it is sent what there is. */
   void add(Channel viewer) {
     viewers.add(viewer);

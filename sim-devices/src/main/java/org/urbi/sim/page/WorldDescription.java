@@ -27,14 +27,19 @@ public final class WorldDescription {
    * Describes a world, as the page reads it.
    *
    * @param camera the one that is shown; null for none
+   * @param open whether who looks may also intervene
    */
-  public static String of(SimulatedWorld world, Mount.@Nullable Camera camera) {
+  public static String of(SimulatedWorld world, Mount.@Nullable Camera camera, boolean open) {
     Map<String, Object> all = new LinkedHashMap<>();
     all.put("type", "setting");
     all.put("title", world.robot().map(RobotDescription::name).orElse("Simulation"));
     all.put("engine", world.physics().engine().name());
     all.put("bodies", world.bodies().stream().map(body -> body(world, body)).toList());
     all.put("drives", world.drives().stream().map(WorldDescription::drive).toList());
+    all.put("eyes", eyes(world));
+    all.put("open", open);
+    all.put("mobile", world.robot().map(RobotDescription::mobile).orElse(false));
+    all.put("background", colour(world.background()));
     if (camera != null) {
       Lens lens = camera.lens();
       all.put(
@@ -50,6 +55,19 @@ public final class WorldDescription {
               lens.xfov()));
     }
     return Json.text(all);
+  }
+
+  /** For each camera its name, its angle of view and its width by its height. */
+  private static List<Map<String, Object>> eyes(SimulatedWorld world) {
+    List<Map<String, Object>> eyes = new ArrayList<>();
+    for (Mount mount : world.mounts()) {
+      if (mount instanceof Mount.Camera camera) {
+        Lens lens = camera.lens();
+        double aspect = (double) lens.width() / lens.height();
+        eyes.add(Map.of("name", camera.name(), "xfov", lens.xfov(), "aspect", aspect));
+      }
+    }
+    return eyes;
   }
 
   private static Map<String, Object> body(SimulatedWorld world, Body body) {

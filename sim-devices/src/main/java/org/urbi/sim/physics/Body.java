@@ -28,6 +28,12 @@ public final class Body {
   private long stateOf = -1;
   private Pose pose;
 
+  /** How the world began, for {@link #restart}. */
+  private Pose firstPose;
+
+  private Vec3 firstVelocity = Vec3.ZERO;
+  private Vec3 firstSpin = Vec3.ZERO;
+
   Body(
       PhysicsWorld world,
       BodyDescription description,
@@ -39,6 +45,7 @@ public final class Body {
     this.name = description.name();
     this.parts = description.parts();
     this.pose = description.pose();
+    this.firstPose = pose;
     this.mass = description.mass();
     this.index = index;
     this.number = number;
@@ -176,6 +183,23 @@ public final class Body {
       world.dynamics().placeBody(number, new Vec3(s[0], s[1], s[2]), rotation);
       world.dynamics().moveBody(number, Vec3.ZERO, Vec3.ZERO);
       world.changed();
+    }
+  }
+
+  /** Keeps how it is now, for {@link #restart}. */
+  void keepStart() {
+    firstPose = pose();
+    if (!isFixed()) {
+      firstVelocity = velocity();
+      firstSpin = spin();
+    }
+  }
+
+  /** Has it be again as it was when that was kept. */
+  void restart() {
+    place(firstPose);
+    if (!isFixed()) {
+      move(firstVelocity, firstSpin);
     }
   }
 

@@ -117,6 +117,12 @@ public final class Joint {
     lastAngle = now;
   }
 
+  /** It has not turned: its bodies are where they were when it was made. */
+  void restart() {
+    angle = 0;
+    lastAngle = 0;
+  }
+
   @Override
   public String toString() {
     return name();

@@ -177,6 +177,18 @@ public final class PhysicsWorld implements AutoCloseable {
     }
   }
 
+  /** Keeps how all bodies are now, for {@link #restart}. */
+  public void keepStart() {
+    bodies.forEach(Body::keepStart);
+  }
+
+  /** Has all bodies be again as they were when that was kept. Time goes on. */
+  public void restart() {
+    bodies.forEach(Body::restart);
+    joints.forEach(Joint::restart);
+    contactCount = 0;
+  }
+
   private void notePair(int first, int second) {
     Body a = owners.get(first);
     Body b = owners.get(second);

@@ -16,6 +16,12 @@ final class AccelerationEstimate {
     velocity = mount.body().velocityAt(mount.pose().position());
   }
 
+  /** What moves from now on has not been pushed there. */
+  void restart() {
+    velocity = mount.body().velocityAt(mount.pose().position());
+    acceleration = Vec3.ZERO;
+  }
+
   void afterStep() {
     Vec3 now = mount.body().velocityAt(mount.pose().position());
     acceleration = now.minus(velocity).times(1 / settings.step());

@@ -146,6 +146,13 @@ public final class Drive {
     return target;
   }
 
+  /** Forgets its target, and what it has come from. */
+  void restart() {
+    target = 0;
+    integral = 0;
+    lastError = 0;
+  }
+
   /** Has the motor run during the next step. */
   void beforeStep(double step) {
     double speed = target;

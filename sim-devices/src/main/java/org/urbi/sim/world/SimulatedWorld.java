@@ -174,6 +174,21 @@ public final class SimulatedWorld implements AutoCloseable {
     }
   }
 
+  /** All is there; to this {@link #restart} goes back. */
+  void begin() {
+    physics.keepStart();
+  }
+
+  /**
+   * Puts everything where the file has it, as fast as it is there; the targets of all drives are 0.
+   * Time goes on.
+   */
+  public void restart() {
+    physics.restart();
+    drives.values().forEach(Drive::restart);
+    motions.values().forEach(AccelerationEstimate::restart);
+  }
+
   // ------------------------------------------------------------------ what sensors measure
 
   /** In metres; the farthest that it can measure if there is nothing. */
@@ -269,6 +284,11 @@ public final class SimulatedWorld implements AutoCloseable {
       }
     }
     return new Scene(things, lights.isEmpty() ? DAYLIGHT : lights, ambient, background);
+  }
+
+  /** What there is where nothing is. */
+  public Colour background() {
+    return background;
   }
 
   private List<Appearance> looksOf(Body body) {

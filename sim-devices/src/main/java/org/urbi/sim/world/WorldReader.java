@@ -92,6 +92,7 @@ public final class WorldReader {
           checked(block, () -> reader.add(block));
         }
       }
+      world.begin();
       return world;
     } catch (RuntimeException e) {
       world.close();

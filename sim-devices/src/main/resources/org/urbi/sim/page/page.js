@@ -1,12 +1,13 @@
-// Connects to the simulation, hands what it sends to the three views, and connects again when it
-// has lost it.
+// Connects to the simulation, hands what it sends to the views, and connects again when it has lost it.
 import { CameraView } from "./camera.js";
+import { Controls } from "./controls.js";
 import { SceneView } from "./scene.js";
 import { PlotView } from "./plots.js";
 
 const FIRST_WAIT = 500;
 const LONGEST_WAIT = 5000;
 const SPEED_SECONDS = 2;
+const REFUSAL_SECONDS = 8;
 
 const byId = (id) => document.getElementById(id);
 const views = [
@@ -15,11 +16,17 @@ const views = [
   new PlotView(byId("plots")),
 ];
 const camera = views[0];
+const controls = new Controls(byId, send);
+views.push(controls);
 
 let wait = FIRST_WAIT;
 let clock = null;
 let redrawing = false;
 let connections = 0;
+let stream = null;
+let setting = null;
+let moment = null;
+let refused;
 
 function redraw() {
   if (redrawing) return;
@@ -49,6 +56,8 @@ function showTime(time) {
 function take(message) {
   switch (message.type) {
     case "setting":
+      setting = message;
+      moment = null;
       document.title = `${message.title} – simulation`;
       byId("title").textContent = message.title;
       byId("engine").textContent = message.engine;
@@ -56,8 +65,12 @@ function take(message) {
       for (const view of views) view.begin(message);
       break;
     case "moment":
+      moment = message;
       showTime(message.time);
       for (const view of views) view.take(message);
+      break;
+    case "refusal":
+      refuse(message.text);
       break;
     case "trouble":
       camera.trouble(message.text);
@@ -66,8 +79,41 @@ function take(message) {
   redraw();
 }
 
+// Tells the simulation what somebody wants of it.
+function send(order) {
+  if (stream?.readyState === WebSocket.OPEN) stream.send(order);
+  else refuse("There is no connection to the simulation.");
+}
+
+function refuse(text) {
+  byId("refusal").textContent = text;
+  byId("refusal").hidden = false;
+  clearTimeout(refused);
+  refused = setTimeout(() => (byId("refusal").hidden = true), REFUSAL_SECONDS * 1000);
+}
+
+// The third dimension is large, and not everywhere to be had: everything else is there before it, and without it.
+async function addSpace() {
+  const { SpaceView } = await import("./space.js");
+  const space = new SpaceView(byId("space"), redraw, (picked) => controls.pick(picked));
+  if (setting) space.begin(setting);
+  if (moment) space.take(moment);
+  views.push(space);
+  controls.use(space);
+  const flat = (wanted) => {
+    byId("scene").hidden = !wanted;
+    byId("space").hidden = byId("hint").hidden = wanted;
+    byId("flat").setAttribute("aria-pressed", wanted);
+    redraw();
+  };
+  byId("flat").disabled = false;
+  byId("flat").addEventListener("click", () => flat(byId("scene").hidden));
+  byId("space").addEventListener("webglcontextlost", () => flat(true));
+  flat(false);
+}
+
 function connect() {
-  const stream = new WebSocket(`ws://${location.host}/stream`);
+  stream = new WebSocket(`ws://${location.host}/stream`);
   stream.binaryType = "blob";
   stream.onopen = () => {
     wait = FIRST_WAIT;
@@ -88,3 +134,4 @@ function connect() {
 addEventListener("resize", redraw);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
 connect();
+addSpace().catch((error) => console.warn("There is no third dimension in this browser:", error.message));

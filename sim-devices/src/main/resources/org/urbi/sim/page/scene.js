@@ -86,7 +86,7 @@ export class SceneView {
   }
 
   draw() {
-    if (!this.#setting || !this.#moment) return;
+    if (!this.#setting || !this.#moment || this.#canvas.hidden) return;
     const { pen, width, height } = fit(this.#canvas);
     const parts = this.#outlines();
     const view = this.#view(parts, width, height);

@@ -248,6 +248,84 @@ class DevicesTest {
   }
 
   @Test
+  void timeIsHaltedSteppedAndHurried() {
+    double before = number("s.world.paused = true | sleep(100ms) | s.world.time");
+    assertEquals(before, number("sleep(5s) | s.world.time"));
+    assertEquals(before + 0.02, number("s.world.step(10) | s.world.time"), 1e-9);
+    assertEquals(before + 1.02, number("s.world.paused = false | sleep(1s) | s.world.time"), 0.05);
+    assertEquals(before + 4.02, number("s.world.speed = 3 | sleep(1s) | s.world.time"), 0.15);
+    assertEquals(0, number("s.world.late"), "nothing was lost");
+    kernel.eval("s.world.speed = 0; sleep(10ms)");
+    complained("speed: above 0 and at most 10.0 expected, not 0.0");
+    kernel.eval("s.world.speed = nan; sleep(10ms)");
+    complained("speed: above 0 and at most 10.0 expected, not NaN");
+    assertEquals(3, number("s.world.speed"), "as before");
+  }
+
+  @Test
+  void resetPutsEverythingBack() {
+    kernel.eval("yaw.val = 1 | robot.go(0.3) | robot.drive(0.2, 0) | sleep(1s)");
+    double before = number("s.world.time");
+    assertTrue(number("wheelL.angle") > 3);
+    kernel.eval("s.world.paused = true | s.world.reset");
+    assertEquals(before, number("s.world.time"), 0.1, "time goes on");
+    assertEquals(List.of(1.5, 0.4, 0.06), kernel.eval("s.world.position(\"ball\")"));
+    assertEquals(List.of(0.2, -0.8, 0.0), kernel.eval("s.world.velocity(\"ball\")"));
+    assertEquals(0, number("s.world.position(\"body\")[0]"), 1e-9);
+    assertEquals(0, number("wheelL.angle"), 1e-6);
+    assertEquals(0, number("yaw.val"), 1e-6);
+    kernel.eval("s.world.paused = false | sleep(2s)");
+    assertEquals(0, number("yaw.val"), 1e-2, "nothing is to move");
+    assertEquals(0, number("s.world.position(\"body\")[0]"), 0.02);
+  }
+
+  @Test
+  void hitMakesABodyFaster() {
+    kernel.eval(
+        "s.world.paused = true | s.world.place(\"ball\", 1, 0, 0.06)"
+            + " | s.world.move(\"ball\", 0, 0, 0) | s.world.hit(\"ball\", 1, 0, 0.06, 2, 0, 0)");
+    assertEquals(2, number("s.world.step(1) | s.world.velocity(\"ball\")[0]"), 0.1);
+    assertEquals(2, number("s.world.step(1) | s.world.velocity(\"ball\")[0]"), 0.1, "once");
+    refused("s.world.hit(\"north\", 0, 0, 0, 1, 0, 0)", "north: does not move: it has no mass");
+    refused("s.world.hit(\"ball\", 0, 0, 0, nan, 0, 0)", "ball: the force is not finite");
+    refused("s.world.hit(\"ball\", inf, 0, 0, 1, 0, 0)", "ball: the point is not finite");
+  }
+
+  @Test
+  void whoLooksMayIntervene() {
+    kernel.eval("var Global.page = s.showPage(0, nil)");
+    obey("drive 1 0");
+    assertTrue(number("sleep(1s) | wheelL.val") > 1);
+    assertEquals(number("wheelL.val"), number("wheelR.val"), 0.2);
+    obey("drive 0 0");
+    assertEquals(0, number("sleep(1s) | wheelL.val"), 0.01);
+    obey("pause 1");
+    double halted = number("sleep(1s) | s.world.time");
+    obey("step 5");
+    assertEquals(halted + 0.01, number("s.world.time"), 1e-9);
+    obey("hit 0 0 0 1 0 0 nothing");
+    obey("hit 0 0 0 1 0 0");
+    obey("hit 1 2 3");
+    obey("step 100000");
+    obey("step -1");
+    obey("drive nan 0");
+    obey("drive");
+    obey("speed 1e9");
+    obey("");
+    obey("fly");
+    assertEquals(halted + 0.01, number("sleep(1s) | s.world.time"), 1e-9, "nothing was done");
+    assertEquals(0, output.size(), "only who looks is told");
+    obey("reset");
+    assertEquals(0, number("s.world.position(\"body\")[0]"), 1e-9);
+    obey("pause 0");
+    assertTrue(number("sleep(1s) | s.world.time") > halted + 0.5);
+  }
+
+  private void obey(String order) {
+    kernel.eval("page.obey(\"nobody\", \"" + order + "\")");
+  }
+
+  @Test
   void nonsenseIsAnException() {
     refused("s.world.place(\"nothing\", 1, 0, 0)", "no body 'nothing' in this world");
     refused("s.world.place(\"ball\", nan, 0, 0)", "ball: the place is not finite");

@@ -41,6 +41,20 @@ import urbi.UImageFormat;
 
 class PageServerTest {
   private static final String LOCAL = "127.0.0.1";
+  private static final List<String> FILES =
+      List.of(
+          "",
+          "page.css",
+          "page.js",
+          "camera.js",
+          "scene.js",
+          "plots.js",
+          "space.js",
+          "parts.js",
+          "orbit.js",
+          "controls.js",
+          "libraries/three.module.js",
+          "libraries/three.core.js");
   private static final byte[] JPEG = {(byte) 0xff, (byte) 0xd8, 1, 2, 3, (byte) 0xff, (byte) 0xd9};
 
   private static final String WORLD =
@@ -63,6 +77,9 @@ class PageServerTest {
           "Sec-WebSocket-Key: MDEyMzQ1Njc4OWFiY2RlZg==",
           "\r\n");
 
+  private static final Snapshot.Clock CLOCK = new Snapshot.Clock(false, 1);
+
+  private final BlockingQueue<String> orders = new LinkedBlockingQueue<>();
   private final SimulatedWorld world = WorldReader.read("test.world", WORLD, "ode4j");
   private final HttpClient client = HttpClient.newHttpClient();
   private PageServer server;
@@ -70,7 +87,7 @@ class PageServerTest {
   @BeforeEach
   void serve() {
     Mount.Camera eye = world.mount(Mount.Camera.class, "eye");
-    server = new PageServer(LOCAL, 0, WorldDescription.of(world, eye));
+    server = new PageServer(LOCAL, 0, WorldDescription.of(world, eye, true), this::take);
   }
 
   @AfterEach
@@ -83,7 +100,8 @@ class PageServerTest {
   private Snapshot moment(long imageNumber, byte[] jpeg) {
     UImage image = new UImage(UImageFormat.IMAGE_JPEG, 80, 60, jpeg);
     Blob blob = new Blob(0.25, -0.125, 0.5, 1, 0, 3);
-    return Snapshot.of(world, new Snapshot.CameraView(Pose.ORIGIN, image, imageNumber, true, blob));
+    return Snapshot.of(
+        world, CLOCK, new Snapshot.CameraView(Pose.ORIGIN, image, imageNumber, true, blob));
   }
 
   /** What a browser has been sent: texts, and the bytes of images. */
@@ -121,13 +139,24 @@ class PageServerTest {
     }
   }
 
+  private void take(String viewer, String order) {
+    orders.add(order);
+    if (order.equals("nonsense")) {
+      server.tell(viewer, "what is that?");
+    }
+  }
+
   private Stream watch() {
     Stream stream = new Stream();
-    client
+    connect(stream);
+    return stream;
+  }
+
+  private WebSocket connect(Stream stream) {
+    return client
         .newWebSocketBuilder()
         .buildAsync(URI.create("ws://127.0.0.1:" + server.port() + "/stream"), stream)
         .join();
-    return stream;
   }
 
   private void awaitReadiness() throws InterruptedException {
@@ -152,7 +181,7 @@ class PageServerTest {
 
   @Test
   void filesOfThePageAreServed() throws Exception {
-    for (String file : List.of("", "page.css", "page.js", "camera.js", "scene.js", "plots.js")) {
+    for (String file : FILES) {
       HttpRequest request = HttpRequest.newBuilder(URI.create(server.url() + file)).build();
       HttpResponse<String> answer = client.send(request, HttpResponse.BodyHandlers.ofString());
       assertEquals(200, answer.statusCode(), file);
@@ -208,7 +237,8 @@ class PageServerTest {
         "it has just been shown something");
     String shown = (String) first.next();
     assertTrue(shown.startsWith("{\"type\":\"moment\",\"time\":0.001,"), shown);
-    assertTrue(shown.contains(",0.5]],\"sight\":"), shown);
+    assertTrue(shown.contains(",0.5]],\"eyes\":[[0,0,3,"), shown);
+    assertTrue(shown.contains("\"paused\":false,\"speed\":1,\"sight\":"), shown);
     assertTrue(shown.contains("\"blob\":[0.25,-0.125,0.5]"), shown);
     assertArrayEquals(JPEG, (byte[]) first.next());
     server.show(moment(1, JPEG));
@@ -221,6 +251,71 @@ class PageServerTest {
     assertArrayEquals(JPEG, (byte[]) second.next());
     server.describe("{\"type\":\"setting\"}");
     assertEquals("{\"type\":\"setting\"}", first.next());
+  }
+
+  @Test
+  void ordersAreTakenAndTheirFailuresToldToOne() throws Exception {
+    Stream other = watch();
+    Stream stream = new Stream();
+    WebSocket socket = connect(stream);
+    socket.sendText("step 3", true).join();
+    assertEquals("step 3", orders.take());
+    socket.sendText("nonsense", true).join();
+    stream.next();
+    assertEquals("{\"type\":\"refusal\",\"text\":\"what is that?\"}", stream.next());
+    other.next();
+    server.describe("{}");
+    assertEquals("{}", other.next(), "it was told nothing of that");
+  }
+
+  @Test
+  void robotWhoseDriverHasGoneStops() throws Exception {
+    WebSocket idle = connect(new Stream());
+    WebSocket driver = connect(new Stream());
+    driver.sendText("drive 0.5 1", true).join();
+    assertEquals("drive 0.5 1", orders.take());
+    idle.abort();
+    driver.abort();
+    assertEquals("drive 0 0", orders.take());
+    WebSocket parked = connect(new Stream());
+    parked.sendText("drive 1 0", true).join();
+    parked.sendText("drive 0 0", true).join();
+    parked.abort();
+    assertEquals("drive 1 0", orders.take());
+    assertEquals("drive 0 0", orders.take());
+    while (server.viewers() > 0) {
+      Thread.sleep(5);
+    }
+    assertNull(orders.poll(), "it had stopped");
+  }
+
+  @Test
+  void whoGivesTooManyOrdersIsToldAndDisconnected() throws Exception {
+    Stream stream = new Stream();
+    WebSocket socket = connect(stream);
+    stream.next();
+    while (stream.received.isEmpty()) {
+      socket.sendText("drive 1 0", true).exceptionally(failure -> socket).join();
+    }
+    String told = (String) stream.next();
+    assertTrue(told.contains("Too many orders: at most 60 in a second."), told);
+    while (server.viewers() > 0) {
+      Thread.sleep(5);
+    }
+    String last = "";
+    for (String order = orders.poll(); order != null; order = orders.poll()) {
+      last = order;
+    }
+    assertEquals("drive 0 0", last, "nobody drives any more");
+    assertTrue(((String) watch().next()).contains("setting"), "it may come again");
+  }
+
+  @Test
+  void onlyPagesOfThisMachineAreOpen() {
+    assertTrue(PageServer.isOpen("127.0.0.1"));
+    assertTrue(PageServer.isOpen("localhost"));
+    assertFalse(PageServer.isOpen("0.0.0.0"));
+    assertFalse(PageServer.isOpen("192.0.2.1"));
   }
 
   @Test
@@ -242,7 +337,8 @@ class PageServerTest {
     Stream stream = watch();
     stream.next();
     UImage wrong = new UImage(UImageFormat.IMAGE_RGB, 80, 60, new byte[5]);
-    server.show(Snapshot.of(world, new Snapshot.CameraView(Pose.ORIGIN, wrong, 1, false, null)));
+    server.show(
+        Snapshot.of(world, CLOCK, new Snapshot.CameraView(Pose.ORIGIN, wrong, 1, false, null)));
     List<String> texts = List.of((String) stream.next(), (String) stream.next());
     assertTrue(texts.stream().anyMatch(text -> text.contains("no image: ")), texts.toString());
     server.show(moment(2, JPEG));
@@ -304,7 +400,7 @@ class PageServerTest {
       String message =
           assertThrows(
                   SimulationException.class,
-                  () -> new PageServer(LOCAL, taken.getLocalPort(), "{}"))
+                  () -> new PageServer(LOCAL, taken.getLocalPort(), "{}", this::take))
               .getMessage();
       assertTrue(
           message.startsWith("page: cannot use port " + taken.getLocalPort() + " of 127.0.0.1"),
@@ -312,12 +408,14 @@ class PageServerTest {
     }
     assertEquals(
         "page: port: between 0 and 65535 expected, not 70000",
-        assertThrows(SimulationException.class, () -> new PageServer(LOCAL, 70_000, "{}"))
+        assertThrows(
+                SimulationException.class, () -> new PageServer(LOCAL, 70_000, "{}", this::take))
             .getMessage());
     assertEquals(
         "page: unknown host: no.such.host.invalid",
         assertThrows(
-                SimulationException.class, () -> new PageServer("no.such.host.invalid", 0, "{}"))
+                SimulationException.class,
+                () -> new PageServer("no.such.host.invalid", 0, "{}", this::take))
             .getMessage());
   }
 
@@ -338,7 +436,7 @@ class PageServerTest {
     int port = server.port();
     for (int i = 0; i < 50; i++) {
       server.close();
-      server = new PageServer(LOCAL, port, "{}");
+      server = new PageServer(LOCAL, port, "{}", this::take);
     }
     assertEquals(port, server.port());
   }

@@ -34,7 +34,6 @@ final class Browser implements AutoCloseable {
   private static final String[] OPTIONS = {
     "--headless",
     "--no-sandbox",
-    "--disable-gpu",
     "--disable-quic",
     "--no-first-run",
     "--disable-background-networking",
@@ -43,12 +42,17 @@ final class Browser implements AutoCloseable {
     "--window-size=1200,1000"
   };
 
+  private static final String[] FLAT = {"--disable-gpu", "--disable-3d-apis"};
+  private static final String[] SPATIAL = {
+    "--use-angle=swiftshader", "--enable-unsafe-swiftshader"
+  };
+
   private final HttpClient client = HttpClient.newHttpClient();
   private final Process driver;
   private String session;
   private boolean open;
 
-  private Browser(Path program, Path folder) throws IOException {
+  private Browser(Path program, Path folder, String[] graphics) throws IOException {
     ProcessBuilder builder =
         new ProcessBuilder("chromedriver", "--port=0").redirectErrorStream(true);
     // For its profile, and all else that it leaves behind.
@@ -57,7 +61,9 @@ final class Browser implements AutoCloseable {
     try {
       session = "http://127.0.0.1:" + port() + "/session";
       String options =
-          Stream.of(OPTIONS).map(each -> '"' + each + '"').collect(Collectors.joining(","));
+          Stream.concat(Stream.of(OPTIONS), Stream.of(graphics))
+              .map(each -> '"' + each + '"')
+              .collect(Collectors.joining(","));
       String answer =
           post(
               "",
@@ -76,11 +82,20 @@ final class Browser implements AutoCloseable {
 
   /** Starts one that keeps its files in a folder; the test is skipped where there is none. */
   static Browser start(Path folder) throws IOException {
+    return start(folder, FLAT);
+  }
+
+  /** The same, and it draws in three dimensions: WebGL, computed by its processor. */
+  static Browser startSpatial(Path folder) throws IOException {
+    return start(folder, SPATIAL);
+  }
+
+  private static Browser start(Path folder, String[] graphics) throws IOException {
     Path chromium = inPath("chromium");
     assumeTrue(
         chromium != null && inPath("chromedriver") != null,
         "skipped: no chromium and chromedriver (Debian: chromium, chromium-driver)");
-    return new Browser(chromium, folder);
+    return new Browser(chromium, folder, graphics);
   }
 
   private static Path inPath(String program) {
@@ -136,6 +151,22 @@ final class Browser implements AutoCloseable {
     String answer = post("/url", "{\"url\":\"" + url + "\"}");
     if (!answer.equals("{\"value\":null}")) {
       throw new AssertionError("the browser does not open " + url + ": " + answer);
+    }
+  }
+
+  /** Clicks, with a pointer as people have it, at a place of the window in pixels. */
+  void click(int x, int y) throws IOException {
+    String answer =
+        post(
+            "/actions",
+            """
+            {"actions":[{"type":"pointer","id":"mouse","parameters":{"pointerType":"mouse"},"actions":[
+            {"type":"pointerMove","duration":0,"x":%d,"y":%d},
+            {"type":"pointerDown","button":0},{"type":"pointerUp","button":0}]}]}
+            """
+                .formatted(x, y));
+    if (!answer.equals("{\"value\":null}")) {
+      throw new AssertionError("the browser does not click: " + answer);
     }
   }
 

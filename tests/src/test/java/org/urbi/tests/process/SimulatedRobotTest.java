@@ -7,10 +7,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.net.ServerSocket;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.WebSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -141,6 +146,175 @@ class SimulatedRobotTest {
     String time = "return document.querySelector('#time').textContent";
     String before = browser.evaluate(time);
     browser.await("the time", time, now -> !now.equals(before));
+  }
+
+  /** How many different colours the world in three dimensions has. */
+  private static final String SPACE =
+      """
+      const space = document.querySelector('#space');
+      if (space.hidden || !space.dataset.time) return 0;
+      const copy = document.createElement('canvas');
+      [copy.width, copy.height] = [space.width, space.height];
+      const pen = copy.getContext('2d');
+      pen.drawImage(space, 0, 0);
+      const pixels = pen.getImageData(0, 0, copy.width, copy.height).data;
+      return new Set(new Uint32Array(pixels.buffer)).size;
+      """;
+
+  private static final String SHOWN_TIME =
+      "return Math.round(document.querySelector('#space').dataset.time * 1000)";
+  private static final String PICKED =
+      "return document.querySelector('#space').dataset.picked || ''";
+
+  @Test
+  void worldIsTouchedInABrowser(@TempDir Path folder) throws Exception {
+    try (Browser browser = Browser.startSpatial(folder);
+        JavaProcess urbi = JavaProcess.start(root, URBI, List.of("-q", "-i", DEMO, "0"))) {
+      String line = urbi.awaitText(ADDRESS);
+      browser.open(line.substring(line.indexOf(ADDRESS) + ADDRESS.length()));
+      browser.await("the world in three dimensions", SPACE, count -> number(count) > 50);
+      urbi.send("playing.stop;\n");
+      timeIsHaltedAndStepped(browser);
+      bodiesArePickedAndPushed(browser, urbi);
+      robotIsDriven(browser, urbi);
+      press(browser, "#flat");
+      browser.await("the scene from above", colours("#scene"), count -> number(count) > 20);
+      unusualWorldsAreShown(browser, urbi, folder);
+      urbi.send("shutdown;\n");
+      assertEquals(0, urbi.awaitEnd(), urbi::text);
+      assertTrue(!urbi.text().contains("!!!"), urbi::text);
+    }
+  }
+
+  private static void unusualWorldsAreShown(Browser browser, JavaProcess urbi, Path folder)
+      throws Exception {
+    String none = "world { step 10 ms }\n";
+    String crowd =
+        IntStream.range(0, 1000)
+            .mapToObj(i ->
+                "body b%d { at %d %d 0; box { size 0.5 0.5 0.5 } }\n".formatted(i, i % 32, i / 32))
+            .collect(Collectors.joining());
+    for (String world : List.of(none, crowd)) {
+      Path file = Files.writeString(folder.resolve("unusual.world"), world);
+      String mark = world.equals(none) ? "Nothing: " : "Very much: ";
+      urbi.send(
+          "echo(\"%s\" + Simulation.new(\"%s\").showPage(0, nil).url);\n".formatted(mark, file));
+      String line = urbi.awaitText(mark);
+      browser.open(line.substring(line.indexOf("http")));
+      // The first one is nothing but its background.
+      int least = world.equals(none) ? 0 : 20;
+      browser.await("the world", SPACE, count -> number(count) > least);
+    }
+  }
+
+  private static void press(Browser browser, String button) throws Exception {
+    browser.evaluate("document.querySelector('" + button + "').click(); return 1");
+  }
+
+  private static void key(Browser browser, String what, String key) throws Exception {
+    browser.evaluate(
+        "document.querySelector('#space').dispatchEvent(new KeyboardEvent('%s', {key: '%s', bubbles: true})); return 1"
+            .formatted(what, key));
+  }
+
+  /** Waits until a condition holds in the simulation, which tells of nothing by itself. */
+  private static void awaitTruth(JavaProcess urbi, String mark, String condition) throws Exception {
+    urbi.send("{ while (!(" + condition + ")) sleep(20ms); echo(\"" + mark + "\") },\n");
+    urbi.awaitLine(said -> said.endsWith("*** " + mark));
+  }
+
+  private static void timeIsHaltedAndStepped(Browser browser) throws Exception {
+    press(browser, "#pause");
+    browser.await(
+        "the halt",
+        "return document.querySelector('#pause').getAttribute('aria-pressed')",
+        "true"::equals);
+    int halted = number(browser.evaluate(SHOWN_TIME));
+    press(browser, "#step");
+    browser.await("a step of 2 ms", SHOWN_TIME, now -> number(now) == halted + 2);
+    press(browser, "#reset");
+    press(browser, "#step");
+    browser.await("another step", SHOWN_TIME, now -> number(now) == halted + 4);
+  }
+
+  private static void bodiesArePickedAndPushed(Browser browser, JavaProcess urbi) throws Exception {
+    String middle =
+        """
+        const {left, top, width, height} = document.querySelector('#space').getBoundingClientRect();
+        return Math.round(%s)
+        """;
+    int x = number(browser.evaluate(middle.formatted("left + width / 2")));
+    int top = number(browser.evaluate(middle.formatted("top")));
+    int height = number(browser.evaluate(middle.formatted("height")));
+    for (int y = 0; y < height && browser.evaluate(PICKED).isEmpty(); y += 8) {
+      browser.click(x, top + y);
+    }
+    assertNotEquals("", browser.evaluate(PICKED), "a click picks what is there");
+    for (int i = 0; i < 20 && !browser.evaluate(PICKED).equals("ball"); i++) {
+      key(browser, "keydown", "n");
+    }
+    assertEquals("ball", browser.evaluate(PICKED));
+    urbi.send("simulation.world.move(\"ball\", 0, 0, 0);\n");
+    awaitTruth(urbi, "at rest", "simulation.world.velocity(\"ball\")[0] == 0");
+    press(browser, "#push");
+    press(browser, "#step");
+    awaitTruth(
+        urbi,
+        "pushed",
+        "simulation.world.velocity(\"ball\")[0].abs + simulation.world.velocity(\"ball\")[1].abs > 0.8");
+  }
+
+  private static void robotIsDriven(Browser browser, JavaProcess urbi) throws Exception {
+    press(browser, "#pause");
+    key(browser, "keydown", "w");
+    awaitTruth(urbi, "driven", "robot.body.wheel[left].val > 2");
+    key(browser, "keyup", "w");
+    awaitTruth(urbi, "let go", "robot.body.wheel[left].val.abs < 0.1");
+    key(browser, "keydown", "s");
+    awaitTruth(urbi, "driven back", "robot.body.wheel[left].val < -2");
+    browser.evaluate("location.reload(); return 1");
+    awaitTruth(urbi, "left alone", "robot.body.wheel[left].val.abs < 0.1");
+    browser.await("the world again", SPACE, count -> number(count) > 50);
+  }
+
+  @Test
+  void recordingHasWhatWasDoneOnThePage(@TempDir Path folder) throws Exception {
+    int port;
+    try (ServerSocket free = new ServerSocket(0)) {
+      port = free.getLocalPort();
+    }
+    Path program =
+        Files.writeString(
+            folder.resolve("paused.u"),
+            """
+            requireFile("urbi/sim.u")|;
+            var s = Simulation.new("examples/ball-tracking/table.world")|;
+            s.world.paused = true|;
+            echo("%s" + s.showPage(%d, nil).url)|;
+            waituntil (!s.world.paused)|;
+            echo("It goes on.")|;
+            shutdown;
+            """
+                .formatted(ADDRESS, port));
+    String run = folder.resolve("run").toString();
+    try (JavaProcess urbi =
+        JavaProcess.start(root, URBI, List.of("--record=" + run, program.toString()))) {
+      urbi.awaitText(ADDRESS);
+      try (HttpClient client = HttpClient.newHttpClient()) {
+        client
+            .newWebSocketBuilder()
+            .buildAsync(
+                URI.create("ws://127.0.0.1:" + port + "/stream"), new WebSocket.Listener() {})
+            .join()
+            .sendText("pause 0", true)
+            .join();
+        assertEquals(0, urbi.awaitEnd(), urbi::text);
+      }
+    }
+    try (JavaProcess replay = JavaProcess.start(root, URBI, List.of("--replay=" + run))) {
+      assertEquals(0, replay.awaitEnd(), replay::text);
+      assertTrue(replay.text().contains("It goes on."), replay::text);
+    }
   }
 
   @Test
