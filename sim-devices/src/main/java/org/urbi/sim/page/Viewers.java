@@ -7,6 +7,7 @@ import io.netty.channel.group.DefaultChannelGroup;
 import io.netty.handler.codec.http.websocketx.BinaryWebSocketFrame;
 import io.netty.handler.codec.http.websocketx.TextWebSocketFrame;
 import io.netty.util.concurrent.EventExecutor;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
@@ -69,7 +70,14 @@ final class Viewers {
 
   /** Why something was not done. */
   static TextWebSocketFrame refusal(String text) {
-    return new TextWebSocketFrame(Json.text(Map.of("type", "refusal", "text", text)));
+    return told("refusal", text);
+  }
+
+  private static TextWebSocketFrame told(String type, String text) {
+    Map<String, Object> all = new LinkedHashMap<>();
+    all.put("type", type);
+    all.put("text", text);
+    return new TextWebSocketFrame(Json.text(all));
   }
 
   /** A browser looks from now on; it is sent what there is. */
@@ -132,11 +140,7 @@ final class Viewers {
       return image;
     } catch (RuntimeException e) {
       // An image of a variable may be anything; whoever looks is told, and the page goes on.
-      viewers.writeAndFlush(
-          new TextWebSocketFrame(
-              Json.text(
-                  Map.of(
-                      "type", "trouble", "text", "no image: " + String.valueOf(e.getMessage())))));
+      viewers.writeAndFlush(told("trouble", "no image: " + String.valueOf(e.getMessage())));
       return null;
     }
   }

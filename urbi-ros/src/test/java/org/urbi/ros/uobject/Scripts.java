@@ -28,7 +28,7 @@ final class Scripts implements AutoCloseable {
         Kernel.builder()
             .searchPath(List.of(Path.of("../share")))
             .moduleSearchPath(List.of(folder))
-            .output(output::add)
+            .output(text -> text.lines().forEach(output::add))
             .start();
     kernel.eval(
         """
