@@ -5,14 +5,14 @@ import java.util.concurrent.TimeUnit;
 import org.urbi.kernel.trust.Role;
 
 /** A client with a role and a budget, and what it hears. */
-final class TestClient implements Client {
+public final class TestClient implements Client {
   private final Role role;
   private final String budget;
   private final LinkedBlockingQueue<String> heard = new LinkedBlockingQueue<>();
   private final Connection connection;
   private int asked;
 
-  TestClient(Kernel kernel, Role role) {
+  public TestClient(Kernel kernel, Role role) {
     this(kernel, role, "");
   }
 
@@ -22,7 +22,7 @@ final class TestClient implements Client {
     connection = kernel.connect(this, false);
   }
 
-  Connection connection() {
+  public Connection connection() {
     return connection;
   }
 
@@ -47,7 +47,7 @@ final class TestClient implements Client {
   }
 
   /** Sends statements; returns what has come until they were over, without time stamps. */
-  String say(String code) {
+  public String say(String code) {
     String mark = "said " + ++asked;
     connection.send(code + "\nlobby.send(\"" + mark + "\", \"mark\");\n");
     StringBuilder answer = new StringBuilder();
