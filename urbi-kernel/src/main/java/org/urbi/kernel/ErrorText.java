@@ -84,13 +84,18 @@ final class ErrorText {
         explain(interpreter, lobby, e);
         Diagnostics.callersOfError(output, e.backtrace());
       }
-      case StackOverflowError e -> Diagnostics.error(output, Problem.STACK_EXHAUSTED.text());
-      case OutOfMemoryError e -> Diagnostics.error(output, Problem.MEMORY_EXHAUSTED.text());
+      case StackOverflowError e -> exhausted(output, Problem.STACK_EXHAUSTED);
+      case OutOfMemoryError e -> exhausted(output, Problem.MEMORY_EXHAUSTED);
       case ControlFlowException e -> {
         // A return or a break that had nothing to leave.
       }
       default -> Diagnostics.error(output, FailureLog.text(failure));
     }
+  }
+
+  private static void exhausted(Output output, Problem problem) {
+    Diagnostics.error(output, problem.text());
+    Diagnostics.explain(output, null, () -> Advice.of(problem.hint().orElse(null)));
   }
 
   private static void explain(Interpreter interpreter, UrbiLobby lobby, UrbiException thrown) {

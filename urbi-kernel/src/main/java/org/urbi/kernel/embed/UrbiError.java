@@ -31,6 +31,7 @@ public final class UrbiError extends RuntimeException {
   private final transient @Nullable Location location;
   private final transient List<Call> backtrace;
   private final transient @Nullable Object value;
+  private final @Nullable String hint;
   private final transient @Nullable UrbiException original;
 
   UrbiError(
@@ -38,8 +39,10 @@ public final class UrbiError extends RuntimeException {
       @Nullable Location location,
       List<Call> backtrace,
       @Nullable Object value,
+      @Nullable String hint,
       @Nullable UrbiException original) {
     super(message);
+    this.hint = hint;
     this.original = original;
     this.location = location;
     this.backtrace = List.copyOf(backtrace);
@@ -49,7 +52,7 @@ public final class UrbiError extends RuntimeException {
 
   /** A copy of this error with the stack trace of the thread that waits for the evaluation. */
   UrbiError here() {
-    UrbiError same = new UrbiError(getMessage(), location, backtrace, value, original);
+    UrbiError same = new UrbiError(getMessage(), location, backtrace, value, hint, original);
     if (getCause() != null) {
       same.initCause(getCause());
     }
@@ -58,7 +61,7 @@ public final class UrbiError extends RuntimeException {
 
   /** A hint at what to do about it; empty for what a program has thrown. */
   public Optional<String> hint() {
-    return original == null ? Optional.empty() : original.hint();
+    return Optional.ofNullable(hint);
   }
 
   /** The urbiscript exception that it represents; null for a Java error. */

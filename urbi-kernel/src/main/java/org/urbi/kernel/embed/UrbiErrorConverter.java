@@ -27,8 +27,8 @@ final class UrbiErrorConverter {
   static UrbiError of(Embedding embedding, Frame frame, Throwable failure) {
     return switch (failure) {
       case UrbiException e -> thrown(embedding, frame, e);
-      case StackOverflowError e -> simple(Problem.STACK_EXHAUSTED.text(), e);
-      case OutOfMemoryError e -> simple(Problem.MEMORY_EXHAUSTED.text(), e);
+      case StackOverflowError e -> simple(Problem.STACK_EXHAUSTED, e);
+      case OutOfMemoryError e -> simple(Problem.MEMORY_EXHAUSTED, e);
       default -> {
         FailureLog.internal("an evaluation", failure);
         yield simple(FailureLog.text(failure), failure);
@@ -37,7 +37,16 @@ final class UrbiErrorConverter {
   }
 
   static UrbiError simple(String message, @Nullable Throwable cause) {
-    UrbiError error = new UrbiError(message, null, List.of(), null, null);
+    return simple(message, null, cause);
+  }
+
+  private static UrbiError simple(Problem problem, Throwable cause) {
+    return simple(problem.text(), problem.hint().orElse(null), cause);
+  }
+
+  private static UrbiError simple(
+      String message, @Nullable String hint, @Nullable Throwable cause) {
+    UrbiError error = new UrbiError(message, null, List.of(), null, hint, null);
     error.initCause(cause);
     return error;
   }
@@ -59,6 +68,7 @@ final class UrbiErrorConverter {
         location == null ? placeOfSyntaxError(frame, exception.value()) : location,
         calls,
         JavaValues.toJava(embedding, exception.value()),
+        exception.hint().orElse(null),
         exception);
   }
 

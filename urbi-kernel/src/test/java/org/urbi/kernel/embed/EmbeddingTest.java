@@ -23,6 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedClass;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.urbi.kernel.Kernel;
+import org.urbi.kernel.error.Problem;
 import org.urbi.kernel.job.JobThreads;
 
 /** Evaluation, calls, values and errors, seen from one thread. */
@@ -188,6 +189,17 @@ class EmbeddingTest {
     assertEquals(Optional.of("a recursion does not end"), hint("function f() { f() }; f()"));
     assertEquals(Optional.empty(), hint("throw 42"));
     assertEquals(Optional.empty(), hint("nameOfNothing"));
+  }
+
+  /** Before much is compiled the stack of Java may end first, and memory may before both. */
+  @Test
+  void errorsOfTheMachineHaveTheSameHints() {
+    UrbiError stack = UrbiErrorConverter.of(null, null, new StackOverflowError());
+    assertEquals(Problem.STACK_EXHAUSTED.text(), stack.getMessage());
+    assertEquals(Problem.STACK_EXHAUSTED.hint(), stack.hint());
+    UrbiError memory = UrbiErrorConverter.of(null, null, new OutOfMemoryError());
+    assertEquals(Problem.MEMORY_EXHAUSTED.text(), memory.getMessage());
+    assertEquals(Problem.MEMORY_EXHAUSTED.hint(), memory.hint());
   }
 
   private Optional<String> hint(String code) {
