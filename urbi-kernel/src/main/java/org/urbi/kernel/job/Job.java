@@ -29,6 +29,10 @@ public final class Job implements Runnable {
   private final long number;
   private final String prefix;
   private final OnBehalf onBehalf;
+
+  /** Each turn asks for it: found without a look at {@link #onBehalf}. */
+  private final Budget budget;
+
   private final boolean surplus;
   private final @Nullable JobGroup group;
   private final JobThread thread;
@@ -83,6 +87,7 @@ public final class Job implements Runnable {
     this.starter = creator == null ? 0 : creator.number;
     this.prefix = prefix;
     this.onBehalf = new OnBehalf(scheduler, lobby);
+    this.budget = onBehalf.budget();
     this.surplus = !onBehalf.admit(creator);
     this.scope = scope;
     this.group = group;
@@ -132,7 +137,12 @@ public final class Job implements Runnable {
 
   /** The budget that it uses: that of its first lobby. */
   public Budget budget() {
-    return onBehalf.budget();
+    return budget;
+  }
+
+  /** Whose turn it is when it runs. */
+  Budget account() {
+    return budget.account();
   }
 
   /**
@@ -301,7 +311,7 @@ public final class Job implements Runnable {
     injected = null;
     scope.remove(this);
     if (!surplus) {
-      onBehalf.budget().giveBack(Resource.JOBS);
+      budget.giveBack(Resource.JOBS);
     }
     scheduler.ended(this);
     if (group != null) {

@@ -46,11 +46,6 @@ public final class OnBehalf {
     return budget;
   }
 
-  /** Whose turn it is when the job runs. */
-  Budget account() {
-    return budget.account();
-  }
-
   /** What the job may do: the role of its lobby. */
   public Role role() {
     return role;

@@ -273,7 +273,7 @@ class RunQueue {
     if (!rushing) {
       return together;
     }
-    if (current != nobody && job.onBehalf().account() == last) {
+    if (current != nobody && job.account() == last) {
       return current.jobs;
     }
     try {
@@ -284,7 +284,7 @@ class RunQueue {
   }
 
   private Share shareFor(Job job) {
-    Share share = shareOf(job.onBehalf().account());
+    Share share = shareOf(job.account());
     if (!share.active) {
       served.add(share);
       share.active = true;
@@ -373,7 +373,7 @@ class RunQueue {
     if (first == null) {
       return null;
     }
-    Budget account = first.onBehalf().account();
+    Budget account = first.account();
     if (isSliceOver(account)) {
       rush();
       return null;
@@ -391,7 +391,7 @@ class RunQueue {
     }
     Job first = next.jobs.first();
     if (first != null) {
-      Budget account = first.onBehalf().account();
+      Budget account = first.account();
       if (isSliceOver(account)) {
         judge();
         return null;
@@ -561,8 +561,8 @@ class RunQueue {
     Budget before = null;
     JobList queue = together;
     for (Job job = together.first(); job != null; job = together.first()) {
-      if (job.onBehalf().account() != before) {
-        before = job.onBehalf().account();
+      if (job.account() != before) {
+        before = job.account();
         queue = queueFor(job);
         if (queue == together) {
           return;

@@ -66,10 +66,13 @@ public final class YieldCount {
 
   /** Somebody else may be able to run from now on: the next one has to look. */
   void endGrant() {
-    passed += granted - left;
-    count += granted - left;
-    granted = 0;
-    left = 0;
+    // Asked several times in each turn, and hardly ever is there a grant.
+    if (granted != 0) {
+      passed += granted - left;
+      count += granted - left;
+      granted = 0;
+      left = 0;
+    }
   }
 
   /** Counts one; returns whether it is time for a look. */
