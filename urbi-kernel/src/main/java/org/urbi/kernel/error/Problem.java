@@ -164,8 +164,8 @@ public enum Problem {
   MISSING_ATTRIBUTE(PRIMITIVE, "missing attribute: {name}"),
   UNKNOWN_TRAJECTORY(
       PRIMITIVE, "unknown trajectory", "it has time, speed, accel, sin, cos or smooth"),
-  NEGATIVE_SPEED(PRIMITIVE, "speed must not be negative"),
   ATTRIBUTE_NOT_POSITIVE(PRIMITIVE, "{attribute} must be positive"),
+  ENDLESS_WAY(PRIMITIVE, "the way to the target is infinitely long"),
   LIMITED(
       WARNING, "{variable}: {value} is {more or less} than {bound}, the {limit}: limited to that"),
 

@@ -3,6 +3,7 @@ package org.urbi.kernel.library.concurrent;
 import org.urbi.builtins.Builtin;
 import org.urbi.builtins.Permission;
 import org.urbi.builtins.UrbiType;
+import org.urbi.kernel.builtin.Arguments;
 import org.urbi.kernel.node.CallSite;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.object.UrbiObject;
@@ -21,7 +22,11 @@ final class SemaphoreType {
   }
 
   @Builtin(doc = "Lets that many jobs in.")
-  static void init(UrbiSemaphore self, int places) {
+  static void init(Frame frame, CallSite site, UrbiSemaphore self, int places) {
+    if (places < 0) {
+      UrbiObject given = frame.interpreter().values().number(places);
+      throw Arguments.negativeInteger(frame, site, 1, given);
+    }
     self.setFree(places);
   }
 

@@ -57,6 +57,15 @@ final class Motion {
     return target;
   }
 
+  /** How far it is to the target: never infinitely, since such a motion would not end. */
+  double way(double from) {
+    double way = target - from;
+    if (Double.isInfinite(way)) {
+      throw frame.interpreter().errors().primitive("TrajectoryGenerator", Problem.ENDLESS_WAY);
+    }
+    return way;
+  }
+
   /** Follows a curve, whatever else happens to the variable, and ends at the target. */
   void along(double duration, Curve curve) {
     Limit limit = new Limit();
@@ -96,12 +105,13 @@ final class Motion {
     double speed = Math.min(Math.max(wanted, limit("speedmin")), fastest());
     double near = limit("delta");
     double last = now();
-    while (!(Math.abs(target - current()) <= near)) {
+    while (!(Math.abs(way(current())) <= near)) {
       pause(Math.abs(target - current()) / speed);
       double step = speed * (now() - last);
       last = now();
-      double way = target - current();
-      set(Math.abs(way) <= step ? target : current() + Math.signum(way) * step);
+      double way = way(current());
+      // From what is no number, there is no way: it goes to the target at once.
+      set(Math.abs(way) > step ? current() + Math.signum(way) * step : target);
     }
   }
 
@@ -195,15 +205,6 @@ final class Motion {
       return number.value();
     }
     throw wrongType(1, requireNonNullElse(given, frame.interpreter().values().voidObject));
-  }
-
-  /** A speed: at 0 the variable stays where it is. */
-  double speed() {
-    double value = number("speed");
-    if (!(value >= 0)) {
-      throw frame.interpreter().errors().primitive("TrajectoryGenerator", Problem.NEGATIVE_SPEED);
-    }
-    return value;
   }
 
   double positive(String name) {

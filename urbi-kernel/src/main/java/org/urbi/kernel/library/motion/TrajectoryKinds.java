@@ -53,7 +53,7 @@ public final class TrajectoryKinds {
             "TrajectoryGenerator.SpeedAdaptive",
             CLOSED_LOOP,
             "A way to the target at a speed, from wherever the variable is.",
-            motion -> motion.chase(motion.speed())),
+            motion -> motion.chase(motion.positive("speed"))),
         new Kind(
             "TrajectoryGenerator.Time",
             OPEN_LOOP,
@@ -108,7 +108,7 @@ public final class TrajectoryKinds {
   private static void accelerate(Motion motion) {
     double from = motion.current();
     double acceleration = motion.positive("accel");
-    double way = motion.target() - from;
+    double way = motion.way(from);
     double sign = Math.signum(way);
     motion.along(
         Math.sqrt(2 * Math.abs(way) / acceleration), t -> from + sign * acceleration * t * t / 2);
@@ -128,14 +128,15 @@ public final class TrajectoryKinds {
   private static void glide(Motion motion) {
     double duration = motion.positive("smooth");
     double from = motion.current();
-    double way = motion.target() - from;
+    double way = motion.way(from);
     motion.along(duration, t -> from + way * (1 - Math.cos(Math.PI * t / duration)) / 2);
   }
 
   private static void goStraight(Motion motion) {
     double from = motion.current();
-    double way = motion.target() - from;
-    double wanted = motion.has("time") ? motion.positive("time") : Math.abs(way) / motion.speed();
+    double way = motion.way(from);
+    double wanted =
+        motion.has("time") ? motion.positive("time") : Math.abs(way) / motion.positive("speed");
     double duration = motion.straight(way, wanted);
     motion.along(duration, t -> from + way * t / duration);
   }
