@@ -146,7 +146,7 @@ public final class HoldWatchdog {
   }
 
   /** From now on it looks how much is allocated, and so does the kernel thread. */
-  void limitMemory() {
+  synchronized void limitMemory() {
     memoryLimited = true;
     pause = Math.min(pause, MEMORY_PAUSE);
     scheduler.interruptions().measure(meter);
@@ -183,12 +183,21 @@ public final class HoldWatchdog {
     hurried = is;
     if (is) {
       measureTurn(scheduler.turn());
+    } else {
+      endMeasuring();
     }
   }
 
-  private void measureTurn(long turn) {
+  private synchronized void measureTurn(long turn) {
     scheduler.interruptions().measure(meter);
     scheduler.interruptions().measureTurn(turn);
+  }
+
+  /** What was measured because it lasted is over: that is no reason to ask in each turn to come. */
+  private synchronized void endMeasuring() {
+    if (!memoryLimited && !hurried && scheduler.interruptions().isMeasuring()) {
+      scheduler.interruptions().measureNothing();
+    }
   }
 
   /** Whether memory is nearly exhausted. */
@@ -233,6 +242,7 @@ public final class HoldWatchdog {
       if (memoryLimited) {
         allocatedBefore = gauges.allocated.getAsLong();
       }
+      endMeasuring();
     } else if (toldTurn != seen) {
       if (gauges.free.getAsLong() < gauges.memory / 2) {
         measureTurn(seen);

@@ -108,6 +108,17 @@ public final class Interruptions {
     memory = meter;
   }
 
+  /** It is not counted any more. */
+  void measureNothing() {
+    memory = null;
+    measuredTurn = NONE;
+  }
+
+  /** Whether it is counted, for those jobs for which that is wanted. */
+  boolean isMeasuring() {
+    return memory != null;
+  }
+
   /** The turn of that number, if it still lasts, is measured from now on. */
   void measureTurn(long turn) {
     if (measuredTurn != turn) {
@@ -145,13 +156,13 @@ public final class Interruptions {
   /** The turn of a job begins. */
   void beginTurnOf(Job job) {
     MemoryMeter meter = memory;
-    if (meter != null) {
+    if (meter != null || metered) {
       measure(job, meter);
     }
   }
 
-  private void measure(Job job, MemoryMeter meter) {
-    boolean limited = meter.isFor(job) || measuredTurn == turns.getAsLong();
+  private void measure(Job job, @Nullable MemoryMeter meter) {
+    boolean limited = meter != null && (meter.isFor(job) || measuredTurn == turns.getAsLong());
     if (limited != metered) {
       metered = limited;
       update();
@@ -161,9 +172,9 @@ public final class Interruptions {
   /** Throws if the running job must end. */
   void check(Job job) {
     MemoryMeter meter = memory;
-    if (meter != null) {
+    if (meter != null || metered) {
       measure(job, meter);
-      if (metered) {
+      if (meter != null && metered) {
         meter.check(job, turns.getAsLong());
         if (!counted && !isRequested()) {
           return;

@@ -57,7 +57,7 @@ public final class MemoryGate {
     armed = true;
   }
 
-  /** A tick begins at that time. */
+  /** A tick begins at that time of the machine: simulated time does not tell what it has done. */
   void tick(long now) {
     if (armed && now - ticked >= PERIOD) {
       ticked = now;

@@ -486,7 +486,7 @@ public final class Scheduler {
     }
     long now = time.now();
     yields.beginTick(now);
-    memory.gate().tick(now);
+    memory.gate().tick(machine.now());
     if (inbox.isFilled() || timers.next() <= now) {
       meter.turnOf(null);
     }

@@ -301,6 +301,30 @@ class HoldWatchdogTest {
       goOn(job);
       assertEquals(1, looks[0]);
     });
+    loop.start(job -> {
+      assertTrue(loop.scheduler.interruptions().isMeasuring());
+      assertFalse(loop.scheduler.interruptions().arePending(), "it has not lasted yet");
+      lookAt(2);
+      assertFalse(loop.scheduler.interruptions().isMeasuring());
+    });
+    loop.run();
+    assertEquals(List.of(), told);
+  }
+
+  /** Even if that ends while it still lasts. */
+  @Test
+  void whatLastsIsMeasuredAnewWhenMemoryIsScarceAgain() {
+    free = 100_000;
+    loop.start(job -> {
+      lookAt(0);
+      watch.hurry(true);
+      job.checkInterrupted();
+      watch.hurry(false);
+      job.checkInterrupted();
+      assertFalse(loop.scheduler.interruptions().arePending());
+      lookAt(1);
+      assertTrue(loop.scheduler.interruptions().arePending());
+    });
     loop.run();
     assertEquals(List.of(), told);
   }

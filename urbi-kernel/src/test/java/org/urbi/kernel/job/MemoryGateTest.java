@@ -91,6 +91,27 @@ class MemoryGateTest {
     assertEquals(1, looks);
   }
 
+  /** However much is allocated in a moment of simulated time. */
+  @Test
+  void simulatedTimeThatStandsStillDoesNotKeepTheKernelFromLooking() {
+    Loop loop = new Loop();
+    loop.scheduler.memory().setLook(() -> looks++);
+    loop.scheduler.memory().gate().setMemory(() -> 0, 63);
+    loop.scheduler.memory().gate().arm();
+    loop.machine.now = PERIOD;
+    loop.start(job -> {
+      looks = 0;
+      loop.machine.now += PERIOD - 1;
+      job.yieldNow();
+      assertEquals(0, looks, "it has just looked");
+      loop.machine.now += 1;
+      job.yieldNow();
+      assertEquals(1, looks);
+    });
+    loop.run();
+    assertEquals(0, loop.scheduler.now());
+  }
+
   @Test
   void nothingIsMeasuredBeforeItIsArmed() {
     MemoryGate idle =
