@@ -22,6 +22,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
@@ -51,24 +52,28 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
   private final String scheme;
   private final Supplier<ChannelHandler> viewer;
   private final @Nullable Guests guests;
+  private final BooleanSupplier crowded;
 
   /**
    * @param local whether it is for this machine only
    * @param tls whether it is served by TLS
    * @param viewer makes what handles the stream of a browser
    * @param guests who else may come, or {@code null}
+   * @param crowded whether there are so many streams that there may be no other one
    */
   PageFiles(
       Page page,
       boolean local,
       boolean tls,
       Supplier<ChannelHandler> viewer,
-      @Nullable Guests guests) {
+      @Nullable Guests guests,
+      BooleanSupplier crowded) {
     this.page = page;
     this.local = local;
     this.scheme = tls ? "https://" : "http://";
     this.viewer = viewer;
     this.guests = guests;
+    this.crowded = crowded;
   }
 
   @Override
@@ -110,7 +115,9 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
         && guests.speak(headers.get(HttpHeaderNames.SEC_WEBSOCKET_PROTOCOL, ""));
   }
 
-  /** Neither this nor the rest of HTTP is there for long: the stream replaces it. */
+  /**
+   * If there is room: neither this nor the rest of HTTP is there for long: the stream replaces it.
+   */
   private void become(
       ChannelHandlerContext context,
       FullHttpRequest request,
@@ -118,6 +125,10 @@ final class PageFiles extends SimpleChannelInboundHandler<FullHttpRequest> {
       @Nullable String subprotocols,
       int longestMessage,
       ChannelHandler handler) {
+    if (crowded.getAsBoolean()) {
+      answer(context, request, HttpResponseStatus.SERVICE_UNAVAILABLE);
+      return;
+    }
     PagePort.serveStream(context.pipeline(), path, subprotocols, longestMessage, handler);
     context.fireChannelRead(request.retain());
     context.pipeline().remove(this);

@@ -27,19 +27,29 @@ import io.netty.util.concurrent.DefaultThreadFactory;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.util.LinkedHashSet;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** Where browsers get a page and its stream, with one thread for all of them. */
 public final class PagePort implements AutoCloseable {
-  private static final int MAX_CONNECTIONS = 64;
+  /** How many streams there may be, and as many connections besides that have become none yet. */
+  private static final int MOST = 64;
+
   private static final int MAX_REQUEST = 1 << 13;
   private static final int HANDSHAKE_MILLISECONDS = 5000;
   private static final int CLOSE_SECONDS = 2;
 
   private final EventLoopGroup thread;
   private final ChannelGroup connections;
+
+  /** All of them in the order in which they came; for the thread that serves them. */
+  private final Set<Channel> callers = new LinkedHashSet<>();
+
   private @Nullable Channel listening;
   private String scheme = "http";
   private String host = "";
@@ -91,15 +101,23 @@ public final class PagePort implements AutoCloseable {
                 new ChannelInitializer<SocketChannel>() {
                   @Override
                   protected void initChannel(SocketChannel channel) {
-                    if (connections.size() >= MAX_CONNECTIONS) {
-                      channel.close();
-                      return;
-                    }
+                    makeRoom();
                     connections.add(channel);
+                    callers.add(channel);
+                    channel.closeFuture().addListener(closed -> callers.remove(channel));
                     if (tls != null) {
                       channel.pipeline().addLast(tls.newHandler(channel.alloc()));
                     }
-                    serve(channel, page, new PageFiles(page, local, tls != null, viewer, guests));
+                    serve(
+                        channel,
+                        page,
+                        new PageFiles(
+                            page,
+                            local,
+                            tls != null,
+                            viewer,
+                            guests,
+                            () -> connections(PagePort::isStream).count() >= MOST));
                   }
                 })
             .bind(address)
@@ -109,6 +127,21 @@ public final class PagePort implements AutoCloseable {
       throw new IOException(opened.cause().getMessage(), opened.cause());
     }
     listening = opened.channel();
+  }
+
+  private Stream<Channel> connections(Predicate<Channel> which) {
+    return callers.stream().filter(which);
+  }
+
+  /**
+   * Who has asked for nothing whole since it came, or has got it, goes for the next one: otherwise
+   * a few that send half a request would lock out everybody else.
+   */
+  private void makeRoom() {
+    Predicate<Channel> waits = channel -> !isStream(channel);
+    if (connections(waits).count() >= MOST) {
+      connections(waits).findFirst().ifPresent(Channel::close);
+    }
   }
 
   /** Makes requests of the bytes of a connection, and hands them on. */

@@ -31,7 +31,9 @@ class SilenceTest {
     channel.freezeTime();
     Page page = new Page(SilenceTest.class, 1000, SECONDS, new WriteBufferWaterMark(100, 1000));
     PagePort.serve(
-        channel, page, new PageFiles(page, true, false, ChannelInboundHandlerAdapter::new, null));
+        channel,
+        page,
+        new PageFiles(page, true, false, ChannelInboundHandlerAdapter::new, null, () -> false));
   }
 
   @AfterEach

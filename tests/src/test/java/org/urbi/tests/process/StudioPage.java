@@ -23,7 +23,7 @@ record StudioPage(Browser browser, JavaProcess urbi, String address) implements 
    */
   static StudioPage start(Path folder, String program, String room) throws Exception {
     Path file = Files.writeString(folder.resolve("program.u"), program);
-    List<String> words = List.of("-q", "--studio=0", "-i", "-f", file.toString());
+    List<String> words = List.of("--studio=0", "-P", "0", "-i", "-f", file.toString());
     Browser browser = Browser.start(folder);
     try {
       JavaProcess urbi = JavaProcess.start(Setting.in(folder), URBI, words);

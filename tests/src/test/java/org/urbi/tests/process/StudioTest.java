@@ -45,10 +45,13 @@ class StudioTest {
       seesCalls(browser);
       steersJobs(browser, urbi);
       usesKeysAlone(browser);
+      ForeignPage.attack(browser, urbi, page.address());
       urbi.send("System.studio;\n");
       urbi.awaitText("\"" + page.address() + "\"");
-      urbi.send("shutdown;\n");
       String state = "return document.querySelector('#connection').dataset.state";
+      browser.open(page.address());
+      browser.await("the stream", state, "live"::equals);
+      urbi.send("shutdown;\n");
       browser.await("the loss of the connection", state, "lost"::equals);
       assertEquals(0, urbi.awaitEnd(), urbi::text);
       assertTrue(!urbi.text().contains("internal error"), urbi::text);

@@ -11,6 +11,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.LinkedHashSet;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
@@ -22,7 +23,9 @@ import org.urbi.ros.graph.RosException;
  * the module needs nothing but the JDK, wherever it runs.
  */
 public final class BridgeServer implements AutoCloseable {
+  /** How many clients there may be, and as many besides that have not finished their request. */
   private static final int MOST = 64;
+
   private static final int SHORTEST_TOKEN = 16;
 
   /** Milliseconds that a request may pause. */
@@ -37,6 +40,9 @@ public final class BridgeServer implements AutoCloseable {
   private final String token;
   private final Consumer<String> people;
   private final Set<Socket> clients = ConcurrentHashMap.newKeySet();
+
+  /** Those who have not been let in yet, in the order in which they came. */
+  private final Set<Socket> waiting = new LinkedHashSet<>();
 
   private BridgeServer(
       Node node, ServerSocket server, Set<String> origins, String token, Consumer<String> people) {
@@ -98,13 +104,25 @@ public final class BridgeServer implements AutoCloseable {
     while (!server.isClosed()) {
       try {
         Socket socket = server.accept();
-        clients.add(socket);
+        addWaiting(socket);
         Thread.ofVirtual().name("urbi-ros-bridge-in").start(() -> serve(socket));
       } catch (IOException e) {
         if (!server.isClosed()) {
           people.accept("rosbridge: " + e.getMessage());
           pause();
         }
+      }
+    }
+  }
+
+  /** Half a request makes room for the next one, so that a few lock out nobody. */
+  private void addWaiting(Socket socket) {
+    synchronized (waiting) {
+      waiting.add(socket);
+      if (waiting.size() > MOST) {
+        Socket oldest = waiting.iterator().next();
+        waiting.remove(oldest);
+        end(oldest);
       }
     }
   }
@@ -132,10 +150,28 @@ public final class BridgeServer implements AutoCloseable {
       people.accept("rosbridge: internal error: " + e);
       throw e;
     } finally {
-      clients.remove(socket);
+      leave(socket);
       if (server.isClosed()) {
-        clients.forEach(BridgeServer::end);
+        endAll();
       }
+    }
+  }
+
+  private void leave(Socket socket) {
+    synchronized (waiting) {
+      waiting.remove(socket);
+      clients.remove(socket);
+    }
+  }
+
+  /** Counts it among the clients. */
+  private void letIn(Socket socket) {
+    synchronized (waiting) {
+      if (clients.size() >= MOST) {
+        throw new BridgeException("503 Service Unavailable");
+      }
+      waiting.remove(socket);
+      clients.add(socket);
     }
   }
 
@@ -145,9 +181,7 @@ public final class BridgeServer implements AutoCloseable {
     try {
       Handshake request = Handshake.read(in);
       request.check(origins, token);
-      if (clients.size() > MOST) {
-        throw new BridgeException("503 Service Unavailable");
-      }
+      letIn(socket);
       answer = request.accepted();
       good = true;
     } catch (BridgeException e) {
@@ -161,6 +195,13 @@ public final class BridgeServer implements AutoCloseable {
     out.write(answer.getBytes(StandardCharsets.ISO_8859_1));
     out.flush();
     return good;
+  }
+
+  private void endAll() {
+    synchronized (waiting) {
+      waiting.forEach(BridgeServer::end);
+    }
+    clients.forEach(BridgeServer::end);
   }
 
   private static void end(Socket socket) {
@@ -178,6 +219,6 @@ public final class BridgeServer implements AutoCloseable {
     } catch (IOException e) {
       people.accept("rosbridge: " + e.getMessage());
     }
-    clients.forEach(BridgeServer::end);
+    endAll();
   }
 }

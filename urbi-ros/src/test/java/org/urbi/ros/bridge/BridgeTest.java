@@ -14,7 +14,9 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -325,6 +327,44 @@ class BridgeTest {
     }
     while (bridge.clients() > 0 || node.graph().join().services().containsKey("/gone")) {
       Thread.sleep(10);
+    }
+  }
+
+  @Test
+  void halfRequestsLockNobodyOut() throws IOException {
+    Deque<Raw> crowd = new ArrayDeque<>();
+    try {
+      for (int i = 0; i < 100; i++) {
+        Raw half = new Raw(bridge);
+        crowd.add(half);
+        half.out.write("GET / HT".getBytes(StandardCharsets.UTF_8));
+      }
+      assertEquals(-1, crowd.removeFirst().in.read(), "the first one has made room");
+      try (Raw client = new Raw(bridge)) {
+        assertEquals("101", client.upgrade("/"));
+      }
+    } finally {
+      for (Raw each : crowd) {
+        each.close();
+      }
+    }
+  }
+
+  @Test
+  void clientsHaveALimitThatIsTold() throws IOException {
+    Deque<Raw> crowd = new ArrayDeque<>();
+    try (BridgeServer full = BridgeServer.open(node, "localhost", 0, Set.of(), "", told::add)) {
+      for (int i = 0; i < 64; i++) {
+        crowd.add(new Raw(full));
+        assertEquals("101", crowd.getLast().upgrade("/"));
+      }
+      crowd.add(new Raw(full));
+      assertEquals("503", crowd.getLast().upgrade("/"));
+      assertEquals(64, full.clients());
+    } finally {
+      for (Raw each : crowd) {
+        each.close();
+      }
     }
   }
 

@@ -13,7 +13,10 @@ import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Deque;
 import java.util.List;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -93,6 +96,11 @@ class StudioServerTest {
     "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==",
     "Origin: http://elsewhere.example"
   };
+
+  private static final String HANDSHAKE =
+      "GET /stream HTTP/1.1\r\nConnection: Upgrade\r\n"
+          + String.join("\r\n", Arrays.copyOf(UPGRADE, 4))
+          + "\r\n\r\n";
 
   @Test
   void pagesAreServedAndNothingElse() throws Exception {
@@ -355,21 +363,13 @@ class StudioServerTest {
     List<Socket> halves = new ArrayList<>();
     try (Page page = new Page(studio, "");
         Socket slow = new Socket(InetAddress.getLoopbackAddress(), studio.port())) {
-      for (int i = 0; i < 20; i++) {
+      // It never reads what it is sent.
+      slow.getOutputStream().write(HANDSHAKE.getBytes(StandardCharsets.ISO_8859_1));
+      for (int i = 0; i < 100; i++) {
         Socket half = new Socket(InetAddress.getLoopbackAddress(), studio.port());
         half.getOutputStream().write("GET / HT".getBytes(StandardCharsets.ISO_8859_1));
         halves.add(half);
       }
-      String upgrade =
-          "GET /stream HTTP/1.1\r\nConnection: Upgrade\r\n"
-              + String.join("\r\n", UPGRADE)
-              + "\r\n\r\n";
-      // It never reads what it is sent.
-      slow.getOutputStream()
-          .write(
-              upgrade
-                  .replace("Origin: http://elsewhere.example\r\n", "")
-                  .getBytes(StandardCharsets.ISO_8859_1));
       for (int i = 0; i < 5; i++) {
         kernel.eval("many: for& (2000) sleep(100ms)");
       }
@@ -379,6 +379,31 @@ class StudioServerTest {
     } finally {
       for (Socket half : halves) {
         half.close();
+      }
+    }
+  }
+
+  /** What the handshake of a stream is answered; it stays open until it is closed. */
+  private static String handshake(StudioServer studio, Deque<Socket> crowd) throws IOException {
+    Socket socket = new Socket(InetAddress.getLoopbackAddress(), studio.port());
+    crowd.add(socket);
+    socket.getOutputStream().write(HANDSHAKE.getBytes(StandardCharsets.ISO_8859_1));
+    byte[] answer = socket.getInputStream().readNBytes("HTTP/1.1 101".length());
+    return new String(answer, StandardCharsets.ISO_8859_1).substring("HTTP/1.1 ".length());
+  }
+
+  @Test
+  void streamsHaveALimitThatIsTold() throws Exception {
+    Deque<Socket> crowd = new ArrayDeque<>();
+    try (StudioServer full = serve(AccessPolicy.ALL)) {
+      while (handshake(full, crowd).equals("101")) {}
+      assertEquals(65, crowd.size());
+      assertEquals("503", handshake(full, crowd));
+      crowd.removeFirst().close();
+      while (!handshake(full, crowd).equals("101")) {}
+    } finally {
+      for (Socket each : crowd) {
+        each.close();
       }
     }
   }
