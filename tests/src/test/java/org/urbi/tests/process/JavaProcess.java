@@ -60,6 +60,7 @@ final class JavaProcess implements AutoCloseable {
   private JavaProcess(String name, ProcessBuilder builder) throws IOException {
     this.name = name;
     process = builder.start();
+    Guardian.ofThisJvm().guard(process);
     readers.add(read(process.getInputStream()));
     readers.add(read(process.getErrorStream()));
   }
