@@ -26,7 +26,7 @@ final class PicocliParser {
     this.options = program.options();
     spec.name(program.name());
     spec.usageMessage()
-        .description(program.description())
+        .description(plain(program.description()))
         .sortOptions(false)
         .abbreviateSynopsis(true)
         .width(HELP_WIDTH);
@@ -45,14 +45,21 @@ final class PicocliParser {
               .auxiliaryTypes(String.class)
               .paramLabel(program.argumentLabel())
               .hideParamSyntax(true)
-              .description(program.argumentDescription())
+              .description(
+                  plain(requireNonNull(program.argumentDescription(), "goes with its label")))
               .build());
     }
   }
 
+  /** Picocli takes descriptions for formats. */
+  private static String plain(String text) {
+    return text.replace("%", "%%");
+  }
+
   private OptionSpec specOf(Option option) {
     OptionSpec.Builder builder =
-        OptionSpec.builder(option.names().toArray(String[]::new)).description(option.description());
+        OptionSpec.builder(option.names().toArray(String[]::new))
+            .description(plain(option.description()));
     if (option.hasValue()) {
       builder
           .arity(option.implied() == null ? "1" : "0..1")

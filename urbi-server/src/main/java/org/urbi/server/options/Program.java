@@ -17,6 +17,11 @@ public final class Program {
    */
   public static final String GENERATE = "--generate=";
 
+  /**
+   * The exit status when the output could not be written: its reader has gone, the disk is full.
+   */
+  public static final int OUTPUT_LOST = 74;
+
   private final String name;
   private final String description;
   private final List<Option> options = new ArrayList<>();
@@ -85,16 +90,16 @@ public final class Program {
     if (args.length == 1 && args[0].equals("--version")) {
       // The classes of picocli would take longer than all the rest.
       out.print(Version.text(name));
-      return 0;
+      return written(out, err);
     }
     try {
       if (args.length == 1 && args[0].startsWith(GENERATE)) {
         out.print(generated(args[0].substring(GENERATE.length())));
-        return 0;
+        return written(out, err);
       }
       Optional<ParsedCommandLine> reading = readQuickly(args).or(() -> readFully(args, out));
       if (reading.isEmpty()) {
-        return 0;
+        return written(out, err);
       }
       reading.get().options().forEach(seen -> seen.option().taker().accept(seen.value()));
       return body.applyAsInt(new Arguments(reading.get()));
@@ -105,6 +110,15 @@ public final class Program {
       }
       return e.status();
     }
+  }
+
+  /** The exit status of a program that has answered all that was asked. */
+  private int written(PrintStream out, PrintStream err) {
+    if (out.checkError()) {
+      err.println(name + ": cannot write the output");
+      return OUTPUT_LOST;
+    }
+    return 0;
   }
 
   /** Parses a simple command line; nothing if it is not that simple. */

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -22,7 +24,7 @@ class ProgramTest {
   private Program program() {
     return new Program("tool", "A tool.")
         .flag("A flag.", "-q", "--quiet")
-        .option("N", "A number.", "-n", "--number")
+        .option("N", "A number, 5%%n or so.", "-n", "--number")
         .each("E", "An expression.", value -> order.add("e:" + value), "-e", "--expression")
         .each("F", "A file.", value -> order.add("f:" + value), "-f", "--file")
         .arguments("[FILE]", "A file.")
@@ -58,6 +60,28 @@ class ProgramTest {
     assertEquals("true -1 []", seen);
     run("--number=3");
     assertEquals("false 3 []", seen);
+  }
+
+  @Test
+  void descriptionsAreShownAsTheyAre() {
+    assertEquals(0, run("--help"));
+    assertTrue(out.toString(StandardCharsets.UTF_8).contains("A number, 5%%n or so."));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"--help", "--version", "--generate=man"})
+  void answersThatAreLostAreAFailure(String question) {
+    OutputStream full =
+        new OutputStream() {
+          @Override
+          public void write(int b) throws IOException {
+            throw new IOException("No space left on device");
+          }
+        };
+    PrintStream told = new PrintStream(err, true, StandardCharsets.UTF_8);
+    PrintStream lost = new PrintStream(full, false, StandardCharsets.UTF_8);
+    assertEquals(74, program().run(new String[] {question}, lost, told, arguments -> 0));
+    assertEquals("tool: cannot write the output\n", err.toString(StandardCharsets.UTF_8));
   }
 
   @Test
