@@ -1,16 +1,28 @@
 package org.urbi.kernel.job;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.PriorityQueue;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.urbi.kernel.budget.Budget;
 import org.urbi.kernel.budget.Resource;
 
-/** Actions to run at given times: ordered by deadline, then by the order of the requests. */
+/**
+ * Actions to run at given times: ordered by deadline, then by the order of the requests.
+ *
+ * <p>A hundred thousand jobs that fall asleep together wake up together. Timers that are requested
+ * one after the other for the same time form a row, and only the first of each is in the queue.
+ */
 public final class Timers {
   private final PriorityQueue<Timer> queue = new PriorityQueue<>();
+
+  /** The one requested last, unless it is over. */
+  private @Nullable Timer latest;
+
   private final Supplier<Budget> admission;
   private long sequence;
+  private int size;
   private int cancelled;
 
   /**
@@ -28,6 +40,9 @@ public final class Timers {
     private final @Nullable Budget budget;
     private @Nullable Runnable action;
 
+    /** The next one of its row. */
+    private @Nullable Timer after;
+
     private Timer(long deadline, long order, @Nullable Budget budget, Runnable action) {
       this.deadline = deadline;
       this.order = order;
@@ -43,17 +58,18 @@ public final class Timers {
     public void cancel() {
       if (action != null) {
         end();
-        // Cancelled timers stay in the queue until their deadline, unless they are the larger part
-        // of it.
-        if (++cancelled > 64 && cancelled > queue.size() / 2) {
-          queue.removeIf(timer -> timer.action == null);
-          cancelled = 0;
+        // Cancelled timers stay until their deadline, unless they are the larger part of all.
+        if (++cancelled > 64 && cancelled > size / 2) {
+          dropCancelled();
         }
       }
     }
 
     private void end() {
       action = null;
+      if (latest == this) {
+        latest = null;
+      }
       if (budget != null) {
         budget.giveBack(Resource.TIMERS);
       }
@@ -84,7 +100,13 @@ public final class Timers {
 
   private Timer add(long deadline, @Nullable Budget budget, Runnable action) {
     Timer timer = new Timer(deadline, sequence++, budget, action);
-    queue.add(timer);
+    if (latest != null && latest.deadline == deadline) {
+      latest.after = timer;
+    } else {
+      queue.add(timer);
+    }
+    latest = timer;
+    size++;
     return timer;
   }
 
@@ -95,6 +117,7 @@ public final class Timers {
   Timer moved(Timer before, long deadline, Runnable action) {
     Timer timer = new Timer(deadline, before.order, null, action);
     queue.add(timer);
+    size++;
     return timer;
   }
 
@@ -102,11 +125,9 @@ public final class Timers {
   void fire(long now) {
     Timer first;
     while ((first = queue.peek()) != null && first.deadline <= now) {
-      queue.poll();
       Runnable action = first.action;
-      if (action == null) {
-        cancelled = Math.max(0, cancelled - 1);
-      } else {
+      takeOut(first);
+      if (action != null) {
         first.end();
         action.run();
       }
@@ -117,9 +138,55 @@ public final class Timers {
   long next() {
     Timer first;
     while ((first = queue.peek()) != null && first.action == null) {
-      queue.poll();
-      cancelled = Math.max(0, cancelled - 1);
+      takeOut(first);
     }
     return first == null ? Long.MAX_VALUE : first.deadline;
+  }
+
+  /** The first one of all leaves; the next one of its row takes its place. */
+  private void takeOut(Timer first) {
+    queue.poll();
+    Timer next = first.after;
+    if (next != null) {
+      first.after = null;
+      queue.add(next);
+    }
+    size--;
+    if (first.action == null) {
+      cancelled--;
+    }
+  }
+
+  private void dropCancelled() {
+    List<Timer> rows = new ArrayList<>(queue);
+    queue.clear();
+    for (Timer row : rows) {
+      Timer first = withoutCancelled(row);
+      if (first != null) {
+        queue.add(first);
+      }
+    }
+    size -= cancelled;
+    cancelled = 0;
+  }
+
+  /** The first one of what remains of a row; null if nothing does. */
+  private static @Nullable Timer withoutCancelled(Timer row) {
+    Timer first = null;
+    Timer last = null;
+    for (Timer timer = row; timer != null; timer = timer.after) {
+      if (timer.action != null) {
+        if (last == null) {
+          first = timer;
+        } else {
+          last.after = timer;
+        }
+        last = timer;
+      }
+    }
+    if (last != null) {
+      last.after = null;
+    }
+    return first;
   }
 }

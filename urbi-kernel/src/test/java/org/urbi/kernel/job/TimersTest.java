@@ -3,7 +3,9 @@ package org.urbi.kernel.job;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.urbi.kernel.budget.Budget;
 
@@ -104,5 +106,62 @@ class TimersTest {
     assertEquals(1_000_000, timers.next());
     timers.fire(1_000_000);
     assertEquals(List.of("last"), done);
+  }
+
+  /** Whatever is requested, moved and cancelled meanwhile: as if each had its place in one list. */
+  @Test
+  void rowsOfSimultaneousOnesKeepTheOrder() {
+    record Request(long deadline, int number) {}
+    var random = new Random(7);
+    List<Request> expected = new ArrayList<>();
+    List<Timers.Timer> requested = new ArrayList<>();
+    for (int i = 0; i < 3000; i++) {
+      // Rows of about ten; two thirds of the earlier ones are cancelled, some of them moved.
+      long deadline = i / 10 % 7;
+      requested.add(at(deadline, deadline + "." + i));
+      expected.add(new Request(deadline, i));
+      int other = random.nextInt(requested.size());
+      if (random.nextInt(3) > 0 && expected.removeIf(request -> request.number == other)) {
+        requested.get(other).cancel();
+        if (random.nextInt(4) == 0) {
+          long moved = random.nextInt(7);
+          timers.moved(requested.get(other), moved, () -> done.add(moved + "." + other));
+          expected.add(new Request(moved, -1 - other));
+        }
+      }
+    }
+    timers.fire(3);
+    assertEquals(
+        expected.stream().mapToLong(Request::deadline).filter(time -> time > 3).min().orElseThrow(),
+        timers.next());
+    timers.fire(6);
+    assertEquals(
+        expected.stream()
+            .map(request ->
+                new Request(request.deadline, Math.max(request.number, -1 - request.number)))
+            .sorted(Comparator.comparing(Request::deadline).thenComparing(Request::number))
+            .map(request -> request.deadline + "." + request.number)
+            .toList(),
+        done);
+    assertEquals(Long.MAX_VALUE, timers.next());
+  }
+
+  /** They cost no look at the others of the queue, and give up their places one by one. */
+  @Test
+  void aRowIsCancelledFromEitherEnd() {
+    List<Timers.Timer> row = new ArrayList<>();
+    for (int i = 0; i < 200; i++) {
+      row.add(at(10, "timer " + i));
+    }
+    for (int i = 0; i < 90; i++) {
+      row.get(i).cancel();
+      row.get(199 - i).cancel();
+    }
+    assertEquals(10, timers.next());
+    at(10, "last");
+    timers.fire(10);
+    assertEquals("timer 90", done.getFirst());
+    assertEquals(List.of("timer 109", "last"), done.subList(19, 21));
+    assertEquals(21, done.size());
   }
 }
