@@ -40,51 +40,58 @@ public final class WaitUntil extends Node {
 
   private void await(Frame frame, Condition.WhenEmitted condition, long hold) {
     UrbiEvent source = EventLookup.event(frame, condition.event());
-    var waiting = new ForEvent(frame, this, condition.filter(), hold);
-    source.subscribe(waiting, frame.job());
+    var waiting = new Waiting(frame, Wait.EVENT, hold);
+    var subscription = new ForEvent(waiting, condition.filter());
+    source.subscribe(subscription, frame.job());
     try {
-      waiting.await();
+      waiting.await(this);
     } catch (UrbiException e) {
       throw frame.located(e, condition.event().span());
     } finally {
-      source.unsubscribe(waiting);
-      waiting.close();
+      source.unsubscribe(subscription);
+      waiting.holdsNoMore();
     }
   }
 
   private void await(Frame frame, Condition.WhenTrue condition, long hold) {
-    var waiting = new ForExpression(frame, this, condition.expression(), hold);
+    var waiting = new Waiting(frame, Wait.CONDITION, hold);
+    var watch = new ExpressionWatcher(frame, condition.expression(), new ForExpression(waiting));
     try {
-      waiting.watch.begin(frame.job());
-      waiting.await();
+      watch.begin(frame.job());
+      waiting.await(this);
     } catch (UrbiException e) {
       throw frame.located(e, condition.expression().span());
     } finally {
-      waiting.watch.close();
-      waiting.close();
+      watch.close();
+      waiting.holdsNoMore();
     }
   }
 
-  /** A job that waits. */
-  private abstract static class Waiting {
-    final Frame frame;
+  /**
+   * A job that waits. There is but one class of them: where two extend it, the JVM gives up the
+   * code of all that wait when it loads the second one.
+   */
+  private static final class Waiting {
+    private final Frame frame;
     private final Job job;
-    private final Node place;
     private final Wait what;
     private final long hold;
     private Timers.@Nullable Timer timer;
     private boolean done;
 
-    Waiting(Frame frame, Node place, Wait what, long hold) {
+    Waiting(Frame frame, Wait what, long hold) {
       this.frame = frame;
-      this.place = place;
       this.what = what;
       this.job = frame.job();
       this.hold = hold;
     }
 
+    boolean mustHold() {
+      return hold > 0;
+    }
+
     void holds() {
-      if (hold == 0) {
+      if (!mustHold()) {
         release();
       } else if (timer == null) {
         var scheduler = job.scheduler();
@@ -104,68 +111,63 @@ public final class WaitUntil extends Node {
       job.wake();
     }
 
-    boolean isDone() {
-      return done;
-    }
-
-    void await() {
-      while (!done) {
-        job.at(frame, place).waitForWake(what);
+    void await(Node place) {
+      if (done) {
+        return;
       }
-    }
-
-    void close() {
-      holdsNoMore();
+      // Asked behind the wait, as in a chain of statements.
+      do {
+        job.at(frame, place).waitForWake(what);
+      } while (!done);
     }
   }
 
   /** Waits for an expression to be true. */
-  private static final class ForExpression extends Waiting implements ExpressionWatcher.Listener {
-    private final ExpressionWatcher watch;
-
-    ForExpression(Frame frame, Node place, Node expression, long hold) {
-      super(frame, place, Wait.CONDITION, hold);
-      watch = new ExpressionWatcher(frame, expression, this);
-    }
-
+  private record ForExpression(Waiting waiting) implements ExpressionWatcher.Listener {
     @Override
     public void evaluated(UrbiObject value, Job evaluator) {
-      if (Truth.of(frame.in(evaluator), value)) {
-        holds();
+      if (Truth.of(waiting.frame.in(evaluator), value)) {
+        waiting.holds();
       } else {
-        holdsNoMore();
+        waiting.holdsNoMore();
       }
     }
   }
 
   /** Waits for an event. */
-  private static final class ForEvent extends Waiting implements Subscription {
+  private static final class ForEvent implements Subscription {
+    private final Waiting waiting;
     private final EventFilter filter;
     private final UrbiObject lobby;
 
-    ForEvent(Frame frame, Node place, EventFilter filter, long hold) {
-      super(frame, place, Wait.EVENT, hold);
+    ForEvent(Waiting waiting, EventFilter filter) {
+      this.waiting = waiting;
       this.filter = filter;
-      lobby = frame.job().lobby();
+      this.lobby = waiting.job.lobby();
     }
 
     @Override
     public void begin(Emission emission, Job emitter) {
       // The pattern binds variables of the waiting code; only the first matching event binds them.
-      if (!isDone()
-          && !frame.job().isFrozen()
-          && emitter
-              .onBehalf()
-              .doFor(lobby, () -> filter.accepts(frame.in(emitter), emission.payload()))) {
-        emission.note(this, this);
-        holds();
+      if (!waiting.done && !waiting.job.isFrozen() && accepts(emission, emitter)) {
+        if (waiting.mustHold()) {
+          emission.note(this, this);
+        }
+        waiting.holds();
       }
+    }
+
+    private boolean accepts(Emission emission, Job emitter) {
+      return filter.acceptsAll()
+          || emitter
+              .onBehalf()
+              .doFor(lobby, () -> filter.accepts(waiting.frame.in(emitter), emission.payload()));
     }
 
     @Override
     public void end(Emission emission, Job emitter) {
       if (emission.noted(this) != null) {
-        holdsNoMore();
+        waiting.holdsNoMore();
       }
     }
   }

@@ -29,7 +29,8 @@ public final class Sequences {
     private final boolean[] yieldsAfter;
 
     /**
-     * @param yieldsAfter whether others may run after each statement; one less than statements
+     * @param yieldsAfter whether others may run after each of the statements, of which there are
+     *     two at least
      */
     public Chain(Span span, Node[] statements, boolean[] yieldsAfter) {
       super(span);
@@ -55,17 +56,26 @@ public final class Sequences {
 
     @Override
     public UrbiObject execute(Frame frame) {
+      // Whether a statement was the last one is asked behind it, and the first one is called in a
+      // place
+      // of its own. Of a thousand jobs that wait in a statement the JVM would otherwise learn that
+      // there is always another one, of the same kind, and would have to give up its code for each
+      // job
+      // that goes on.
       int last = statements.length - 1;
-      for (int i = 0; i < last; i++) {
-        UrbiObject value = statements[i].execute(frame);
+      UrbiObject value = statements[0].execute(frame);
+      for (int i = 1; ; i++) {
         if (frame.completion != null) {
           return value;
         }
-        if (yieldsAfter[i]) {
-          frame.job.yield(frame, statements[i + 1]);
+        if (yieldsAfter[i - 1]) {
+          frame.job.yield(frame, statements[i]);
+        }
+        value = statements[i].execute(frame);
+        if (i == last) {
+          return value;
         }
       }
-      return statements[last].execute(frame);
     }
   }
 
