@@ -21,6 +21,10 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
   private final Occurrences emissions = new Occurrences();
   private final long number;
   private Map<Subscription, UrbiSubscription> known = Map.of();
+
+  /** How many subscriptions have ended. */
+  private long departures;
+
   private @Nullable Runnable subscribed;
 
   public UrbiEvent(Shape shape) {
@@ -107,7 +111,9 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
   }
 
   public void unsubscribe(Subscription subscription) {
-    subscriptions.remove(subscription);
+    if (subscriptions.remove(subscription)) {
+      departures++;
+    }
     if (!known.isEmpty()) {
       known.remove(subscription);
     }
@@ -131,8 +137,9 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
       case 0 -> {}
       case 1 -> flash(subscriptions.iterator().next(), emitter, sync, payload);
       default -> {
+        long before = departures;
         for (Subscription subscription : new ArrayList<>(subscriptions)) {
-          if (subscriptions.contains(subscription)) {
+          if (departures == before || subscriptions.contains(subscription)) {
             flash(subscription, emitter, sync, payload);
           }
         }
@@ -169,9 +176,9 @@ public final class UrbiEvent extends UrbiObject implements SlotUpdate.Signal {
   }
 
   private void tell(Emission emission, Job emitter) {
-    List<Subscription> listeners = new ArrayList<>(subscriptions);
-    for (Subscription subscription : listeners) {
-      if (subscriptions.contains(subscription)) {
+    long before = departures;
+    for (Subscription subscription : new ArrayList<>(subscriptions)) {
+      if (departures == before || subscriptions.contains(subscription)) {
         begin(emission, subscription, emitter);
       }
     }
