@@ -158,7 +158,13 @@ public final class Timers {
   }
 
   private void dropCancelled() {
-    List<Timer> rows = new ArrayList<>(queue);
+    List<Timer> rows;
+    try {
+      rows = new ArrayList<>(queue);
+    } catch (OutOfMemoryError e) {
+      // Whoever is being ended to free memory must not be kept by the want of it.
+      return;
+    }
     queue.clear();
     for (Timer row : rows) {
       Timer first = withoutCancelled(row);

@@ -24,22 +24,21 @@ final class Background implements AutoCloseable {
   }
 
   /**
-   * Starts a statement with its own value of a loop variable, as if called through these call
-   * sites.
+   * Starts a statement with its own value of a loop variable, as if called at that site.
    *
-   * @param inner the innermost call shown in backtraces
-   * @param outer the call around that
+   * @param from the innermost call shown in backtraces
+   * @param by the frame of the call around that
    */
   void start(
       Frame frame,
       Node statement,
       Variables.Place variable,
       UrbiObject value,
-      CallSite inner,
-      CallSite outer) {
+      CallSite from,
+      Frame by) {
     frame.job.checkInterrupted();
     ForkedCode branch = branch(statement);
-    Frame forked = frame.forkThrough(group.start(branch), inner, outer);
+    Frame forked = frame.forkThrough(group.start(branch), from, by);
     variable.declare(forked, value);
     branch.runWith(forked);
   }

@@ -138,8 +138,9 @@ public final class ForEach extends Node implements CallSite {
     var values = frame.interpreter.values();
     if (flavor == Flavor.AND || flavor == Flavor.COMMA) {
       try (Background group = new Background(frame.job)) {
+        Frame by = frame.through(entry);
         for (long i = 0; i < count; i++) {
-          group.start(frame, body, variable, values.number(i), this, entry);
+          group.start(frame, body, variable, values.number(i), this, by);
         }
         frame.job.at(frame, this);
         group.join();
@@ -186,8 +187,9 @@ public final class ForEach extends Node implements CallSite {
     List<UrbiObject> elements = List.copyOf(list.elements());
     if (flavor == Flavor.AND || flavor == Flavor.COMMA) {
       try (Background group = new Background(frame.job)) {
+        Frame by = frame.through(entry);
         for (UrbiObject element : elements) {
-          group.start(frame, body, variable, element, this, entry);
+          group.start(frame, body, variable, element, this, by);
         }
         frame.job.at(frame, this);
         group.join();

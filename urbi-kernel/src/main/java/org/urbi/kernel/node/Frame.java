@@ -153,20 +153,33 @@ public final class Frame implements Place {
     return copy(other, waited, null);
   }
 
-  /**
-   * Like {@link #fork}, for a job for which the code waits, as if called through these call sites.
-   */
-  Frame forkThrough(Job other, CallSite inner, CallSite outer) {
-    Frame around = fork(other, true);
-    Frame through = around.calledAt(outer, around);
-    return around.calledAt(inner, through);
-  }
-
-  private Frame calledAt(CallSite from, Frame by) {
+  /** The same activation, as if it had been called by this one at that site. */
+  Frame through(CallSite from) {
     return inScopeOf(
         this,
         new Frame(
-            interpreter, job, by.depth + 1, by, from, self, function, locals, cells, activation));
+            interpreter, job, depth + 1, this, from, self, function, locals, cells, activation));
+  }
+
+  /**
+   * Like {@link #fork}, for a job for which the code waits, as if called at that site.
+   *
+   * @param by the frame of the caller, which all such jobs can share
+   */
+  Frame forkThrough(Job other, CallSite from, Frame by) {
+    return inScopeOf(
+        this,
+        new Frame(
+            interpreter,
+            other,
+            by.depth + 1,
+            by,
+            from,
+            self,
+            function,
+            locals.clone(),
+            copied(cells),
+            activation));
   }
 
   /**
@@ -196,8 +209,13 @@ public final class Frame implements Place {
             self,
             function,
             locals.clone(),
-            cells.clone(),
+            copied(cells),
             activation));
+  }
+
+  /** Most code has no variables in cells, and needs no copy of nothing. */
+  private static Cell[] copied(Cell[] cells) {
+    return cells.length == 0 ? cells : cells.clone();
   }
 
   /**

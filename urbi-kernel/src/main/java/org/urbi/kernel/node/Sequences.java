@@ -57,11 +57,9 @@ public final class Sequences {
     @Override
     public UrbiObject execute(Frame frame) {
       // Whether a statement was the last one is asked behind it, and the first one is called in a
-      // place
-      // of its own. Of a thousand jobs that wait in a statement the JVM would otherwise learn that
-      // there is always another one, of the same kind, and would have to give up its code for each
-      // job
-      // that goes on.
+      // place of its own. Of a thousand jobs that wait in a statement the JVM would otherwise learn
+      // that there is always another one, of the same kind, and would have to give up its code for
+      // each job that goes on.
       int last = statements.length - 1;
       UrbiObject value = statements[0].execute(frame);
       for (int i = 1; ; i++) {
