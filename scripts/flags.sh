@@ -11,6 +11,11 @@ for word in ${URBI_JAVA_OPTS:-}; do
 done
 jvm_flags="--add-opens java.base/java.lang=ALL-UNNAMED --enable-native-access=ALL-UNNAMED $collector -XX:+UseCompactObjectHeaders -XX:-UsePerfData -Djdk.trackAllThreads=false -Xlog:disable"
 
+# Those of a JVM with a start-up cache, which only the JDK that has made it can use. The cache is mapped where it was made
+# for (else each of its pointers is moved first); nobody looks for profiles, which it has not. What short programs call
+# a few hundred times is interpreted: to compile it costs more than it saves.
+cache_flags="-XX:+UnlockDiagnosticVMOptions -XX:ArchiveRelocationMode=0 -XX:-AOTReplayTraining -XX:Tier3InvocationThreshold=1000 -XX:Tier3MinInvocationThreshold=500 -XX:Tier3CompileThreshold=5000"
+
 class_path() { # DISTRIBUTION: sets cp, always in the same order; what a package adds comes last, for the cache
   cp=
   for jar in "$1"/lib/*.jar "$1"/opencv/*.jar; do

@@ -56,7 +56,11 @@ fi
 . "$root/scripts/flags.sh"
 class_path "$root/$dist"
 cache=
-[ -f "$root/$dist/urbi.aot" ] && cache=-XX:AOTCache=$root/$dist/urbi.aot
+if [ -f "$root/$dist/urbi.aot" ]; then
+  cache=-XX:AOTCache=$root/$dist/urbi.aot
+else
+  cache_flags=
+fi
 # In the locale of programs that have none (cron, systemd, containers) Java finds no file whose name is not ASCII, not
 # even its own. That locale has a twin with UTF-8.
 case ${LC_ALL:-${LC_CTYPE:-${LANG:-C}}} in
@@ -80,5 +84,5 @@ if [ -n "${URBI_SHOW_COMMAND:-}" ]; then # by programs that start the JVM themse
   exit
 fi
 # shellcheck disable=SC2086
-exec "$java" $jvm_flags ${cache:+"$cache"} ${URBI_JAVA_OPTS:-} -Durbi.root="${URBI_ROOT:-$root}" \
+exec "$java" $jvm_flags $cache_flags ${cache:+"$cache"} ${URBI_JAVA_OPTS:-} -Durbi.root="${URBI_ROOT:-$root}" \
   -Durbi.uobjects="$root/$dist/uobjects" -Durbi.stdin.terminal=$typing -Durbi.program="$0" -cp "$cp" "$main" "$@"

@@ -23,7 +23,7 @@ else
 fi
 # Everything is compiled at once (docs/tier.md), so that the classes of the compiler are in the cache.
 # shellcheck disable=SC2086
-timeout 120 "$java" $jvm_flags -XX:+UnlockDiagnosticVMOptions -XX:-AOTRecordTraining \
+timeout 120 "$java" $jvm_flags $cache_flags -XX:-AOTRecordTraining \
   -XX:AOTCacheOutput="$cache.new" -Durbi.tier=1 -Durbi.root="$root" -cp "$cp" "$@" </dev/null >"$log" 2>&1
 # Whoever starts meanwhile has the one before, whole.
 [ -s "$cache.new" ] && mv -f "$cache.new" "$cache"

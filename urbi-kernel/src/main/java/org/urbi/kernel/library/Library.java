@@ -103,8 +103,7 @@ public final class Library {
   private void keep() {
     for (UrbiObject type : types.values()) {
       type.setOwnerLobby(values.object);
-      for (Symbol name : type.localSlotNames()) {
-        UrbiObject value = type.existingSlot(name);
+      for (UrbiObject value : type.localSlotValues()) {
         if (!(value instanceof Code)) {
           value.setOwnerLobby(values.object);
         }
@@ -162,15 +161,23 @@ public final class Library {
   }
 
   private void addBuiltins(BuiltinTable table, UrbiObject type) {
+    List<Symbol> names = new ArrayList<>();
+    List<UrbiObject> primitives = new ArrayList<>();
     for (int i = 0; i < table.size(); i++) {
-      Symbol name = world.symbol(table.name(i));
+      if (!table.isSetter(i)) {
+        Symbol name = world.symbol(table.name(i));
+        type.removeSlot(name);
+        names.add(name);
+        primitives.add(primitive(table, i));
+      }
+    }
+    type.addSlots(names.toArray(Symbol[]::new), primitives.toArray(UrbiObject[]::new));
+    for (int i = 0; i < table.size(); i++) {
       if (table.isSetter(i)) {
+        Symbol name = world.symbol(table.name(i));
         SlotData data = type.ensureSlotData(name);
         data.setter = primitive(table, i);
         type.slotDataChanged(name);
-      } else {
-        type.removeSlot(name);
-        type.addSlot(name, primitive(table, i));
       }
     }
   }

@@ -182,6 +182,28 @@ public final class Shape {
     return next;
   }
 
+  /** This shape and more slots, at the end, for one object only. */
+  Shape withAll(Symbol[] more) {
+    if (table != null) {
+      for (Symbol name : more) {
+        with(name);
+      }
+      return this;
+    }
+    int size = names.length;
+    Symbol[] all = Arrays.copyOf(names, size + more.length);
+    System.arraycopy(more, 0, all, size, more.length);
+    byte[] theirs = Arrays.copyOf(flags, all.length);
+    return of(world, protos, all, theirs);
+  }
+
+  /** A shape for one object only. */
+  private static Shape of(World world, UrbiObject[] protos, Symbol[] names, byte[] flags) {
+    return names.length > SHARED_LIMIT
+        ? new Shape(world, protos, new SlotTable(names, flags))
+        : new Shape(world, protos, names, flags, null);
+  }
+
   /** This shape with other prototypes, for one object only. */
   Shape withProtos(UrbiObject[] others) {
     return table == null
@@ -239,8 +261,6 @@ public final class Shape {
     for (int i = 0; i < theirs.length; i++) {
       theirs[i] = table.flagsAt(table.indexOf(there[i]));
     }
-    return there.length <= SHARED_LIMIT
-        ? new Shape(world, protos, there, theirs, null)
-        : new Shape(world, protos, new SlotTable(there, theirs));
+    return of(world, protos, there, theirs);
   }
 }

@@ -1,6 +1,7 @@
 package org.urbi.kernel.object;
 
 import java.lang.ref.WeakReference;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -218,6 +219,18 @@ public class UrbiObject {
     return shape.names();
   }
 
+  /** The values of the object's own slots, in the order of their creation. */
+  public final List<UrbiObject> localSlotValues() {
+    List<UrbiObject> values = new ArrayList<>();
+    for (int i = 0; i < shape.size(); i++) {
+      UrbiObject value = present().slots[i];
+      if (value != null) { // a table of slots has holes
+        values.add(seen(value));
+      }
+    }
+    return values;
+  }
+
   /** The object where the lookup of a name ends: this one, a prototype, or null. */
   public final @Nullable UrbiObject locate(Symbol name) {
     UrbiObject at = this;
@@ -268,6 +281,25 @@ public class UrbiObject {
     s.slots[size] = value;
     shape = shape.with(name);
     slotsChanged(name);
+  }
+
+  /** Adds slots that are not there yet, all at once; their shape is that of this object alone. */
+  public final void addSlots(Symbol[] names, UrbiObject[] values) {
+    append(shape.withAll(names), names, values);
+  }
+
+  /** Adds slots at the end; the next shape has them, too. */
+  final void append(Shape next, Symbol[] names, UrbiObject[] values) {
+    Storage s = storage();
+    int size = next.size() - values.length;
+    if (next.size() > s.slots.length) {
+      s.slots = Arrays.copyOf(s.slots, next.size());
+    }
+    System.arraycopy(values, 0, s.slots, size, values.length);
+    shape = next;
+    for (Symbol name : names) {
+      slotsChanged(name);
+    }
   }
 
   /** Removes the object's own slot; false when it has none of that name. */

@@ -10,7 +10,7 @@ options { superClass = LexerBase; }
 
 tokens {
   // Keywords, by their names in lower case: LexerBase turns a WORD into one of these. Class Keywords
-  // reads them off here, from the first to the last of the operators without a symbol.
+  // has the same list, from the first to the last of the operators without a symbol.
   ASSERT, AT, BREAK, CALL, CASE, CATCH, CLASS, CLOSURE, CONST, CONTINUE, DEFAULT, DO, ELSE, EMIT,
   ENUM, EVERY, EXTERNAL, FINALLY, FOR, FREEZEIF, FUNCTION, IF, IN, LOOP, NEW, NOT, ONLEAVE, RETURN,
   STOPIF, SWITCH, THIS, THROW, TIMEOUT, TRY, VAR, WAITUNTIL, WATCH, WHENEVER, WHILE,

@@ -2,12 +2,22 @@ package org.urbi.lang.grammar;
 
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 
 /** What each word means to the scanner (manual, "Keywords"). */
 public final class Keywords {
+  /**
+   * Those of the grammar from ASSERT to OR_EQ, in its order. The lexer knows them, too, but only
+   * after it has read all of its tables, which takes longer than to read a short script.
+   */
+  private static final String[] WORDS =
+      ("assert at break call case catch class closure const continue default do else"
+              + " emit enum every external finally for freezeif function if in loop new not"
+              + " onleave return stopif switch this throw timeout try var waituntil watch whenever"
+              + " while get set import package bitand bitor compl and_eq or_eq")
+          .split(" ");
+
   private static final Map<String, Integer> TOKENS = tokens();
 
   private static final Set<String> RESERVED =
@@ -61,12 +71,11 @@ public final class Keywords {
 
   private Keywords() {}
 
-  /** The lexer's own list of words, by their names in lower case, and other spellings. */
+  /** The words of the grammar, and other spellings. */
   private static Map<String, Integer> tokens() {
     Map<String, Integer> tokens = new HashMap<>();
-    for (int token = UrbiscriptLexer.ASSERT; token <= UrbiscriptLexer.OR_EQ; token++) {
-      String name = UrbiscriptLexer.VOCABULARY.getSymbolicName(token);
-      tokens.put(name.toLowerCase(Locale.ROOT), token);
+    for (int i = 0; i < WORDS.length; i++) {
+      tokens.put(WORDS[i], UrbiscriptLexer.ASSERT + i);
     }
     tokens.put("foreach", UrbiscriptLexer.FOR);
     tokens.put("loopn", UrbiscriptLexer.FOR);

@@ -3,6 +3,7 @@ package org.urbi.server.cli;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import org.urbi.bridge.NativeThreads;
 
 /**
  * The training run with which the build makes the start-up cache: short scripts, in real and in
@@ -23,7 +24,8 @@ public final class TrainingRun {
     TrainingRun trainingRun = new TrainingRun();
     trainingRun.urbi("-q", "-e", "echo(\"Hello, World!\");", "-e", "shutdown;");
     trainingRun.urbi("--quiet", "--fast", script);
-    System.exit(0);
+    // As every run of urbi ends: the class of that is to be cached, too.
+    NativeThreads.halt(0);
   }
 
   private void urbi(String... args) {
