@@ -24,6 +24,8 @@ public final class TrainingRun {
     TrainingRun trainingRun = new TrainingRun();
     trainingRun.urbi("-q", "-e", "echo(\"Hello, World!\");", "-e", "shutdown;");
     trainingRun.urbi("--quiet", "--fast", script);
+    trainingRun.urbi("--help");
+    trainingRun.urbi("--version");
     // As every run of urbi ends: the class of that is to be cached, too.
     NativeThreads.halt(0);
   }

@@ -2,7 +2,6 @@ package org.urbi.server.options;
 
 import static java.util.Objects.requireNonNull;
 
-import java.io.PrintStream;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
@@ -14,10 +13,8 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** Parses any command line with picocli, prints the help, and reports mistakes. */
+/** Parses any command line with picocli, and reports mistakes. */
 final class PicocliParser {
-  private static final int HELP_WIDTH = 100;
-
   private final CommandSpec spec = CommandSpec.create();
   private final List<Option> options;
   private @Nullable ParsedCommandLine reading;
@@ -25,16 +22,9 @@ final class PicocliParser {
   PicocliParser(Declaration program) {
     this.options = program.options();
     spec.name(program.name());
-    spec.usageMessage()
-        .description(plain(program.description()))
-        .sortOptions(false)
-        .abbreviateSynopsis(true)
-        .width(HELP_WIDTH);
     spec.parser().stopAtPositional(program.stopAtArgument()).overwrittenOptionsAllowed(true);
-    spec.addOption(
-        OptionSpec.builder("-h", "--help").usageHelp(true).description(Declaration.HELP).build());
-    spec.addOption(
-        OptionSpec.builder("--version").versionHelp(true).description(Declaration.VERSION).build());
+    spec.addOption(OptionSpec.builder("-h", "--help").usageHelp(true).build());
+    spec.addOption(OptionSpec.builder("--version").versionHelp(true).build());
     options.forEach(option -> spec.addOption(specOf(option)));
     if (program.argumentLabel() != null) {
       spec.addPositional(
@@ -44,22 +34,12 @@ final class PicocliParser {
               .type(List.class)
               .auxiliaryTypes(String.class)
               .paramLabel(program.argumentLabel())
-              .hideParamSyntax(true)
-              .description(
-                  plain(requireNonNull(program.argumentDescription(), "goes with its label")))
               .build());
     }
   }
 
-  /** Picocli takes descriptions for formats. */
-  private static String plain(String text) {
-    return text.replace("%", "%%");
-  }
-
   private OptionSpec specOf(Option option) {
-    OptionSpec.Builder builder =
-        OptionSpec.builder(option.names().toArray(String[]::new))
-            .description(plain(option.description()));
+    OptionSpec.Builder builder = OptionSpec.builder(option.names().toArray(String[]::new));
     if (option.hasValue()) {
       builder
           .arity(option.implied() == null ? "1" : "0..1")
@@ -88,21 +68,23 @@ final class PicocliParser {
   }
 
   /**
-   * The parsed command line, or nothing if the help or the version was printed.
+   * The parsed command line, or nothing if the help or the version is asked for.
    *
+   * @param help prints the help
+   * @param version prints the version
    * @throws Failure if it makes no sense
    */
-  Optional<ParsedCommandLine> read(String[] args, PrintStream out, String version) {
+  Optional<ParsedCommandLine> read(String[] args, Runnable help, Runnable version) {
     reading = new ParsedCommandLine();
     CommandLine line = new CommandLine(spec);
     try {
       ParseResult parsed = line.parseArgs(args);
       if (parsed.isUsageHelpRequested()) {
-        line.usage(out);
+        help.run();
         return Optional.empty();
       }
       if (parsed.isVersionHelpRequested()) {
-        out.print(version);
+        version.run();
         return Optional.empty();
       }
       for (Option option : options) {

@@ -87,10 +87,16 @@ public final class Program {
    * @return the exit status
    */
   public int run(String[] args, PrintStream out, PrintStream err, ToIntFunction<Arguments> body) {
-    if (args.length == 1 && args[0].equals("--version")) {
+    if (args.length == 1) {
       // The classes of picocli would take longer than all the rest.
-      out.print(Version.text(name));
-      return written(out, err);
+      if (args[0].equals("--version")) {
+        out.print(Version.text(name));
+        return written(out, err);
+      }
+      if (args[0].equals("--help") || args[0].equals("-h")) {
+        out.print(HelpText.of(declaration()));
+        return written(out, err);
+      }
     }
     try {
       if (args.length == 1 && args[0].startsWith(GENERATE)) {
@@ -130,7 +136,9 @@ public final class Program {
 
   /** Parses any command line; nothing if the help or the version was printed. */
   Optional<ParsedCommandLine> readFully(String[] args, PrintStream out) {
-    return new PicocliParser(declaration()).read(args, out, Version.text(name));
+    return new PicocliParser(declaration())
+        .read(
+            args, () -> out.print(HelpText.of(declaration())), () -> out.print(Version.text(name)));
   }
 
   private String generated(String what) {

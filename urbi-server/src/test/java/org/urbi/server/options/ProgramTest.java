@@ -119,6 +119,47 @@ class ProgramTest {
   }
 
   @Test
+  void helpIsTheSameAmongOtherOptions() {
+    run("--help");
+    String alone = out.toString(StandardCharsets.UTF_8);
+    out.reset();
+    assertEquals(0, run("-q", "--help"));
+    assertEquals(alone, out.toString(StandardCharsets.UTF_8));
+  }
+
+  @Test
+  void helpHasNamesOnTheLeftAndMeaningsOnTheRight() {
+    new Program("tool", "A tool of 100% of the words that are needed " + "to be long ".repeat(6))
+        .flag("Only short.", "-x")
+        .option("N", "A number, as a=50% (default: none), or " + "another ".repeat(10), "-n")
+        .optional("TIME", "1s", "Waits.", "--wait")
+        .option("DIRECTORY", "Files are there.", "-d", "--directory-of-files")
+        .arguments("[FILE]", "A file.")
+        .run(
+            new String[] {"-h"},
+            new PrintStream(out, true, StandardCharsets.UTF_8),
+            new PrintStream(err, true, StandardCharsets.UTF_8),
+            arguments -> 0);
+    assertEquals(
+        """
+        Usage: tool [OPTIONS] [FILE]
+        A tool of 100% of the words that are needed to be long to be long to be long to be long to be long
+        to be long
+              [FILE]          A file.
+          -h, --help          Show this help and exit.
+              --version       Show the version and exit.
+          -x                  Only short.
+          -n N                A number, as a=50% (default: none), or another another another another another
+                                another another another another another
+              --wait[=TIME]   Waits.
+          -d, --directory-of-files=DIRECTORY
+                              Files are there.
+        """,
+        out.toString(StandardCharsets.UTF_8));
+    assertEquals("", err.toString(StandardCharsets.UTF_8));
+  }
+
+  @Test
   void versionNamesTheProgram() {
     assertEquals(0, run("--version"));
     assertTrue(out.toString(StandardCharsets.UTF_8).matches("(?s)tool version \\d+\\.\\d+.*"));
