@@ -16,9 +16,10 @@ jvm_flags="--add-opens java.base/java.lang=ALL-UNNAMED --enable-native-access=AL
 # a few hundred times is interpreted: to compile it costs more than it saves.
 cache_flags="-XX:+UnlockDiagnosticVMOptions -XX:ArchiveRelocationMode=0 -XX:-AOTReplayTraining -XX:Tier3InvocationThreshold=1000 -XX:Tier3MinInvocationThreshold=500 -XX:Tier3CompileThreshold=5000"
 
+# Our own jars come first: Java opens all of them until it has found a file or a class that is not in the cache.
 class_path() { # DISTRIBUTION: sets cp, always in the same order; what a package adds comes last, for the cache
   cp=
-  for jar in "$1"/lib/*.jar "$1"/opencv/*.jar; do
+  for jar in "$1"/lib/u*.jar "$1"/lib/[!u]*.jar "$1"/opencv/*.jar; do
     [ ! -f "$jar" ] || cp=$cp${cp:+:}$jar
   done
 }

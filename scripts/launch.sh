@@ -55,12 +55,16 @@ if [ "$main" = org.urbi.server.cli.UrbiCommand ] && [ -z "$little" ]; then
 fi
 . "$root/scripts/flags.sh"
 class_path "$root/$dist"
-cache=
-if [ -f "$root/$dist/urbi.aot" ]; then
-  cache=-XX:AOTCache=$root/$dist/urbi.aot
-else
-  cache_flags=
-fi
+# Java takes the classes from the start-up cache without a look at the jars. One that was put there since has others.
+cache=$root/$dist/urbi.aot
+for jar in "$root/$dist"/lib/*.jar; do
+  if [ "$jar" -nt "$cache" ] && [ -f "$cache" ]; then
+    cache=
+    echo "urbi: $jar is newer than the start-up cache, which is not used: build or install urbi again" >&2
+    break
+  fi
+done
+[ -f "$cache" ] || cache_flags=
 # In the locale of programs that have none (cron, systemd, containers) Java finds no file whose name is not ASCII, not
 # even its own. That locale has a twin with UTF-8.
 case ${LC_ALL:-${LC_CTYPE:-${LANG:-C}}} in
@@ -84,5 +88,5 @@ if [ -n "${URBI_SHOW_COMMAND:-}" ]; then # by programs that start the JVM themse
   exit
 fi
 # shellcheck disable=SC2086
-exec "$java" $jvm_flags $cache_flags ${cache:+"$cache"} ${URBI_JAVA_OPTS:-} -Durbi.root="${URBI_ROOT:-$root}" \
+exec "$java" $jvm_flags $cache_flags ${cache_flags:+"-XX:AOTCache=$cache"} ${URBI_JAVA_OPTS:-} -Durbi.root="${URBI_ROOT:-$root}" \
   -Durbi.uobjects="$root/$dist/uobjects" -Durbi.stdin.terminal=$typing -Durbi.program="$0" -cp "$cp" "$main" "$@"

@@ -129,7 +129,7 @@ final class IsolatedProcess implements ModuleProcess {
             "-XX:ErrorFile=/dev/null"));
     Path cache =
         Path.of(classes.split(File.pathSeparator)[0]).resolveSibling("../urbi.aot").normalize();
-    if (Files.isRegularFile(cache)) {
+    if (JvmFlags.haveCache() && Files.isRegularFile(cache)) {
       command.add("-XX:AOTCache=" + cache);
     }
     for (String property : PROPERTIES) {

@@ -18,6 +18,12 @@ final class JvmFlags {
 
   private JvmFlags() {}
 
+  /** Whether this JVM has a start-up cache, which whoever started it found to fit the jars. */
+  static boolean haveCache() {
+    return ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
+        .anyMatch(flag -> flag.startsWith("-XX:AOTCache="));
+  }
+
   /** Those of this JVM that are for its children, too. */
   static List<String> inherited() {
     return common(ManagementFactory.getRuntimeMXBean().getInputArguments());
