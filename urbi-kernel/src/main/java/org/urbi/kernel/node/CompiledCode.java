@@ -206,6 +206,16 @@ public abstract class CompiledCode extends FrameAccess {
     return clause.matches(frame, exception);
   }
 
+  /** What {@code throw} throws. */
+  protected static UrbiException thrown(UrbiObject value, Frame frame, Jumps.Throw node) {
+    return node.thrown(frame, value);
+  }
+
+  /** What {@code throw} without a value throws. */
+  protected static UrbiException thrownAgain(Frame frame, Jumps.Throw node) {
+    return node.caught(frame);
+  }
+
   /** From now on that exception is being handled; returns the one that was. */
   protected static @Nullable UrbiException handling(
       @Nullable UrbiException exception, Frame frame) {

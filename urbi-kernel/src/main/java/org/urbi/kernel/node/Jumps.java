@@ -102,15 +102,26 @@ public final class Jumps {
       this.value = value;
     }
 
+    /** The value; null to rethrow. */
+    public @Nullable Node value() {
+      return value;
+    }
+
     @Override
     public UrbiObject execute(Frame frame) {
-      if (value != null) {
-        throw frame.located(new UrbiException(value.execute(frame)), span());
-      }
-      if (frame.caught == null) {
-        throw frame.located(frame.interpreter.errors().scheduling(Problem.NOTHING_CAUGHT), span());
-      }
-      throw frame.caught;
+      throw value == null ? caught(frame) : thrown(frame, value.execute(frame));
+    }
+
+    /** The exception with that value. */
+    UrbiException thrown(Frame frame, UrbiObject what) {
+      return frame.located(new UrbiException(what), span());
+    }
+
+    /** The exception that is thrown again. */
+    UrbiException caught(Frame frame) {
+      return frame.caught == null
+          ? frame.located(frame.interpreter.errors().scheduling(Problem.NOTHING_CAUGHT), span())
+          : frame.caught;
     }
   }
 }

@@ -146,6 +146,11 @@ abstract class CodeWriter {
     return storedObject();
   }
 
+  /** What stands after a jump is never executed, but the Java machine verifies it. */
+  Value unreachable() {
+    return voidValue();
+  }
+
   void loadVoid() {
     constant(values.voidObject, Names.OBJECT);
   }

@@ -52,14 +52,17 @@ final class EmitStatements {
     if (node instanceof Try attempt && Survey.canEmit(attempt) && !to.isPlaced()) {
       return to.tries().value(attempt);
     }
+    if (node instanceof Jumps.Throw jump) {
+      return to.tries().value(jump);
+    }
     if (node instanceof Jumps.Return jump && jump.isPlain()) {
       Value value = jump.value() == null ? to.voidValue() : to.operand(jump.value());
       to.loops().leaveFunction(value);
-      return unreachable();
+      return to.unreachable();
     }
     if (node instanceof Jumps.OfLoop jump && jump.isPlain() && to.loops().isInLoop()) {
       to.loops().leave(jump.isBreak());
-      return unreachable();
+      return to.unreachable();
     }
     return null;
   }
@@ -98,11 +101,6 @@ final class EmitStatements {
     to.code.labelBinding(otherwise);
     to.statement(elseClause);
     to.code.labelBinding(over);
-  }
-
-  /** What stands after a jump is never executed, but the Java machine verifies it. */
-  private Value unreachable() {
-    return to.voidValue();
   }
 
   private Value chain(Sequences.Chain chain) {

@@ -6,13 +6,14 @@ import java.lang.classfile.Label;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.node.Jumps;
 import org.urbi.kernel.node.Node;
 import org.urbi.kernel.node.Pattern;
 import org.urbi.kernel.node.Try;
 
 /**
- * Emits {@code try}. The variables are in slots of the Java method, which an exception leaves as
- * they are, so that what handles it finds them.
+ * Emits {@code try} and {@code throw}. The variables are in slots of the Java method, which an
+ * exception leaves as they are, so that what handles it finds them.
  */
 final class EmitTry {
   private final Emitter to;
@@ -51,6 +52,23 @@ final class EmitTry {
       finishing(node, last, result);
     }
     return result;
+  }
+
+  /** Emits {@code throw}: what handles the exception may be in the same code, a jump away. */
+  Value value(Jumps.Throw node) {
+    Node value = node.value();
+    if (value == null) {
+      to.frame();
+      to.constant(node, Names.THROW);
+      to.help("thrownAgain", Names.EXCEPTION, Names.FRAME, Names.THROW);
+    } else {
+      to.load(to.operand(value));
+      to.frame();
+      to.constant(node, Names.THROW);
+      to.help("thrown", Names.EXCEPTION, Names.OBJECT, Names.FRAME, Names.THROW);
+    }
+    to.code.athrow();
+    return to.unreachable();
   }
 
   private void finishing(Try node, Node last, Value result) {

@@ -11,6 +11,7 @@ import org.urbi.kernel.node.CompoundAssignment;
 import org.urbi.kernel.node.ForEach;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Function;
+import org.urbi.kernel.node.Jumps;
 import org.urbi.kernel.node.KnownSlot;
 import org.urbi.kernel.node.Literals;
 import org.urbi.kernel.node.LoopJobs;
@@ -62,6 +63,7 @@ final class Names {
   static final ClassDesc CLAUSE = of(Try.Clause.class);
   static final ClassDesc EXCEPTION = of(UrbiException.class);
   static final ClassDesc TRY = of(Try.class);
+  static final ClassDesc THROW = of(Jumps.Throw.class);
   static final ClassDesc THROWABLE = of(Throwable.class);
   static final ClassDesc TRACKER = of(Dependencies.Tracker.class);
   static final ClassDesc CODE = of(UrbiCode.class);

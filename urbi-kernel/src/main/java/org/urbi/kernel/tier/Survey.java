@@ -209,6 +209,8 @@ final class Survey {
       visit(jump.value());
     } else if (node instanceof Jumps.OfLoop jump && jump.isPlain()) {
       jumps = true;
+    } else if (node instanceof Jumps.Throw jump) {
+      visit(jump.value());
     } else {
       return false;
     }
