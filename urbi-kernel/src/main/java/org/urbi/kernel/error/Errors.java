@@ -1,6 +1,8 @@
 package org.urbi.kernel.error;
 
 import org.jspecify.annotations.Nullable;
+import org.urbi.kernel.object.SlotNames;
+import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Values;
 import org.urbi.kernel.object.World;
@@ -14,10 +16,15 @@ import org.urbi.lang.parse.SyntaxError;
 public final class Errors {
   private final World world;
   private final Values values;
+  private final SlotNames ofLookup;
+  private final SlotNames ofRoutine;
 
   public Errors(World world) {
     this.world = world;
     this.values = world.values();
+    Symbol message = world.symbol("message");
+    ofLookup = new SlotNames(message, world.symbol("object"), world.symbol("name"));
+    ofRoutine = new SlotNames(message, world.symbol("routine"));
   }
 
   /**
@@ -65,6 +72,12 @@ public final class Errors {
       this.hint = hint;
     }
 
+    /** Several slots of an exception that has none of them, at once. */
+    private Builder with(SlotNames slots, UrbiObject... those) {
+      slots.put(exception, those);
+      return this;
+    }
+
     public Builder with(String slot, UrbiObject value) {
       exception.addSlot(world.symbol(slot), value);
       return this;
@@ -92,7 +105,10 @@ public final class Errors {
     if (target == values.voidObject) {
       return unexpectedVoid();
     }
-    return of(Problem.NOT_FOUND, name).with("object", target).with("name", name).build();
+    String text = Problem.NOT_FOUND.text(name);
+    return untold(Problem.NOT_FOUND)
+        .with(ofLookup, values.string(text), target, values.string(name))
+        .build();
   }
 
   /** {@code unexpected void}. */
@@ -117,7 +133,8 @@ public final class Errors {
 
   /** {@code routine: problem}. */
   public UrbiException primitive(String routine, Problem problem, Object... places) {
-    return of(problem, places).with("routine", routine).build();
+    String text = problem.text(places);
+    return untold(problem).with(ofRoutine, values.string(text), values.string(routine)).build();
   }
 
   /** {@code property lookup failed: slot->property}. */

@@ -26,10 +26,12 @@ import org.urbi.kernel.node.CorePrototypes;
 import org.urbi.kernel.node.Frame;
 import org.urbi.kernel.node.Interpreter;
 import org.urbi.kernel.object.SlotData;
+import org.urbi.kernel.object.SlotNames;
 import org.urbi.kernel.object.Symbol;
 import org.urbi.kernel.object.UrbiObject;
 import org.urbi.kernel.object.Values;
 import org.urbi.kernel.object.World;
+import org.urbi.lang.source.Span;
 
 /** Fills a fresh kernel with the standard library, from the tables of builtins. */
 public final class Library {
@@ -39,11 +41,20 @@ public final class Library {
   private final Values values;
   private final Map<String, UrbiObject> types = new LinkedHashMap<>();
 
+  /** What a caught exception has, if it is known where it was thrown, and if that has a place. */
+  private final SlotNames located;
+
+  private final SlotNames placed;
+  private final Symbol message;
+
   private Library(Interpreter interpreter, StackFrames stackFrames) {
     this.stackFrames = stackFrames;
     this.interpreter = interpreter;
     this.world = interpreter.world();
     this.values = interpreter.values();
+    this.located = new SlotNames(world.symbol("backtrace"));
+    this.placed = new SlotNames(world.symbol("location"), world.symbol("backtrace"));
+    this.message = world.symbol("message");
   }
 
   /**
@@ -262,16 +273,19 @@ public final class Library {
     }
     addMessage(frame, value);
     if (exception.isLocated()) {
-      if (exception.span() != null) {
-        OwnSlots.put(value, "location", stackFrames.locations().location(exception.span()));
+      UrbiObject calls = stackFrames.list(exception.backtrace());
+      Span span = exception.span();
+      if (span == null) {
+        located.put(value, calls);
+      } else {
+        placed.put(value, stackFrames.locations().location(span), calls);
       }
-      OwnSlots.put(value, "backtrace", stackFrames.list(exception.backtrace()));
     }
   }
 
   /** An exception of the library that shows values has no message before it is caught. */
   private void addMessage(Frame frame, UrbiObject value) {
-    if (value.localSlot(world.symbol("message")) != null) {
+    if (value.localSlot(message) != null) {
       return;
     }
     boolean argument = value.isA(type("Exception.Argument"));

@@ -14,6 +14,11 @@ public final class Locations {
   private final SlotNames ofPosition;
   private final SlotNames ofLocation;
 
+  /** The path of the file that was needed last: most positions are in the same one. */
+  private @Nullable UrbiPath last;
+
+  private String lastFile = "";
+
   public Locations(World world) {
     this.world = world;
     ofPosition = new SlotNames(world.symbol("file"), world.symbol("line"), world.symbol("column"));
@@ -41,8 +46,18 @@ public final class Locations {
         .prototype("Position")
         .clonedWith(
             ofPosition,
-            file == null ? world.values().nil : ((UrbiPath) world.prototype("Path")).sibling(file),
+            file == null ? world.values().nil : path(file),
             world.values().number(line),
             world.values().number(column));
+  }
+
+  private UrbiPath path(String file) {
+    UrbiPath known = last;
+    if (known == null || !file.equals(lastFile)) {
+      known = ((UrbiPath) world.prototype("Path")).sibling(file);
+      last = known;
+      lastFile = file;
+    }
+    return known.same();
   }
 }

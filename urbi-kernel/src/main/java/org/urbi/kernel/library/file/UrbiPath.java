@@ -52,6 +52,11 @@ public final class UrbiPath extends UrbiObject {
     return new UrbiPath(shape().world().prototype("Path").cloneShape(), simplified(other), working);
   }
 
+  /** Another object for the same path. */
+  public UrbiPath same() {
+    return new UrbiPath(shape(), text, working);
+  }
+
   /** The path without what makes no difference: {@code .}, and slashes in a row. */
   static String simplified(String path) {
     if (isSimple(path)) {
