@@ -48,7 +48,9 @@ final class RosApi {
           "service_node",
           "nodes",
           "node_details" ->
-          node.graph().thenApply(graph -> graph(name, asked, graph));
+          node.graph().thenApply(graph -> graph(name, asked, graph.visible()));
+      case "action_servers" ->
+          node.graph().thenApply(graph -> one("action_servers", graph.actions().keySet()));
       case "get_param" ->
           node.parameters()
               .get(asked.needed("name"))

@@ -2,6 +2,7 @@ package org.urbi.ros.graph;
 
 import java.util.List;
 import java.util.SortedMap;
+import java.util.TreeMap;
 
 /**
  * Who does what, at one time.
@@ -33,4 +34,56 @@ public record GraphSnapshot(
    * @param providers the names of nodes
    */
   public record ServiceInfo(String type, List<String> providers) {}
+
+  /**
+   * An action.
+   *
+   * @param type as its ROS writes it
+   * @param providers the names of nodes
+   */
+  public record ActionInfo(String type, List<String> providers) {}
+
+  private static final String SEND_GOAL = "/_action/send_goal";
+  private static final String GOAL_TYPE = "_SendGoal";
+
+  /** Actions by their full names: those to whose services of ROS 2 goals can be sent. */
+  public SortedMap<String, ActionInfo> actions() {
+    SortedMap<String, ActionInfo> all = new TreeMap<>();
+    services.forEach((name, service) -> {
+      if (name.endsWith(SEND_GOAL) && service.type().endsWith(GOAL_TYPE))
+        all.put(
+            without(name, SEND_GOAL),
+            new ActionInfo(without(service.type(), GOAL_TYPE), service.providers()));
+    });
+    return all;
+  }
+
+  private static String without(String text, String end) {
+    return text.substring(0, text.length() - end.length());
+  }
+
+  /** The same without what ROS 2 hides from people: names with a part that begins with _. */
+  public GraphSnapshot visible() {
+    SortedMap<String, NodeInfo> people = new TreeMap<>();
+    nodes.forEach((name, node) ->
+        people.put(
+            name,
+            new NodeInfo(
+                visible(node.publishes), visible(node.subscribes), visible(node.services))));
+    return new GraphSnapshot(people, visible(topics), visible(services));
+  }
+
+  private static List<String> visible(List<String> names) {
+    return names.stream().filter(GraphSnapshot::isVisible).toList();
+  }
+
+  private static <T> SortedMap<String, T> visible(SortedMap<String, T> all) {
+    SortedMap<String, T> some = new TreeMap<>(all);
+    some.keySet().removeIf(name -> !isVisible(name));
+    return some;
+  }
+
+  private static boolean isVisible(String name) {
+    return !name.contains("/_");
+  }
 }

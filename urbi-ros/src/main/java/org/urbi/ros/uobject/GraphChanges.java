@@ -56,7 +56,7 @@ final class GraphChanges {
           try {
             // A master that is away tells nothing: that is no change.
             if (graph != null) {
-              compare(graph);
+              compare(graph.visible());
             }
           } finally {
             looked();

@@ -5,14 +5,12 @@ import urbi.UDictionary;
 
 /** A graph as Dictionaries (manual, "Ros": nodes, topics, services; and actions). */
 final class Listings {
-  private static final String SEND_GOAL = "/_action/send_goal";
-  private static final String GOAL_TYPE = "_SendGoal";
-
   private Listings() {}
 
   static UDictionary nodes(GraphSnapshot graph) {
     UDictionary all = new UDictionary();
     graph
+        .visible()
         .nodes()
         .forEach((name, node) ->
             all.with(
@@ -27,6 +25,7 @@ final class Listings {
   static UDictionary topics(GraphSnapshot graph) {
     UDictionary all = new UDictionary();
     graph
+        .visible()
         .topics()
         .forEach((name, topic) ->
             all.with(
@@ -40,28 +39,20 @@ final class Listings {
 
   static UDictionary services(GraphSnapshot graph) {
     UDictionary all = new UDictionary();
-    graph.services().forEach((name, service) -> all.with(name, service.providers()));
+    graph.visible().services().forEach((name, service) -> all.with(name, service.providers()));
     return all;
   }
 
-  /** Actions, by the service to which their goals are sent. */
   static UDictionary actions(GraphSnapshot graph) {
     UDictionary all = new UDictionary();
     graph
-        .services()
-        .forEach((name, service) -> {
-          if (name.endsWith(SEND_GOAL) && service.type().endsWith(GOAL_TYPE)) {
+        .actions()
+        .forEach((name, action) ->
             all.with(
-                without(name, SEND_GOAL),
+                name,
                 new UDictionary()
-                    .with("type", without(service.type(), GOAL_TYPE))
-                    .with("providers", service.providers()));
-          }
-        });
+                    .with("type", action.type())
+                    .with("providers", action.providers())));
     return all;
-  }
-
-  private static String without(String text, String end) {
-    return text.substring(0, text.length() - end.length());
   }
 }

@@ -98,8 +98,7 @@ class ActionsTest {
 
   private static ActionClient client(TwoNode node, String name) throws InterruptedException {
     // A busy machine may take longer to tell of it than is waited for what need not be there.
-    while (!node.graph().join().services().containsKey(name + TwoActions.GET_RESULT))
-      Thread.sleep(1);
+    while (!node.graph().join().actions().containsKey(name)) Thread.sleep(1);
     return node.actions().client(name, null).join();
   }
 

@@ -62,6 +62,11 @@ class ActionScriptsTest {
           urbi.holds(
               "Ros.actions[\"/fibonacci\"] == [\"type\" => \"test_msgs/action/Fibonacci\","
                   + " \"providers\" => [\"/peer\"]]"));
+      assertTrue(
+          urbi.holds(
+              "Ros.topics.keys.all(function (var name) { name.split(\"/_\").size == 1 })"
+                  + " && Ros.services.keys.all(function (var name) { name.split(\"/_\").size == 1 })"
+                  + " && !Ros.topics.empty && !Ros.services.empty"));
       urbi.run(
           """
           var Global.fib = Ros.Action.new("/fibonacci")|;
