@@ -1,5 +1,5 @@
 // What a web page does with roslib: argv are its folder and the port.
-const { Ros, Topic, Service } = await import(process.argv[2] + '/node_modules/roslib/dist/RosLib.js');
+const { Action, Ros, Topic, Service } = await import(process.argv[2] + '/node_modules/roslib/dist/RosLib.js');
 const say = (...words) => console.log(...words);
 const ros = new Ros({ url: 'ws://127.0.0.1:' + process.argv[3] });
 ros.on('error', (error) => say('error', String(error)));
@@ -22,6 +22,24 @@ offered.advertise((request, response) => {
   response.message = 'a page';
   return true;
 });
+const count = new Action({ ros, name: '/count', actionType: 'test_msgs/Fibonacci' });
+let steps = 0;
+// A goal that waits is cancelled when it has told how far it is.
+const pursue = (order) => new Promise((done) => {
+  const id = count.sendGoal({ order }, (result) => done(JSON.stringify(result)), () => {
+    steps++;
+    if (order >= 100) count.cancelGoal(id);
+  }, done);
+});
+say('goal', await pursue(1), steps);
+say('goal', await pursue(100), steps);
+say('goal', await pursue(-1), steps);
+const ours = new Action({ ros, name: '/page_count', actionType: 'test_msgs/Fibonacci' });
+ours.advertise((goal, id) => {
+  ours.sendFeedback(id, { sequence: [0] });
+  if (goal.order < 0) ours.setFailed(id);
+  else if (goal.order < 100) ours.setSucceeded(id, { sequence: [0, goal.order] });
+}, (id) => ours.setCanceled(id, { sequence: [7] }));
 const said = new Topic({ ros, name: '/said', messageType: 'std_msgs/String' });
 said.advertise();
 said.publish({ data: 'by a page' });

@@ -35,6 +35,26 @@ def answer_page(request, response):
 
 offered = roslibpy.Service(ros, "/page", "std_srvs/SetBool")
 offered.advertise(answer_page)
+count = roslibpy.ActionClient(ros, "/count", "test_msgs/Fibonacci")
+steps = []
+
+
+def pursue(order):
+    ended = []
+    done = threading.Event()
+    told = lambda result: (ended.append(result), done.set())
+    going = lambda feedback: (steps.append(feedback), order >= 100 and count.cancel_goal(goal))
+    goal = count.send_goal(roslibpy.Goal({"order": order}), told, going, told)
+    done.wait()
+    return ended[0]
+
+
+result = pursue(1)
+say("goal", '{"sequence":%s}' % str(result["values"]["sequence"]).replace(" ", ""), len(steps))
+result = pursue(100)
+say("goal", "%s: %s" % (result["status"].name, str(result["values"]["sequence"])), len(steps))
+result = pursue(-1)
+say("goal", "%s: %s" % (result["status"].name, result["values"]), len(steps))
 said = roslibpy.Topic(ros, "/said", "std_msgs/String")
 said.advertise()
 said.publish(roslibpy.Message({"data": "by a page"}))

@@ -11,6 +11,8 @@ final class BridgeClient implements AutoCloseable {
   private final Replies replies;
   private final Topics topics;
   private final Services services;
+  private final Goals goals;
+  private final OfferedActions actions;
   private final Fragments fragments = new Fragments();
 
   BridgeClient(Node node, WebSocket socket) {
@@ -18,6 +20,8 @@ final class BridgeClient implements AutoCloseable {
     replies = new Replies(outbox, this::letGo);
     topics = new Topics(node, replies);
     services = new Services(node, replies);
+    goals = new Goals(node, replies);
+    actions = new OfferedActions(node, replies);
   }
 
   private void letGo() {
@@ -91,6 +95,12 @@ final class BridgeClient implements AutoCloseable {
       case "advertise_service" -> services.advertise(operation);
       case "unadvertise_service" -> services.unadvertise(operation);
       case "service_response" -> services.respond(operation);
+      case "send_action_goal" -> goals.send(operation);
+      case "cancel_action_goal" -> goals.cancel(operation);
+      case "advertise_action" -> actions.advertise(operation);
+      case "unadvertise_action" -> actions.unadvertise(operation);
+      case "action_feedback" -> actions.feedback(operation);
+      case "action_result" -> actions.end(operation);
       case "set_level" -> replies.setLevel(operation.needed("level"));
       case "" -> throw new BridgeException("'op' is missing");
       default -> throw new BridgeException("there is no such operation");
@@ -102,6 +112,8 @@ final class BridgeClient implements AutoCloseable {
     outbox.close();
     topics.close();
     services.close();
+    goals.close();
+    actions.close();
     letGo();
   }
 }

@@ -22,41 +22,58 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.urbi.ros.graph.ActionClient;
+import org.urbi.ros.graph.ActionServer;
+import org.urbi.ros.graph.GoalStatus;
 import org.urbi.ros.graph.Publisher;
 import org.urbi.ros.graph.Qos;
 import org.urbi.ros.graph.RosException;
 import org.urbi.ros.graph.ServiceClient;
+import org.urbi.ros.message.ActionType;
 import org.urbi.ros.message.MessageType;
 import org.urbi.ros.message.ServiceType;
 import org.urbi.ros.message.Templates;
 import org.urbi.ros.rtps.Neighbourhood;
 import org.urbi.ros.two.TwoNode;
 import org.urbi.ros.two.TwoSettings;
+import urbi.UDictionary;
+import urbi.UList;
+import urbi.UValue;
 
 /** A node of ROS 2, its clients of rosbridge, and those who are none. */
 class BridgeTest {
   private static final Path PEERS = Path.of("../.build/ros-peers").toAbsolutePath().normalize();
   private static final Path ORACLES = Path.of("src/test/oracles").toAbsolutePath();
+
+  /** Where test_msgs are. */
+  private static final Path TYPES =
+      Path.of("src/test/resources/org/urbi/ros").toAbsolutePath().normalize();
+
   private static final String KEY = "dGhlIHNhbXBsZSBub25jZQ==";
   private static final String TOKEN = "a token that is long enough";
   private static final BlockingQueue<String> told = new LinkedBlockingQueue<>();
   private static final BlockingQueue<String> said = new LinkedBlockingQueue<>();
   private static Neighbourhood domain;
   private static TwoNode node;
+  private static final BlockingQueue<ActionServer.Goal> given = new LinkedBlockingQueue<>();
+  private static final BlockingQueue<ActionServer.Goal> cancelled = new LinkedBlockingQueue<>();
   private static ServiceType setBool;
+  private static ActionType fibonacci;
   private static BridgeServer bridge;
   private static BridgeServer guarded;
 
   @BeforeAll
   static void open() throws IOException {
     domain = new Neighbourhood();
-    Map<String, String> environment = Map.of("ROS_DOMAIN_ID", "" + domain.domain());
+    Map<String, String> environment =
+        Map.of("ROS_DOMAIN_ID", "" + domain.domain(), "AMENT_PREFIX_PATH", TYPES.toString());
     node = TwoNode.start(TwoSettings.of(environment, "bridge", Map.of()), told::add);
     bridge = BridgeServer.open(node, "localhost", 0, Set.of("https://good.example"), "", told::add);
     guarded = BridgeServer.open(node, "localhost", 0, Set.of(), TOKEN, told::add);
@@ -73,8 +90,44 @@ class BridgeTest {
                 Templates.of(setBool.response())
                     .with("success", request.get("data").doubleValue() == 0)
                     .with("message", "flipped")));
+    fibonacci = node.definitions().action("test_msgs/Fibonacci");
+    node.actions().serve("/count", fibonacci, new Counting());
     node.subscribe(
         "/said", string, Qos.DEFAULT, message -> said.add(message.get("data").stringValue()));
+  }
+
+  private static UDictionary sequence(double... numbers) {
+    UList list = new UList();
+    for (double each : numbers) {
+      list.add(new UValue(each));
+    }
+    return new UDictionary().with("sequence", new UValue(list));
+  }
+
+  /** Reaches goals below 100 at once; of others it only tells how far it is. */
+  private static final class Counting implements ActionServer.Handler {
+    @Override
+    public CompletionStage<Boolean> goal(ActionServer.Goal goal) {
+      double order = goal.request().get("order").doubleValue();
+      CompletableFuture<Boolean> accepted = CompletableFuture.completedFuture(order >= 0);
+      accepted.thenAcceptAsync(good -> {
+        if (!good) {
+          return;
+        }
+        goal.feedback(sequence(0));
+        given.add(goal);
+        if (order < 100) {
+          goal.end(GoalStatus.SUCCEEDED, sequence(0, order));
+        }
+      });
+      return accepted;
+    }
+
+    @Override
+    public void cancel(ActionServer.Goal goal) {
+      cancelled.add(goal);
+      goal.end(GoalStatus.CANCELED, sequence(7));
+    }
   }
 
   @AfterAll
@@ -87,7 +140,7 @@ class BridgeTest {
 
   // ------------------------------------------------------------------ those who are meant
 
-  private static void talks(String... command) throws Exception {
+  private static void talks(Runnable more, String... command) throws Exception {
     assumeTrue(Files.exists(Path.of(command[0])), "no client: scripts/ros-peers.sh gets it");
     Process client =
         new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT).start();
@@ -107,6 +160,9 @@ class BridgeTest {
       assertTrue(
           all.get(7).contains("date: std_srvs/srv/SetBool_Request has no such field"),
           all::toString);
+      assertEquals("goal {\"sequence\":[0,1]} 1", all.get(8));
+      assertTrue(all.get(9).endsWith(" 2") && all.get(9).contains("7"), all.get(9));
+      assertTrue(all.get(10).contains("/count refuses the goal"), all.get(10));
       assertEquals("by a page", said.take());
       try (ServiceClient page = node.client("/page", setBool, false).join()) {
         assertEquals(
@@ -116,6 +172,7 @@ class BridgeTest {
                 .get("message")
                 .stringValue());
       }
+      more.run();
     } finally {
       client.destroyForcibly().waitFor();
     }
@@ -124,16 +181,45 @@ class BridgeTest {
     }
   }
 
+  /** A page pursues goals of others. */
+  private static void pursues() {
+    try (ActionClient client = node.actions().client("/page_count", fibonacci).join()) {
+      BlockingQueue<UDictionary> steps = new LinkedBlockingQueue<>();
+      ActionClient.Listener listener =
+          new ActionClient.Listener() {
+            @Override
+            public void feedback(UDictionary feedback) {
+              steps.add(feedback);
+            }
+          };
+      ActionClient.Outcome reached =
+          client.send(new UDictionary().with("order", 3), listener).outcome().join();
+      assertEquals(new ActionClient.Outcome(GoalStatus.SUCCEEDED, sequence(0, 3)), reached);
+      assertEquals(
+          GoalStatus.ABORTED,
+          client.send(new UDictionary().with("order", -1), listener).outcome().join().status());
+      ActionClient.Goal waiting = client.send(new UDictionary().with("order", 100), listener);
+      assertTrue(waiting.cancel().join());
+      assertEquals(
+          new ActionClient.Outcome(GoalStatus.CANCELED, sequence(7)), waiting.outcome().join());
+    }
+  }
+
   @Test
   void roslib() throws Exception {
     Path library = PEERS.resolve("roslib");
     assumeTrue(Files.exists(library), "no roslib: scripts/ros-peers.sh gets it");
-    talks("/usr/bin/node", ORACLES.resolve("page.mjs").toString(), library.toString(), port());
+    talks(
+        BridgeTest::pursues,
+        "/usr/bin/node",
+        ORACLES.resolve("page.mjs").toString(),
+        library.toString(),
+        port());
   }
 
   @Test
   void roslibpy() throws Exception {
-    talks(PEERS + "/bridge/bin/python", ORACLES.resolve("page.py").toString(), port());
+    talks(() -> {}, PEERS + "/bridge/bin/python", ORACLES.resolve("page.py").toString(), port());
   }
 
   private static String port() {
@@ -276,6 +362,16 @@ class BridgeTest {
         "{\"op\":\"call_service\",\"service\":\"/flip\",\"args\":[\"x\"]}|data: a number expected|\"result\":false",
         "{\"op\":\"call_service\",\"service\":\"/flip\",\"args\":[false]}|flipped|\"result\":true",
         "{\"op\":\"service_response\",\"id\":\"x\"}|nobody waits|error",
+        "{\"op\":\"send_action_goal\",\"action\":\"/count\"}|'id' is missing|error",
+        "{\"op\":\"send_action_goal\",\"action\":\"/count\",\"id\":\"g\",\"args\":{\"n\":1}}|n: test_msgs/action/Fibonacci_Goal has no such field|\"result\":false",
+        "{\"op\":\"send_action_goal\",\"action\":\"/count\",\"id\":\"g\",\"action_type\":\"x/Y\"}|no type x/action/Y|\"status\":0",
+        "{\"op\":\"send_action_goal\",\"action\":\"/nowhere\",\"id\":\"g\"}|there is no action /nowhere|\"result\":false",
+        "{\"op\":\"send_action_goal\",\"action\":\"/count\",\"id\":\"g\",\"args\":{\"order\":1}}|[0,1]|\"status\":4",
+        "{\"op\":\"cancel_action_goal\",\"action\":\"/count\",\"id\":\"g\"}|there is no goal 'g'|error",
+        "{\"op\":\"unadvertise_action\",\"action\":\"/count\"}|/count is not offered|error",
+        "{\"op\":\"action_feedback\",\"id\":\"g\"}|nobody waits for the goal 'g'|error",
+        "{\"op\":\"action_result\",\"id\":\"g\",\"status\":4}|nobody waits for the goal 'g'|error",
+        "{\"op\":\"call_service\",\"service\":\"/rosapi/action_servers\"}|/count|\"result\":true",
         "{\"op\":\"set_level\",\"level\":\"loud\"}|info, warning, error, none|error",
         "{\"op\":\"fragment\",\"id\":\"f\",\"num\":3,\"total\":2}|'num' below 'total'|error",
         "{\"op\":\"fragment\",\"id\":\"f\",\"num\":0,\"total\":1,\"data\":\"{}\"}|'op' is missing|error",
@@ -366,6 +462,44 @@ class BridgeTest {
         each.close();
       }
     }
+  }
+
+  @Test
+  void whoGoesWantsNothingAnyMore() throws Exception {
+    given.clear();
+    cancelled.clear();
+    try (Raw client = new Raw(bridge)) {
+      client.upgrade("/");
+      client.text(
+          "{\"op\":\"send_action_goal\",\"action\":\"/count\",\"id\":\"g\",\"args\":{\"order\":500}}");
+      given.take();
+    }
+    assertEquals(500, cancelled.take().request().get("order").doubleValue());
+  }
+
+  @Test
+  void whoGoesAbortsTheGoalsThatItPursues() throws Exception {
+    CompletableFuture<ActionClient.Outcome> outcome;
+    try (Raw client = new Raw(bridge)) {
+      client.upgrade("/");
+      client.text(
+          "{\"op\":\"advertise_action\",\"action\":\"/fleeting\",\"type\":\"test_msgs/Fibonacci\"}");
+      ActionClient ours = node.actions().client("/fleeting", fibonacci).join();
+      outcome =
+          ours.send(new UDictionary().with("order", 1), new ActionClient.Listener() {}).outcome();
+      String goal = client.answer();
+      assertTrue(
+          goal.contains("\"op\":\"send_action_goal\"") && goal.contains("\"order\":1"), goal);
+      String id = goal.replaceFirst(".*\"id\":\"([^\"]*)\".*", "$1");
+      client.text(
+          "{\"op\":\"action_feedback\",\"id\":\"" + id + "\",\"values\":{\"sequence\":[1]}}");
+    }
+    // It is told, or the server has gone before: what is sure is that nobody waits for ever.
+    GoalStatus status =
+        outcome
+            .handle((ended, failure) -> failure == null ? ended.status() : GoalStatus.ABORTED)
+            .join();
+    assertEquals(GoalStatus.ABORTED, status);
   }
 
   @Test
